@@ -261,10 +261,10 @@ fn matrix_types_of_libraries_stay_inside_the_numerics() {
 const BUDGETS: [(&str, usize); 9] = [
     ("solver", 18_100),
     ("drawing", 3_000),
-    ("case", 6_850),
+    ("case", 7_550),
     ("oracle", 3_900),
     ("study", 15_750),
-    ("referee", 5_300),
+    ("referee", 5_400),
     ("report", 3_450),
     ("cli", 4_300),
     ("live", 450),

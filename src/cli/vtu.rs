@@ -94,6 +94,7 @@ fn cells(discretisation: &Discretisation) -> Cells {
     let (nodes, count) = (mesh.order.nodes_per_cell(), mesh.cells());
     let kind = match mesh.order {
         Order::Linear => CellType::Quad,
+        Order::Biquadratic => CellType::BiquadraticQuad,
         Order::Quadratic => CellType::QuadraticQuad,
         _ => CellType::LagrangeQuadrilateral,
     };

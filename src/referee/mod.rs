@@ -6,7 +6,7 @@
 //! * [`asked`] — how a file is to be read.
 //! * [`table`], [`document`], [`grid`], [`calculix`], [`frd`] — answers as CSV, as JSON, of VTK and of CalculiX; [`mod@read`] — a file by its ending.
 //! * [`state`] — which state of an analysis is judged.
-//! * `unstructured` — a grid of VTK; `vtu`, `vtk` — one in XML, and in the legacy format.
+//! * `unstructured` — a grid of VTK; `vtu`, `vtk` — one in XML, and in the legacy format; `pvd` — one of several.
 //! * [`side`] — which nodes of a mesh lie on the contact side, and whether they are all that is pressed.
 //! * `complete` — whether an answer holds the whole contact.
 //! * [`profile`] — an answer as contact points and edge means, of which measures are taken.
@@ -36,6 +36,7 @@ pub mod mistakes;
 pub mod norm;
 pub mod picture;
 pub mod profile;
+mod pvd;
 pub mod read;
 pub mod series;
 pub mod side;

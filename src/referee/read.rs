@@ -11,13 +11,14 @@ use crate::error::Error;
 use crate::referee::answer::Answer;
 use crate::referee::asked::Asked;
 use crate::referee::source::Source;
-use crate::referee::{calculix, document, frd, grid, table};
+use crate::referee::{calculix, document, frd, grid, pvd, table};
 use crate::scene::Scene;
 
 /// Largest file that is read \[bytes\].
 const LARGEST_FILE: u64 = 256 << 20;
 /// What can be handed in.
-const KNOWN: &str = "hand in .csv, .tsv, .txt, .rpt, .json, .vtu, .vtk, .frd or .dat, or one of them compressed as .gz";
+const KNOWN: &str =
+    "hand in .csv, .tsv, .txt, .rpt, .json, .vtu, .vtk, .pvd, .frd or .dat, or one of them compressed as .gz";
 
 /// The answer in a file.
 pub fn read(file: &Path, case: &Case, asked: &Asked) -> Result<Answer, Error> {
@@ -36,19 +37,20 @@ pub fn parse(file: &Path, bytes: &[u8], case: &Case, asked: &Asked) -> Result<An
         }
         return parse(&within, &decompressed(file, bytes)?, case, asked);
     }
-    let has_states = matches!(ending.as_str(), "frd" | "dat");
+    let has_states = matches!(ending.as_str(), "frd" | "dat" | "pvd");
     if asked.has_state() && !has_states {
         let message = "--time and --step are asked for, and it has one state";
         return Err(Error::file(
             file,
             message,
-            "leave them out: they choose among those of a .frd or .dat of CalculiX",
+            "leave them out: they choose among those of a .frd or .dat of CalculiX, or of a .pvd",
         ));
     }
     match ending.as_str() {
         "csv" | "tsv" | "txt" | "rpt" => table::parse(file, text(file, bytes)?, &case.scene, asked),
         "json" => document::parse(file, text(file, bytes)?, &case.name, &case.scene, asked),
         "vtu" | "vtk" => grid::parse(file, bytes, &case.scene, asked),
+        "pvd" => of_collection(file, text(file, bytes)?, case, asked),
         "frd" => frd::parse(file, text(file, bytes)?, &case.scene, asked),
         "dat" if !text(file, bytes)?.contains(" for set ") => {
             table::parse(file, text(file, bytes)?, &case.scene, asked)
@@ -56,6 +58,15 @@ pub fn parse(file: &Path, bytes: &[u8], case: &Case, asked: &Asked) -> Result<An
         "dat" => exported(file, text(file, bytes)?, &case.scene, asked),
         _ => Err(Error::file(file, format!("its ending `{ending}` names no format that is read"), KNOWN)),
     }
+}
+
+/// The grid of a collection that is judged.
+fn of_collection(file: &Path, text: &str, case: &Case, asked: &Asked) -> Result<Answer, Error> {
+    let (own, state, all) = pvd::chosen(file, text, asked)?;
+    let mut answer = parse(&own, &bytes(&own)?, case, &Asked { time: None, step: None, ..asked.clone() })?;
+    answer.read.push(format!("{} of {state}", own.display()));
+    answer.notes.extend(state.notes(&all));
+    Ok(answer)
 }
 
 /// Nodal forces of an exported deck, and the displacements of the file of fields of the same name, where it is there.

@@ -1,7 +1,7 @@
 //! Answers as tables: a line of names with their units, then a line a point; separated by commas, semicolons, tabs or blanks.
 //!
 //! A column is called what it holds, `position [mm]`, `pressure [MPa]`, `force [N]`, `gap [mm]`, `area [mm2]`, `x [mm]`, `y [mm]` or
-//! `contact`, or has a name that other programs give it ([`Role::usual`]), or is named by `--column`. A unit stands in its brackets, in a row
+//! `contact`, or has a name that other programs give it ([`Role::usual`]), or is named by `--column`. A unit stands in its brackets or behind `in`, in a row
 //! of units behind the names, or is named by `--unit`; none is guessed. What stands before the names, and comments, are passed over; where a
 //! comment is all that stands before the numbers, it has the names. Numbers may have decimal commas, and exponents of Fortran.
 
@@ -174,6 +174,10 @@ fn cells(line: &str, mark: char) -> Vec<String> {
             let unit = all.remove(k);
             all[k - 1] += &format!(" {unit}");
         }
+        while let Some(k) = (2..all.len()).find(|&k| all[k - 1] == "in" && is_known_unit(&all[k])) {
+            let unit = all.drain(k - 1..=k).collect::<Vec<_>>().join(" ");
+            all[k - 2] += &format!(" {unit}");
+        }
     }
     all
 }
@@ -214,17 +218,23 @@ fn inner(cell: &str) -> &str {
 
 /// Whether a cell is a unit, or says that there is none.
 fn is_unit(cell: &str) -> bool {
-    ["", "-", "–"].contains(&inner(cell)) || Role::ALL.iter().any(|role| role.factor(inner(cell)).is_some())
+    ["", "-", "–"].contains(&inner(cell)) || is_known_unit(inner(cell))
 }
 
-/// Name and unit of a column: `pressure [MPa]`, `pressure (MPa)` or `pressure / MPa`.
+fn is_known_unit(name: &str) -> bool {
+    Role::ALL.iter().any(|role| role.factor(name).is_some())
+}
+
+/// Name and unit of a column: `pressure [MPa]`, `pressure (MPa)`, `pressure / MPa` or `pressure in MPa`.
 fn split(title: &str) -> (&str, Option<&str>) {
     let inside = |open: char, close: char| {
         let (name, rest) = title.rsplit_once(open)?;
         Some((name.trim(), Some(rest.trim().strip_suffix(close)?.trim()).filter(|unit| !unit.is_empty())))
     };
     let over = || title.split_once(" / ").map(|(name, unit)| (name.trim(), Some(unit.trim())));
-    inside('[', ']').or_else(|| inside('(', ')')).or_else(over).unwrap_or((title.trim(), None))
+    let words = || title.rsplit_once(" in ").filter(|(_, unit)| is_known_unit(unit));
+    let within = || words().map(|(name, unit)| (name.trim(), Some(unit.trim())));
+    inside('[', ']').or_else(|| inside('(', ')')).or_else(over).or_else(within).unwrap_or((title.trim(), None))
 }
 
 /// Whether a column has one of the usual names of a role.

@@ -117,12 +117,15 @@ fn as_words(text: &[u8]) -> Result<Vec<f64>, String> {
 }
 
 /// Where a tag begins, and where its `>` is.
-struct Tag {
-    begin: usize,
-    end: usize,
+pub struct Tag {
+    /// Place of its first mark.
+    pub begin: usize,
+    /// Place of its last mark.
+    pub end: usize,
 }
 
-fn tag(bytes: &[u8], name: &[u8], from: usize) -> Option<Tag> {
+/// The next tag of a name.
+pub fn tag(bytes: &[u8], name: &[u8], from: usize) -> Option<Tag> {
     let begin = position(bytes, name, from)?;
     Some(Tag { begin, end: position(bytes, b">", begin)? })
 }
@@ -132,7 +135,7 @@ fn position(bytes: &[u8], wanted: &[u8], from: usize) -> Option<usize> {
 }
 
 /// The value of an attribute of a tag.
-fn attribute<'a>(tag: &'a str, name: &str) -> Option<&'a str> {
+pub fn attribute<'a>(tag: &'a str, name: &str) -> Option<&'a str> {
     let key = format!("{name}=");
     let (at, _) = tag.match_indices(&key).find(|(at, _)| tag[..*at].ends_with(char::is_whitespace))?;
     let rest = &tag[at + key.len()..];

@@ -52,6 +52,7 @@ mod lagrange_fields;
 mod limits;
 mod measure;
 mod mesh;
+mod mesh_files;
 mod met;
 mod new_scenes;
 mod options;

@@ -101,6 +101,7 @@ fn tables_say_the_same_whatever_their_marks_numbers_and_names() {
         "x [mm],pressure [MPa]\n",
         "\u{feff}position / mm,contact pressure / MPa\n",
         "X Location (mm),Pressure (N/mm^2)\n",
+        "Position in mm,Contact pressure in MPa\n",
         "position,pressure\n[mm],[N/mm²]\n",
         "position,pressure\nmm,MPa\n",
         "// solved by hand\n! twice\nposition (mm),Tn (MPa)\n",
@@ -111,6 +112,7 @@ fn tables_say_the_same_whatever_their_marks_numbers_and_names() {
         format!("position [mm]\tpressure [MPa]\n{}", row("\t", comma)),
         format!("position [mm]   pressure [MPa]\n{}", row("   ", comma)),
         format!("# x [mm] p [MPa]\n{}", row(" ", fortran)),
+        format!("x in mm p in MPa\n{}", row(" ", plain)),
         format!("$ x (mm)  Contact Pressure (MPa)\n{}", row("  ", plain)),
         format!(
             "***\nField Output Report, written Mon Nov 23 10:21:07\n\n  Node    COORD.COOR1 [mm]    CPRESS [MPa]\n  Label              @Loc 1          @Loc 1\n-----\n{}\n\n  \
@@ -275,6 +277,50 @@ fn a_mesh_that_lies_partly_off_the_path_is_not_judged_and_its_unit_is_questioned
     assert!(far.contains("y = 7.0000 to 7.5000 mm"), "{far}");
     let far = parsed("theirs.frd", Frd { below: 7.0, ..Frd::plain() }.text(), &usual()).map(|_| ());
     assert!(far.expect_err("far").to_string().contains("its points lie at x = 0.0000 to 4.8000"));
+}
+
+#[test]
+fn of_a_collection_the_last_grid_is_judged_or_that_of_a_time() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let case = find("cylinder", None).expect("a case");
+    let (meshed, run) = case.solve().expect("solved");
+    let text = vtu::text(&meshed.discretisation, &run).expect("written");
+    std::fs::write(folder.path().join("last.vtu"), &text).expect("written");
+    let entry =
+        |time: &str, file: &str| format!("<DataSet timestep=\"{time}\" group=\"\" part=\"0\" file=\"{file}\"/>\n");
+    let whole = |entries: &str| {
+        format!(
+            "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>\n{entries}</Collection>\n</VTKFile>\n"
+        )
+    };
+    let file = folder.path().join("series.pvd");
+    let read = |entries: &str, asked: &Asked| read::parse(&file, whole(entries).as_bytes(), &case, asked);
+    let refused = |entries: &str, asked: &Asked, parts: [&str; 2]| {
+        let error = read(entries, asked).map(|_| ()).expect_err(entries).to_string();
+        parts.iter().for_each(|part| assert!(error.contains(part), "`{part}` is not in {error}"));
+    };
+    let series = entry("0.5", "first.vtu") + &entry("1", "last.vtu");
+    let at = |time: f64| Asked { time: Some(time), ..usual() };
+    let own = read::parse(&folder.path().join("last.vtu"), text.as_bytes(), &case, &usual()).expect("read");
+    for (entries, asked) in
+        [(series.clone(), usual()), (series.clone(), at(1.0)), (series.replace("timestep", "time"), usual())]
+    {
+        let answer = read(&entries, &asked).unwrap_or_else(|error| panic!("{error}"));
+        let [found, wanted] =
+            [&answer, &own].map(|one| one.contacts[0].points.iter().map(|point| point.value).collect::<Vec<_>>());
+        assert_eq!(found, wanted);
+        assert!(answer.read.iter().any(|line| line.contains("last.vtu of time")), "{:?}", answer.read);
+        assert!(answer.notes.is_empty() || entries.contains(" time="), "{:?}", answer.notes);
+    }
+    let early = read(&(series.clone() + &entry("2", "other.vtu")), &at(1.0)).expect("read");
+    assert!(early.notes.iter().any(|note| note.contains("goes on to time 2")), "{:?}", early.notes);
+    refused(&series, &at(0.5), ["first.vtu", "missing"]);
+    refused(&series, &at(0.7), ["no results of the time", "time 0.5; time 1"]);
+    refused(&(series.clone() + &entry("1", "part.vtu")), &usual(), ["2 files of time 1", "one .vtu"]);
+    refused(&entry("1", "series.pvd"), &usual(), ["another collection", ".vtu"]);
+    refused("", &usual(), ["names no grid", ".vtu"]);
+    refused(&entry("one", "last.vtu"), &usual(), ["series.pvd:4", "no number"]);
+    refused("<DataSet timestep=\"1\"/>", &usual(), ["series.pvd:4", "has no file"]);
 }
 
 fn refused_text(text: &str) -> String {

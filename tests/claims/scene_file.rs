@@ -309,7 +309,7 @@ fn page_on_scene_files_is_true() {
             file.split_inclusive('\n').filter(|line| !of_mesh(line)).collect()
         };
         let file = match shape {
-            _ if shape.contains("gmsh") => without_mesh(onto),
+            _ if shape.contains(".msh") => without_mesh(onto),
             _ if shape.contains("blocks") => without_mesh(file),
             _ if shape.contains("ring") => curved,
             _ => file,

@@ -32,7 +32,7 @@ pub fn scene(bytes: &[u8]) -> Result<(), Error> {
     mesh_of(&Case::parse(&folder().join("absent/scene.toml"), &String::from_utf8_lossy(bytes))?)
 }
 
-/// A Gmsh mesh, of whose physical groups a scene makes two bodies.
+/// A mesh of Gmsh, or a deck where it begins with a star, of whose groups a scene makes two bodies.
 pub fn mesh(bytes: &[u8]) -> Result<(), Error> {
     write(&folder().join("mesh.msh"), bytes);
     mesh_of(&Case::parse(&folder().join("scene.toml"), include_str!("mesh.toml"))?)

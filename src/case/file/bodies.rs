@@ -50,9 +50,12 @@ const SHAPE: Form = OneOf(&[
         ]),
     ),
     ("blocks", List(&BLOCK)),
-    // A physical surface of a mesh, and the physical curve that carries the contact.
-    ("gmsh", Table(&[must("file", Text), must("group", Text), must("contact", Text)])),
+    // A group of cells of a mesh, and the group of sides that carries the contact.
+    (gmsh::SHAPES[0], MESH),
+    (gmsh::SHAPES[1], MESH),
 ]);
+
+const MESH: Form = Table(&[must("file", Text), must("group", Text), must("contact", Text)]);
 
 /// A body with its supports and loads, in a contact on one side of x = 0 or across it.
 pub fn body(plane: PlaneHypothesis, across: bool, table: Value) -> Result<Body, Error> {
@@ -122,7 +125,7 @@ fn shape(across: bool, given: Value) -> Result<Shape, Error> {
         "disc" => disc(across, table),
         "ring" => ring(table),
         "blocks" => blocks::shape(given, table),
-        "gmsh" => gmsh::shape(table),
+        name if gmsh::SHAPES.contains(&name) => gmsh::shape(table),
         _ => table.unknown(),
     }
 }

@@ -21,11 +21,8 @@ impl Places {
     /// Those of a file.
     pub(super) fn of(file: Value) -> Self {
         let shapes = file.list("body").into_iter().map(|body| body.at("shape"));
-        Self {
-            file: file.source.file.into(),
-            meshes: shapes.filter_map(|shape| Some(gmsh::path(shape.get("gmsh")?))).collect(),
-            text: file.source.text.into(),
-        }
+        let mesh = |shape: Value<'_>| gmsh::SHAPES.iter().find_map(|name| Some(gmsh::path(shape.get(name)?)));
+        Self { file: file.source.file.into(), meshes: shapes.filter_map(mesh).collect(), text: file.source.text.into() }
     }
 
     /// The file itself, and the meshes that it names.

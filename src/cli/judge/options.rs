@@ -19,8 +19,8 @@ use crate::referee::judge::ENGINEERING;
 pub struct Arguments {
     /// Case of the library (`list` names them), or a scene file.
     pub case: String,
-    /// Answers: .csv, .tsv, .txt or .rpt (columns `position [mm]`, `pressure [MPa]` or `force [N]`), .json (`schema answer`), .vtu or .vtk
-    /// (nodal pressure or stress), .frd (contact fields) or .dat (of an exported deck) of CalculiX.
+    /// Answers: .csv, .tsv, .txt or .rpt (columns `position [mm]`, `pressure [MPa]` or `force [N]`), .json (`schema answer`), .vtu, .vtk or
+    /// .pvd (nodal pressure or stress), .frd (contact fields) or .dat (of an exported deck) of CalculiX.
     #[arg(required = true, value_name = "ANSWER")]
     pub answers: Vec<PathBuf>,
     /// Which column or field holds what, such as pressure=CPRESS; a component of a field by its number from 0 or its name, such as
@@ -39,7 +39,7 @@ pub struct Arguments {
     /// Pressures and forces are negative in compression.
     #[arg(long)]
     tension_positive: bool,
-    /// Time of the state that is judged, of a .frd or .dat with several; the last one where neither it nor the step is given.
+    /// Time of the state that is judged, of a .frd, .dat or .pvd with several; the last one where neither it nor the step is given.
     #[arg(long, value_name = "TIME")]
     time: Option<f64>,
     /// Step at whose end the state is that is judged, of a .frd.

@@ -207,7 +207,7 @@ impl Arguments {
                 let digits = usize::from(order.number()).saturating_sub(2);
                 let expected = "cells fitted to the contact have order 4 to 8";
                 let refused = || Error::value("solve", "--order", order.number(), expected, "give 4 to 8");
-                order.is_tensor().then(|| Some(Fitted::of_digits(digits))).ok_or_else(refused)
+                order.is_high().then(|| Some(Fitted::of_digits(digits))).ok_or_else(refused)
             }
         }
     }

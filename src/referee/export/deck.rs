@@ -56,7 +56,7 @@ pub(super) fn kind(discretisation: &Discretisation) -> Result<&'static str, Erro
         (PlaneHypothesis::Stress, Order::Quadratic) => "CPS8",
         (_, order) => {
             let message =
-                format!("its cells have order {}, and other codes read those of order 1 and 2", order.number());
+                format!("its cells have {} nodes, and other codes read those of 4 and 8", order.nodes_per_cell());
             return Err(Error::at("export", message, "give `order = 1` or `order = 2` in [mesh]"));
         }
     })

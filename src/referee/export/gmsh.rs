@@ -81,7 +81,11 @@ fn nodes(text: &mut String, mesh: &Mesh) {
 }
 
 fn elements(text: &mut String, mesh: &Mesh, sides: &[Side]) {
-    let (line, cell) = if mesh.order == Order::Linear { (1, 3) } else { (8, 16) };
+    let (line, cell) = match mesh.order {
+        Order::Linear => (1, 3),
+        Order::Biquadratic => (8, 10),
+        _ => (8, 16),
+    };
     let count = sides.iter().map(|side| side.edges.len()).sum::<usize>() + mesh.cells();
     let _ = writeln!(text, "$Elements\n{} {count} 1 {count}", sides.len() + mesh.bodies.len());
     let mut tag = 0;

@@ -32,7 +32,7 @@ impl CellStiffness {
 
     /// For cells of an order and a material, whose dilatation is smoothed where it is nearly incompressible and cells could lock.
     pub fn of(order: Order, material: &Material, plane: PlaneHypothesis, thickness: f64) -> Self {
-        match order.is_tensor() {
+        match order.is_high() {
             true => Self::new(order, &material.stiffness(plane), thickness),
             false => Self::tabulated(order, Split::of(material, plane), thickness),
         }
@@ -119,6 +119,7 @@ impl CellStiffness {
     pub fn integrate(&self, points: impl Iterator<Item = [f64; 2]>, k: &mut [f64]) -> Result<(), f64> {
         match self.order {
             Order::Linear => self.integrate_pairs::<4, 4>(points, k),
+            Order::Biquadratic => self.integrate_pairs::<9, 9>(points, k),
             Order::Quadratic => self.integrate_pairs::<8, 9>(points, k),
             Order::Quartic => self.integrate_pairs::<25, 25>(points, k),
             Order::Quintic => self.integrate_pairs::<36, 36>(points, k),
@@ -139,6 +140,7 @@ impl CellStiffness {
     ) -> Result<Vec<[f64; 3]>, f64> {
         let smoothed = match self.order {
             Order::Linear if self.split.excess > 0.0 => self.smoothed::<4, 4>(points, displacements, at)?,
+            Order::Biquadratic if self.split.excess > 0.0 => self.smoothed::<9, 9>(points, displacements, at)?,
             Order::Quadratic if self.split.excess > 0.0 => self.smoothed::<8, 9>(points, displacements, at)?,
             _ => vec![0.0; at.len()],
         };

@@ -9,6 +9,8 @@ named_enum! {
     pub enum Order {
         /// 4-node quadrilaterals.
         Linear = "1",
+        /// 9-node quadrilaterals, of meshes made elsewhere.
+        Biquadratic = "2-lagrange",
         /// 8-node (serendipity) quadrilaterals.
         Quadratic = "2",
         /// 25-node quadrilaterals.
@@ -29,7 +31,7 @@ impl Order {
     pub fn number(self) -> u8 {
         match self {
             Self::Linear => 1,
-            Self::Quadratic => 2,
+            Self::Biquadratic | Self::Quadratic => 2,
             Self::Quartic => 4,
             Self::Quintic => 5,
             Self::Sextic => 6,
@@ -38,9 +40,9 @@ impl Order {
         }
     }
 
-    /// The order of a number; none where no cells have it.
+    /// The order of a number; none where no cells have it. Of order 2 are 8-node cells unless a mesh has others.
     pub fn numbered(number: usize) -> Option<Self> {
-        Self::ALL.into_iter().find(|order| usize::from(order.number()) == number)
+        Self::ALL.into_iter().rev().find(|order| usize::from(order.number()) == number)
     }
 
     /// The order of cells of so many nodes; none where no cells have them.
@@ -48,8 +50,13 @@ impl Order {
         Self::ALL.into_iter().find(|order| order.nodes_per_cell() == nodes)
     }
 
-    /// Whether cells are tensor products on Gauss–Lobatto–Legendre points: from order 4 on.
+    /// Whether cells are tensor products on Gauss–Lobatto–Legendre points: 9-node ones, and from order 4 on.
     pub fn is_tensor(self) -> bool {
+        self == Self::Biquadratic || self.is_high()
+    }
+
+    /// Whether it is 4 or more.
+    pub fn is_high(self) -> bool {
         self > Self::Quadratic
     }
 

@@ -9,7 +9,7 @@ use crate::scene::{BoundaryName, Curve};
 pub struct GivenMesh {
     /// Node positions \[mm\].
     pub points: Vec<[f64; 2]>,
-    /// Four or eight nodes each: corners counter-clockwise, then mid-sides from the first edge on.
+    /// Four, eight or nine nodes each: corners counter-clockwise, then mid-sides from the first edge on, then the middle.
     pub cells: Vec<Vec<usize>>,
     /// Edges by boundary: first node, last node and, for 8-node cells, the mid-side node; the body lies to their left.
     pub boundaries: BTreeMap<BoundaryName, Vec<Vec<usize>>>,

@@ -14,7 +14,8 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use sha2::{Digest, Sha256};
 
-use crate::case::{Case, Judged, Quantity, Verdict};
+use crate::case::{Case, Judged, Verdict};
+use crate::measure::Quantity as Number;
 use crate::checkout::root;
 use crate::condensation::Plain;
 use crate::error::Error;

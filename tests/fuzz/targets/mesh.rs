@@ -1,4 +1,4 @@
-//! Reads whatever bytes as a Gmsh mesh.
+//! Reads whatever bytes as a mesh: of Gmsh, or a deck where they begin with a star.
 #![no_main]
 
 #[path = "../read.rs"]

@@ -1,81 +1,84 @@
-//! Bodies from Gmsh meshes: ASCII files of format 4.1, their physical surfaces and curves.
+//! Bodies from meshes made elsewhere: files of Gmsh (`msh`, of `words`) and input decks of CalculiX and Abaqus (`inp`), their
+//! groups of cells and of sides (`elements`).
 
-mod reader;
+mod elements;
+mod inp;
+mod msh;
 mod words;
 
-use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 use std::fs::File;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use crate::case::file::source::Source;
 use crate::case::file::value::Value;
 use crate::error::Error;
 use crate::scene::contact_pair::CONTACT;
 use crate::scene::{BoundaryName, GivenMesh, Shape};
 
-use reader::{Gmsh, OPTIONS, Piece};
+use elements::{Elements, OPTIONS, Piece, SUBDIVISION};
 
+/// Names of the shapes of meshes in files: `gmsh` is the older one, and any format is read by both.
+pub const SHAPES: [&str; 2] = ["mesh", "gmsh"];
 /// Largest mesh file that is read \[bytes\].
 const LARGEST_FILE: u64 = 64 << 20;
+/// Nodes of a cell of up to nine counter-clockwise, where they were listed clockwise.
+const TURNED: [usize; 9] = [0, 3, 2, 1, 7, 6, 5, 4, 8];
 
-/// What makes quadrilaterals of triangles.
-const SUBDIVISION: &str =
-    "mesh with Mesh.SubdivisionAlgorithm = 1, which cuts all cells into quadrilaterals, and Mesh.RecombineAll = 1";
-/// Node tags of a side in ascending order.
+/// Numbers of the ends of a side in ascending order.
 type SideKey = [u64; 2];
+/// A side of cells: first, last and middle node, a cell to its left; and of how many cells it is one.
+type Side = (Vec<u64>, usize);
 
 /// Where the mesh that a body is read from lies: its file is given from the folder of the scene file.
 pub fn path(table: Value) -> PathBuf {
     table.source.file.parent().unwrap_or(Path::new("")).join(table.at("file").text())
 }
 
-/// The physical surface of a mesh file as a body.
+/// A group of cells of a mesh file as a body.
 pub fn shape(table: Value) -> Result<Shape, Error> {
     let [group, side] = ["group", "contact"].map(|key| table.at(key));
     let path = path(table);
-    let text = text(table.at("file"), &path)?;
-    let gmsh = Gmsh::parse(Source { file: &path, text: &text })?;
-    let (cells, turned) = cells(group, &gmsh)?;
+    let bytes = bytes(table.at("file"), &path)?;
+    let bytes = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(&bytes);
+    let is_deck = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("inp"));
+    // Decks have other endings too, and every line of them that is no data begins with a star.
+    let is_deck = is_deck || bytes.trim_ascii_start().starts_with(b"*");
+    let mesh = if is_deck { inp::parse(&path, bytes)? } else { msh::parse(&path, bytes)? };
+    let (cells, turned) = cells(group, &mesh)?;
     let sides = sides(&cells);
     let mut numbers = HashMap::new();
     let mut points = Vec::new();
     let mut number = |tag: u64| -> usize {
         *numbers.entry(tag).or_insert_with(|| {
-            points.push(gmsh.nodes.get(&tag).copied().unwrap_or([f64::NAN; 2]).map(|x| table.units.length * x));
+            points.push(mesh.nodes.get(&tag).copied().unwrap_or([f64::NAN; 2]).map(|x| table.units.length * x));
             points.len() - 1
         })
     };
     let own = cells.iter().map(|cell| cell.iter().map(|tag| number(*tag)).collect()).collect();
     let mut boundaries: BTreeMap<BoundaryName, Vec<Vec<usize>>> = BTreeMap::new();
     let mut inner = BTreeSet::new();
-    for (name, pieces) in &gmsh.curves {
-        let own = pieces
-            .iter()
-            .flat_map(|block| block.iter())
-            .filter_map(|piece| sides.get(&key(piece.nodes[0], piece.nodes[1])));
-        let own: Vec<&(Vec<u64>, usize)> = own.collect();
+    for (name, own) in curves(&mesh, &sides) {
+        let name: BoundaryName = name.to_owned().into();
         if own.iter().any(|(_, cells)| *cells > 1) {
-            inner.insert(name.clone().into());
+            inner.insert(name.clone());
         }
-        let edges: Vec<Vec<usize>> =
-            own.iter().map(|(side, _)| side.iter().map(|tag| number(*tag)).collect()).collect();
-        if !edges.is_empty() {
-            boundaries.insert(name.clone().into(), edges);
-        }
+        let edges = own.iter().map(|(side, _)| side.iter().map(|tag| number(*tag)).collect());
+        boundaries.insert(name, edges.collect());
     }
+    let [surfaces, curves] = mesh.called;
     if side.text() != CONTACT && boundaries.contains_key(CONTACT) {
         let remedy = "rename that group: the boundary given as `contact` takes this name";
-        return Err(side.refused("another physical curve is called `contact`", remedy));
+        return Err(side.refused(format!("another {curves} is called `contact`"), remedy));
     }
     let known: Vec<&str> = boundaries.keys().map(AsRef::as_ref).collect();
     let Some(contact) = boundaries.get(side.text()) else {
-        let message = format!("no physical curve `{}` bounds `{}`", side.text(), group.text());
-        return Err(side.refused(message, known_names(&known)));
+        let message = format!("no {curves} `{}` bounds `{}`", side.text(), group.text());
+        return Err(side.refused(message, known_names(&mesh, &known)));
     };
     if inner.contains(side.text()) {
-        let message = format!("the curve `{}` runs inside `{}`", side.text(), group.text());
+        let message = format!("the {curves} `{}` runs inside the {surfaces} `{}`", side.text(), group.text());
         return Err(side.refused(message, "name a curve on the outline of the body"));
     }
     let contact = contact.clone();
@@ -84,16 +87,16 @@ pub fn shape(table: Value) -> Result<Shape, Error> {
 }
 
 /// The names there are, or what to do where there are none.
-fn known_names(known: &[&str]) -> String {
+fn known_names(mesh: &Elements, known: &[&str]) -> String {
     if known.is_empty() {
-        return "there are none: give the body a Physical Surface and its sides Physical Curves in Gmsh".into();
+        return format!("there are none: {}", mesh.made);
     }
     format!("known: {}", known.join(", "))
 }
 
-fn text(name: Value, path: &Path) -> Result<String, Error> {
+fn bytes(name: Value, path: &Path) -> Result<Vec<u8>, Error> {
     let refused = |reason: String| {
-        let remedy = "give the file as seen from the folder of the scene file; save it as version 4.1, ASCII";
+        let remedy = "give the file as seen from the folder of the scene file: a Gmsh mesh (.msh), or an input deck of CalculiX or Abaqus (.inp)";
         name.refused(format!("`{}` cannot be read: {reason}", path.display()), remedy)
     };
     let failed = |error: std::io::Error| refused(error.to_string());
@@ -105,31 +108,25 @@ fn text(name: Value, path: &Path) -> Result<String, Error> {
     if bytes.len() as u64 > LARGEST_FILE {
         return Err(refused(format!("it has more than {LARGEST_FILE} bytes")));
     }
-    // Binary files are told from their second line on.
-    Ok(String::from_utf8_lossy(&bytes).into_owned())
+    Ok(bytes)
 }
 
-/// Cells of the physical surface, counter-clockwise, and how many were turned: Gmsh lists cells clockwise where their surface is
-/// turned over.
-fn cells(name: Value, gmsh: &Gmsh) -> Result<(Vec<Vec<u64>>, usize), Error> {
-    let Some(blocks) = gmsh.surfaces.get(name.text()) else {
-        let known: Vec<&str> = gmsh.surfaces.keys().map(String::as_str).collect();
-        let message = format!("there is no physical surface `{}`", name.text());
-        return Err(name.refused(message, known_names(&known)));
+/// Cells of a group, counter-clockwise, and how many were turned: Gmsh lists cells clockwise where their surface is turned over.
+fn cells(name: Value, mesh: &Elements) -> Result<(Vec<Vec<u64>>, usize), Error> {
+    let called = mesh.called[0];
+    let Some(group) = mesh.surfaces.get(name.text()) else {
+        let known: Vec<&str> = mesh.surfaces.keys().map(String::as_str).collect();
+        let message = format!("there is no {called} `{}`", name.text());
+        return Err(name.refused(message, known_names(mesh, &known)));
     };
-    let pieces = || blocks.iter().flat_map(|block| block.iter());
+    let pieces = || mesh.of(group);
     let refused = |message: String, remedy: &str| Err(name.refused(message, remedy));
-    let other = |piece: &&Piece| ![4, 8].contains(&piece.nodes.len());
-    if let Some(piece) = pieces().find(|piece| piece.is_triangular) {
+    if let Some(piece) = pieces().find(|piece| piece.corners == 3) {
         let message = format!("cell {} of `{}` is a triangle, no quadrilateral", piece.tag, name.text());
         return refused(message, SUBDIVISION);
     }
-    if let Some(piece) = pieces().find(other) {
-        let message = format!("cell {} of `{}` is no quadrilateral of 4 or 8 nodes", piece.tag, name.text());
-        return refused(message, OPTIONS);
-    }
     let Some(first) = pieces().next() else {
-        return refused(format!("the physical surface `{}` has no cells", name.text()), OPTIONS);
+        return refused(format!("the {called} `{}` has no cells", name.text()), OPTIONS);
     };
     if let Some(piece) = pieces().find(|piece| piece.nodes.len() != first.nodes.len()) {
         let message =
@@ -137,17 +134,16 @@ fn cells(name: Value, gmsh: &Gmsh) -> Result<(Vec<Vec<u64>>, usize), Error> {
         return refused(message, "mesh the whole body with one order");
     }
     let area = |piece: &Piece| {
-        let at = |k: usize| gmsh.nodes.get(&piece.nodes[k % 4]).copied().unwrap_or([f64::NAN; 2]);
+        let at = |k: usize| mesh.nodes.get(&piece.nodes[k % 4]).copied().unwrap_or([f64::NAN; 2]);
         (0..4).map(|k| at(k)[0] * at(k + 1)[1] - at(k + 1)[0] * at(k)[1]).sum::<f64>()
     };
     if let Some(piece) = pieces().find(|piece| area(piece).is_nan() || area(piece) == 0.0) {
         return refused(format!("cell {} of `{}` is degenerate", piece.tag, name.text()), "repair the mesh");
     }
     let clockwise = |piece: &Piece| area(piece) < 0.0;
-    let counter_clockwise = |piece: &Piece| match (clockwise(piece), piece.nodes.len()) {
-        (false, _) => piece.nodes.clone(),
-        (true, 4) => [0, 3, 2, 1].map(|k: usize| piece.nodes[k]).to_vec(),
-        (true, _) => [0, 3, 2, 1, 7, 6, 5, 4].map(|k: usize| piece.nodes[k]).to_vec(),
+    let counter_clockwise = |piece: &Piece| match clockwise(piece) {
+        false => piece.nodes.clone(),
+        true => TURNED.iter().filter_map(|&k| piece.nodes.get(k).copied()).collect(),
     };
     let cells: Vec<Vec<u64>> = pieces().map(counter_clockwise).collect();
     // Of two cells beside one another each runs along their common side the other way.
@@ -163,9 +159,9 @@ fn cells(name: Value, gmsh: &Gmsh) -> Result<(Vec<Vec<u64>>, usize), Error> {
     Ok((cells, pieces().filter(|piece| clockwise(piece)).count()))
 }
 
-/// Every side of a cell: first, last and middle node, a cell to its left; and of how many cells it is one.
-fn sides(cells: &[Vec<u64>]) -> HashMap<SideKey, (Vec<u64>, usize)> {
-    let mut sides: HashMap<SideKey, (Vec<u64>, usize)> = HashMap::new();
+/// Every side of a cell.
+fn sides(cells: &[Vec<u64>]) -> HashMap<SideKey, Side> {
+    let mut sides: HashMap<SideKey, Side> = HashMap::new();
     for cell in cells {
         for k in 0..4 {
             let (from, to) = (cell[k], cell[(k + 1) % 4]);
@@ -178,4 +174,34 @@ fn sides(cells: &[Vec<u64>]) -> HashMap<SideKey, (Vec<u64>, usize)> {
 
 fn key(a: u64, b: u64) -> SideKey {
     [a.min(b), a.max(b)]
+}
+
+/// The sides of cells of every curve by its name: those of its lines, or of its nodes where no lines are called so.
+fn curves<'a>(mesh: &'a Elements, sides: &'a HashMap<SideKey, Side>) -> BTreeMap<&'a str, Vec<&'a Side>> {
+    let mut curves: BTreeMap<&str, Vec<&Side>> = BTreeMap::new();
+    for (name, lines) in &mesh.curves {
+        // The middle node of a line stands last or between its ends.
+        let side = |piece: &Piece| {
+            let ends = |[i, j]: [usize; 2]| sides.get(&key(*piece.nodes.get(i)?, *piece.nodes.get(j)?));
+            [[0, 1], [0, 2], [1, 2]].into_iter().find_map(ends)
+        };
+        curves.insert(name, mesh.of(lines).filter_map(side).collect());
+    }
+    let mut beginning: HashMap<u64, Vec<SideKey>> = HashMap::new();
+    if !mesh.sets.is_empty() {
+        sides.keys().for_each(|key| beginning.entry(key[0]).or_default().push(*key));
+        beginning.values_mut().for_each(|keys| keys.sort_unstable());
+    }
+    for (name, nodes) in &mesh.sets {
+        let own: HashSet<u64> = nodes.iter().copied().collect();
+        let all = nodes.iter().filter_map(|node| beginning.get(node)).flatten().map(|key| &sides[key]);
+        let mut all: Vec<&Side> = all.filter(|(side, _)| side.iter().all(|node| own.contains(node))).collect();
+        // Of a set of all nodes the outline is meant, and so it is where a body is one cell wide.
+        if all.iter().any(|(_, cells)| *cells == 1) {
+            all.retain(|(_, cells)| *cells == 1);
+        }
+        curves.entry(name).or_insert(all);
+    }
+    curves.retain(|_, sides| !sides.is_empty());
+    curves
 }

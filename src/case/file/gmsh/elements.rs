@@ -1,0 +1,107 @@
+//! What a mesh file holds, whatever its format: nodes, elements, and the groups by which they are named.
+
+use std::collections::BTreeMap;
+use std::ops::Range;
+
+use crate::error::Error;
+
+/// What Gmsh needs to be told for meshes of quadrilaterals.
+pub const OPTIONS: &str = "mesh with Mesh.RecombineAll = 1, or transfinite surfaces and Recombine; 8-node cells come from Mesh.ElementOrder = 2 and Mesh.SecondOrderIncomplete = 1";
+/// What makes quadrilaterals of triangles.
+pub const SUBDIVISION: &str = "mesh with quadrilaterals: Gmsh cuts all cells into them with Mesh.SubdivisionAlgorithm = 1 and Mesh.RecombineAll = 1";
+/// What to do with a mesh of solids.
+pub const PLANE: &str = "scenes are plane: mesh the surfaces only (gmsh -2), in the plane z = 0, of quadrilaterals";
+
+/// Elements that are read: Gmsh's type, nodes, corners. Triangles are known to be refused by their name; the others are of three
+/// dimensions or higher order.
+pub const KINDS: [(i64, usize, usize); 10] = [
+    (15, 1, 1),
+    (1, 2, 2),
+    (8, 3, 2),
+    (26, 4, 2),
+    (2, 3, 3),
+    (9, 6, 3),
+    (21, 10, 3),
+    (3, 4, 4),
+    (16, 8, 4),
+    (10, 9, 4),
+];
+
+/// An element.
+#[derive(Clone, Debug)]
+pub struct Piece {
+    /// Its number.
+    pub tag: u64,
+    /// Numbers of its nodes: corners, then mid-sides, then the middle.
+    pub nodes: Vec<u64>,
+    /// How many of them are corners: two of a line.
+    pub corners: usize,
+}
+
+/// Elements of each group by its name, as ranges of all.
+pub type Groups = BTreeMap<String, Vec<Range<usize>>>;
+
+/// Nodes and elements of a file.
+#[derive(Debug, Default)]
+pub struct Elements {
+    /// Position of each node by its number, in the file's unit.
+    pub nodes: BTreeMap<u64, [f64; 2]>,
+    /// All elements.
+    pub pieces: Vec<Piece>,
+    /// Groups of cells.
+    pub surfaces: Groups,
+    /// Groups of lines.
+    pub curves: Groups,
+    /// Groups of nodes: their curves are the sides all of whose nodes belong to them.
+    pub sets: BTreeMap<String, Vec<u64>>,
+    /// What groups of cells and of sides are called in files of this format.
+    pub called: [&'static str; 2],
+    /// How such groups are made.
+    pub made: &'static str,
+}
+
+impl Elements {
+    /// Adds a node; all must lie in one plane z = 0.
+    pub fn add_node(
+        &mut self,
+        tag: u64,
+        [x, y, z]: [f64; 3],
+        refused: impl Fn(String, &str) -> Error,
+    ) -> Result<(), Error> {
+        for (name, value) in [("x", x), ("y", y), ("z", z)] {
+            if value.is_nan() || value.abs() > 1e13 {
+                return Err(refused(format!("{name} is {value}"), "repair the mesh"));
+            }
+        }
+        if z.abs() > 1e-9 * (1.0 + x.abs().max(y.abs())) {
+            return Err(refused(format!("node {tag} lies at z = {z}"), PLANE));
+        }
+        match self.nodes.insert(tag, [x, y]) {
+            Some(_) => Err(refused(format!("node {tag} stands twice"), "save the mesh again")),
+            None => Ok(()),
+        }
+    }
+
+    /// Adds an element, whose nodes must be there; its index.
+    pub fn add_piece(&mut self, piece: Piece, refused: impl Fn(String, &str) -> Error) -> Result<usize, Error> {
+        if let Some(missing) = piece.nodes.iter().find(|node| !self.nodes.contains_key(node)) {
+            let message = format!("element {} names node {missing}, which does not exist", piece.tag);
+            return Err(refused(message, "save the mesh again, with its nodes first"));
+        }
+        self.pieces.push(piece);
+        Ok(self.pieces.len() - 1)
+    }
+
+    /// The elements of a group.
+    pub fn of<'a>(&'a self, group: &'a [Range<usize>]) -> impl Iterator<Item = &'a Piece> {
+        group.iter().flat_map(|range| &self.pieces[range.clone()])
+    }
+}
+
+/// Adds an element to a group, to its last range where it follows it.
+pub fn add_to(group: &mut Vec<Range<usize>>, index: usize) {
+    match group.last_mut() {
+        Some(last) if last.end == index => last.end += 1,
+        _ => group.push(index..index + 1),
+    }
+}

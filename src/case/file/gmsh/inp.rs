@@ -1,0 +1,419 @@
+//! Input decks of CalculiX and Abaqus: their nodes, plane elements, sets and surfaces (Abaqus keywords; CalculiX manual, "Input deck
+//! format"). What else stands in a deck is passed over.
+//!
+//! Names are as they are written first, whatever their case is later. Node and element sets, and surfaces, name sides of cells; element sets name
+//! bodies, and `Eall` has all elements. Nothing is taken from other files, and nothing generated.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::ops::Range;
+use std::path::Path;
+
+use crate::case::file::source::Source;
+use crate::error::Error;
+
+use super::elements::{Elements, KINDS, OPTIONS, PLANE, Piece, add_to};
+use super::words::shown;
+
+/// What plane elements are called before the number of their nodes: plane stress and strain, and flat shells and membranes, as which
+/// pre-processors write them.
+const CELLS: [&str; 8] = ["CPS", "CPE", "CPEG", "S", "STRI", "M3D", "R3D", "DC2D"];
+/// As what meshio writes every 4-node quadrilateral.
+const OF_MESHIO: &str = "CAX4P";
+/// What the names of lines begin with.
+const LINES: [&str; 5] = ["T2D", "T3D", "B2", "B3", "R2D"];
+/// What makes nodes and elements that no line lists, or moves them.
+const GENERATED: [&str; 9] = ["NGEN", "NFILL", "NCOPY", "NMAP", "ELGEN", "ELCOPY", "SYSTEM", "INSTANCE", "PART"];
+/// Most members of all sets and surfaces together, each as often as it is named.
+const MOST_MEMBERS: usize = 10_000_000;
+/// How groups are made.
+const MADE: &str = "give the cells a set (ELSET) and their sides surfaces or sets (*SURFACE, *NSET)";
+/// What to do about a deck that is more than a list.
+const LISTED: &str = "write the mesh as one list of nodes and elements, such as Gmsh saves as .inp (Mesh.Format = 39)";
+/// What to do about a line that is not understood.
+const AGAIN: &str = "write the deck again: numbers and names are separated by commas";
+
+/// A keyword, what it is given, and the lines below it.
+struct Block<'a> {
+    source: Source<'a>,
+    keyword: String,
+    /// Names in capitals, and values.
+    parameters: Vec<(String, &'a str)>,
+    /// Of the keyword with its parameters.
+    place: Range<usize>,
+    /// Of the lines below.
+    data: Range<usize>,
+}
+
+/// A word of a line of data, and its place.
+type Word<'a> = (&'a str, Range<usize>);
+
+/// The lines of a part of a text that are no comments, with their places.
+fn lines<'a>(source: Source<'a>, part: Range<usize>) -> impl Iterator<Item = Word<'a>> {
+    let mut at = part.start;
+    let lines = source.text[part].split_inclusive('\n').map(move |line| {
+        at += line.len();
+        let begin = at - line.len();
+        (line.trim_end(), begin..begin + line.trim_end().len())
+    });
+    lines.filter(|(line, _)| !line.trim_start().starts_with("**") && !line.is_empty())
+}
+
+/// The words between the commas of a line; none behind the last comma.
+fn words((line, place): Word<'_>) -> Vec<Word<'_>> {
+    let mut at = place.start;
+    let own = line.strip_suffix(',').unwrap_or(line).split(',');
+    let word = own.map(|word| {
+        let begin = at + (word.len() - word.trim_start().len());
+        at += word.len() + 1;
+        (word.trim(), begin..begin + word.trim().len())
+    });
+    word.collect()
+}
+
+impl<'a> Block<'a> {
+    /// All blocks of a deck.
+    fn all(source: Source<'a>) -> Result<Vec<Self>, Error> {
+        let mut blocks: Vec<Self> = Vec::new();
+        let mut all = lines(source, 0..source.text.len()).peekable();
+        while let Some((line, place)) = all.next() {
+            if !line.trim_start().starts_with('*') {
+                let Some(block) = blocks.last_mut() else {
+                    let message = format!("`{}` stands where a keyword should begin", shown(line.trim()));
+                    return Err(source.refused(place, message, LISTED));
+                };
+                block.data.end = place.end;
+                continue;
+            }
+            let mut given = words((line, place.clone()));
+            let mut end = place.end;
+            let mut goes_on = line.ends_with(',');
+            while let Some((more, place)) = all.next_if(|_| goes_on) {
+                goes_on = more.ends_with(',');
+                end = place.end;
+                given.extend(words((more, place)));
+            }
+            let keyword = given.remove(0).0[1..].split_whitespace().collect::<Vec<_>>().join(" ").to_uppercase();
+            let parameter = |(word, _): Word<'a>| {
+                let (name, value) = word.split_once('=').unwrap_or((word, ""));
+                (name.trim().to_uppercase(), value.trim().trim_matches('"'))
+            };
+            let parameters = given.into_iter().map(parameter).collect();
+            blocks.push(Self { source, keyword, parameters, place: place.start..end, data: end..end });
+        }
+        Ok(blocks)
+    }
+
+    /// What a parameter is given; empty where it is only named.
+    fn parameter(&self, name: &str) -> Option<&'a str> {
+        self.parameters.iter().find(|(known, _)| known == name).map(|(_, value)| *value)
+    }
+
+    fn refused(&self, message: impl Into<String>, remedy: &str) -> Error {
+        self.source.refused(self.place.clone(), format!("*{}: {}", self.keyword, message.into()), remedy)
+    }
+
+    /// Something wrong with a line below.
+    fn wrong(&self, row: &[Word], message: impl Into<String>, remedy: &str) -> Error {
+        let end = row.last().map_or(self.place.end, |(_, place)| place.end);
+        let begin = row.first().map_or(end, |(_, place)| place.start);
+        self.source.refused(begin..end, message, remedy)
+    }
+
+    /// The words of each line below.
+    fn rows(&self) -> impl Iterator<Item = Vec<Word<'a>>> {
+        lines(self.source, self.data.clone()).map(words)
+    }
+
+    /// A word as a number.
+    fn number<T: std::str::FromStr>(&self, (word, place): &Word, what: &str) -> Result<T, Error> {
+        // Exponents may begin with the D of Fortran.
+        let read = word.parse().or_else(|_| word.replace(['D', 'd'], "E").parse());
+        read.map_err(|_| self.source.refused(place.clone(), format!("`{}` is not {what}", shown(word)), AGAIN))
+    }
+}
+
+/// Sets by their names in capitals: the name as it was written first, and the members.
+#[derive(Default)]
+struct Sets(BTreeMap<String, (String, BTreeSet<u64>)>);
+
+impl Sets {
+    fn of(&mut self, name: &str) -> &mut BTreeSet<u64> {
+        &mut self.0.entry(name.to_uppercase()).or_insert_with(|| (name.to_owned(), BTreeSet::new())).1
+    }
+}
+
+/// What a deck is read into.
+#[derive(Default)]
+struct Deck {
+    elements: Elements,
+    /// Index of each element by its number.
+    index: BTreeMap<u64, usize>,
+    node_sets: Sets,
+    element_sets: Sets,
+    members: usize,
+}
+
+/// Reads a deck; what is wrong is told with its line.
+pub fn parse(file: &Path, bytes: &[u8]) -> Result<Elements, Error> {
+    let text = String::from_utf8_lossy(bytes);
+    let source = Source { file, text: &text };
+    let blocks = Block::all(source)?;
+    refuse_generated(&blocks)?;
+    let called = ["element set", "surface or set"];
+    let mut deck = Deck { elements: Elements { called, made: MADE, ..Elements::default() }, ..Deck::default() };
+    // Sets may stand before what they name, and name one another only afterwards.
+    for keywords in [&["NODE"][..], &["ELEMENT"], &["NSET", "ELSET"], &["SURFACE"]] {
+        for block in blocks.iter().filter(|block| keywords.contains(&block.keyword.as_str())) {
+            if block.parameter("INPUT").is_some() {
+                return Err(block.refused("its lines are in another file", "put them below the keyword"));
+            }
+            match keywords[0] {
+                "NODE" => deck.read_nodes(block)?,
+                "ELEMENT" => deck.read_elements(block)?,
+                "SURFACE" => deck.read_surface(block)?,
+                _ => deck.read_set(block)?,
+            }
+        }
+    }
+    if deck.elements.nodes.is_empty() {
+        let end = text.len();
+        return Err(source.refused(end..end, "there are no nodes (*NODE)", LISTED));
+    }
+    Ok(deck.into_elements())
+}
+
+/// Refuses what no line lists.
+fn refuse_generated(blocks: &[Block]) -> Result<(), Error> {
+    for (k, block) in blocks.iter().enumerate() {
+        let keyword = block.keyword.as_str();
+        // One part, placed where it is drawn, is a list.
+        let is_first = || !blocks[..k].iter().any(|other| other.keyword == keyword);
+        let is_plain = ["PART", "INSTANCE"].contains(&keyword) && block.data.is_empty() && is_first();
+        if keyword == "INCLUDE" {
+            return Err(block.refused("other files are not read", "put the lines of that file here"));
+        }
+        if GENERATED.contains(&keyword) && !is_plain {
+            return Err(block.refused("nodes or elements are generated or moved", LISTED));
+        }
+    }
+    Ok(())
+}
+
+impl Deck {
+    fn read_nodes(&mut self, block: &Block) -> Result<(), Error> {
+        if block.parameter("SYSTEM").is_some_and(|system| !system.eq_ignore_ascii_case("R")) {
+            return Err(block.refused("its coordinates are not rectangular", LISTED));
+        }
+        for row in block.rows() {
+            let refused = |message: String, remedy: &str| block.wrong(&row, message, remedy);
+            let tag = block.number(&row[0], "the number of a node")?;
+            let mut at = [0.0; 3];
+            if row.len() < 3 {
+                return Err(refused(format!("node {tag} has no x and y"), AGAIN));
+            }
+            for (x, word) in at.iter_mut().zip(&row[1..]) {
+                *x = block.number(word, "a coordinate")?;
+            }
+            self.elements.add_node(tag, at, refused)?;
+            if let Some(set) = block.parameter("NSET") {
+                self.node_sets.of(set).insert(tag);
+            }
+        }
+        Ok(())
+    }
+
+    fn read_elements(&mut self, block: &Block) -> Result<(), Error> {
+        let kind = block.parameter("TYPE").ok_or_else(|| block.refused("it has no TYPE", AGAIN))?;
+        let cell = kind_of(block, kind)?;
+        let mut rows = block.rows();
+        while let Some(mut row) = rows.next() {
+            // The codes differ in the nodes of lines, of which each has a line of the deck.
+            let (count, corners) = cell.unwrap_or((row.len().clamp(3, 4) - 1, 2));
+            // The nodes of a cell go on in the next line until they are all there.
+            while row.len() <= count {
+                let Some(more) = rows.next() else { break };
+                row.extend(more);
+            }
+            let refused = |message: String, remedy: &str| block.wrong(&row, message, remedy);
+            let tag = block.number(&row[0], "the number of an element")?;
+            if row.len() != count + 1 {
+                let message = format!("element {tag} has {} nodes, and {kind} has {count}", row.len() - 1);
+                return Err(refused(message, "the deck is cut, or the TYPE is another one"));
+            }
+            let nodes = row[1..].iter().map(|word| block.number(word, "the number of a node"));
+            let nodes = nodes.collect::<Result<Vec<u64>, Error>>()?;
+            let index = self.elements.add_piece(Piece { tag, nodes, corners }, refused)?;
+            if self.index.insert(tag, index).is_some() {
+                return Err(refused(format!("element {tag} stands twice"), AGAIN));
+            }
+            if let Some(set) = block.parameter("ELSET") {
+                self.element_sets.of(set).insert(tag);
+            }
+        }
+        Ok(())
+    }
+
+    fn read_set(&mut self, block: &Block) -> Result<(), Error> {
+        let of_nodes = block.keyword == "NSET";
+        let name = block.parameter(&block.keyword).filter(|name| !name.is_empty());
+        let name = name.ok_or_else(|| block.refused(format!("it has no {} = NAME", block.keyword), AGAIN))?;
+        let mut found = BTreeSet::new();
+        if let Some(elements) = block.parameter("ELSET").filter(|_| of_nodes) {
+            let own = self.named(block, &(elements, block.place.clone()), false)?;
+            found.extend(own.iter().flat_map(|tag| &self.elements.pieces[self.index[tag]].nodes));
+        }
+        for row in block.rows() {
+            if block.parameter("GENERATE").is_some() {
+                found.extend(self.generated(block, &row, of_nodes)?);
+            } else {
+                for word in &row {
+                    found.extend(self.named(block, word, of_nodes)?);
+                }
+            }
+        }
+        self.counted(block, found.len())?;
+        let sets = if of_nodes { &mut self.node_sets } else { &mut self.element_sets };
+        sets.of(name).extend(found);
+        Ok(())
+    }
+
+    /// The nodes or elements from one number to another, in steps.
+    fn generated(&mut self, block: &Block, row: &[Word], of_nodes: bool) -> Result<Vec<u64>, Error> {
+        let numbers = row.iter().map(|word| block.number(word, "a number"));
+        let numbers = numbers.collect::<Result<Vec<u64>, Error>>()?;
+        let (from, to, step) = match numbers[..] {
+            [from, to] if from <= to => (from, to, 1),
+            [from, to, step] if from <= to && step > 0 => (from, to, step),
+            _ => {
+                return Err(block.wrong(row, "this is not `first, last, step` with first up to last", AGAIN));
+            }
+        };
+        let in_step = |tag: &u64| (tag - from).is_multiple_of(step);
+        let within: Vec<u64> = match of_nodes {
+            true => self.elements.nodes.range(from..=to).map(|(tag, _)| *tag).collect(),
+            false => self.index.range(from..=to).map(|(tag, _)| *tag).collect(),
+        };
+        self.counted(block, within.len())?;
+        Ok(within.into_iter().filter(in_step).collect())
+    }
+
+    /// The node or element of a number, or those of another set.
+    fn named(&mut self, block: &Block, (word, place): &Word, of_nodes: bool) -> Result<Vec<u64>, Error> {
+        let what = if of_nodes { "node" } else { "element" };
+        let is_there =
+            |tag: &u64| if of_nodes { self.elements.nodes.contains_key(tag) } else { self.index.contains_key(tag) };
+        let sets = if of_nodes { &self.node_sets } else { &self.element_sets };
+        let found = match word.parse::<u64>() {
+            Ok(tag) if is_there(&tag) => Some(vec![tag]),
+            // Both codes pass over what a set lists and the deck does not have; meshio lists -1.
+            _ if word.parse::<i64>().is_ok() => (block.keyword != "SURFACE").then(Vec::new),
+            _ => sets.0.get(&word.to_uppercase()).map(|(_, own)| own.iter().copied().collect()),
+        };
+        let refused = || {
+            let message = format!("there is no {what} or set of {what}s `{}`", shown(word));
+            block.source.refused(place.clone(), message, "name what the deck has, sets behind those that they name")
+        };
+        let found: Vec<u64> = found.ok_or_else(refused)?;
+        self.counted(block, found.len())?;
+        Ok(found)
+    }
+
+    /// Counts members; sets of sets would take memory by the product of their numbers.
+    fn counted(&mut self, block: &Block, members: usize) -> Result<(), Error> {
+        self.members += members;
+        if self.members > MOST_MEMBERS {
+            let message = format!("its sets and surfaces have more than {MOST_MEMBERS} members");
+            return Err(block.refused(message, "leave out sets that are not needed"));
+        }
+        Ok(())
+    }
+
+    fn read_surface(&mut self, block: &Block) -> Result<(), Error> {
+        let name = block.parameter("NAME").filter(|name| !name.is_empty());
+        let name = name.ok_or_else(|| block.refused("it has no NAME", AGAIN))?;
+        let of_nodes = block.parameter("TYPE").is_some_and(|kind| kind.eq_ignore_ascii_case("NODE"));
+        for row in block.rows() {
+            let own = self.named(block, &row[0], of_nodes)?;
+            if of_nodes {
+                self.node_sets.of(name).extend(own);
+                continue;
+            }
+            for tag in own {
+                let piece = &self.elements.pieces[self.index[&tag]];
+                let index = if piece.corners == 2 { self.index[&tag] } else { self.add_side(block, tag, &row)? };
+                add_to(self.elements.curves.entry(name.to_owned()).or_default(), index);
+            }
+        }
+        Ok(())
+    }
+
+    /// A side of a cell as a line; its index. S1 is that from the first to the second corner.
+    fn add_side(&mut self, block: &Block, tag: u64, row: &[Word]) -> Result<usize, Error> {
+        let Piece { nodes, corners, .. } = &self.elements.pieces[self.index[&tag]];
+        let (word, place) = row.get(1).unwrap_or(&row[0]);
+        let side = (0..*corners).find(|k| word.eq_ignore_ascii_case(&format!("S{}", k + 1)));
+        let Some(k) = side else {
+            let message = format!("`{}` is no side of element {tag}", shown(word));
+            return Err(block.source.refused(
+                place.clone(),
+                message,
+                "name a side of S1 to S4 behind the element or set",
+            ));
+        };
+        let nodes = vec![nodes[k], nodes[(k + 1) % corners]];
+        self.elements.pieces.push(Piece { tag, nodes, corners: 2 });
+        Ok(self.elements.pieces.len() - 1)
+    }
+
+    /// Sets and surfaces as groups; a surface goes before a set of its name.
+    fn into_elements(mut self) -> Elements {
+        let mut elements = self.elements;
+        let all =
+            self.index.iter().filter(|(_, index)| elements.pieces[**index].corners > 2).map(|(tag, _)| *tag).collect();
+        self.element_sets.0.entry("EALL".into()).or_insert_with(|| ("Eall".into(), all));
+        for (name, own) in self.element_sets.0.into_values() {
+            let (mut cells, mut lines) = (Vec::new(), Vec::new());
+            for tag in own {
+                let index = self.index[&tag];
+                add_to(if elements.pieces[index].corners > 2 { &mut cells } else { &mut lines }, index);
+            }
+            if !lines.is_empty() {
+                elements.curves.entry(name.clone()).or_insert(lines);
+            }
+            if !cells.is_empty() {
+                elements.surfaces.insert(name, cells);
+            }
+        }
+        elements.sets = self.node_sets.0.into_values().map(|(name, own)| (name, own.into_iter().collect())).collect();
+        elements
+    }
+}
+
+/// Nodes and corners of the cells of a type: `CPS8R` has 8 nodes and 4 corners; none of lines.
+fn kind_of(block: &Block, kind: &str) -> Result<Option<(usize, usize)>, Error> {
+    let upper = kind.to_uppercase();
+    let refused =
+        |what: &str, remedy: &str| Err(block.refused(format!("elements of type {} {what}", shown(kind)), remedy));
+    let begins = |names: &[&str]| names.iter().any(|name| upper.starts_with(name));
+    if begins(&["C3D", "SC"]) {
+        return refused("are solids", PLANE);
+    }
+    if begins(&["CAX", "CGAX", "SAX"]) && upper != OF_MESHIO {
+        return refused(
+            "are of bodies of revolution",
+            "scenes are in plane strain or plane stress: give CPE or CPS elements",
+        );
+    }
+    if begins(&LINES) {
+        return Ok(None);
+    }
+    // Of names that begin another one the longest counts.
+    let rests = CELLS.iter().chain(&["CAX"]).filter_map(|name| upper.strip_prefix(name));
+    let rest = rests.min_by_key(|rest| rest.len()).unwrap_or_default();
+    let digits = rest.bytes().take_while(u8::is_ascii_digit).count();
+    let nodes: usize = rest[..digits].parse().unwrap_or_default();
+    match KINDS.iter().find(|(_, count, corners)| *count == nodes && *corners > 2) {
+        Some(&(_, count, corners)) => Ok(Some((count, corners))),
+        None => refused("are not read", OPTIONS),
+    }
+}

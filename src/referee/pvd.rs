@@ -1,0 +1,45 @@
+//! Collections of ParaView (`.pvd`): a grid in a file of its own for each time, of which one is judged.
+
+use std::path::{Path, PathBuf};
+
+use crate::error::Error;
+use crate::referee::asked::Asked;
+use crate::referee::source::Source;
+use crate::referee::state::State;
+use crate::referee::vtu::{attribute, tag};
+
+/// What to do with a collection that is not read.
+const ONE: &str = "hand in the .vtu of the last time itself";
+
+/// The file that is judged and its state, the last one or that of the time that is asked for; and the states of all.
+pub fn chosen(file: &Path, text: &str, asked: &Asked) -> Result<(PathBuf, State, Vec<State>), Error> {
+    let source = Source { file, text };
+    let (mut files, mut states, mut at) = (Vec::new(), Vec::new(), 0);
+    while let Some(found) = tag(text.as_bytes(), b"<DataSet", at) {
+        let entry = &text[found.begin..found.end];
+        at = found.end;
+        let Some(named) = attribute(entry, "file") else {
+            return Err(source.at(entry, "this grid has no file", ONE));
+        };
+        // Where no time is written the grids are counted.
+        let time =
+            attribute(entry, "timestep").map_or(Some(states.len() as f64 + 1.0), |time| time.trim().parse().ok());
+        let time = time.ok_or_else(|| source.at(entry, "its time is no number", ONE))?;
+        files.push(file.parent().unwrap_or(Path::new("")).join(named));
+        states.push(State { step: None, time });
+    }
+    if states.is_empty() {
+        return Err(source.refused("it names no grid (<DataSet file=…>)", ONE));
+    }
+    let chosen = State::chosen(&source, &states, asked)?;
+    let (own, state) = (files[chosen].clone(), states[chosen]);
+    let parts = states.iter().filter(|other| other.time.total_cmp(&state.time).is_eq()).count();
+    if parts > 1 {
+        let message = format!("it has {parts} files of time {}, and one with all bodies is judged", state.time);
+        return Err(source.refused(message, "save the grid of that time in one .vtu"));
+    }
+    if own.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("pvd")) {
+        return Err(source.refused("it names another collection", ONE));
+    }
+    Ok((own, state, states))
+}

@@ -1,0 +1,565 @@
+//! Meshes of other programs: one mesh is one body in every format, 9-node cells are what they are, and no file is too spoiled to be refused.
+
+use std::fmt::Display;
+use std::path::{Path, PathBuf};
+
+use approx::assert_relative_eq;
+use contact_vv::case::Case;
+use contact_vv::error::Error;
+use contact_vv::mesh::Order;
+use contact_vv::scene::Shape;
+use contact_vv::solve::{Discretisation, Run};
+
+use crate::workbench::noise;
+
+/// A body of 3 × 2 cells on 0 … 2 × 0 … 1, none of them a rectangle, every other one listed clockwise, with sparse numbers.
+struct Body {
+    nodes: Vec<(u64, [f64; 2])>,
+    cells: Vec<(u64, Vec<u64>)>,
+    /// Sides by name: the nodes of their edges, ends first.
+    sides: Vec<(&'static str, Vec<Vec<u64>>)>,
+}
+
+impl Body {
+    /// Of cells of 4, 8 or 9 nodes.
+    fn of(count: usize) -> Self {
+        let step = if count == 4 { 1 } else { 2 };
+        let [columns, rows] = [3 * step, 2 * step];
+        let corner = |i: usize, j: usize| {
+            let inside = i > 0 && i < 3 && j == 1;
+            let moved = if inside { [0.11, if i == 1 { 0.07 } else { -0.09 }] } else { [0.0, 0.0] };
+            // Edges of the sole are not of one length.
+            [2.0 * [0.0, 0.3, 0.62, 1.0][i] + moved[0], 0.5 * j as f64 + moved[1]]
+        };
+        let mean = |points: &[[f64; 2]]| {
+            [0, 1].map(|k| points.iter().map(|point| point[k]).sum::<f64>() / points.len() as f64)
+        };
+        let place = |i: usize, j: usize| {
+            let around = |n: usize| if n.is_multiple_of(step) { vec![n / step] } else { vec![n / step, n / step + 1] };
+            let corners = around(i).into_iter().flat_map(|i| around(j).into_iter().map(move |j| corner(i, j)));
+            mean(&corners.collect::<Vec<_>>())
+        };
+        let tag = |i: usize, j: usize| 5 + 17 * ((3 * i + 11 * j) % 29) as u64 + 1000 * (j as u64 % 3);
+        let all = (0..=columns).flat_map(|i| (0..=rows).map(move |j| (i, j)));
+        let is_node = |(i, j): &(usize, usize)| count == 9 || step == 1 || i % 2 == 0 || j % 2 == 0;
+        let nodes = all.filter(is_node).map(|(i, j)| (tag(i, j), place(i, j))).collect();
+        let cell = |(i, j): (usize, usize)| {
+            let at = |[x, y]: [usize; 2]| tag(step * i + x, step * j + y);
+            let natural = if step == 1 {
+                vec![[0, 0], [1, 0], [1, 1], [0, 1]]
+            } else {
+                vec![[0, 0], [2, 0], [2, 2], [0, 2], [1, 0], [2, 1], [1, 2], [0, 1], [1, 1]]
+            };
+            let listed: Vec<usize> = if (i + j) % 2 == 0 { (0..9).collect() } else { vec![0, 3, 2, 1, 7, 6, 5, 4, 8] };
+            listed.into_iter().filter(|k| *k < count).map(|k| at(natural[k])).collect::<Vec<u64>>()
+        };
+        let cells = (0..3).flat_map(|i| (0..2).map(move |j| (i, j)));
+        let cells = cells.enumerate().map(|(k, at)| (90 + 7 * k as u64, cell(at))).collect();
+        let along = |edges: usize, at: &dyn Fn(usize) -> u64| -> Vec<Vec<u64>> {
+            let ends = (0..edges).map(|k| [step * k, step * (k + 1)]);
+            ends.map(|[from, to]| if step == 1 { vec![at(from), at(to)] } else { vec![at(from), at(to), at(from + 1)] })
+                .collect()
+        };
+        let sides = vec![
+            ("sole", along(3, &|k| tag(k, 0))),
+            ("roof", along(3, &|k| tag(k, rows))),
+            ("axis", along(2, &|k| tag(0, k))),
+        ];
+        Self { nodes, cells, sides }
+    }
+
+    fn types(&self) -> [i32; 2] {
+        match self.cells[0].1.len() {
+            4 => [1, 3],
+            8 => [8, 16],
+            _ => [8, 10],
+        }
+    }
+}
+
+/// How the numbers of a Gmsh file are written.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Coding {
+    Text,
+    Little,
+    Big,
+}
+
+struct Written {
+    coding: Coding,
+    bytes: Vec<u8>,
+}
+
+impl Written {
+    fn line(&mut self, text: impl Display) {
+        self.bytes.extend(format!("{text}\n").bytes());
+    }
+
+    fn number<const N: usize>(&mut self, text: impl Display, little: [u8; N]) {
+        let mut own = little;
+        match self.coding {
+            Coding::Text => self.bytes.extend(format!("{text} ").bytes()),
+            Coding::Little => self.bytes.extend(own),
+            Coding::Big => {
+                own.reverse();
+                self.bytes.extend(own);
+            }
+        }
+    }
+
+    fn ints(&mut self, numbers: &[i32]) {
+        numbers.iter().for_each(|number| self.number(number, number.to_le_bytes()));
+    }
+
+    fn sizes(&mut self, numbers: &[u64]) {
+        numbers.iter().for_each(|number| self.number(number, number.to_le_bytes()));
+    }
+
+    fn reals(&mut self, numbers: &[f64]) {
+        numbers.iter().for_each(|number| self.number(format!("{number:e}"), number.to_le_bytes()));
+    }
+}
+
+/// The body as Gmsh writes it, by its reference manual.
+fn msh(body: &Body, version: &str, coding: Coding) -> Vec<u8> {
+    let mut file = Written { coding, bytes: vec![] };
+    file.line(format!("$MeshFormat\n{version} {} 8", i32::from(coding != Coding::Text)));
+    if coding != Coding::Text {
+        file.ints(&[1]);
+        file.line("");
+    }
+    file.line(format!("$EndMeshFormat\n$PhysicalNames\n{}", body.sides.len() + 1));
+    body.sides.iter().enumerate().for_each(|(k, (name, _))| file.line(format!("1 {} \"{name}\"", k + 1)));
+    file.line("2 9 \"body\"\n$EndPhysicalNames");
+    let [line, cell] = body.types();
+    let edges = body.sides.iter().map(|(_, edges)| edges.len()).sum::<usize>();
+    let all = (edges + body.cells.len()) as u64;
+    if version == "4.1" {
+        let sides = body.sides.len() as u64;
+        file.line("$Entities");
+        file.sizes(&[0, sides, 1, 0]);
+        for (dimension, tag, group) in (0..body.sides.len() as i32).map(|k| (1, k + 1, k + 1)).chain([(2, 4, 9)]) {
+            file.ints(&[tag]);
+            file.reals(&[0.0, 0.0, 0.0, 2.0, 1.0, 0.0]);
+            file.sizes(&[1]);
+            // The sign of a group tells which way its entity runs.
+            file.ints(&[if dimension == 1 { -group } else { group }]);
+            file.sizes(&[1]);
+            file.ints(&[tag]);
+        }
+        file.line("\n$EndEntities\n$Nodes");
+        file.sizes(&[2, body.nodes.len() as u64, 1, 10_000]);
+        for part in body.nodes.chunks(body.nodes.len() - 2) {
+            file.ints(&[2, 4, 1]);
+            file.sizes(&[part.len() as u64]);
+            part.iter().for_each(|(tag, _)| file.sizes(&[*tag]));
+            // Each with its two parameters on the surface.
+            part.iter().for_each(|(_, [x, y])| file.reals(&[*x, *y, 0.0, 0.5, 0.5]));
+        }
+        file.line("\n$EndNodes\n$Elements");
+        file.sizes(&[sides + 1, all, 1, 10_000]);
+        let mut tag = 1000;
+        for (k, (_, edges)) in body.sides.iter().enumerate() {
+            file.ints(&[1, k as i32 + 1, line]);
+            file.sizes(&[edges.len() as u64]);
+            for edge in edges {
+                tag += 1;
+                file.sizes(&[tag]);
+                file.sizes(edge);
+            }
+        }
+        file.ints(&[2, 4, cell]);
+        file.sizes(&[body.cells.len() as u64]);
+        for (tag, nodes) in &body.cells {
+            file.sizes(&[*tag]);
+            file.sizes(nodes);
+        }
+        file.line("\n$EndElements\n$NodeData\nanything\n$EndNodeData");
+        return file.bytes;
+    }
+    file.line(format!("$Nodes\n{}", body.nodes.len()));
+    for (tag, [x, y]) in &body.nodes {
+        file.ints(&[*tag as i32]);
+        file.reals(&[*x, *y, 0.0]);
+    }
+    file.line(format!("\n$EndNodes\n$Elements\n{all}"));
+    let short = |nodes: &[u64]| nodes.iter().map(|node| *node as i32).collect::<Vec<i32>>();
+    let mut list = |kind: i32, group: i32, of: &[(u64, Vec<u64>)]| {
+        if coding != Coding::Text {
+            file.ints(&[kind, of.len() as i32, 2]);
+        }
+        for (tag, nodes) in of {
+            match coding {
+                Coding::Text => file.ints(&[*tag as i32, kind, 2, group, 3]),
+                _ => file.ints(&[*tag as i32, group, 3]),
+            }
+            file.ints(&short(nodes));
+        }
+    };
+    for (k, (_, edges)) in body.sides.iter().enumerate() {
+        let edges = edges.iter().enumerate().map(|(j, nodes)| (1000 + 10 * k as u64 + j as u64, nodes.clone()));
+        list(line, k as i32 + 1, &edges.collect::<Vec<_>>());
+    }
+    // Some in one block and some in another.
+    list(cell, 9, &body.cells[..2]);
+    list(cell, 9, &body.cells[2..]);
+    file.line("\n$EndElements");
+    file.bytes
+}
+
+/// The body as a deck: its sole a surface of element sides, its roof one of lines, its axis a set of nodes.
+fn inp(body: &Body) -> String {
+    let count = body.cells[0].1.len();
+    let listed = |nodes: &[u64]| nodes.iter().map(u64::to_string).collect::<Vec<_>>().join(", ");
+    let nodes: String = body.nodes.iter().map(|(tag, [x, y])| format!("{tag}, {x:e}, {y:e}\n")).collect();
+    let mut cells = String::new();
+    for (tag, nodes) in &body.cells {
+        // Long ones go on in the next line.
+        let (first, last) = nodes.split_at(nodes.len() - 2);
+        cells += &format!(" {tag},{},\n  {}\n", listed(first), listed(last));
+    }
+    let side = |edge: &Vec<u64>| {
+        let find = |(tag, nodes): &(u64, Vec<u64>)| {
+            let at = |k: usize| [nodes[k], nodes[(k + 1) % 4]];
+            let k = (0..4).find(|&k| at(k).iter().all(|node| edge[..2].contains(node)))?;
+            Some(format!("{tag}, s{}\n", k + 1))
+        };
+        body.cells.iter().find_map(find).expect("a side")
+    };
+    let sole: String = body.sides[0].1.iter().map(side).collect();
+    let lines = body.sides[1].1.iter().enumerate().map(|(k, edge)| {
+        // The middle node stands between the ends.
+        let nodes = [&edge[..1], edge.get(2..).unwrap_or_default(), &edge[1..2]].concat();
+        format!("{}, {}\n", 500 + 2 * k, listed(&nodes))
+    });
+    let lines: String = lines.collect();
+    let mut axis: Vec<u64> = body.sides[2].1.concat();
+    axis.sort_unstable();
+    axis.dedup();
+    let (first, last) = axis.split_at(2);
+    format!(
+        "** A deck of a pre-processor.\n*Heading\n a body, 1, 2\n*NODE, NSET=Nall\n{nodes}**\n*element , type=cpe{count}R, elset = body\n{cells}\
+         *ELEMENT, TYPE=T3D{}\n{lines}*ELSET, ELSET=roof, GENERATE\n500, 505, 2\n*NSET, NSET=Some\n{},\n*nset, nset=axis\n SOME\n{}\n\
+         *SURFACE, NAME=sole, TYPE=ELEMENT\n{sole}*MATERIAL, NAME=steel\n*ELASTIC\n210000., 0.3\n*STEP\n*STATIC\n*NODE PRINT, NSET=axis\nU\n*END STEP\n",
+        if count == 4 { 2 } else { 3 },
+        listed(first),
+        listed(last),
+    )
+}
+
+/// A scene of the body, pressed on a rigid plane by a traction on its roof, with a support.
+fn scene(file: &str, load: &str, support: &str) -> String {
+    format!(
+        "plane = \"stress\"\nthickness = 1\n[[body]]\nname = \"body\"\nyoung = 1000\npoisson = 0.3\n\
+         shape = {{ mesh = {{ file = \"{file}\", group = \"body\", contact = \"sole\" }} }}\n\
+         supports = [{{ at = {support}, component = \"x\" }}]\n\
+         loads = [{{ pressure = {{ at = \"roof\", law = {load} }} }}]\n[contact]\nfirst = \"body\"\n\
+         gap = {{ uniform = 0 }}\nstretch = 2\n[reference]\npressure = 5\n"
+    )
+}
+
+const UNIFORM: &str = "{ uniform = 5 }";
+const LINEAR: &str = "{ polynomial = { along = \"x\", coefficients = [5, 1] } }";
+
+fn read(folder: &Path, file: &str, bytes: &[u8], load: &str, support: &str) -> Result<Case, Error> {
+    std::fs::write(folder.join(file), bytes).expect("written");
+    Case::parse(&folder.join("scene.toml"), &scene(file, load, support))
+}
+
+fn solved(case: &Case) -> Run {
+    let discretisation = Discretisation::of(case.scene.clone(), case.resolution).expect("meshed");
+    Run::of(&discretisation, case.formulation()).expect("solved")
+}
+
+fn pressures(run: &Run) -> Vec<[f64; 2]> {
+    run.solution.points.iter().map(|point| [point.position, point.pressure]).collect()
+}
+
+/// The body in every format.
+fn formats(body: &Body) -> Vec<(String, Vec<u8>)> {
+    let codings = [Coding::Text, Coding::Little, Coding::Big];
+    let of_gmsh =
+        |version: &'static str| codings.map(|coding| (format!("{version}-{coding:?}.msh"), msh(body, version, coding)));
+    let mut all: Vec<(String, Vec<u8>)> = ["4.1", "2.2"].into_iter().flat_map(of_gmsh).collect();
+    let marked = |bytes: &[u8]| [b"\xEF\xBB\xBF", bytes].concat();
+    all.push(("mark.msh".into(), marked(&all[0].1)));
+    all.push(("deck.inp".into(), inp(body).into_bytes()));
+    // CalculiX GraphiX calls decks so.
+    all.push(("deck.msh".into(), marked(inp(body).replace('\n', "\r\n").as_bytes())));
+    all
+}
+
+#[test]
+fn one_mesh_in_every_format_has_one_answer_to_the_last_digit() {
+    let folder = tempfile::tempdir().expect("a folder");
+    for (count, order) in [(4, Order::Linear), (8, Order::Quadratic), (9, Order::Biquadratic)] {
+        let mut first = None;
+        for (name, bytes) in formats(&Body::of(count)) {
+            let case =
+                read(folder.path(), &name, &bytes, UNIFORM, "\"axis\"").unwrap_or_else(|error| panic!("{error}"));
+            assert_eq!(case.resolution.order, order, "{name}");
+            let Shape::Given(mesh) = &case.scene.bodies[0].shape else { panic!("no mesh") };
+            assert_eq!((mesh.cells.len(), mesh.turned), (6, 3), "{name}");
+            let found = pressures(&solved(&case));
+            for [_, pressure] in &found {
+                assert_relative_eq!(*pressure, 5.0, max_relative = 1e-11);
+            }
+            assert_eq!(*first.get_or_insert_with(|| found.clone()), found, "{name} of {count} nodes");
+        }
+    }
+}
+
+#[test]
+fn nine_node_cells_bend_exactly_on_distorted_meshes_and_eight_node_ones_do_not() {
+    // σ_y = −(5 + x), all others 0: displacements are of second order, u_x = ν (5x + x²/2)/E + y²/2E.
+    let folder = tempfile::tempdir().expect("a folder");
+    let worst = |count: usize| {
+        let bytes = msh(&Body::of(count), "4.1", Coding::Text);
+        let case = read(folder.path(), "body.msh", &bytes, LINEAR, "[0, 0]").expect("read");
+        let run = solved(&case);
+        // With that of the half beyond x = 0.
+        assert_relative_eq!(run.transmitted(), 2.0 * 12.0, max_relative = 1e-9);
+        pressures(&run).iter().map(|[x, pressure]| (pressure / (5.0 + x) - 1.0).abs()).fold(0.0, f64::max)
+    };
+    let [nine, eight] = [9, 8].map(worst);
+    assert!(nine < 1e-10 && eight > 1e-4, "{nine:e} {eight:e}");
+}
+
+#[test]
+fn sides_of_a_deck_are_named_by_surfaces_sets_of_elements_and_sets_of_nodes() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let body = Body::of(8);
+    let deck = inp(&body);
+    let wanted = solved(&read(folder.path(), "a.inp", deck.as_bytes(), UNIFORM, "\"axis\"").expect("read"));
+    let sole = |text: &str| {
+        let begin = deck.find("*SURFACE").expect("a surface");
+        let end = deck.find("*MATERIAL").expect("what follows");
+        format!("{}{text}{}", &deck[..begin], &deck[end..])
+    };
+    let nodes: String = body.sides[0].1.concat().iter().map(|node| format!("{node},\n")).collect();
+    let lines: String = body.sides[0]
+        .1
+        .iter()
+        .enumerate()
+        .map(|(k, edge)| format!("{},{},{},{}\n", 700 + k, edge[0], edge[1], edge[2]))
+        .collect();
+    let cells: Vec<u64> = body.cells.iter().step_by(2).map(|(tag, _)| *tag).collect();
+    let last = cells.last().expect("cells");
+    for other in [
+        format!("*SURFACE, NAME=sole, TYPE=NODE\n{nodes}"),
+        format!("*NSET, NSET=low\n{nodes}*SURFACE, TYPE=NODE,\nNAME=sole\nLOW, 1.\n"),
+        format!("*NSET, NSET=sole, UNSORTED\n{nodes}"),
+        format!("*ELEMENT, TYPE=B32, ELSET=sole\n{lines}"),
+        format!("*ELEMENT, TYPE=B32, ELSET=low\n{lines}*SURFACE, NAME=sole\nLow, SPOS\n"),
+        // The lower cells are every second one; the middle one is listed clockwise, so that its lower side is its last.
+        format!(
+            "*ELSET, ELSET=low, GENERATE\n{}, {last}, 28\n*ELSET, ELSET=mid\n{}\n*SURFACE, NAME=sole\nlow, S1\nmid, S4\n",
+            cells[0], cells[1]
+        ),
+    ] {
+        let case = read(folder.path(), "b.inp", sole(&other).as_bytes(), UNIFORM, "\"axis\"");
+        let found = pressures(&solved(&case.unwrap_or_else(|error| panic!("{other}{error}"))));
+        for (own, other) in pressures(&wanted).into_iter().zip(found) {
+            assert_relative_eq!(own[0], other[0], max_relative = 1e-12);
+            assert_relative_eq!(own[1], other[1], max_relative = 1e-11);
+        }
+    }
+    // All cells are a group, and a set of all nodes is the outline.
+    let all = scene("a.inp", UNIFORM, "\"axis\"").replace("\"body\", contact", "\"Eall\", contact");
+    assert_eq!(
+        pressures(&solved(&Case::parse(&folder.path().join("scene.toml"), &all).expect("read"))),
+        pressures(&wanted)
+    );
+    let case = read(folder.path(), "a.inp", deck.as_bytes(), UNIFORM, "\"axis\"").expect("read");
+    let Shape::Given(mesh) = &case.scene.bodies[0].shape else { panic!("no mesh") };
+    assert!(mesh.boundaries["Nall"].len() == 10 && !mesh.inner.contains("Nall"));
+}
+
+/// What is spoiled in the deck, how, the text on whose line the message points, and two parts of the message.
+const MISTAKES: &[(&str, &str, &str, [&str; 2])] = &[
+    (
+        "*MATERIAL",
+        "*INCLUDE, INPUT=more.inp\n*MATERIAL",
+        "*INCLUDE",
+        ["other files are not read", "put the lines of that file here"],
+    ),
+    ("*MATERIAL", "*NGEN\n1, 2\n*MATERIAL", "*NGEN", ["generated or moved", "one list of nodes and elements"]),
+    ("*MATERIAL", "*INSTANCE, PART=a\n1., 0., 0.\n*MATERIAL", "*INSTANCE", ["generated or moved", "Mesh.Format = 39"]),
+    ("*NODE, NSET=Nall", "*NODE, INPUT=a.txt", "*NODE, INPUT", ["in another file", "below the keyword"]),
+    ("*NODE, NSET=Nall", "*NODE, SYSTEM=C", "*NODE, SYSTEM", ["not rectangular", "one list"]),
+    ("*NODE, NSET=Nall\n", "*NODE\n8, 1.\n", "8, 1.", ["node 8 has no x and y", "separated by commas"]),
+    ("*NODE, NSET=Nall\n", "*NODE\n8, 1., 2x\n", "8, 1., 2x", ["`2x` is not a coordinate", "separated by commas"]),
+    ("*NODE, NSET=Nall\n", "*NODE\n8, 1., 2., 3.\n", "8, 1., 2., 3.", ["node 8 lies at z = 3", "in the plane z = 0"]),
+    ("*NODE, NSET=Nall\n", "*NODE\n8, 1D0, inf\n", "8, 1D0, inf", ["y is inf", "repair the mesh"]),
+    (
+        "*NODE, NSET=Nall\n",
+        "*NODE\n8, 1D0, 0\n8, 1., 0.\n",
+        "8, 1., 0.",
+        ["node 8 stands twice", "save the mesh again"],
+    ),
+    ("type=cpe8R", "type=C3D8", "*element , type=C3D8", ["type C3D8 are solids", "scenes are plane"]),
+    ("type=cpe8R", "type=CAX8", "*element , type=CAX8", ["bodies of revolution", "give CPE or CPS"]),
+    ("type=cpe8R", "type=U1", "*element , type=U1", ["type U1 are not read", "Mesh.RecombineAll = 1"]),
+    ("type=cpe8R, ", "", "*element , elset", ["it has no TYPE", "separated by commas"]),
+    ("type=cpe8R", "type=CPS4", " 90,", ["element 90 has 6 nodes, and CPS4 has 4", "the TYPE is another one"]),
+    (" 97,", " 90,", " 90,", ["element 90 stands twice", "separated by commas"]),
+    (" 97,", " 97,6,", " 97,6,", ["element 97 has 9 nodes", "the deck is cut"]),
+    ("500, 505, 2", "505, 500, 2", "505, 500, 2", ["first up to last", "separated by commas"]),
+    ("500, 505, 2", "500, 505, 0", "500, 505, 0", ["first up to last", "separated by commas"]),
+    (" SOME", " OTHER", " OTHER", ["no node or set of nodes `OTHER`", "sets behind those that they name"]),
+    (
+        "*nset, nset=axis",
+        "*nset, nset=axis, elset=none",
+        "*nset",
+        ["no element or set of elements `none`", "name what the deck has"],
+    ),
+    ("90, s1\n", "90, s5\n", "90, s5", ["`s5` is no side of element 90", "S1 to S4"]),
+    ("90, s1\n", "91, s1\n", "91, s1", ["no element or set of elements `91`", "name what the deck has"]),
+    ("NAME=sole", "TYPE=ELEMENT", "*SURFACE", ["it has no NAME", "separated by commas"]),
+    ("** A deck", "1, 2\n** A deck", "1, 2", ["`1, 2` stands where a keyword should begin", "one list"]),
+];
+
+/// The same, where the message points into the scene.
+const MISFITS: &[(&str, &str, [&str; 2])] = &[
+    ("elset = body", "elset = block", ["there is no element set `body`", "known: Eall, block"]),
+    ("NAME=sole", "NAME=low", ["no surface or set `sole` bounds `body`", "known: Nall, axis, low, roof"]),
+    ("NAME=sole", "NAME=contact", ["another surface or set is called `contact`", "rename"]),
+];
+
+#[test]
+fn every_mistake_in_a_deck_names_its_line() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let deck = inp(&Body::of(8));
+    let refused = |text: &str| {
+        read(folder.path(), "a.inp", text.as_bytes(), UNIFORM, "\"axis\"").map(|_| ()).expect_err(text).to_string()
+    };
+    for (was, is, anchor, wanted) in MISTAKES {
+        assert!(deck.contains(was), "{was}");
+        let spoiled = deck.replacen(was, is, 1);
+        let error = refused(&spoiled);
+        let at = if *was == " 97," && *is == " 90," { spoiled.rfind(anchor) } else { spoiled.find(anchor) };
+        let line = 1 + spoiled[..at.expect("a place")].matches('\n').count();
+        assert!(error.contains(&format!("a.inp:{line}: ")), "line {line} is not in {error}");
+        wanted.iter().for_each(|part| assert!(error.contains(part), "`{part}` is not in {error}"));
+    }
+    for (was, is, wanted) in MISFITS {
+        let error = refused(&deck.replacen(was, is, 1));
+        assert!(error.contains("scene.toml:7"), "{error}");
+        wanted.iter().for_each(|part| assert!(error.contains(part), "`{part}` is not in {error}"));
+    }
+    let body = Body::of(8);
+    let corners: Vec<String> = body.cells[0].1[..4].iter().map(u64::to_string).collect();
+    let mixed = format!("*ELEMENT, TYPE=CPS4, ELSET=body\n1, {}\n*MATERIAL", corners.join(","));
+    let error = refused(&deck.replace("*MATERIAL", &mixed));
+    assert!(error.contains("cells 1 and 90 have 4 and 8 nodes") && error.contains("one order"), "{error}");
+    let triangles = "*NODE\n1, 0, 0\n2, 1, 0\n3, 0, 1\n*ELEMENT, TYPE=CPS3, ELSET=body\n1, 1, 2, 3\n";
+    for (kind, nodes) in [("CPS3", ""), ("CPE3", ""), ("S3", ""), ("CPS6", ",1,2,3"), ("CPE6", ",1,2,3")] {
+        let error = refused(&triangles.replace("CPS3", kind).replace("1, 2, 3", &format!("1, 2, 3{nodes}")));
+        let parts = ["cell 1 of `body` is a triangle", "Mesh.SubdivisionAlgorithm = 1", "Mesh.RecombineAll = 1"];
+        parts.iter().for_each(|part| assert!(error.contains(part), "`{part}` is not in {error}"));
+    }
+    assert!(refused("").contains("there are no nodes") || refused("").contains("$MeshFormat"));
+}
+
+#[test]
+fn meshes_that_meshio_writes_are_read() {
+    // Every quadrilateral as an element of revolution, lines as beams of two nodes; names as meshio takes them from Gmsh.
+    let folder = tempfile::tempdir().expect("a folder");
+    for (count, kind) in [(4, "CAX4P"), (8, "S8R5"), (9, "S9R5")] {
+        let deck = inp(&Body::of(count))
+            .replace(&format!("cpe{count}R"), kind)
+            .replace("T3D2", "B31H")
+            .replace("T3D3", "B33H")
+            + "*ELSET, ELSET=gmsh:bounding_entities\n90,-1\n";
+        let case = read(folder.path(), "a.inp", deck.as_bytes(), UNIFORM, "\"axis\"")
+            .unwrap_or_else(|error| panic!("{error}"));
+        for [_, pressure] in pressures(&solved(&case)) {
+            assert_relative_eq!(pressure, 5.0, max_relative = 1e-11);
+        }
+    }
+}
+
+#[test]
+fn counts_that_a_header_states_take_no_memory_and_no_time() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let [body, huge] = [Body::of(4), Body::of(4)];
+    let text = |bytes: Vec<u8>| String::from_utf8(bytes).expect("text");
+    let of = |version: &str| text(msh(&body, version, Coding::Text));
+    let nodes = huge.nodes.len();
+    for (file, spoiled) in [
+        ("a.msh", of("4.1").replace(&format!("2 {nodes} 1"), &format!("{} {nodes} 1", u64::MAX))),
+        ("a.msh", of("2.2").replace(&format!("$Nodes\n{nodes}"), &format!("$Nodes\n{}", u64::MAX))),
+        ("a.msh", of("2.2").replace("$Elements\n14", &format!("$Elements\n{}", u64::MAX))),
+        ("a.inp", inp(&body).replace("500, 505, 2", &format!("1, {}, 1\n0, {}, 1", u64::MAX, u64::MAX - 1))),
+    ] {
+        let begun = std::time::Instant::now();
+        let told = read(folder.path(), file, spoiled.as_bytes(), UNIFORM, "\"axis\"").map(|_| ());
+        assert!(begun.elapsed().as_secs() < 2, "{told:?}");
+        assert!(told.is_err() || file == "a.inp", "{spoiled}");
+    }
+    for coding in [Coding::Little, Coding::Big] {
+        for version in ["4.1", "2.2"] {
+            let bytes = msh(&body, version, coding);
+            // Every third byte of the counts and numbers, one after the other, as large as it can be.
+            for k in (0..bytes.len()).step_by(3) {
+                let mut spoiled = bytes.clone();
+                spoiled[k] = 255;
+                let _ = read(folder.path(), "a.msh", &spoiled, UNIFORM, "\"axis\"");
+            }
+        }
+    }
+    // Sets of sets by the product of their numbers.
+    let sets: String = (0..3000).map(|k| format!("*NSET, NSET=s{k}\n{}\n", "Nall\n".repeat(400))).collect();
+    let deck = inp(&body).replace("*MATERIAL", &format!("{sets}*MATERIAL"));
+    let error = read(folder.path(), "a.inp", deck.as_bytes(), UNIFORM, "\"axis\"").map(|_| ()).expect_err("many");
+    assert!(error.to_string().contains("more than 10000000 members"), "{error}");
+}
+
+/// The file cut, or with some bytes overwritten, doubled or left out.
+fn mutated(bytes: &[u8], below: &mut impl FnMut(usize) -> usize) -> Vec<u8> {
+    const BYTES: [u8; 10] = [0, 1, 3, 255, b'*', b'$', b',', b'\n', b'9', b'-'];
+    let mut bytes = bytes.to_vec();
+    for _ in 0..=below(3) {
+        let at = below(bytes.len().max(1));
+        let end = (at + 1 + below(12)).min(bytes.len());
+        match below(4) {
+            0 if below(4) == 0 => bytes.truncate(at),
+            1 => drop(bytes.drain(at..end)),
+            2 => {
+                let copied = bytes[at..end].to_vec();
+                bytes.splice(at..at, copied);
+            }
+            _ if at < bytes.len() => bytes[at] = BYTES[below(BYTES.len())],
+            _ => {}
+        }
+    }
+    bytes
+}
+
+#[test]
+fn files_of_every_format_spoiled_anyhow_are_read_or_refused() {
+    let (folder, mut number) = (tempfile::tempdir().expect("a folder"), noise(41));
+    let mut below = |n: usize| (((number() + 1.0) / 2.0 * n as f64) as usize).min(n - 1);
+    let place: PathBuf = folder.path().into();
+    for count in [4, 9] {
+        for (name, bytes) in formats(&Body::of(count)) {
+            let mut sound = 0;
+            for _ in 0..200 {
+                let spoiled = mutated(&bytes, &mut below);
+                let tried = std::panic::catch_unwind(|| {
+                    let Ok(case) = read(&place, &name, &spoiled, UNIFORM, "\"axis\"") else { return false };
+                    let _ = Discretisation::of(case.scene.clone(), case.resolution);
+                    true
+                });
+                sound += usize::from(tried.unwrap_or_else(|_| panic!("{name}: {}", String::from_utf8_lossy(&spoiled))));
+            }
+            assert!(sound < 195, "{name}: {sound} of 200");
+            for length in (0..bytes.len()).step_by(5) {
+                let told = read(&place, &name, &bytes[..length], UNIFORM, "\"axis\"").map(|_| ());
+                // What stands behind the elements may be missing; a deck has no end.
+                let is_whole = length + 60 > bytes.len() || name.starts_with("deck");
+                assert!(told.is_err() || is_whole, "{name} cut at {length}");
+            }
+        }
+    }
+}
