@@ -295,8 +295,14 @@ fn ring_errors(
 ) -> [f64; 2] {
     let (a, b, p) = (2.0, 4.0, 0.5);
     let circle = |radius| Circle { centre: [0.0, 0.0], radius };
-    let shape =
-        Shape::Ring { pole: [0.0, 0.0], inner: circle(a), outer: circle(b), sweep: FRAC_PI_2, contact: Face::Bottom };
+    let shape = Shape::Ring {
+        pole: [0.0, 0.0],
+        inner: circle(a),
+        outer: circle(b),
+        sweep: FRAC_PI_2,
+        both_sides: false,
+        contact: Face::Bottom,
+    };
     let supports = vec![held("start", Component::X, 0.0), held("end", Component::Y, 0.0)];
     let pressure = StressField(Arc::new(move |_| [-p, -p, 0.0]));
     let loads = vec![Load::Stress { boundary: "contact".into(), field: pressure }];

@@ -38,7 +38,8 @@ const SHAPE: Form = OneOf(&[
             may("contact", Text),
         ]),
     ),
-    // From the downward vertical over an angle `sweep` [°], counter-clockwise; `contact` is inner or outer.
+    // From the downward vertical over an angle `sweep` [°], counter-clockwise, or to either side where the contact has both;
+    // `contact` is inner or outer.
     (
         "ring",
         Table(&[
@@ -120,7 +121,7 @@ fn shape(across: bool, given: Value) -> Result<Shape, Error> {
     match name {
         "rectangle" => rectangle(given, table),
         "disc" => disc(across, table),
-        "ring" => ring(table),
+        "ring" => ring(across, table),
         "blocks" => blocks::shape(given, table),
         "gmsh" => gmsh::shape(table),
         _ => table.unknown(),
@@ -166,7 +167,7 @@ fn sector(across: bool, table: Value) -> Result<Sector, Error> {
     }
 }
 
-fn ring(table: Value) -> Result<Shape, Error> {
+fn ring(across: bool, table: Value) -> Result<Shape, Error> {
     let centre = table.at("centre").point()?;
     let inner = table.at("inner").positive()?;
     let outer = table.at("outer").within(&format!("a radius above {inner}"), |outer| outer > inner)?;
@@ -178,6 +179,7 @@ fn ring(table: Value) -> Result<Shape, Error> {
         inner: circle(inner),
         outer: circle(outer),
         sweep: sweep.to_radians(),
+        both_sides: across,
         contact: table.at("contact").choice("side of a ring", &faces)?,
     })
 }
