@@ -266,7 +266,7 @@ impl<'a> Grid<'a> {
                 .map(Some);
         }
         let Some(field) = self.moved(asked)? else { return Ok(None) };
-        let initial = |node: usize| pair.profile.gap(pair.path.coordinate(points[node]));
+        let initial = |node: usize| pair.gap(pair.path.coordinate(points[node]));
         if pair.second.is_some() || nodes.iter().any(|&node| initial(node).is_nan()) {
             return Ok(None);
         }

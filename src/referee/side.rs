@@ -202,29 +202,29 @@ fn surface(scene: &Scene, pair: &ContactPair, point: [f64; 2]) -> Option<f64> {
     let below = pair.normal(point)[1] < 0.0;
     match (&scene.bodies[pair.first].shape, pair.path.is_straight()) {
         (Shape::Rectangle { y, .. }, true) => Some(origin[1] - if below { y[0] } else { y[1] }),
-        (Shape::Disc { centre, radius, .. }, true) => {
-            let away = point[0] - centre[0];
-            let root = (radius * radius - away * away).max(0.0).sqrt();
-            let height = if below { centre[1] - root } else { centre[1] + root };
-            Some(origin[1] - height)
+        (shape @ (Shape::Disc { .. } | Shape::Ring { .. }), true) => {
+            let circle = shape.circle(pair.side(pair.first))?;
+            let away = point[0] - circle.centre[0];
+            let root = (circle.radius * circle.radius - away * away).max(0.0).sqrt();
+            // A ring touches at its lowest point, on its inner side too.
+            let is_lower = below || matches!(shape, Shape::Ring { .. });
+            Some(origin[1] - circle.centre[1] + if is_lower { root } else { -root })
         }
         // On a mesh that is given, the side is one of its boundaries; others of the body may face the same way.
         (Shape::Given(mesh), _) => {
             let s = pair.path.coordinate(point);
-            mesh.curves(pair.side(pair.first))?.iter().find_map(|curve| curve.depth(&pair.path, s))
+            let depths = mesh.curves(pair.side(pair.first))?.into_iter().filter_map(|curve| curve.depth(&pair.path, s));
+            // A closed boundary lies there twice.
+            let away = |depth: &f64| (depth - pair.path.depth(point)).abs();
+            depths.min_by(|a, b| away(a).total_cmp(&away(b)))
         }
         _ => None,
     }
 }
 
-/// Whether an edge faces the other side of the contact: the body is to its left.
+/// Whether an edge faces the other side of the contact.
 fn faces(pair: &ContactPair, points: &[[f64; 2]], edge: &Edge) -> bool {
-    let [a, b] = [edge[0], edge[1]].map(|node| points[node]);
-    let length = distance(a, b);
-    let middle = [0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])];
-    let normal = [(b[1] - a[1]) / length, (a[0] - b[0]) / length];
-    let wanted = pair.normal(middle);
-    normal[0] * wanted[0] + normal[1] * wanted[1] >= ALONG
+    pair.faces(pair.first, [edge[0], edge[1]].map(|node| points[node]), ALONG)
 }
 
 fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {

@@ -69,9 +69,10 @@ fn shape(shape: &Shape) -> String {
             },
             centre[0]
         ),
-        Shape::Ring { inner, outer, sweep, contact, .. } => format!(
-            "ring from the downward vertical counter-clockwise through {} °, inner circle of radius {} about {:?}, outer circle of radius {} about {:?}; \
+        Shape::Ring { inner, outer, sweep, both_sides, contact, .. } => format!(
+            "ring from the downward vertical {} through {} °, inner circle of radius {} about {:?}, outer circle of radius {} about {:?}; \
              `contact` is its {} arc, `start` and `end` the straight sides",
+            if *both_sides { "to either side" } else { "counter-clockwise" },
             sweep.to_degrees(),
             inner.radius,
             inner.centre,
@@ -141,7 +142,7 @@ fn contact(scene: &Scene, pair: &ContactPair) -> String {
         "**Contact `{}`** of `{first}` with {other}, without friction. Coordinate s: {along}. Initial normal gap: {}. Contact may occur for |s| ≤ {} \
          {unit}.{half}",
         pair.name,
-        gap(&pair.profile),
+        gap(&pair.profile) + &clearance(pair),
         in_decimals(per_unit * pair.stretch)
     )
 }
@@ -149,6 +150,10 @@ fn contact(scene: &Scene, pair: &ContactPair) -> String {
 /// A number without what conversion to degrees leaves in its last digits.
 fn in_decimals(number: f64) -> f64 {
     (number * 1e9).round() / 1e9
+}
+
+fn clearance(pair: &ContactPair) -> String {
+    if pair.clearance > 0.0 { format!(", and {} more everywhere", pair.clearance) } else { String::new() }
 }
 
 fn gap(profile: &Profile) -> String {

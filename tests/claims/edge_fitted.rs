@@ -259,6 +259,7 @@ fn layers_on_an_arc_keep_its_area() {
         inner: circle(10.0),
         outer: circle(20.0),
         sweep: std::f64::consts::FRAC_PI_2,
+        both_sides: false,
         contact: Face::Top,
     };
     let mut scene = of_shape(shape, Path::Arc(circle(20.0)), 0.5, vec![], vec![]);

@@ -80,7 +80,7 @@ fn nodes_of_a_ring_lie_evenly_in_the_logarithm_of_the_radius_where_the_end_is_kn
         let [inner, outer] = [circle(10.0), circle(2000.0)];
         let pole = [0.0, 0.0];
         let own = if contact == Face::Bottom { inner } else { outer };
-        let shape = Shape::Ring { pole, inner, outer, sweep: FRAC_PI_2, contact };
+        let shape = Shape::Ring { pole, inner, outer, sweep: FRAC_PI_2, both_sides: false, contact };
         let mut scene = of_shape(shape, Path::Arc(own), 0.9, vec![], vec![]);
         scene.contacts[0].ends = Ends { places: vec![0.4], layers: 0 };
         let mesh = Mesh::of(&scene, resolution(1, 0, Order::Quintic)).expect("mesh");

@@ -241,6 +241,7 @@ fn frames_along_the_contact_normals_leave_the_solution_unchanged() {
         inner: circle(2.0),
         outer: circle(4.0),
         sweep: FRAC_PI_2,
+        both_sides: false,
         contact: Face::Bottom,
     };
     let supports = vec![held("start", Component::X, 0.0), held("end", Component::Y, 1e-3)];
@@ -403,6 +404,7 @@ fn prescribed_displacement_along_a_normal_that_points_downwards_keeps_its_sign()
         inner: circle(2.0),
         outer: circle(4.0),
         sweep: FRAC_PI_2,
+        both_sides: false,
         contact: Face::Bottom,
     };
     let supports = vec![held("start", Component::X, 0.0), held("end", Component::Y, 0.01)];
@@ -424,8 +426,14 @@ fn prescribed_displacement_along_a_normal_that_points_downwards_keeps_its_sign()
 fn thick_ring_under_internal_pressure_follows_lame() {
     let (a, b, p) = (2.0, 4.0, 50.0);
     let circle = |radius| Circle { centre: [0.0, 0.0], radius };
-    let shape =
-        Shape::Ring { pole: [0.0, 0.0], inner: circle(a), outer: circle(b), sweep: FRAC_PI_2, contact: Face::Bottom };
+    let shape = Shape::Ring {
+        pole: [0.0, 0.0],
+        inner: circle(a),
+        outer: circle(b),
+        sweep: FRAC_PI_2,
+        both_sides: false,
+        contact: Face::Bottom,
+    };
     let supports = vec![held("start", Component::X, 0.0), held("end", Component::Y, 0.0)];
     let pressure = StressField(Arc::new(move |_| [-p, -p, 0.0]));
     let scene = of_shape(

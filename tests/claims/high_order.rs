@@ -219,6 +219,7 @@ fn ring() -> Scene {
         inner: circle(10.0),
         outer: circle(20.0),
         sweep: std::f64::consts::FRAC_PI_2,
+        both_sides: false,
         contact: Face::Top,
     };
     of_shape(shape, Path::Arc(circle(20.0)), 0.5, vec![], vec![])

@@ -42,6 +42,7 @@ mod fast_paths;
 mod faults;
 mod figures;
 mod formulation;
+mod geometry;
 mod gmsh;
 mod growth;
 mod halved;

@@ -38,7 +38,8 @@ const SHAPE: Form = OneOf(&[
             may("contact", Text),
         ]),
     ),
-    // From the downward vertical over an angle `sweep` [°], counter-clockwise; `contact` is inner or outer.
+    // From the downward vertical over an angle `sweep` [°], counter-clockwise, or to either side where the contact has both;
+    // `contact` is inner or outer.
     (
         "ring",
         Table(&[
@@ -123,7 +124,7 @@ fn shape(across: bool, given: Value) -> Result<Shape, Error> {
     match name {
         "rectangle" => rectangle(given, table),
         "disc" => disc(across, table),
-        "ring" => ring(table),
+        "ring" => ring(across, table),
         "blocks" => blocks::shape(given, table),
         name if gmsh::SHAPES.contains(&name) => gmsh::shape(table),
         _ => table.unknown(),
@@ -169,7 +170,7 @@ fn sector(across: bool, table: Value) -> Result<Sector, Error> {
     }
 }
 
-fn ring(table: Value) -> Result<Shape, Error> {
+fn ring(across: bool, table: Value) -> Result<Shape, Error> {
     let centre = table.at("centre").point()?;
     let inner = table.at("inner").positive()?;
     let outer = table.at("outer").within(&format!("a radius above {inner}"), |outer| outer > inner)?;
@@ -181,6 +182,7 @@ fn ring(table: Value) -> Result<Shape, Error> {
         inner: circle(inner),
         outer: circle(outer),
         sweep: sweep.to_radians(),
+        both_sides: across,
         contact: table.at("contact").choice("side of a ring", &faces)?,
     })
 }

@@ -24,7 +24,10 @@ pub(super) fn refuse_other(table: Value, pair: &ContactPair, drawn: &DrawnGap) -
     }
     let first = if pair.path.has_both_sides() { -PLACES } else { 0 };
     let places = (first..=PLACES).map(|k| pair.stretch * f64::from(k) / f64::from(PLACES));
-    let gaps: Vec<[f64; 3]> = places.map(|s| [s, pair.profile.gap(s), drawn.gap(s)]).collect();
+    // Bodies may be drawn with the clearance between them, or touching.
+    let is_touching = (drawn.gap(0.0) - pair.profile.gap(0.0)).abs() <= ALIKE * pair.clearance;
+    let clearance = if is_touching { 0.0 } else { pair.clearance };
+    let gaps: Vec<[f64; 3]> = places.map(|s| [s, pair.profile.gap(s) + clearance, drawn.gap(s)]).collect();
     let told: Vec<&[f64; 3]> = gaps.iter().filter(|[_, given, drawn]| given.is_finite() && drawn.is_finite()).collect();
     let largest = |k: usize| told.iter().map(|gap| gap[k].abs()).fold(0.0, f64::max);
     let flat = FLAT * pair.stretch * pair.path.metric();

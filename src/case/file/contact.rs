@@ -114,9 +114,10 @@ fn pair(bodies: &[Body], table: Value) -> Result<ContactPair, Error> {
     let above = sides[0].outward.unwrap_or(true);
     let drawn = DrawnGap { sides: sides.iter().map(|side| side.curves.clone()).collect(), path, above };
     let profile = gap::profile(given, across, &drawn)?;
+    let clearance = gap::clearance(given)?;
     gap::refuse_strange(&path, &profile, given)?;
     for (k, (side, (_, name, _))) in sides.iter().zip(&named).enumerate() {
-        side.refuse_misfit(*name, (&path, &profile), k == 0)?;
+        side.refuse_misfit(*name, (&path, &profile, clearance), k == 0)?;
         side.refuse_short(*name, &path, (stretch, table.at("stretch")))?;
     }
     refuse_one_way(table, &sides)?;
@@ -132,6 +133,7 @@ fn pair(bodies: &[Body], table: Value) -> Result<ContactPair, Error> {
         sides: [boundary("first-side"), boundary("second-side")],
         path,
         profile,
+        clearance,
         stretch,
         symmetric: table.get("symmetric").map_or(!across, Value::read),
         ends: Ends::default(),

@@ -16,12 +16,15 @@ pub(super) const GAP: Form = Own(|value| match value.get_ref() {
     DeValue::String(word) => Err((value.span(), unknown("variant", word, [DRAWN].into_iter()))),
     DeValue::Table(table) => {
         KEYS.check(value)?;
-        let count = table.keys().filter(|key| key.get_ref() != SMOOTH).count();
+        let count = table.keys().filter(|key| ![SMOOTH, CLEARANCE].contains(&key.get_ref().as_ref())).count();
         let wrong = |message: &str| Err((value.span(), message.into()));
         match count {
             _ if table.contains_key(SMOOTH) && !table.contains_key("table") => {
                 wrong("`smooth` goes with a `table` only")
             }
+            1 if table.contains_key(CLEARANCE) && OF_ITSELF.iter().any(|key| table.contains_key(*key)) => wrong(
+                "`clearance` goes beside a profile that begins with none, as in { circle = 50, clearance = 0.02 }",
+            ),
             0 => wrong("the gap has no key, and needs one, as in { circle = 50 }"),
             1 => Ok(()),
             _ => wrong("the gap has two keys, and takes one, as in { circle = 50 }"),
@@ -32,8 +35,11 @@ pub(super) const GAP: Form = Own(|value| match value.get_ref() {
 
 const DRAWN: &str = "drawn";
 const SMOOTH: &str = "smooth";
+const CLEARANCE: &str = "clearance";
+/// Keys of gaps that tell their clearance themselves.
+const OF_ITSELF: [&str; 4] = ["from", "uniform", "hole", "pin"];
 
-/// The keys of a gap: one of them, and `smooth` beside `table`.
+/// The keys of a gap: one of them, `smooth` beside `table`, and `clearance` beside a profile.
 const KEYS: Form = Table(&[
     // "bodies": as their shapes are drawn.
     may("from", Text),
@@ -54,6 +60,8 @@ const KEYS: Form = Table(&[
     // Points [s, g]: straight between them, or a monotone cubic through them where it is `smooth`.
     may("table", List(&PAIR)),
     may(SMOOTH, Flag),
+    // Added everywhere.
+    may(CLEARANCE, Number),
     // Δ (1 − cos 2πs/λ) of amplitude Δ, half the height, and wavelength λ.
     may("cosine", Table(&[must("amplitude", Number), must("wavelength", Number)])),
     // Pin in a hole, measured on the pin; `pin` is the same measured on the hole. The radius is the pin's.
@@ -95,7 +103,7 @@ pub(super) fn profile(gap: Value, across: bool, drawn: &DrawnGap) -> Result<Prof
             Profile::Table(points)
         });
     }
-    let (name, value) = gap.only();
+    let (name, value) = gap.only_but(CLEARANCE);
     Ok(match name {
         "from" => {
             value.choice("source of a gap", &[("bodies", ())])?;
@@ -121,6 +129,16 @@ pub(super) fn profile(gap: Value, across: bool, drawn: &DrawnGap) -> Result<Prof
         }
         _ => value.unknown(),
     })
+}
+
+/// Clearance beside a profile \[mm\].
+pub(super) fn clearance(gap: Value) -> Result<f64, Error> {
+    let Some(given) = gap.get(CLEARANCE) else { return Ok(0.0) };
+    if given.number() >= 0.0 && given.number().is_finite() {
+        return Ok(given.units.length * given.number());
+    }
+    let message = format!("`clearance` is {}, and a gap begins with 0 or more", given.number());
+    Err(given.refused(message, "give a length; bodies are pressed into one another by a support with a `value`"))
 }
 
 /// Circles of both sides, which touch at s = 0 and part from there.

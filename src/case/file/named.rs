@@ -57,16 +57,21 @@ pub(super) fn boundary(shape: &Shape, name: Value) -> Result<BoundaryName, Error
     Ok(boundaries[name.choice("boundary", &known)?].clone())
 }
 
-/// Refuses the axis of a disc on both sides of it, where it is no boundary.
+/// Refuses the axis of a disc, or the beginning of a ring, on both sides of it, where it is no boundary.
 fn refuse_axis(shape: &Shape, name: Value) -> Result<(), Error> {
-    match shape {
-        Shape::Disc { sector, centre, .. } if sector.has_both_sides() && name.text() == "axis" => {
-            let [x, y] = centre.map(|x| x / name.units.length);
-            let message = "there is no boundary `axis`: with `both-sides` it lies inside the disc";
-            Err(name.refused(message, format!("fix a node, as in {{ at = [{x}, {y}], component = \"x\" }}")))
+    let (key, body, node) = match shape {
+        Shape::Disc { sector, centre, .. } if sector.has_both_sides() => ("axis", "disc", *centre),
+        Shape::Ring { both_sides: true, inner, .. } => {
+            ("start", "ring", [inner.centre[0], inner.centre[1] - inner.radius])
         }
-        _ => Ok(()),
+        _ => return Ok(()),
+    };
+    if name.text() != key {
+        return Ok(());
     }
+    let [x, y] = node.map(|x| x / name.units.length);
+    let message = format!("there is no boundary `{key}`: with `both-sides` it lies inside the {body}");
+    Err(name.refused(message, format!("fix a node, as in {{ at = [{x}, {y}], component = \"x\" }}")))
 }
 
 /// Refuses a pressure on a line inside the body, which has no outer side.

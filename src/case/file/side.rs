@@ -30,7 +30,7 @@ enum Place {
     Straight { from: f64, height: f64 },
     /// Circle.
     Arc(Circle),
-    /// A disc, which takes part in either; the height at which it touches.
+    /// A disc, which takes part in either, or a ring on a straight path; the height at which it touches.
     Disc { circle: Circle, height: f64 },
     /// Pieces given one by one.
     Pieces(Vec<Piece>),
@@ -65,12 +65,20 @@ impl Side {
                 let length = radius * FRAC_1_SQRT_2;
                 Self { outward, curves, place, across: Some(sector.has_both_sides()), length }
             }
-            Shape::Ring { inner, outer, sweep, contact, .. } => {
-                let outward = face(*contact, name, ["inner", "outer"])? == Face::Top;
-                let circle = if outward { outer } else { inner };
-                let curves = curves::of_circle(circle, 0.0, *sweep);
-                let place = Place::Arc(*circle);
-                Self { outward: Some(outward), curves, place, across: Some(false), length: *sweep }
+            Shape::Ring { sweep, contact, both_sides, .. } => {
+                let outward = Some(face(*contact, name, ["inner", "outer"])? == Face::Top);
+                let (circle, across) = (shape.circle(name)?, Some(*both_sides));
+                let Some(reach) = shape.reach(name, path) else {
+                    let curves = curves::of_circle(&circle, 0.0, *sweep);
+                    return Some(Self { outward, curves, place: Place::Arc(circle), across, length: *sweep });
+                };
+                let quarter = sweep.min(FRAC_PI_2);
+                let mut curves = curves::of_circle(&circle, 0.0, quarter);
+                if path.has_both_sides() {
+                    curves.extend(curves::of_circle(&circle, -quarter, 0.0));
+                }
+                let place = Place::Disc { circle, height: circle.centre[1] - circle.radius };
+                Self { outward, curves, place, across, length: reach.min(circle.radius * FRAC_1_SQRT_2) }
             }
             Shape::Eye { hole, .. } => {
                 let curves = curves::of_circle(hole, 0.0, PI);
@@ -81,23 +89,34 @@ impl Side {
         })
     }
 
-    /// Of the pieces within the stretch.
+    /// Of the pieces within the stretch; where some look one way and some the other, as those of a closed boundary, of those that
+    /// look like the one that lies nearest to the path, as far as they go on from one another.
     fn of_pieces(curves: Vec<Curve>, path: &Path, stretch: f64) -> Self {
-        let all: Vec<Piece> = curves.iter().flat_map(chords).collect();
-        let farthest = |sign: f64| all.iter().flatten().map(|p| sign * path.coordinate(*p)).fold(0.0, f64::max);
-        let length = if path.has_both_sides() { farthest(1.0).min(farthest(-1.0)) } else { farthest(1.0) };
         let within = stretch * (1.0 - 1e-9);
         let reaches_in = |piece: &Piece| {
             let ends = piece.map(|point| path.coordinate(point));
             ends.iter().any(|s| *s < within) && ends.iter().any(|s| *s > -within)
         };
-        let pieces: Vec<Piece> = all.into_iter().filter(reaches_in).collect();
-        let looks = |[from, to]: &Piece| {
-            let middle = [0.5 * (from[0] + to[0]), 0.5 * (from[1] + to[1])];
-            let direction = path.direction(middle);
-            (to[1] - from[1]) * direction[0] - (to[0] - from[0]) * direction[1] > 0.0
+        let looks = |[from, to]: Piece| {
+            let direction = path.direction(middle([from, to]));
+            let [dx, dy] = [0, 1].map(|k| to[k] - from[k]);
+            let across = dy * direction[0] - dx * direction[1];
+            (across.abs() > 1e-9 * dx.hypot(dy)).then_some(across > 0.0)
         };
-        let outward = pieces.first().map(looks).filter(|first| pieces.iter().all(|piece| looks(piece) == *first));
+        let from_path = |piece: &Piece| (path.depth(middle(*piece)) - path.own_depth()).abs();
+        let all: Vec<Piece> = curves.iter().flat_map(chords).filter(reaches_in).collect();
+        let nearest = all.iter().min_by(|a, b| from_path(a).total_cmp(&from_path(b)));
+        let outward = nearest.and_then(|piece| looks(*piece));
+        let is_mixed = all.iter().any(|piece| looks(*piece) != outward);
+        let is_kept = |curve: &Curve| !is_mixed || looks([curve.point(0.0), curve.point(1.0)]) == outward;
+        let curves: Vec<Curve> = curves.into_iter().filter(is_kept).collect();
+        let kept: Vec<Piece> = curves.iter().flat_map(chords).collect();
+        let farthest = |sign: f64| kept.iter().flatten().map(|p| sign * path.coordinate(*p)).fold(0.0, f64::max);
+        let length = if path.has_both_sides() { farthest(1.0).min(farthest(-1.0)) } else { farthest(1.0) };
+        let pieces: Vec<Piece> = kept.into_iter().filter(reaches_in).collect();
+        let outward = outward.filter(|_| {
+            !is_mixed || pieces.iter().all(|piece| looks(*piece) == outward) && goes_on(&pieces, path, 1e-6 * length)
+        });
         Self { outward, curves, place: Place::Pieces(pieces), across: None, length }
     }
 
@@ -123,7 +142,7 @@ impl Side {
     pub(super) fn refuse_misfit(
         &self,
         name: Value,
-        (path, profile): (&Path, &Profile),
+        (path, profile, apart): (&Path, &Profile, f64),
         is_first: bool,
     ) -> Result<(), Error> {
         let [line, level] =
@@ -131,7 +150,7 @@ impl Side {
         let clearance = match profile {
             Profile::Hole { clearance, .. } | Profile::Pin { clearance, .. } => *clearance,
             Profile::Drawn | Profile::Bodies(_) => f64::INFINITY,
-            other => other.gap(0.0).abs(),
+            other => other.gap(0.0).abs() + apart,
         };
         let wanted = Wanted { path, line, level, clearance, is_first };
         match self.on_other_sides(&wanted).or_else(|| self.misplaced(&wanted)) {
@@ -180,17 +199,14 @@ impl Side {
             ),
             (Place::Disc { circle, .. }, Path::Straight(_)) if !on_axis(circle.centre[0], circle.radius) => misfit(
                 format!("does not touch at {line}"),
-                format!("give the disc a centre at {line}, where its mesh is finest, or the contact another `origin`"),
+                format!("give the body a centre at {line}, where its mesh is finest, or the contact another `origin`"),
             ),
             (Place::Disc { height, .. }, Path::Straight(_)) if !wanted.near(*height, y0) => misfit(
                 format!("does not touch {level}"),
-                "the contact runs along that line: give the disc a centre one radius above or below, or the contact its `origin`",
+                "the contact runs along that line: give the body a centre one radius above or below (above, of a ring: it touches at its lowest point), or the contact its `origin`",
             ),
             (Place::Arc(circle) | Place::Disc { circle, .. }, Path::Arc(arc)) => wanted.circle(circle, arc),
             (Place::Straight { .. }, Path::Arc(_)) => misfit("is straight, the path is an arc", "leave `arc` out"),
-            (Place::Arc(_), Path::Straight(_)) => {
-                misfit("is an arc, the path is straight", "name the circle the contact runs along, as `arc`")
-            }
             (Place::Pieces(pieces), _) => self.pieces(pieces, wanted),
             _ => None,
         }
@@ -213,7 +229,7 @@ impl Side {
             return misfit("does not look one way", remedy);
         }
         if let Some(slope) = steep(pieces, path) {
-            let remedy = "contact forces act along y, or along the radius of `arc`: turn the scene, or give a rigid profile its gap";
+            let remedy = "contact forces act along y, or along the radius of `arc`: end the `stretch` where it is flatter, turn the scene, or give a rigid profile its gap";
             return misfit(format!("slopes by {slope:.2} against the path"), remedy);
         }
         if !wanted.near(self.depth(path), path.own_depth()) {
@@ -247,6 +263,22 @@ impl Side {
 /// Slopes against the path from which on normals along it are wrong: where the side begins, where a symmetric body has
 /// none, and anywhere on the stretch.
 const STEEP: [f64; 2] = [0.1, 0.5];
+
+/// Whether pieces follow one another along a path, none of them over another \[mm, or rad\].
+fn goes_on(pieces: &[Piece], path: &Path, near: f64) -> bool {
+    let ends = |piece: &Piece| {
+        let [a, b] = piece.map(|point| [path.coordinate(point), path.depth(point) / path.metric()]);
+        if a[0] <= b[0] { [a, b] } else { [b, a] }
+    };
+    let mut all: Vec<_> = pieces.iter().map(ends).collect();
+    all.sort_by(|a, b| a[0][0].total_cmp(&b[0][0]));
+    all.windows(2).all(|two| (0..2).all(|k| (two[0][1][k] - two[1][0][k]).abs() <= near))
+}
+
+/// Middle of a piece \[mm\].
+fn middle([from, to]: Piece) -> [f64; 2] {
+    [0, 1].map(|k| 0.5 * (from[k] + to[k]))
+}
 
 /// The slope of a piece that is too steep.
 fn steep(pieces: &[Piece], path: &Path) -> Option<f64> {

@@ -59,7 +59,13 @@ impl<'a> Value<'a> {
 
     /// The key and the value of a table that has one.
     pub fn only(self) -> (&'a str, Self) {
-        let (key, held) = self.held.get_ref().as_table().and_then(|table| table.iter().next()).expect(CHECKED);
+        self.only_but("")
+    }
+
+    /// The only entry of a table, but for one key that may stand beside it.
+    pub fn only_but(self, beside: &str) -> (&'a str, Self) {
+        let mut entries = self.held.get_ref().as_table().into_iter().flat_map(|table| table.iter());
+        let (key, held) = entries.find(|(key, _)| key.get_ref() != beside).expect(CHECKED);
         (key.get_ref(), Self { key: key.get_ref(), held, ..self })
     }
 

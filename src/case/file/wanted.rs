@@ -201,8 +201,7 @@ fn refuse_no_approach(name: Value, scene: &Scene, contact: usize) -> Result<(), 
     if scene.pressed_sides(contact).is_some() {
         return Ok(());
     }
-    let message =
-        "the contact has no `approach`: not every body of it is pressed along y at one side only, or all is prescribed";
+    let message = "the contact has no `approach`: not every body of it is pressed along y at one side only, or all of them are fixed";
     Err(name.refused(message, "ask for the `displacement` of the sides that are meant"))
 }
 

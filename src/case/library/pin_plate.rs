@@ -53,7 +53,7 @@ impl PinPlate {
         let force = Load::Force { at: centre, force: [0.0, -0.5 * self.force] };
         let inner = Circle { centre: [0.0, self.clearance], radius: radius + self.clearance };
         let outer = Circle { radius: self.rim_radius, ..inner };
-        let ring = Shape::Ring { pole: centre, inner, outer, sweep: PI, contact: Face::Bottom };
+        let ring = Shape::Ring { pole: centre, inner, outer, sweep: PI, both_sides: false, contact: Face::Bottom };
         let rim = [Component::X, Component::Y].map(|component| fixed("outer", component, 0.0));
         let held = [symmetry("start"), symmetry("end")].into_iter().chain(rim).collect();
         Scene {

@@ -45,7 +45,7 @@ impl PressFit {
         let circle = |radius| Circle { centre: [0.0, 0.0], radius };
         let ring = |name, inner, outer, contact, material| {
             let [inner, outer] = [inner, outer].map(circle);
-            let shape = Shape::Ring { pole: [0.0, 0.0], inner, outer, sweep: FRAC_PI_2, contact };
+            let shape = Shape::Ring { pole: [0.0, 0.0], inner, outer, sweep: FRAC_PI_2, both_sides: false, contact };
             body(name, shape, material, vec![symmetry("start"), fixed("end", Component::Y, 0.0)], vec![])
         };
         let [inner, outer] = self.materials;

@@ -10,8 +10,8 @@ const PARTS: usize = 512;
 
 /// The gap `Δ (1 − cos(2πx/λ))` on a half-plane under a mean pressure, one contact a wave.
 ///
-/// With `p* = πE*Δ/λ` and `sin² ψ = p̄/p*`: `p = 2p* cos(πx/λ) √(sin² ψ − sin²(πx/λ))`, half-width `a = λψ/π` (Johnson, Contact
-/// Mechanics, 1985, §13.2).
+/// With `p* = πE*Δ/λ` and `sin² ψ = p̄/p*`: `p = 2p* cos(πx/λ) √(sin² ψ − sin²(πx/λ))`, half-width `a = λψ/π`; from `p̄ = p*` on the
+/// whole wave touches and `p = p̄ + p* cos(2πx/λ)`, half-width λ/2 (Johnson, Contact Mechanics, 1985, §13.2).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Waves {
     /// Contact modulus `E*` \[MPa\].
@@ -30,10 +30,14 @@ impl Waves {
         PI * self.modulus * self.amplitude / self.wavelength
     }
 
-    /// `sin ψ`; NaN where the wave is pressed flat.
+    /// `sin ψ`; 1 where the wave is pressed flat.
     fn sine(&self) -> f64 {
-        let share = self.mean / self.complete();
-        if share < 1.0 { share.sqrt() } else { f64::NAN }
+        (self.mean / self.complete()).min(1.0).sqrt()
+    }
+
+    /// Pressure beyond that which flattens the wave: the same everywhere \[MPa\].
+    fn beyond(&self) -> f64 {
+        (self.mean - self.complete()).max(0.0)
     }
 
     /// Half-width \[mm\].
@@ -42,20 +46,21 @@ impl Waves {
     }
 
     /// How far the surface has sunk on the mean over a wave, `Δ S (1 − ln S)` with `S = p̄/p*` \[mm\]: the mean gap that is left is
-    /// `Δ (1 − S + S ln S)`, of which the slope by S is `Δ ln S`.
+    /// `Δ (1 − S + S ln S)`, of which the slope by S is `Δ ln S`; from S = 1 on none is left.
     pub fn sunk(&self) -> f64 {
-        let share = self.mean / self.complete();
+        let share = (self.mean / self.complete()).min(1.0);
         self.amplitude * share * (1.0 - share.ln())
     }
 
     /// Pressure at `x` \[MPa\], zero outside the contact.
     pub fn pressure(&self, x: f64) -> f64 {
         let (sin, cos) = (PI * x / self.wavelength).sin_cos();
-        let below = self.sine().powi(2) - sin * sin;
-        if below.is_nan() { f64::NAN } else { 2.0 * self.complete() * cos * below.max(0.0).sqrt() }
+        let below = (self.sine().powi(2) - sin * sin).max(0.0);
+        self.beyond() + 2.0 * self.complete() * cos.abs() * below.sqrt()
     }
 
-    /// `2 √(∫p x²/∫p)` \[mm\], by the midpoint rule in t, `sin(πx/λ) = sin ψ sin t`, where the integrand is smooth.
+    /// `2 √(∫p x²/∫p)` \[mm\], by the midpoint rule in t, `sin(πx/λ) = sin ψ sin t`, where the integrand is smooth; that of the same
+    /// pressure everywhere is `λ²/12`.
     pub fn second_moment(&self) -> f64 {
         let (mut moment, mut total) = (0.0, 0.0);
         for part in 0..PARTS {
@@ -64,7 +69,8 @@ impl Waves {
             total += cos * cos;
             moment += cos * cos * place * place;
         }
-        2.0 * (moment / total).sqrt()
+        let rest = self.beyond() / self.mean;
+        2.0 * ((1.0 - rest) * moment / total + rest * self.wavelength.powi(2) / 12.0).sqrt()
     }
 }
 
@@ -87,7 +93,6 @@ impl Oracle for Waves {
             positive("amplitude", self.amplitude),
             positive("wavelength", self.wavelength),
             positive("mean", self.mean),
-            positive("share of the wave that stays open", 1.0 - self.mean / self.complete()),
         ];
         let value = match quantity {
             Quantity::HalfWidth => self.half_width(),

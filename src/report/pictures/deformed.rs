@@ -110,7 +110,7 @@ fn overlap(discretisation: &Discretisation, run: &Run, magnification: f64, visib
     let elastic = discretisation.scene.contacts.iter().enumerate().filter(|(_, pair)| pair.second.is_some());
     let gaps = elastic.flat_map(|(contact, pair)| {
         let closed = run.solution.points_of(contact).iter().filter(move |point| point.pressure > floor);
-        closed.map(|point| pair.profile.gap(point.position))
+        closed.map(|point| pair.gap(point.position))
     });
     let (low, high) = gaps.fold((0.0_f64, 0.0_f64), |(low, high), gap| (low.min(gap), high.max(gap)));
     let shown = |gap: f64| gap * magnification > visible;

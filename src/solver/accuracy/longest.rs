@@ -15,20 +15,26 @@ pub fn longest(scene: &Scene, pair: &ContactPair) -> f64 {
         let towards = |sign: f64| points.iter().map(|point| sign * pair.path.coordinate(*point)).fold(0.0, f64::max);
         if across { towards(1.0).min(towards(-1.0)) } else { towards(1.0) }
     };
+    let round = |body: usize| {
+        let (shape, side) = (&scene.bodies[body].shape, pair.side(body));
+        // Beyond 45° the radial candidates of a quarter are hardly pressed.
+        Some(shape.reach(side, &pair.path)?.min(shape.circle(side)?.radius * FRAC_1_SQRT_2))
+    };
     let side = |body: usize| match &scene.bodies[body].shape {
         Shape::Rectangle { x, .. } if across => (x[1] - pair.path.origin()[0]).min(pair.path.origin()[0] - x[0]),
         Shape::Rectangle { x, .. } => x[1] - x[0],
-        Shape::Disc { radius, .. } if straight => radius * FRAC_1_SQRT_2,
         Shape::Ring { sweep, .. } => sweep.min(FRAC_PI_2),
         Shape::Disc { .. } | Shape::Eye { .. } => FRAC_PI_2,
         Shape::Blocks(blocks) => {
             let sides = blocks.iter().flat_map(|block| (0..4).map(move |k| (block, k)));
             let touching = sides.filter(|(block, k)| block.names[*k].as_deref() == Some(pair.side(body)));
-            farthest(touching.flat_map(|(block, k)| [block.corners[k], block.corners[(k + 1) % 4]]).collect())
+            let ends = touching.map(|(block, k)| [block.corners[k], block.corners[(k + 1) % 4]]);
+            farthest(ends.filter(|ends| pair.faces(body, *ends, 0.0)).flatten().collect())
         }
         Shape::Given(mesh) => {
-            let edges = mesh.boundaries.get(pair.side(body)).into_iter().flatten().flatten();
-            farthest(edges.map(|&node| mesh.points[node]).collect())
+            let edges = mesh.boundaries.get(pair.side(body)).into_iter().flatten();
+            let ends = edges.map(|edge| [mesh.points[edge[0]], mesh.points[edge[1]]]);
+            farthest(ends.filter(|ends| pair.faces(body, *ends, FRAC_1_SQRT_2)).flatten().collect())
         }
     };
     let next = |other: &ContactPair| {
@@ -41,7 +47,10 @@ pub fn longest(scene: &Scene, pair: &ContactPair) -> f64 {
         }
     };
     let neighbours = scene.contacts.iter().map(next);
-    pair.bodies().map(side).chain(neighbours).fold(of_gap(&pair.profile), f64::min)
+    pair.bodies()
+        .map(|body| round(body).unwrap_or_else(|| side(body)))
+        .chain(neighbours)
+        .fold(of_gap(&pair.profile), f64::min)
 }
 
 /// How far a gap goes \[mm, or rad\].

@@ -82,7 +82,7 @@ impl Interface {
             let point = mesh.points[candidate.node];
             let gap = match &pair.profile {
                 Profile::Drawn => pair.drawn(pair.path.depth(point), opposite),
-                profile => profile.gap(s),
+                _ => pair.gap(s),
             };
             let dof = condensed.offsets[pair.first] + index;
             Ok(ContactNode { coordinate: s, point, normal: candidate.normal, gap, dof, opposite: Vec::new() })
@@ -150,7 +150,7 @@ impl Interface {
     pub fn gap(&self, edge: &[usize], shapes: &[f64], position: f64) -> f64 {
         match &self.pair.profile {
             Profile::Drawn => edge.iter().zip(shapes).map(|(&a, value)| value * self.nodes[a].gap).sum(),
-            profile => profile.gap(position),
+            _ => self.pair.gap(position),
         }
     }
 }

@@ -53,12 +53,18 @@ fn of_body(mesh: &Mesh, scene: &Scene, contact: usize, body: usize) -> Result<Ve
     Ok(candidates)
 }
 
-/// Edges of the boundary that touches: of the first body those that lie within the candidate stretch, of the second those
-/// that reach into it, so that every point of the first has an edge to face.
+/// Edges of the boundary of a body that touches, as far as they face the other side: a closed boundary turns away from it.
+pub fn facing_edges(mesh: &Mesh, scene: &Scene, pair: &ContactPair, body: usize) -> Result<Vec<Edge>, Error> {
+    let faces = |edge: &&Edge| pair.faces(body, [edge[0], edge[1]].map(|node| mesh.points[node]), 0.0);
+    Ok(mesh.boundary(scene, body, pair.side(body))?.iter().filter(faces).cloned().collect())
+}
+
+/// Those of them that lie within the candidate stretch, of the first body, or that reach into it, of the second, so that every
+/// point of the first has an edge to face.
 pub fn candidate_edges(mesh: &Mesh, scene: &Scene, pair: &ContactPair, body: usize) -> Result<Vec<Edge>, Error> {
     let coordinates =
         |edge: &Edge| -> Vec<f64> { edge.iter().map(|&n| pair.path.coordinate(mesh.points[n])).collect() };
-    let taken = |edge: &&Edge| match body == pair.first {
+    let taken = |edge: &Edge| match body == pair.first {
         true => coordinates(edge).iter().all(|s| s.abs() <= pair.stretch * (1.0 + SAME)),
         false => {
             let within = pair.stretch * (1.0 - SAME);
@@ -66,7 +72,7 @@ pub fn candidate_edges(mesh: &Mesh, scene: &Scene, pair: &ContactPair, body: usi
             ends.iter().any(|s| *s < within) && ends.iter().any(|s| *s > -within)
         }
     };
-    Ok(mesh.boundary(scene, body, pair.side(body))?.iter().filter(taken).cloned().collect())
+    Ok(facing_edges(mesh, scene, pair, body)?.into_iter().filter(taken).collect())
 }
 
 impl BodyMesh {

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use crate::mesh::Resolution;
 use crate::mesh::outline::WIDEST;
-use crate::scene::{Body, ContactPair, Path, Scene, Shape};
+use crate::scene::{Body, ContactPair, Face, Path, Scene, Shape};
 
 /// Most cells, and most candidate elements of all contacts together, whose nodes share one dense matrix: a solve then stays
 /// within about 4 GB.
@@ -83,7 +83,10 @@ fn cells(scene: &Scene, resolution: Resolution, index: usize) -> f64 {
             Shape::Rectangle { x, y, .. } => [(x, size, grading.along), (y, size * grading.first, grading.depth)]
                 .map(|([from, to], first, ratio)| counted(to - from, first, ratio, grading.coarsest * (to - from))),
             Shape::Disc { radius, .. } => arc([size, step], radius, radius),
-            Shape::Ring { inner, outer, .. } => arc([size, step], inner.radius, outer.radius - inner.radius),
+            Shape::Ring { inner, outer, contact, .. } => {
+                let face = if contact == Face::Top { outer } else { inner };
+                arc([size, step], face.radius, outer.radius - inner.radius)
+            }
             Shape::Eye { outer_radius, .. } => arc([size, step], outer_radius, outer_radius),
             Shape::Blocks(_) | Shape::Given(_) => [0.0, 0.0],
         };

@@ -6,6 +6,7 @@ use crate::scene::BoundaryName;
 use crate::scene::drawn::DrawnGap;
 use crate::scene::ends::Ends;
 use crate::scene::path::Path;
+use crate::scene::range::ROUNDING;
 use crate::scene::spline::MonotoneCubic;
 
 /// Contact of one body with another, or with a rigid profile.
@@ -23,8 +24,10 @@ pub struct ContactPair {
     pub sides: [BoundaryName; 2],
     /// The curve along which the contact coordinate runs.
     pub path: Path,
-    /// Initial gap along the path.
+    /// Initial gap along the path, without the clearance.
     pub profile: Profile,
+    /// Clearance between the bodies beside a profile that begins with none \[mm\].
+    pub clearance: f64,
     /// Candidates lie on `0 ≤ s ≤ stretch`, or on `−stretch ≤ s ≤ stretch` where the path has both sides
     /// \[mm, or rad on an arc\].
     pub stretch: f64,
@@ -119,6 +122,7 @@ impl ContactPair {
             sides,
             path,
             profile,
+            clearance: 0.0,
             stretch,
             symmetric: true,
             ends: Ends::default(),
@@ -138,6 +142,11 @@ impl ContactPair {
         [Some(self.first), self.second].into_iter().flatten()
     }
 
+    /// Initial gap at the contact coordinate `s`, that of the profile and the clearance \[mm\].
+    pub fn gap(&self, s: f64) -> f64 {
+        self.profile.gap(s) + self.clearance
+    }
+
     /// Contact coordinate at which the candidates begin: 0, or −stretch where the path has both sides.
     pub fn begin(&self) -> f64 {
         if self.path.has_both_sides() { -self.stretch } else { 0.0 }
@@ -147,6 +156,15 @@ impl ContactPair {
     pub fn normal(&self, point: [f64; 2]) -> [f64; 2] {
         let direction = self.path.direction(point);
         if self.above { direction } else { direction.map(|n| 0.0 - n) }
+    }
+
+    /// Whether an edge of a body, which lies to its left, faces the other side of the contact: by the cosine, above a least one,
+    /// between its outward normal and the direction in which that side is looked for.
+    pub fn faces(&self, body: usize, [from, to]: [[f64; 2]; 2], least: f64) -> bool {
+        let normal = self.normal([0, 1].map(|k| 0.5 * (from[k] + to[k])));
+        let [dx, dy] = [0, 1].map(|k| to[k] - from[k]);
+        let cosine = (dy * normal[0] - dx * normal[1]) / dx.hypot(dy);
+        (if body == self.first { cosine } else { -cosine }) > least + ROUNDING
     }
 
     /// Gap between a point of the first body and one of the second, as drawn \[mm\]; negative is interference.

@@ -189,8 +189,8 @@ impl Scene {
     /// Refuses candidates where a body, or the rigid profile that it meets, has ended.
     fn refuse_ended(&self, contact: usize) -> Result<(), Error> {
         let pair = &self.contacts[contact];
-        let bodies = pair.bodies().map(|body| &self.bodies[body]);
-        let reaches = bodies.map(|body| (format!("`{}`", body.name), body.shape.reach(&pair.path)));
+        let reach = |body: usize| self.bodies[body].shape.reach(pair.side(body), &pair.path);
+        let reaches = pair.bodies().map(|body| (format!("`{}`", self.bodies[body].name), reach(body)));
         let all = reaches.chain([("the rigid profile".to_string(), pair.profile.reach())]);
         for (name, reach) in all {
             if let Some(reach) = reach.filter(|reach| pair.stretch > reach * (1.0 + ROUNDING)) {

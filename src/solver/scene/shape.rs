@@ -3,8 +3,10 @@
 //! Angles are measured from the downward vertical, counter-clockwise positive:
 //! the point at angle `θ` and radius `r` about a centre `c` is `c + r (sin θ, −cos θ)`.
 
+use std::f64::consts::{FRAC_PI_2, PI};
 use std::sync::Arc;
 
+use crate::scene::contact_pair::CONTACT;
 use crate::scene::{BoundaryName, Circle, GivenMesh, Path};
 
 /// Outline of a body; each names its boundaries.
@@ -33,7 +35,8 @@ pub enum Shape {
         contact: Face,
     },
     /// Part of a ring from the downward vertical; boundaries `start`, `end` (the straight sides), `inner`, `outer`;
-    /// the side named in `contact` is called `contact` instead.
+    /// the side named in `contact` is called `contact` instead. On both sides of the vertical it has no `start`, and a whole
+    /// one no `end`.
     Ring {
         /// Rays on which the nodes lie start here: the centre of the contact path \[mm\].
         pole: [f64; 2],
@@ -41,8 +44,10 @@ pub enum Shape {
         inner: Circle,
         /// Outer circle.
         outer: Circle,
-        /// Angle swept \[rad\].
+        /// Angle swept, on either side of the vertical where the ring lies on both \[rad\].
         sweep: f64,
+        /// Whether it lies on both sides of the vertical through the pole.
+        both_sides: bool,
         /// The face that carries the contact: `Bottom` is the inner one, `Top` the outer one.
         contact: Face,
     },
@@ -142,13 +147,23 @@ impl Shape {
         matches!(self, Self::Given(_) | Self::Blocks(_))
     }
 
-    /// How far the surface of a disc goes along a straight path: to its outermost point \[mm\]; none for other bodies, which
-    /// end elsewhere.
-    pub fn reach(&self, path: &Path) -> Option<f64> {
-        match (self, path) {
-            (Self::Disc { radius, .. }, Path::Straight(_)) => Some(*radius),
+    /// The circle of a disc, or that of a ring on which one of its sides lies; none of other bodies.
+    pub fn circle(&self, side: &str) -> Option<Circle> {
+        match *self {
+            Self::Disc { centre, radius, .. } => Some(Circle { centre, radius }),
+            Self::Ring { inner, outer, contact, .. } => {
+                let is_outer = side == "outer" || side == CONTACT && contact == Face::Top;
+                Some(if is_outer { outer } else { inner })
+            }
             _ => None,
         }
+    }
+
+    /// How far a side of a disc or a ring goes along a straight path, to its outermost point at most \[mm\]; none for other
+    /// bodies, which end elsewhere.
+    pub fn reach(&self, side: &str, path: &Path) -> Option<f64> {
+        let swept = if let Self::Ring { sweep, .. } = self { *sweep } else { FRAC_PI_2 };
+        self.circle(side).filter(|_| path.is_straight()).map(|circle| circle.radius * swept.min(FRAC_PI_2).sin())
     }
 
     /// Names of the boundaries that supports and loads may refer to.
@@ -159,7 +174,9 @@ impl Shape {
             Self::Disc { sector: Sector::RightHalf, .. } => &["axis", "contact", "top", "middle"],
             Self::Disc { sector: Sector::LowerHalf, .. } => &["cut", "contact"],
             Self::Disc { sector: Sector::Whole, .. } => &["contact", "top", "middle"],
-            Self::Ring { .. } => &["start", "end", "inner", "outer", "contact"],
+            Self::Ring { both_sides: false, .. } => &["start", "end", "inner", "outer", "contact"],
+            Self::Ring { sweep, .. } if *sweep < PI => &["end", "inner", "outer", "contact"],
+            Self::Ring { .. } => &["inner", "outer", "contact"],
             Self::Eye { .. } => &["contact", "axis", "end"],
             Self::Blocks(blocks) => {
                 let mut names: Vec<_> = blocks.iter().flat_map(|block| block.names.iter().flatten().cloned()).collect();

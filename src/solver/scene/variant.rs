@@ -30,6 +30,7 @@ impl Scene {
             }
             pair.path = scaled_path(&pair.path, length);
             pair.profile = scaled_profile(&pair.profile, length);
+            pair.clearance *= length;
         }
         for body in &mut scene.bodies {
             body.shape = scaled_shape(&body.shape, length);
@@ -246,11 +247,12 @@ fn scaled_shape(shape: &Shape, length: f64) -> Shape {
         Shape::Disc { centre, radius, sector, contact } => {
             Shape::Disc { centre: scaled(centre), radius: radius * length, sector, contact }
         }
-        Shape::Ring { pole, inner, outer, sweep, contact } => Shape::Ring {
+        Shape::Ring { pole, inner, outer, sweep, both_sides, contact } => Shape::Ring {
             pole: scaled(pole),
             inner: scaled_circle(inner, length),
             outer: scaled_circle(outer, length),
             sweep,
+            both_sides,
             contact,
         },
         Shape::Eye { pole, hole, outer_radius, shank_half_width, shank_end } => Shape::Eye {

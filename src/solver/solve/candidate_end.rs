@@ -9,7 +9,7 @@ use std::collections::HashSet;
 use crate::contact::{Interface, primary};
 use crate::elasticity::shape_functions;
 use crate::error::{Error, Kind, Part};
-use crate::mesh::Edge;
+use crate::mesh::{Edge, candidates};
 use crate::scene::{ContactPair, Profile};
 use crate::solution::{EdgeState, Solution, Unseen};
 use crate::solve::{Change, Discretisation};
@@ -177,7 +177,7 @@ impl<'a> Sides<'a> {
         };
         let gap = match &pair.profile {
             Profile::Drawn => pair.drawn(sum(strip, &shapes, &depth), faced),
-            profile => profile.gap(s),
+            _ => pair.gap(s),
         };
         let approach = sum(strip, &shapes, &outward) + opposite;
         let penetration = approach - gap - self.clearance;
@@ -288,11 +288,11 @@ fn strips(discretisation: &Discretisation, interface: &Interface, body: usize) -
     let (scene, mesh, pair) = (&discretisation.scene, &discretisation.mesh, &interface.pair);
     let others = mesh.bodies[body].candidates.iter().filter(|candidate| candidate.contact != interface.contact);
     let others: HashSet<usize> = others.map(|candidate| candidate.node).collect();
-    let own = mesh.boundary(scene, body, pair.side(body))?.iter();
+    let own = candidates::facing_edges(mesh, scene, pair, body)?.into_iter();
     let own = own.filter(|edge| !edge.iter().any(|node| others.contains(node)));
-    let strip = |edge: &Edge| {
+    let strip = |edge: Edge| {
         let coordinates = edge.iter().map(|&node| pair.path.coordinate(mesh.points[node])).collect();
-        Strip { nodes: edge.clone(), coordinates }
+        Strip { nodes: edge, coordinates }
     };
     Ok(own.map(strip).collect())
 }

@@ -3,7 +3,7 @@
 use crate::elasticity::{point, quadrature, shape_functions};
 use crate::error::Error;
 use crate::mesh::Edge;
-use crate::scene::{Action, Body, Component, ContactPair, Displaced, Load, Place, Scene};
+use crate::scene::{Action, Body, Component, ContactPair, Displaced, Load, Place, Scene, Support};
 use crate::solve::Discretisation;
 
 /// Gauss points of an edge: exact for straight ones of any order; the length of a curved one is no polynomial.
@@ -80,7 +80,7 @@ impl Scene {
     /// load or a support acts along y.
     ///
     /// None where a body has no such place, several of them, a point, or only the side that touches; and where all of them
-    /// are prescribed, so that their approach is input.
+    /// are fixed, so that nothing approaches.
     pub fn pressed_sides(&self, contact: usize) -> Option<Vec<Displaced>> {
         let pair = &self.contacts[contact];
         let sides = pair.bodies().map(|body| {
@@ -88,8 +88,8 @@ impl Scene {
             Some(Displaced { body, at, component: Component::Y })
         });
         let sides = sides.collect::<Option<Vec<_>>>()?;
-        let is_known = |side: &Displaced| is_prescribed(&self.bodies[side.body], &side.at, Component::Y);
-        (!sides.iter().all(is_known)).then_some(sides)
+        let is_fixed = |side: &Displaced| is_fixed(&self.bodies[side.body], &side.at);
+        (!sides.iter().all(is_fixed)).then_some(sides)
     }
 }
 
@@ -129,6 +129,13 @@ fn loaded(load: &Load) -> Vec<(Place, Component)> {
 
 fn is_boundary(at: &Place) -> bool {
     matches!(at, Place::Boundary(_))
+}
+
+/// Whether a place is fixed along y.
+fn is_fixed(body: &Body, at: &Place) -> bool {
+    let holds =
+        |support: &Support| support.at == *at && support.component == Component::Y && support.value.abs() <= 0.0;
+    body.supports.iter().any(holds)
 }
 
 fn is_prescribed(body: &Body, at: &Place, component: Component) -> bool {

@@ -3,6 +3,7 @@
 use crate::elasticity::{shape_functions, stress};
 use crate::error::Error;
 use crate::measure::Measures;
+use crate::mesh::candidates;
 use crate::solve::Discretisation;
 
 /// Half-widths below the surface down to which the largest shear stress is looked for: under Hertz it lies at 0.79 of one, under
@@ -108,8 +109,8 @@ impl<'a> Below<'a> {
     fn of(discretisation: &'a Discretisation, measures: &Measures, [contact, body]: [usize; 2]) -> Result<Self, Error> {
         let (scene, mesh) = (&discretisation.scene, &discretisation.mesh);
         let pair = &scene.contacts[contact];
-        let nodes = mesh.boundary(scene, body, pair.side(body))?.iter().flatten();
-        let place = |&node: &usize| [pair.path.coordinate(mesh.points[node]), pair.path.depth(mesh.points[node])];
+        let nodes = candidates::facing_edges(mesh, scene, pair, body)?.into_iter().flatten();
+        let place = |node: usize| [pair.path.coordinate(mesh.points[node]), pair.path.depth(mesh.points[node])];
         let mut surface: Vec<[f64; 2]> = nodes.map(place).collect();
         surface.sort_by(|a, b| a[0].total_cmp(&b[0]));
         surface.dedup_by(|a, b| a[0] - b[0] <= 0.0);

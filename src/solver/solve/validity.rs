@@ -61,7 +61,7 @@ impl Formulation {
             return Err(Error::at(place, message, "leave `bound` and `spring` out, or use the varying algorithm"));
         }
         self.validate_options(place)?;
-        let tightest = scene.contacts.iter().map(|pair| pair.profile.gap(0.0)).fold(f64::INFINITY, f64::min);
+        let tightest = scene.contacts.iter().map(|pair| pair.gap(0.0)).fold(f64::INFINITY, f64::min);
         self.refuse_interference(scene, tightest)
     }
 

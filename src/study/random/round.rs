@@ -189,6 +189,7 @@ pub fn ring(draw: &mut Draw, material: Material, guess: f64) -> Sample {
                 inner: circle(inner),
                 outer: circle(outer),
                 sweep: PI,
+                both_sides: false,
                 contact: Face::Bottom,
             },
             material,

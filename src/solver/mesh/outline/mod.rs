@@ -32,9 +32,7 @@ impl Layout<'_> {
                 let blocks = disc::blocks(self, *centre, *radius, *sector);
                 blocks.iter().map(|block| block.turned_over(centre[1])).collect()
             }
-            Shape::Ring { pole, inner, outer, sweep, contact } => {
-                ring::blocks(self, *pole, [*inner, *outer], *sweep, *contact)
-            }
+            Shape::Ring { .. } => ring::blocks(self, shape),
             Shape::Eye { .. } => eye::blocks(self, shape),
             Shape::Blocks(shapes) => blocks::blocks(self, shapes),
             Shape::Given(_) => Vec::new(),

@@ -1,17 +1,34 @@
 //! Ring sector: one block between two arcs, fine at the face that carries the contact; rows of cells that grow with the radius where
 //! the ends of the contact are known.
 
-use std::f64::consts::FRAC_PI_2;
+use std::f64::consts::{FRAC_PI_2, PI};
 
 use super::layout::Layout;
 use super::points::{between, exact_sin};
 use crate::mesh::block::{Block, Point, Side};
 use crate::mesh::spacing;
-use crate::scene::{Circle, Face};
+use crate::scene::{Circle, Face, ROUNDING, Shape};
 
-pub(super) fn blocks(layout: &Layout, pole: Point, circles: [Circle; 2], sweep: f64, contact: Face) -> Vec<Block> {
+pub(super) fn blocks(layout: &Layout, shape: &Shape) -> Vec<Block> {
+    let Shape::Ring { pole, inner, outer, sweep, both_sides, contact } = *shape else {
+        return Vec::new();
+    };
+    let right = right_blocks(layout, pole, [inner, outer], sweep, contact);
+    if !both_sides {
+        return right;
+    }
+    let closed = |block: Block| if sweep < PI { block } else { block.without("end") };
+    let right: Vec<Block> = right.into_iter().map(|block| closed(block.without("start"))).collect();
+    let left: Vec<Block> = right.iter().map(|block| block.seen_in_mirror(pole[0])).collect();
+    right.into_iter().chain(left).collect()
+}
+
+/// The part to the right of the downward vertical.
+fn right_blocks(layout: &Layout, pole: Point, circles: [Circle; 2], sweep: f64, contact: Face) -> Vec<Block> {
     let [inner, outer] = circles;
-    let angles = layout.arc(inner.radius, &[FRAC_PI_2, sweep]);
+    // Of the side on which lengths along a straight path are measured: a contact along an arc needs no radius.
+    let on_outer = (contact == Face::Top) == layout.path.is_straight();
+    let angles = layout.arc(if on_outer { outer.radius } else { inner.radius }, &[sweep.min(FRAC_PI_2), sweep]);
     let (first, depth) = match contact {
         Face::Bottom => (inner.radius * (angles[1] - angles[0]), outer.radius - inner.radius),
         Face::Top => (outer.radius * (angles[1] - angles[0]), outer.radius - inner.radius),
@@ -61,13 +78,19 @@ fn rows(layout: &Layout, pole: Point, [inner, outer]: [Circle; 2], angles: &[f64
         let part = if height < whole { height.exp_m1() / whole.exp_m1() } else { 1.0 };
         between(on_ray(inner, pole, angle), on_ray(outer, pole, angle), part)
     };
+    let face_radius = if contact == Face::Top { outer.radius } else { inner.radius };
+    let last = if layout.path.is_straight() { (1.0 + ROUNDING) * (layout.stretch / face_radius).asin() } else { 0.0 };
     let side = |name: &'static str, is_outer: bool, points: Vec<Point>| {
         if is_outer { Side::named(name, points) } else { Side::inner(points) }
     };
     let (face, back) = ("contact", if contact == Face::Bottom { "outer" } else { "inner" });
     let [top, bottom] = if contact == Face::Bottom { [face, back] } else { [back, face] };
     let cell = |height: &[f64], angle: &[f64]| {
-        let arc = |height: f64| layout.along(angle, |angle| point(angle, height));
+        let arc = |height: f64| match angle[1] <= last {
+            // Evenly along x next to the contact: bodies have their nodes at the same x there.
+            true => layout.along(&[angle[0].sin(), angle[1].sin()], |x| point(x.asin(), height)),
+            false => layout.along(angle, |angle| point(angle, height)),
+        };
         let ray = |angle: f64| layout.along(height, |height| point(angle, height));
         Block {
             bottom: side(bottom, height[0] >= whole, arc(height[0])),
