@@ -86,7 +86,7 @@ fn thick_ring_on_a_flat_has_the_contact_of_hertz_and_of_a_disc() {
     let axis = "{ at = \"axis\", component = \"x\" }";
     let disc = numbers(&scene("disc = { centre = [0, 50], radius = 50 }", axis, &load("cut", -30.0), contact, mesh));
     let hertz = Hertz { load: 3000.0, radius: 50.0, modulus: 210e3 / 0.91 };
-    let of = |quantity| match hertz.read(quantity) {
+    let of = |quantity| match hertz.read(&quantity) {
         Reading::Value { value, .. } => value,
         other => panic!("{other:?}"),
     };

@@ -253,7 +253,8 @@ fn press_fit_has_the_pressure_of_lame_to_more_digits_with_the_order() {
     let numbers = PressFit::default();
     let wanted = numbers.case().reference_pressure(0, 0.0);
     let quadratic = [(Order::Quadratic, 12, 1e-3)];
-    let tensor = TENSOR[1..].iter().copied().zip([3e-4, 5e-6, 5e-7, 2e-8, 2e-8]).map(|(order, bound)| (order, 2, bound));
+    let tensor =
+        TENSOR[1..].iter().copied().zip([3e-4, 5e-6, 5e-7, 2e-8, 2e-8]).map(|(order, bound)| (order, 2, bound));
     for (order, elements, bound) in quadratic.into_iter().chain(tensor) {
         let solution = meshed(numbers.scene(), elements, order).solve(&Formulation::verification()).expect("solution");
         for point in &solution.points {

@@ -2,6 +2,7 @@
 //!
 //! In plane stress with `E/(1−ν²)`, `ν/(1−ν)` a body has the same D and plain cells: what locks is shown by that.
 
+use std::f64::consts::FRAC_PI_2;
 use std::sync::Arc;
 
 use contact_vv::case::library::Patch;
@@ -9,12 +10,16 @@ use contact_vv::elasticity::dilatation::ORDINARY;
 use contact_vv::elasticity::element::{self, CellStiffness};
 use contact_vv::elasticity::{loads, quadrature, reactions, stress};
 use contact_vv::mesh::{Mesh, Order};
-use contact_vv::scene::{Component, LARGEST_POISSON, Load, Material, PlaneHypothesis, Scene, StressField};
+use contact_vv::scene::{
+    Circle, Component, Face, LARGEST_POISSON, Load, Material, Path, PlaneHypothesis, Scene, Shape, StressField,
+};
 use contact_vv::solve::Discretisation;
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 
 use crate::cells::distorted;
-use crate::workbench::{ORDERS, STEEL, block, displaced, distance, distorted_patch, held_at, noise, resolution};
+use crate::workbench::{
+    ORDERS, STEEL, block, displaced, distance, distorted_patch, held, held_at, noise, of_shape, resolution,
+};
 
 const RUBBER: Material = Material { young: 6.0, poisson: LARGEST_POISSON };
 
@@ -261,6 +266,66 @@ fn internal_forces_of_rubber_balance_its_loads_node_by_node() {
         // lost to λ/μ.
         for (point, (one, other)) in mesh.points.iter().zip(internal.iter().zip(&applied)) {
             assert!(distance(one, other) <= 1e-6, "{order:?} at {point:?}: {one:?}, not {other:?}");
+        }
+    }
+}
+
+/// Largest errors of a thick ring under internal pressure: of the radial displacement, relative, and of the mean stress
+/// `(σ_x + σ_y)/2` at the nodes over the pressure (Lamé; Timoshenko & Goodier, §28).
+fn ring_errors(
+    material: Material,
+    plane: PlaneHypothesis,
+    strain: Material,
+    elements: usize,
+    order: Order,
+) -> [f64; 2] {
+    let (a, b, p) = (2.0, 4.0, 0.5);
+    let circle = |radius| Circle { centre: [0.0, 0.0], radius };
+    let shape = Shape::Ring {
+        pole: [0.0, 0.0],
+        inner: circle(a),
+        outer: circle(b),
+        sweep: FRAC_PI_2,
+        both_sides: false,
+        contact: Face::Bottom,
+    };
+    let supports = vec![held("start", Component::X, 0.0), held("end", Component::Y, 0.0)];
+    let pressure = StressField(Arc::new(move |_| [-p, -p, 0.0]));
+    let loads = vec![Load::Stress { boundary: "contact".into(), field: pressure }];
+    let mut scene = of_shape(shape, Path::Arc(circle(a)), FRAC_PI_2, supports, loads);
+    scene.plane = plane;
+    scene.bodies[0].material = material;
+    let mesh = Mesh::of(&scene, resolution(elements, 0, order)).expect("mesh");
+    let u = displaced(&scene, &mesh);
+    let stresses = stress::at_nodes(&scene, &mesh, &u).expect("stress");
+
+    let Material { young, poisson } = strain;
+    let share = a * a * p / (b * b - a * a);
+    let mut worst = [0.0_f64; 2];
+    for ((point, u), stress) in mesh.points.iter().zip(&u).zip(&stresses) {
+        let r = point[0].hypot(point[1]);
+        let radial = (u[0] * point[0] + u[1] * point[1]) / r;
+        let wanted = (1.0 + poisson) / young * share * ((1.0 - 2.0 * poisson) * r + b * b / r);
+        let errors = [radial / wanted - 1.0, (0.5 * (stress[0] + stress[1]) - share) / p];
+        worst = std::array::from_fn(|k| distance(&[worst[k].max(errors[k].abs()), errors[k]], &[0.0; 2]));
+    }
+    worst
+}
+
+#[test]
+fn thick_ring_of_rubber_follows_lame_as_one_of_steel_does() {
+    for (order, elements, widening) in [(Order::Linear, 16, 5e-3), (Order::Quadratic, 8, 1e-4)] {
+        let strain = PlaneHypothesis::Strain;
+        let steel = ring_errors(STEEL, strain, STEEL, elements, order);
+        let rubber = ring_errors(RUBBER, strain, RUBBER, elements, order);
+        let locked = ring_errors(plain(RUBBER), PlaneHypothesis::Stress, RUBBER, elements, order);
+
+        assert!(rubber[0] <= widening, "{order:?}: {rubber:?}");
+        for (found, usual) in rubber.iter().zip(steel) {
+            assert!(*found <= 2.0 * usual, "{order:?}: {rubber:?} of rubber, {steel:?} of steel");
+        }
+        for (found, plain) in rubber.iter().zip(locked) {
+            assert!(*found <= 0.01 * plain, "{order:?}: plain cells do not lock: {locked:?}, {rubber:?}");
         }
     }
 }

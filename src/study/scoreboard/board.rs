@@ -15,10 +15,10 @@ use serde_json::Value;
 use sha2::{Digest, Sha256};
 
 use crate::case::{Case, Judged, Verdict};
-use crate::measure::Quantity as Number;
 use crate::checkout::root;
 use crate::condensation::Plain;
 use crate::error::Error;
+use crate::measure::Quantity as Number;
 use crate::named::named_enum;
 use crate::referee::export::deck;
 use crate::referee::export::problem::{self, SCRIPTS};
