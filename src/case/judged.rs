@@ -8,9 +8,8 @@ use crate::markdown;
 use crate::oracle::ReferenceKind;
 
 /// A verdict.
-#[derive(Clone, Debug, Default, PartialEq, Eq, serde::Serialize, schemars::JsonSchema)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, serde::Serialize)]
 #[serde(rename_all = "lowercase")]
-#[schemars(rename = "Ended")]
 pub enum Verdict {
     /// The error is within the tolerance.
     Pass,

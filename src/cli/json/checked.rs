@@ -52,6 +52,7 @@ pub struct Checked {
     /// Why this tolerance.
     because: Option<String>,
     /// Whether it passed, failed or was not run.
+    #[schemars(with = "String", extend("enum" = ["pass", "fail", "not run"]))]
     verdict: Verdict,
     /// Why it did not pass; null where it did.
     reason: Option<String>,
