@@ -7,14 +7,13 @@ mod truth;
 
 use contact_vv::study;
 use contact_vv_live::LIVE;
-use libtest_mimic::{Arguments, Trial};
+use libtest_mimic::Arguments;
 use truth::{Findings, counted, truth};
 
 fn main() {
     let arguments = Arguments::from_args();
     let findings = Findings::default();
-    // Faults first: they have processes of their own, beside the one Python of the codes.
-    let mut tests: Vec<Trial> = planted::trials();
+    let mut tests = vec![planted::trial()];
     tests.extend(study::live(LIVE).into_iter().map(|trial| truth(trial, findings.clone())));
     tests.extend(readers::trials());
     let conclusion = libtest_mimic::run(&arguments, tests);
