@@ -2,7 +2,7 @@
 
 use crate::accuracy::Quantity;
 use crate::case::quantity::Quantity as Asked;
-use crate::case::{Check, Judged, Reference};
+use crate::case::{Check, Judged, Reference, Verdict};
 use crate::error::Coordinate;
 use crate::measure::{ACTIVE, Measures, display_factor, larger, peak};
 use crate::oracle;
@@ -10,7 +10,7 @@ use crate::referee::bench::{Bench, KNOWN};
 use crate::referee::profile::Profile;
 use crate::referee::truth::{Known, Truth};
 use crate::referee::{contact_laws, declared, norm};
-use crate::solution::EdgeState;
+use crate::solution::{EdgeState, Part};
 use crate::uncertainty::standard;
 
 /// What is accepted where nothing else is asked for.
@@ -26,6 +26,12 @@ pub struct Ruled {
     pub judged: Vec<Judged>,
     /// What could not be judged, and what to hand in for it.
     pub missing: Vec<[String; 2]>,
+}
+
+/// Whether the half-width of a profile fails, which takes no fit of a peak and tells most answers that are wrong.
+pub fn fails_by_width(truth: &Truth, profile: &Profile, tolerance: f64) -> bool {
+    let measures = Measures::of(&profile.scene, profile.contact, Part { edges: &[], ..profile.part() });
+    Bench { truth, profile, measures: &measures, tolerance }.half_width().verdict == Verdict::Fail
 }
 
 /// Judges a profile.
