@@ -258,7 +258,7 @@ fn matrix_types_of_libraries_stay_inside_the_numerics() {
 
 /// Lines that a room may have; raised only by a commit that says what for.
 const BUDGETS: [(&str, usize); 8] = [
-    ("solver", 17_950),
+    ("solver", 18_340),
     ("drawing", 3_000),
     ("case", 6_850),
     ("oracle", 4_100),

@@ -80,7 +80,7 @@ impl Algorithm for Varying {
             let factors = factors(self.rule, self.leeway, problem, &iterate.approach);
             let before = springs.stiffness.clone();
             springs.stiffness.iter_mut().zip(factors).for_each(|(k, factor)| *k = scale.clip(*k * factor));
-            if self.acceleration != Acceleration::None {
+            if self.acceleration != Acceleration::None && problem.stiffness.is_dense() {
                 self.logarithms.step((problem, factor), &iterate, &before, &mut springs.stiffness, work);
             }
             return Some(iterate);
