@@ -1,12 +1,12 @@
 //! An answer held against the truth of its case, quantity by quantity.
 
-use crate::case::{Check, Judged, Reference};
+use crate::case::{Check, Judged, Reference, Verdict};
 use crate::measure::{ACTIVE, Measures, Quantity, display_factor, larger, peak};
 use crate::referee::bench::{Bench, KNOWN};
 use crate::referee::profile::Profile;
 use crate::referee::truth::{Known, Truth};
 use crate::referee::{contact_laws, declared, norm};
-use crate::solution::EdgeState;
+use crate::solution::{EdgeState, Part};
 use crate::uncertainty::standard;
 
 /// What is accepted where nothing else is asked for.
@@ -22,6 +22,12 @@ pub struct Ruled {
     pub judged: Vec<Judged>,
     /// What could not be judged, and what to hand in for it.
     pub missing: Vec<[String; 2]>,
+}
+
+/// Whether the half-width of a profile fails, which takes no fit of a peak and tells most answers that are wrong.
+pub fn fails_by_width(truth: &Truth, profile: &Profile, tolerance: f64) -> bool {
+    let measures = Measures::of(&profile.scene, profile.contact, Part { edges: &[], ..profile.part() });
+    Bench { truth, profile, measures: &measures, tolerance }.half_width().verdict == Verdict::Fail
 }
 
 /// Judges a profile.

@@ -9,7 +9,7 @@ use crate::case::Verdict;
 use crate::measure::Quantity;
 use crate::mesh::Order;
 use crate::referee::answer::{Handed, Point};
-use crate::referee::judge::judge;
+use crate::referee::judge::{fails_by_width, judge};
 use crate::referee::profile::{Profile, tributary};
 use crate::referee::truth::Truth;
 use crate::scene::{PlaneHypothesis, Scene};
@@ -26,7 +26,8 @@ pub fn explain(truth: &Truth, handed: &Handed, tolerance: f64) -> Vec<String> {
     let plain = without_gaps(handed);
     let meets = |one: &Handed| {
         let profile = Profile::of(&truth.case.scene, one);
-        judge(truth, &profile, tolerance).judged.iter().all(|judged| judged.verdict != Verdict::Fail)
+        !fails_by_width(truth, &profile, tolerance)
+            && judge(truth, &profile, tolerance).judged.iter().all(|judged| judged.verdict != Verdict::Fail)
     };
     if meets(&plain) {
         return vec![];

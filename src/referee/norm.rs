@@ -4,12 +4,15 @@ use crate::solution::EdgeState;
 
 /// Points of an edge at which the truth is read: its root at the end of a contact is integrated to about 1e-3 of the edge's mean.
 const READ: usize = 32;
+/// Points of all edges together from which on fewer of each will do: the edge at the end is a small part of the contact.
+const ALL: usize = 64_000;
 
 /// `√(Σ A (p̄ − p̄_ref)² / Σ A p̄_ref²)` of the means over edges, those of the truth by the midpoint rule.
 pub fn of_means(edges: &[EdgeState], truth: impl Fn(f64) -> f64) -> f64 {
+    let points = (ALL / edges.len().max(1)).clamp(1, READ);
     let mean = |edge: &EdgeState| {
-        let at = |k: usize| edge.ends[0] + edge.length() * (k as f64 + 0.5) / READ as f64;
-        (0..READ).map(|k| truth(at(k))).sum::<f64>() / READ as f64
+        let at = |k: usize| edge.ends[0] + edge.length() * (k as f64 + 0.5) / points as f64;
+        (0..points).map(|k| truth(at(k))).sum::<f64>() / points as f64
     };
     let pairs: Vec<[f64; 3]> = edges.iter().map(|edge| [edge.weight, edge.pressure, mean(edge)]).collect();
     let error: f64 = pairs.iter().map(|[weight, own, wanted]| weight * (own - wanted).powi(2)).sum();

@@ -5,6 +5,7 @@ use contact_vv::algorithm::{
     Algorithm, Constant, ContactProblem, Iterate, Kinematic, Leeway, Scale, Settings, Spring, Springs, StiffnessRule,
     Varying, iterate, rule,
 };
+use contact_vv::condensation::stiffness::Stiffness;
 use contact_vv::contact::{ContactEdge, ContactPoint};
 use contact_vv::solution::{Outcome, Solution, Work};
 use faer::Mat;
@@ -13,7 +14,7 @@ use crate::workbench::distance;
 
 /// A problem that owns its matrices.
 pub struct Sample {
-    pub stiffness: Mat<f64>,
+    pub stiffness: Stiffness,
     pub load: Vec<f64>,
     pub points: Vec<ContactPoint>,
     pub edges: Vec<ContactEdge>,
@@ -42,8 +43,8 @@ impl Sample {
     }
 }
 
-pub fn matrix(entries: &[&[f64]]) -> Mat<f64> {
-    Mat::from_fn(entries.len(), entries.len(), |i, j| entries[i][j])
+pub fn matrix(entries: &[&[f64]]) -> Stiffness {
+    Stiffness::Dense(Mat::from_fn(entries.len(), entries.len(), |i, j| entries[i][j]))
 }
 
 pub fn point(row: Vec<(usize, f64)>, weight: f64, gap: f64) -> ContactPoint {
@@ -125,7 +126,7 @@ pub fn solvers() -> Vec<(&'static str, Box<dyn Algorithm>)> {
 /// The sample with the springs that an algorithm needs: secant on forces diverges below half of k* = p/g, here 2,500.
 pub fn started(sample: &Sample, name: &str) -> Sample {
     let initial = if name == "constant secant" { vec![3000.0; 2] } else { sample.initial.clone() };
-    let (stiffness, load) = (sample.stiffness.clone(), sample.load.clone());
+    let (stiffness, load) = (Stiffness::Dense(sample.stiffness.to_dense()), sample.load.clone());
     Sample { stiffness, load, points: sample.points.clone(), edges: sample.edges.clone(), initial }
 }
 

@@ -2,13 +2,13 @@
 
 use std::path::Path;
 
-use contact_vv::accuracy::{self, Asked, Bars, Quantity, bars};
+use contact_vv::accuracy::{self, Asked, Barred, Bars, Quantity, bars};
 use contact_vv::algorithm::StiffnessRule;
 use contact_vv::case::library::{self, Cylinder};
 use contact_vv::case::{Case, Verdict};
 use contact_vv::mesh::{Order, Resolution};
 use contact_vv::scene::{Component, Place, Scene, Support};
-use contact_vv::solve::{Discretisation, Element, Formulation, Iteration, Run};
+use contact_vv::solve::{Discretisation, Displaced, Element, Formulation, Iteration, Run};
 use contact_vv::study::promised::bars::{Record, SURVEY, beyond, narrow, setup, told, within};
 use contact_vv::study::random::{Family, Site};
 use contact_vv::study::records::Millionths;
@@ -258,6 +258,60 @@ fn peaks_contain_what_a_force_that_statics_do_not_give_leaves() {
             let [found, fine] = [&answer.run, &fine].map(|run| quoted.quantity.of(run.measures()));
             let error = (found - fine).abs() / fine;
             assert!(error <= quoted.relative(), "{asked}: {} {error:e}", quoted.quantity.key());
+        }
+    }
+}
+
+/// Values and bars of a scene file with some lines of it replaced, by subject.
+fn barred(text: &str, replaced: &[[&str; 2]], displaced: &[Displaced]) -> Vec<Barred> {
+    let text = replaced.iter().fold(text.to_owned(), |text, [from, to]| {
+        assert!(text.contains(from), "{from}");
+        text.replace(from, to)
+    });
+    let case = Case::parse(Path::new("scene.toml"), &text).expect("a case");
+    let discretisation = Discretisation::of(case.scene, case.resolution).expect("meshed");
+    let run = Run::of(&discretisation, &Formulation::verification()).expect("solved");
+    bars(&discretisation, &run, displaced).expect("bars").all
+}
+
+const CORNER: &str = "plane = \"strain\"\nthickness = 1\n[[body]]\nname = \"block\"\nyoung = 1e5\npoisson = 0.3\n\
+    shape = { rectangle = { x = [0, 10], y = [0, 10], contact = \"bottom\" } }\n\
+    supports = [{ at = \"left\", component = \"x\" }]\nloads = [{ traction = { at = \"far\", value = [60, -100] } }]\n\
+    [contact]\nfirst = \"block\"\ngap = { parabola = 500 }\nstretch = 5\n[mesh]\nelements = 4\nper = 1\n";
+
+#[test]
+fn displacement_of_a_corner_beside_a_loaded_side_has_a_bar_of_the_order_that_is_seen() {
+    let corner = [Component::X, Component::Y];
+    let corner = corner.map(|component| Displaced { body: 0, at: Place::Point([10.0, 10.0]), component });
+    for load in ["far\", value = [60, -100]", "right\", value = [0, -100]"] {
+        let load = ["far\", value = [60, -100]", load];
+        let of = |elements| barred(CORNER, &[load, ["elements = 4", elements]], &corner);
+        let (coarse, fine) = (of("elements = 4"), of("elements = 48"));
+        for displaced in &corner {
+            let subject = Subject::Displacement(displaced.clone());
+            let [own, truth] = [&coarse, &fine].map(|all| all.iter().find(|one| one.subject == subject).expect("told"));
+            let (error, bar) = ((own.value - truth.value).abs(), own.bar.total());
+            assert!(error <= 0.8 * bar && bar <= 10.0 * error, "{load:?}: {error:.2e} of {bar:.2e}");
+        }
+    }
+}
+
+#[test]
+fn elements_of_the_second_body_as_wide_as_the_contact_are_in_the_bars() {
+    let file = std::fs::read_to_string("tests/cases/two-cylinders.toml").expect("read");
+    let text = &file[..file.find("[[check]]").expect("checks")];
+    let fine = barred(text, &[["elements = 12", "elements = 48"]], &[]);
+    for density in ["0.0833", "0.167", "0.333"] {
+        let second = format!("name = \"steel\"\ndensity = {density}");
+        let coarse = barred(text, &[["name = \"steel\"", &second]], &[]);
+        for quantity in [Quantity::PeakPressure, Quantity::HalfWidth, Quantity::SecondMomentWidth] {
+            let subject = Subject::Contact(0, quantity);
+            let [own, truth] = [&coarse, &fine].map(|all| all.iter().find(|one| one.subject == subject).expect("told"));
+            let (error, bar) = ((own.value - truth.value).abs(), own.bar.total());
+            assert!(
+                error <= bar && bar <= 0.5 * own.value || bar.is_nan(),
+                "{density}, {quantity:?}: {error:.2e} of {bar:.2e}"
+            );
         }
     }
 }

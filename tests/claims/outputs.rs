@@ -388,7 +388,7 @@ fn an_export_replaces_no_mesh_that_the_scene_reads_and_no_answer_that_was_filled
 }
 
 #[test]
-fn candidates_of_all_contacts_together_bound_a_scene() {
+fn bytes_of_a_solve_bound_a_scene_and_not_the_number_of_its_contacts() {
     let scene = |blocks: usize, elements: usize| {
         let block = |k: usize| {
             let [from, to] = [20 * k, 20 * k + 10];
@@ -400,9 +400,15 @@ fn candidates_of_all_contacts_together_bound_a_scene() {
         format!("plane = \"strain\"\nthickness = 1\n{blocks}[mesh]\nelements = {elements}\nper = 1\n")
     };
     let read = |blocks, elements| Case::parse(Path::new("many.toml"), &scene(blocks, elements)).map(|_| ());
-    assert!(read(50, 8).is_ok());
-    let error = read(51, 8).expect_err("40 each").to_string();
-    assert!(error.contains("2040 candidate elements in all 51 contacts together"), "{error}");
-    let error = read(400, 8).expect_err("40 each").to_string();
-    assert!(error.contains("16000 candidate elements in all 400 contacts together"), "{error}");
+    assert!([50, 51, 400].into_iter().all(|blocks| read(blocks, 8).is_ok()));
+    // One dense matrix of all dofs, and that of one body.
+    for (blocks, elements, told) in
+        [(3, 160, "2400 candidate elements in all 3 contacts"), (400, 24, "48000 candidate")]
+    {
+        let error = read(blocks, elements).expect_err("too many").to_string();
+        assert!(
+            error.contains(told) && error.contains("bytes") && error.contains("scenes of fewer contacts"),
+            "{error}"
+        );
+    }
 }

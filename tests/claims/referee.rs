@@ -249,3 +249,30 @@ fn straight_lines_between_pressures_have_their_exact_second_moment_on_coarse_edg
     let short = text.replace("25,", "24,");
     assert!(!failed(&judged(&truth, &short, &Asked::default())).is_empty());
 }
+
+/// Processor time of this thread \[s\].
+#[cfg(target_os = "linux")]
+fn seconds() -> f64 {
+    let told = std::fs::read_to_string("/proc/thread-self/stat").expect("Linux tells");
+    let fields: Vec<&str> = told[told.rfind(')').expect("a name") + 1..].split_whitespace().collect();
+    // User and system time in hundredths.
+    fields[11..13].iter().map(|ticks| ticks.parse::<f64>().expect("a number")).sum::<f64>() / 100.0
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn table_of_a_quarter_of_a_million_rows_is_judged_in_three_seconds() {
+    let truth = truth();
+    let half_width = TruncatedHertz::default().half_width();
+    let rows = |count: usize, pressure: &dyn Fn(f64) -> f64| {
+        let row = |k: usize| half_width * k as f64 / (count - 1) as f64;
+        let rows = (0..count).map(|k| format!("{:e},{:e}\n", row(k), pressure(row(k))));
+        format!("position [mm],pressure [MPa]\n{}", rows.collect::<String>())
+    };
+    let same = rows(250_000, &|_| 100.0);
+    let before = seconds();
+    let found = judged(&truth, &same, &Asked::default());
+    let taken = seconds() - before;
+    assert!(taken < 3.0, "{taken} s");
+    assert_relative_eq!(found.ruled[0].measures.peak.pressure, 100.0, max_relative = 1e-9);
+}

@@ -1,10 +1,13 @@
 //! Several contacts in one scene: each is what it would be alone where they do not meet, and all of them balance.
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
+use contact_vv::algorithm::ContactProblem;
 use contact_vv::case::notes;
 use contact_vv::case::{Against, Case, Check, Quantity, Verdict};
+use contact_vv::condensation::stiffness::Stiffness;
 use contact_vv::measure::Measures;
 use contact_vv::mesh::Mesh;
+use contact_vv::solution::Work;
 use contact_vv::solve::{Change, Discretisation, Element, Formulation, Origin, Run};
 
 use crate::outputs::{contact_vv, scene};
@@ -319,4 +322,75 @@ fn outputs_tell_every_contact_by_its_name() {
         table.contains("contact `above`:\n  half-width") && table.contains("contact `below`:\n  half-width"),
         "{table}"
     );
+}
+
+/// Blocks on rigid ground, apart from one another or one upon the other, with 40 candidate elements each.
+fn many(blocks: usize, upright: bool) -> Discretisation {
+    let block = |k: usize| {
+        let ([x, y], last) = (if upright { [0, 10 * k] } else { [20 * k, 0] }, !upright || k + 1 == blocks);
+        let load = if last { "loads = [{ traction = { at = \"far\", value = [0, -1] } }]\n" } else { "" };
+        let below = match k {
+            1.. if upright => format!("first-side = \"contact\"\nsecond = \"b{}\"\nsecond-side = \"far\"\n", k - 1),
+            _ => String::new(),
+        };
+        format!(
+            "[[body]]\nname = \"b{k}\"\nyoung = 1e5\npoisson = 0.3\n\
+             shape = {{ rectangle = {{ x = [{x}, {}], y = [{y}, {}], contact = \"bottom\" }} }}\n\
+             supports = [{{ at = \"left\", component = \"x\" }}]\n{load}\
+             [[contact]]\nname = \"c{k}\"\nfirst = \"b{k}\"\n{below}origin = [{x}, {y}]\n\
+             gap = {{ parabola = 500 }}\nstretch = 5\n",
+            x + 10,
+            y + 10
+        )
+    };
+    let text: String = (0..blocks).map(block).collect();
+    discretised(&parsed(&format!("plane = \"strain\"\nthickness = 1\n{text}[mesh]\nelements = 8\nper = 1\n")))
+}
+
+#[test]
+fn sparse_stiffness_of_many_bodies_gives_what_one_dense_matrix_gives() {
+    for upright in [false, true] {
+        let discretisation = many(30, upright);
+        let sparse = &discretisation.condensed.stiffness;
+        let formulation = Formulation::verification();
+        let points = discretisation.points(&formulation);
+        let problem = discretisation.problem(&formulation, &points);
+        let dense = Stiffness::Dense(sparse.to_dense());
+        assert!(!sparse.is_dense(), "{} dofs", problem.load.len());
+        let solve = |stiffness, springs: &[f64]| {
+            let problem = ContactProblem { stiffness, ..discretisation.problem(&formulation, &points) };
+            problem.factorise(springs, &mut Work::default()).map(|factor| factor.solve(problem.load))
+        };
+        let [one, other] = [sparse, &dense].map(|stiffness| solve(stiffness, &problem.initial).expect("held"));
+        let size = one.iter().fold(0.0_f64, |size, u| size.max(u.abs()));
+        one.iter().zip(&other).for_each(|(a, b)| assert_abs_diff_eq!(a, b, epsilon = 1e-6 * size));
+        let products = |stiffness: &Stiffness| [stiffness.times(&one), stiffness.terms(&one)];
+        for (a, b) in products(sparse).iter().zip(products(&dense)) {
+            let size = b.iter().fold(0.0_f64, |size, f| size.max(f.abs()));
+            a.iter().zip(&b).for_each(|(a, b)| assert_abs_diff_eq!(a, b, epsilon = 1e-12 * size));
+        }
+        // Without springs nothing holds the bodies.
+        let open = vec![0.0; points.len()];
+        assert!([sparse, &dense].into_iter().all(|stiffness| solve(stiffness, &open).is_none()), "{upright}");
+    }
+}
+
+#[test]
+fn work_grows_with_the_number_of_bodies_and_each_is_what_it_would_be_alone() {
+    for upright in [false, true] {
+        let of = |blocks| many(blocks, upright).condensed.stiffness.operations();
+        for (more, fewer) in of(60).into_iter().zip(of(30)) {
+            assert!((1.9..2.1).contains(&(more / fewer)), "{more} {fewer}");
+        }
+    }
+    let [alone, together] = [1, 40].map(|blocks| {
+        let discretisation = many(blocks, false);
+        let run = Run::of(&discretisation, &Formulation::verification()).expect("solved");
+        assert!(run.solution.converged());
+        run.contacts.into_iter().map(|contact| contact.measures).collect::<Vec<_>>()
+    });
+    for found in &together {
+        assert_relative_eq!(found.peak.pressure, alone[0].peak.pressure, max_relative = 1e-8);
+        assert_relative_eq!(found.half_width(), alone[0].half_width(), max_relative = 1e-8);
+    }
 }

@@ -8,6 +8,7 @@ use crate::accuracy::reading::{Reading, of_discrete, value_of};
 use crate::accuracy::recovered::recovered;
 use crate::measure::{Measures, Quantity, Stretch, larger};
 use crate::mesh::Order;
+use crate::scene::{ContactPair, Place};
 use crate::solve::{Discretisation, Displaced, Element, Fitted, Formulation, Iteration, Run, Settings};
 
 /// Part of a number's scale that round-off may leave.
@@ -41,6 +42,11 @@ const FAR: f64 = 1.5;
 /// Of the relative bar of a contact's force, the part that it adds to its other numbers: pressures and lengths grow with the root of the
 /// force (Hertz), and its own bar is three times its differences.
 const FORCE: f64 = 0.5 / 3.0;
+/// From which multiple of the first body's elements on those of the second hide a part of their own, and the factor on its exponent: what
+/// they leave falls faster (half-width, peak and second-moment width of two cylinders, one to four elements of the second on the
+/// half-width).
+const UNEVEN: f64 = 2.0;
+const UNSEEN: f64 = 2.0;
 /// Elements are larger on a coarser mesh than by this factor, or it is none.
 const LARGER: f64 = 1.1;
 
@@ -51,6 +57,10 @@ pub struct Family {
     order: Order,
     /// Mean candidate element of each contact.
     pub(super) sizes: Vec<f64>,
+    /// The same of its second body.
+    others: Vec<f64>,
+    /// Ends of the sides that carry a load: body, place, and length of the outermost edge.
+    corners: Vec<(usize, [f64; 2], f64)>,
     cells: usize,
     /// Whether mesh lines lie on the ends of the contacts.
     on_ends: bool,
@@ -99,7 +109,8 @@ impl Family {
         let layers = discretisation.scene.contacts.iter().map(|pair| pair.ends.layers).min().unwrap_or(0);
         let shallow = !on_ends && is_shallow(discretisation);
         let by_points = discretisation.scene.contacts.iter().any(|pair| pair.profile.is_by_points());
-        Self { formulation, order, sizes, cells, on_ends, layers, by_points, shallow, coarse, gentler }
+        let (others, corners) = (others(discretisation), corners(discretisation));
+        Self { formulation, order, sizes, others, corners, cells, on_ends, layers, by_points, shallow, coarse, gentler }
     }
 
     /// How many of them tell something.
@@ -118,6 +129,12 @@ impl Family {
             _ if self.coarse.is_empty() => "no coarser mesh of this scene holds the contact",
             _ => "no coarser mesh has this number",
         }
+    }
+
+    /// Whether a point of a body lies within an edge of the end of a side that carries a load.
+    fn is_at_corner(&self, body: usize, [x, y]: [f64; 2]) -> bool {
+        let near = |(of, at, length): &(usize, [f64; 2], f64)| *of == body && (x - at[0]).hypot(y - at[1]) <= *length;
+        self.corners.iter().any(near)
     }
 
     /// Degrees of freedom of all of them.
@@ -172,13 +189,18 @@ impl Family {
             true => along(other),
             false => along(other).min(of_cells(other)),
         };
-        let apart = |other: &Other| {
-            (discrete - value_of(&other.readings, contact, quantity)).abs()
-                / (ratio(other).powf(counted.exponent) - 1.0)
-        };
+        let apart = |other: &Other| [ratio(other), (discrete - value_of(&other.readings, contact, quantity)).abs()];
         let coarser = self.coarse.iter().filter(|other| ratio(other) > LARGER);
         // Where a coarser contact has other stretches, there is nothing to compare.
-        let known: Vec<f64> = coarser.map(apart).filter(|apart| apart.is_finite()).collect();
+        let differences: Vec<[f64; 2]> = coarser.map(apart).filter(|[_, apart]| apart.is_finite()).collect();
+        let order = match quantity {
+            // There errors may be of the first order.
+            Quantity::Displacement(Displaced { body, at: Place::Point(at), .. }) if self.is_at_corner(*body, *at) => {
+                observed(&differences, counted.exponent)
+            }
+            _ => counted.exponent,
+        };
+        let known = by_order(&differences, order);
         let (fewest, alone) = FEWEST;
         let factor = match known.len() {
             _ if self.shallow => f64::NAN,
@@ -212,7 +234,11 @@ impl Family {
             // What statics give is the same wherever the contact ends.
             true if is_force && known.iter().all(|apart| *apart <= ROUND_OFF * reading.scale.abs()) => 0.0,
             true => Fitted::misfit(self.order),
-            false => counted.hidden * (self.sizes[contact] / width_of(quantity, measures)).powf(counted.power),
+            false => {
+                let [own, other] = [&self.sizes, &self.others].map(|all| all[contact] / width_of(quantity, measures));
+                let of_other = if other > UNEVEN * own { other.powf(UNSEEN * counted.power) } else { 0.0 };
+                counted.hidden * (own.powf(counted.power) + of_other)
+            }
         };
         let [scale, read] = match quantity {
             Quantity::HalfWidth | Quantity::Begin(_) | Quantity::End(_) => {
@@ -300,6 +326,22 @@ impl Family {
     }
 }
 
+/// Differences to coarser meshes over `r^q − 1` of their ratios r: the error of the mesh, where errors fall with the order q.
+fn by_order(differences: &[[f64; 2]], order: f64) -> Vec<f64> {
+    differences.iter().map(|[ratio, apart]| apart / (ratio.powf(order) - 1.0)).collect()
+}
+
+/// The order, down to the first, on which differences to coarser meshes agree best, where that is below the one counted on.
+fn observed(differences: &[[f64; 2]], counted: f64) -> f64 {
+    const TRIED: usize = 10;
+    let spread = |order: f64| {
+        let errors = by_order(differences, order);
+        errors.iter().copied().fold(0.0, f64::max) / errors.iter().copied().fold(f64::INFINITY, f64::min)
+    };
+    let orders = (1..=TRIED).map(|k| counted + (1.0 - counted) * k as f64 / TRIED as f64);
+    orders.fold(counted, |best, order| if spread(order) < spread(best) { order } else { best })
+}
+
 /// What elements are small beside: of an end half of its own stretch, of the half-width that of the shortest one, of others the
 /// second-moment width.
 fn width_of(quantity: &Quantity, measures: &Measures) -> f64 {
@@ -355,4 +397,32 @@ fn sizes(discretisation: &Discretisation) -> Vec<f64> {
         (end - begin) / (interface.edges.len() as f64 * wide)
     });
     each.collect()
+}
+
+/// Mean candidate element of the second body of each contact; 0 where that is rigid.
+fn others(discretisation: &Discretisation) -> Vec<f64> {
+    let of = |(contact, pair): (usize, &ContactPair)| {
+        let body = &discretisation.mesh.bodies[pair.second?];
+        let own = &body.candidates[body.candidates_of(contact)];
+        Some(2.0 * (own.last()?.coordinate - own.first()?.coordinate) / (own.len() as f64 - 1.0))
+    };
+    discretisation.scene.contacts.iter().enumerate().map(|one| of(one).unwrap_or(0.0)).collect()
+}
+
+/// Ends of the sides that carry a load: body, place, and length of the outermost edge.
+fn corners(discretisation: &Discretisation) -> Vec<(usize, [f64; 2], f64)> {
+    let (scene, mesh) = (&discretisation.scene, &discretisation.mesh);
+    let mut corners = Vec::new();
+    for side in scene.loaded_sides() {
+        let Place::Boundary(name) = &side.at else { continue };
+        let edges = mesh.boundary(scene, side.body, name).map_or(&[][..], |edges| edges);
+        let is_end = |node: usize| edges.iter().filter(|edge| edge[..2].contains(&node)).count() == 1;
+        for edge in edges {
+            let [a, b] = [edge[0], edge[1]].map(|node| mesh.points[node]);
+            let length = (a[0] - b[0]).hypot(a[1] - b[1]);
+            let ends = edge[..2].iter().filter(|node| is_end(**node));
+            corners.extend(ends.map(|&node| (side.body, mesh.points[node], length)));
+        }
+    }
+    corners
 }

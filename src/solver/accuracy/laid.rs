@@ -1,7 +1,7 @@
 //! A scene laid out for a mesh.
 
 use crate::mesh::Resolution;
-use crate::mesh::size::{MOST, expected};
+use crate::mesh::size::{MOST, dense, expected};
 use crate::scene::Scene;
 
 /// A scene laid out for a mesh.
@@ -17,7 +17,7 @@ impl Laid {
     pub(super) fn too_large(&self, most_cells: f64) -> Option<String> {
         let [cells, candidates] = expected(&self.scene, self.resolution);
         let most = MOST[1];
-        let fits = cells <= most_cells && candidates <= most;
+        let fits = cells <= most_cells && dense(&self.scene, self.resolution) <= most;
         (!fits).then(|| {
             format!("the next mesh would have about {cells:.1e} cells and {candidates:.0} candidate elements, more than {most_cells:.0e} or {most}")
         })

@@ -3,7 +3,7 @@
 use crate::algorithm::forces::Forces;
 use crate::algorithm::rule::{self, Acceleration, StiffnessRule};
 use crate::algorithm::{Algorithm, ContactProblem, Iterate, Springs};
-use crate::condensation::dense::DenseFactor;
+use crate::condensation::stiffness::SystemFactor;
 use crate::solution::Work;
 
 /// `(S + K_c0) u_j = f̂ − Σ A r_j b`, spring force `p_j = k_0 w_j + r_j`, `r_{j+1} = r_j + (p⁺ − p_j)`.
@@ -13,7 +13,7 @@ pub struct Constant {
     pub rule: StiffnessRule,
     /// How the fixed point of the carried forces is approached.
     pub acceleration: Acceleration,
-    factor: Option<DenseFactor>,
+    factor: Option<SystemFactor>,
     forces: Option<Forces>,
     /// Stiffnesses stored by the literal reading of (3.10).
     stored: Vec<f64>,

@@ -18,7 +18,7 @@ use faer::linalg::solvers::Solve;
 use faer::{Col, Mat};
 
 use crate::algorithm::{ContactProblem, Iterate, StiffnessUnit};
-use crate::condensation::dense::DenseFactor;
+use crate::condensation::stiffness::SystemFactor;
 use crate::solution::Work;
 
 /// Largest damping: δ is this times the root of `‖p⁺ − p‖/‖p‖`, in the norm `‖p‖² = Σ A p²/c`. With the residual itself in place of its
@@ -36,7 +36,7 @@ pub struct Forces {
 
 impl Forces {
     /// A back-substitution for each point.
-    pub fn of(problem: &ContactProblem, factor: &DenseFactor, work: &mut Work) -> Self {
+    pub fn of(problem: &ContactProblem, factor: &SystemFactor, work: &mut Work) -> Self {
         let (m, n) = (problem.points.len(), problem.load.len());
         let mut yields = Mat::zeros(m, m);
         for (j, point) in problem.points.iter().enumerate() {

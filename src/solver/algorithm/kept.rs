@@ -7,7 +7,8 @@
 //! Neither way does the other's work, and constant stiffness needs no more than the factor itself.
 
 use crate::algorithm::ContactProblem;
-use crate::condensation::dense::{DenseFactor, RankOne};
+use crate::condensation::dense::RankOne;
+use crate::condensation::stiffness::SystemFactor;
 use crate::solution::Work;
 
 /// Systems from this size on are updated where few springs change. A term costs 2 m² operations against m³/3 of a
@@ -19,7 +20,7 @@ const FEW: usize = 32;
 /// The last factor of `S + Σ A k bᵀb` and the springs it belongs to.
 #[derive(Clone, Debug, Default)]
 pub struct KeptFactor {
-    factor: Option<DenseFactor>,
+    factor: Option<SystemFactor>,
     stiffness: Vec<f64>,
 }
 
@@ -29,23 +30,20 @@ impl KeptFactor {
     ///
     /// Opening a hard spring takes `1e6` times the diagonal off again and costs as many digits, which the refinement of the
     /// equilibrium returns.
-    pub fn renew(&mut self, problem: &ContactProblem, stiffness: &[f64], work: &mut Work) -> Option<&DenseFactor> {
+    pub fn renew(&mut self, problem: &ContactProblem, stiffness: &[f64], work: &mut Work) -> Option<&SystemFactor> {
         let updated = self.updated(problem, stiffness, work);
         self.factor = match updated {
             Some(factor) => Some(factor),
-            None => {
-                let memory = self.factor.take().map(DenseFactor::into_memory).unwrap_or_default();
-                problem.factorise_in(memory, stiffness, work)
-            }
+            None => problem.factorise_in(self.factor.take(), stiffness, work),
         };
         self.stiffness.clear();
         self.stiffness.extend_from_slice(stiffness);
         self.factor.as_ref()
     }
 
-    fn updated(&mut self, problem: &ContactProblem, stiffness: &[f64], work: &mut Work) -> Option<DenseFactor> {
+    fn updated(&mut self, problem: &ContactProblem, stiffness: &[f64], work: &mut Work) -> Option<SystemFactor> {
         let m = problem.load.len();
-        if m < PAYS_FROM || self.stiffness.len() != stiffness.len() {
+        if m < PAYS_FROM || !problem.stiffness.is_dense() || self.stiffness.len() != stiffness.len() {
             return None;
         }
         let changed = changed(&self.stiffness, stiffness);
@@ -58,7 +56,8 @@ impl KeptFactor {
             (point.weight * (stiffness[i] - self.stiffness[i]), &point.row)
         };
         let changes: Vec<RankOne> = changed.iter().map(change).collect();
-        let factor = self.factor.take()?.updated(&changes)?;
+        let Some(SystemFactor::Dense(factor)) = self.factor.take() else { return None };
+        let factor = SystemFactor::Dense(factor.updated(&changes)?);
         work.updates += changes.len();
         work.operations += 2.0 * changes.len() as f64 * (m as f64).powi(2);
         Some(factor)

@@ -16,7 +16,7 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::algorithm::parts;
 use crate::algorithm::{ContactProblem, Iterate};
-use crate::condensation::dense::DenseFactor;
+use crate::condensation::stiffness::SystemFactor;
 use crate::solution::Work;
 
 /// Pressure over the largest of its contact above which a point takes part: below, k falls without end, and ln k has no fixed point.
@@ -51,7 +51,7 @@ impl Logarithms {
     /// where the step before led astray.
     pub fn step(
         &mut self,
-        (problem, factor): (&ContactProblem, &DenseFactor),
+        (problem, factor): (&ContactProblem, &SystemFactor),
         iterate: &Iterate,
         before: &[f64],
         stiffness: &mut [f64],
@@ -92,7 +92,7 @@ impl Logarithms {
 /// `M + δ` of some points, δ the damping: a back-substitution for each.
 fn damped(
     problem: &ContactProblem,
-    factor: &DenseFactor,
+    factor: &SystemFactor,
     own: &[usize],
     stiffness: &[f64],
     damping: f64,

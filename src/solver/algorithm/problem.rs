@@ -1,9 +1,9 @@
 //! What an algorithm sees: the condensed system, the contact points, and what its springs start from.
 
-use faer::{ColRef, Mat, MatMut};
+use faer::Mat;
 
 use crate::algorithm::{Iterate, Springs};
-use crate::condensation::dense::{DenseFactor, Padded};
+use crate::condensation::stiffness::{Stiffness, SystemFactor};
 use crate::contact::{ContactEdge, ContactPoint};
 use crate::solution::Work;
 
@@ -11,7 +11,7 @@ use crate::solution::Work;
 #[derive(Debug)]
 pub struct ContactProblem<'a> {
     /// Condensed stiffness `S` [N/mm].
-    pub stiffness: &'a Mat<f64>,
+    pub stiffness: &'a Stiffness,
     /// Condensed load `f̂` \[N\].
     pub load: &'a [f64],
     /// Contact points.
@@ -79,25 +79,7 @@ impl ContactProblem<'_> {
 
     /// `S + Σ A k bᵀb` [N/mm].
     pub fn matrix(&self, stiffness: &[f64]) -> Mat<f64> {
-        let mut matrix = self.stiffness.clone();
-        self.add_springs(stiffness, matrix.as_mut());
-        matrix
-    }
-
-    /// Factor of `S + Σ A k bᵀb`; none where that is not positive definite.
-    pub fn factorise(&self, stiffness: &[f64], work: &mut Work) -> Option<DenseFactor> {
-        self.factorise_in(Padded::default(), stiffness, work)
-    }
-
-    /// The same in memory at hand.
-    pub fn factorise_in(&self, memory: Padded, stiffness: &[f64], work: &mut Work) -> Option<DenseFactor> {
-        work.count_factorisation(self.load.len());
-        let mut matrix = Padded::copy_of(self.stiffness, memory);
-        self.add_springs(stiffness, matrix.as_mut());
-        DenseFactor::of(matrix)
-    }
-
-    fn add_springs(&self, stiffness: &[f64], mut matrix: MatMut<'_, f64>) {
+        let mut matrix = self.stiffness.to_dense();
         for (point, k) in self.points.iter().zip(stiffness) {
             for &(i, b_i) in &point.row {
                 for &(j, b_j) in &point.row {
@@ -105,6 +87,26 @@ impl ContactProblem<'_> {
                 }
             }
         }
+        matrix
+    }
+
+    /// Factor of `S + Σ A k bᵀb`; none where that is not positive definite.
+    pub fn factorise(&self, stiffness: &[f64], work: &mut Work) -> Option<SystemFactor> {
+        self.factorise_in(None, stiffness, work)
+    }
+
+    /// The same in the memory of a factor that is no longer needed.
+    pub fn factorise_in(
+        &self,
+        memory: Option<SystemFactor>,
+        stiffness: &[f64],
+        work: &mut Work,
+    ) -> Option<SystemFactor> {
+        work.factorisations += 1;
+        work.operations += self.stiffness.operations()[0];
+        let springs = self.points.iter().zip(stiffness);
+        let terms = springs.map(|(point, k)| (point.weight * k, point.row.as_slice()));
+        self.stiffness.factorise(terms, memory)
     }
 
     /// Equilibrium of `S u + Σ A p b = load` with springs `p = r + k (w − γ)`, refined once where these nearly cancel.
@@ -113,7 +115,7 @@ impl ContactProblem<'_> {
     /// balance the load to round-off even where `k (w − γ)` is the difference of nearly equal lengths.
     pub fn equilibrium(
         &self,
-        factor: &DenseFactor,
+        factor: &SystemFactor,
         load: &[f64],
         springs: &Springs,
         unstrained: impl Fn(&ContactPoint) -> f64,
@@ -145,20 +147,19 @@ impl ContactProblem<'_> {
             solves += 1;
         }
         work.back_substitutions += solves;
-        work.operations += (2 * solves) as f64 * (rhs.len() as f64).powi(2);
+        work.operations += solves as f64 * self.stiffness.operations()[1];
         let approach = self.points.iter().map(|point| point.approach(&u)).collect();
         Iterate { approach, displacement: u, pressure, internal }
     }
 
     /// `S u` \[N\].
     pub fn internal_force(&self, u: &[f64]) -> Vec<f64> {
-        (self.stiffness * ColRef::from_slice(u)).iter().copied().collect()
+        self.stiffness.times(u)
     }
 
     /// `|S| |u|`: the size of the terms in `S u` \[N\].
     pub fn terms_of_internal_force(&self, u: &[f64]) -> Vec<f64> {
-        let n = u.len();
-        (0..n).map(|i| (0..n).map(|j| (self.stiffness[(i, j)] * u[j]).abs()).sum()).collect()
+        self.stiffness.terms(u)
     }
 
     /// What both bodies resist at a point, one behind the other: `1/Σ (b²/S_dd)` of the diagonal of S [N/mm].

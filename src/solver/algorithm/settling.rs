@@ -4,7 +4,8 @@
 
 use crate::algorithm::ContactProblem;
 use crate::algorithm::kept::changed;
-use crate::condensation::dense::{DenseFactor, RankOne};
+use crate::condensation::dense::RankOne;
+use crate::condensation::stiffness::SystemFactor;
 use crate::condensation::trailing::Trailing;
 use crate::solution::Work;
 
@@ -16,48 +17,44 @@ const FEWER: f64 = 0.95;
 /// The last factor of `S + Σ A k bᵀb` and the springs it belongs to.
 #[derive(Clone, Debug, Default)]
 pub struct Settling {
-    kept: Option<Kept>,
+    /// With the springs that may move where it is split.
+    kept: Option<(SystemFactor, Vec<usize>)>,
     stiffness: Vec<f64>,
-}
-
-#[derive(Clone, Debug)]
-enum Kept {
-    Whole(DenseFactor),
-    /// Split, with the springs that may move.
-    Split(Trailing, Vec<usize>),
 }
 
 impl Settling {
     /// The factor for some springs: only of the rows whose springs still move, where all others stand as they stood; none
     /// where `S + K_c` is not positive definite.
-    pub fn renew(&mut self, problem: &ContactProblem, stiffness: &[f64], work: &mut Work) -> Option<&DenseFactor> {
+    pub fn renew(&mut self, problem: &ContactProblem, stiffness: &[f64], work: &mut Work) -> Option<&SystemFactor> {
         let moved = changed(&self.stiffness, stiffness);
         self.stiffness.clear();
         self.stiffness.extend_from_slice(stiffness);
         let kept = self.kept.take();
         let could_move = match &kept {
-            Some(Kept::Split(_, moving)) => moving.len(),
+            Some((SystemFactor::Trailing(_), moving)) => moving.len(),
             _ => stiffness.len(),
         };
-        let pays = problem.load.len() >= PAYS_FROM && moved.len() as f64 <= FEWER * could_move as f64;
+        let is_large = problem.load.len() >= PAYS_FROM && problem.stiffness.is_dense();
+        let pays = is_large && moved.len() as f64 <= FEWER * could_move as f64;
         self.kept = Some(match kept {
-            Some(Kept::Split(mut part, moving)) if !pays && is_subset(&moved, &moving) => {
+            Some((SystemFactor::Trailing(mut part), moving)) if !pays && is_subset(&moved, &moving) => {
                 work.count_factorisation(part.changing());
-                part.renew(terms(problem, stiffness, &moving)).then_some(Kept::Split(part, moving))?
+                part.renew(terms(problem, stiffness, &moving)).then_some((SystemFactor::Trailing(part), moving))?
             }
             Some(_) if pays => split(problem, stiffness, moved, work)?,
-            Some(Kept::Whole(factor)) => Kept::Whole(problem.factorise_in(factor.into_memory(), stiffness, work)?),
-            _ => Kept::Whole(problem.factorise(stiffness, work)?),
+            other => (problem.factorise_in(other.map(|(factor, _)| factor), stiffness, work)?, Vec::new()),
         });
-        self.kept.as_ref().map(|kept| match kept {
-            Kept::Whole(factor) => factor,
-            Kept::Split(part, _) => part.factor(),
-        })
+        self.kept.as_ref().map(|(factor, _)| factor)
     }
 }
 
 /// Eliminates the rows without a moving spring.
-fn split(problem: &ContactProblem, stiffness: &[f64], moving: Vec<usize>, work: &mut Work) -> Option<Kept> {
+fn split(
+    problem: &ContactProblem,
+    stiffness: &[f64],
+    moving: Vec<usize>,
+    work: &mut Work,
+) -> Option<(SystemFactor, Vec<usize>)> {
     work.count_factorisation(problem.load.len());
     let mut at_rest = stiffness.to_vec();
     let mut changing = vec![false; problem.load.len()];
@@ -66,7 +63,7 @@ fn split(problem: &ContactProblem, stiffness: &[f64], moving: Vec<usize>, work: 
         problem.points[i].row.iter().for_each(|&(row, _)| changing[row] = true);
     }
     let part = Trailing::of(&problem.matrix(&at_rest), &changing, terms(problem, stiffness, &moving))?;
-    Some(Kept::Split(part, moving))
+    Some((SystemFactor::Trailing(part), moving))
 }
 
 /// `A k bᵀb` of some springs.

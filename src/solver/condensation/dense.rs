@@ -6,7 +6,7 @@ use faer::{Col, Mat, MatMut, MatRef, Par, Spec};
 
 /// A pivot below this fraction of its diagonal is what round-off leaves of zero: up to 1e-11 on bodies held by contact
 /// alone once the last spring has opened (flat punch on a block of 40 half-widths); springs of κ leave about κ.
-const VANISHED: f64 = 1e-10;
+pub(super) const VANISHED: f64 = 1e-10;
 
 /// Dense Cholesky factor `A = L Lᵀ`.
 #[derive(Clone, Debug)]

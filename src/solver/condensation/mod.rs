@@ -4,6 +4,7 @@
 //! * [`eliminated`] — one body: S is the trailing block of its factor.
 //! * [`dense`] — dense Cholesky factorisation, for the algorithms.
 //! * [`trailing`] — the same where only the last rows change.
+//! * [`stiffness`] — S of all bodies, dense or sparse, and its factors with springs.
 //! * [`plain`] — one solve by the library alone, the unit of all timings.
 //! * [`uncondensed`] — the same without condensation, for checks.
 //!
@@ -23,24 +24,29 @@ pub mod dense;
 pub mod eliminated;
 pub mod factor;
 pub mod plain;
+pub mod stiffness;
 pub mod trailing;
 pub mod uncondensed;
+
+use std::ops::Range;
 
 use faer::Mat;
 
 use crate::clock::{Clock, Stage};
 use crate::elasticity::ElasticSystem;
 use crate::error::Error;
+use crate::mesh::size::is_sparse;
 
 use eliminated::Eliminated;
 pub use plain::Plain;
+use stiffness::{Blocks, Stiffness};
 pub use uncondensed::{CoupledSpring, solve_uncondensed};
 
 /// `S u = f̂` on the retained dofs of all bodies, body after body.
 #[derive(Debug)]
 pub struct Condensed {
     /// Condensed stiffness `S = K_cc − K_ci K_ii⁻¹ K_ic` [N/mm], block-diagonal by body.
-    pub stiffness: Mat<f64>,
+    pub stiffness: Stiffness,
     /// Condensed load `f̂ = f_c − K_ci K_ii⁻¹ f_i` \[N\].
     pub load: Vec<f64>,
     /// First retained dof of each body.
@@ -48,23 +54,35 @@ pub struct Condensed {
     bodies: Vec<Eliminated>,
 }
 
+/// Two bodies that a contact couples, each with those of its retained dofs that take part.
+pub type Coupled = [(usize, Range<usize>); 2];
+
 impl ElasticSystem {
     /// Condenses every body on its candidate contact normals, out of one sparse Cholesky factorisation each.
     pub fn condense(&self) -> Result<Condensed, Error> {
-        self.condense_timed(&mut Clock::silent())
+        self.condense_timed(None, &mut Clock::silent())
     }
 
-    /// The same, its stages timed.
-    pub fn condense_timed(&self, clock: &mut Clock) -> Result<Condensed, Error> {
+    /// The same, its stages timed; given which retained dofs contacts couple, each with its body, S may be sparse.
+    pub fn condense_timed(&self, contacts: Option<&[Coupled]>, clock: &mut Clock) -> Result<Condensed, Error> {
         let bodies = self.bodies.iter().map(|body| Eliminated::of(body, clock)).collect::<Result<Vec<_>, _>>()?;
-        Ok(clock.time(Stage::SchurComplement, || self.gathered(bodies)))
+        clock.time(Stage::SchurComplement, || self.gathered(bodies, contacts))
     }
 
     /// The condensed bodies side by side.
-    fn gathered(&self, bodies: Vec<Eliminated>) -> Condensed {
+    fn gathered(&self, bodies: Vec<Eliminated>, contacts: Option<&[Coupled]>) -> Result<Condensed, Error> {
         let mut offsets = vec![0];
         for body in &self.bodies {
             offsets.push(offsets[offsets.len() - 1] + body.retained.len());
+        }
+        let load = bodies.iter().flat_map(Eliminated::load).collect();
+        let sizes = || self.bodies.iter().map(|body| body.retained.len() as f64);
+        if let Some(contacts) = contacts.filter(|_| is_sparse(sizes)) {
+            let of_body = |(body, dofs): &(usize, Range<usize>)| offsets[*body] + dofs.start..offsets[*body] + dofs.end;
+            let coupled: Vec<_> = contacts.iter().map(|sides| sides.each_ref().map(of_body)).collect();
+            let blocks: Vec<_> = bodies.iter().map(Eliminated::stiffness).collect();
+            let stiffness = Stiffness::Sparse(Blocks::of(&blocks, &offsets, &coupled)?);
+            return Ok(Condensed { stiffness, load, offsets, bodies });
         }
         let total = offsets[offsets.len() - 1];
         let mut stiffness = Mat::zeros(total, total);
@@ -72,8 +90,7 @@ impl ElasticSystem {
             let m = ends[1] - ends[0];
             stiffness.submatrix_mut(ends[0], ends[0], m, m).copy_from(body.stiffness());
         }
-        let load = bodies.iter().flat_map(Eliminated::load).collect();
-        Condensed { stiffness, load, offsets, bodies }
+        Ok(Condensed { stiffness: Stiffness::Dense(stiffness), load, offsets, bodies })
     }
 }
 

@@ -1,6 +1,7 @@
 //! Gauss–Legendre and Lobatto rules on −1 … 1.
 
 use std::f64::consts::PI;
+use std::sync::LazyLock;
 
 use crate::mesh::lobatto;
 
@@ -8,6 +9,13 @@ use crate::mesh::lobatto;
 ///
 /// Newton's iteration on the Legendre polynomial from Tricomi's first guess (Abramowitz & Stegun, 25.4.29).
 pub fn gauss(n: usize) -> Vec<(f64, f64)> {
+    RULES.get(n).cloned().unwrap_or_else(|| computed(n))
+}
+
+/// Rules of few points, which every edge of a contact takes.
+static RULES: LazyLock<Vec<Vec<(f64, f64)>>> = LazyLock::new(|| (0..=16).map(computed).collect());
+
+fn computed(n: usize) -> Vec<(f64, f64)> {
     (0..n)
         .map(|i| {
             let mut x = -(PI * (i as f64 + 0.75) / (n as f64 + 0.5)).cos();

@@ -12,36 +12,37 @@ use crate::scene::{PlaneHypothesis, Scene};
 ///
 /// Where the stiffness has a smoothed dilatation, so have the stresses.
 pub fn at_nodes(scene: &Scene, mesh: &Mesh, displacements: &[[f64; 2]]) -> Result<Vec<[f64; 3]>, Error> {
-    at_some_nodes(scene, mesh, displacements, &|_| true)
+    let all = (0..mesh.bodies.len()).map(|body| of_body(scene, mesh, displacements, body, &|_| true));
+    Ok(all.collect::<Result<Vec<_>, _>>()?.concat())
 }
 
-/// The same at some nodes, from the cells around them; NaN at all others.
-pub fn at_some_nodes(
+/// The same at some nodes of a body, counted from its first, from the cells around them; NaN at its others.
+pub fn of_body(
     scene: &Scene,
     mesh: &Mesh,
     displacements: &[[f64; 2]],
+    body: usize,
     is_wanted: &dyn Fn(usize) -> bool,
 ) -> Result<Vec<[f64; 3]>, Error> {
-    let mut sums = vec![[0.0; 3]; mesh.points.len()];
-    let mut counts = vec![0.0; mesh.points.len()];
+    let (part, first) = (&mesh.bodies[body], mesh.bodies[body].nodes.start);
+    let mut sums = vec![[0.0; 3]; part.nodes.len()];
+    let mut counts = vec![0.0; part.nodes.len()];
     let (places, weights) = extrapolation(mesh.order);
-    for (body, part) in mesh.bodies.iter().enumerate() {
-        let kernel = CellStiffness::of(mesh.order, &scene.bodies[body].material, scene.plane, scene.thickness);
-        for cell in part.cells.clone() {
-            let nodes = mesh.cell(cell);
-            if !nodes.iter().any(|&node| is_wanted(node)) {
-                continue;
+    let kernel = CellStiffness::of(mesh.order, &scene.bodies[body].material, scene.plane, scene.thickness);
+    for cell in part.cells.clone() {
+        let nodes = mesh.cell(cell);
+        if !nodes.iter().any(|&node| is_wanted(node - first)) {
+            continue;
+        }
+        let points: Vec<[f64; 2]> = nodes.iter().map(|&n| mesh.points[n]).collect();
+        let moved: Vec<[f64; 2]> = nodes.iter().map(|&n| displacements[n]).collect();
+        let sampled =
+            (kernel.stresses(&points, &moved, &places)).map_err(|jacobian| degenerate(scene, body, cell, jacobian))?;
+        for (&node, weights) in nodes.iter().zip(&weights) {
+            for (stress, weight) in sampled.iter().zip(weights) {
+                (0..3).for_each(|k| sums[node - first][k] += weight * stress[k]);
             }
-            let points: Vec<[f64; 2]> = nodes.iter().map(|&n| mesh.points[n]).collect();
-            let moved: Vec<[f64; 2]> = nodes.iter().map(|&n| displacements[n]).collect();
-            let sampled = (kernel.stresses(&points, &moved, &places))
-                .map_err(|jacobian| degenerate(scene, body, cell, jacobian))?;
-            for (&node, weights) in nodes.iter().zip(&weights) {
-                for (stress, weight) in sampled.iter().zip(weights) {
-                    (0..3).for_each(|k| sums[node][k] += weight * stress[k]);
-                }
-                counts[node] += 1.0;
-            }
+            counts[node - first] += 1.0;
         }
     }
     let mean = |(node, (sum, count)): (usize, (&[f64; 3], f64))| match is_wanted(node) {

@@ -21,6 +21,9 @@ pub struct Peak {
 /// Part of a pressure that rounding explains: a uniform one has its top anywhere.
 pub(super) const ROUNDING: f64 = 1e-9;
 
+/// Most coefficients of a polynomial.
+const MOST: usize = 9;
+
 /// A polynomial in `x = (s − centre)/width` over some pairs of edges.
 pub(super) struct Fit {
     coefficients: Vec<f64>,
@@ -42,7 +45,7 @@ impl Fit {
         let scaled = |s: f64| (s - centre) / width;
         let row_of = |pair: &EdgeState| {
             let [a, b] = pair.ends.map(scaled);
-            (b - a, DVector::from_fn(count, |k, _| mean_of_power(a, b, k as i32)), pair.pressure)
+            (b - a, powers(count, |k| mean_of_power(a, b, k)), pair.pressure)
         };
         let (coefficients, misfit) = least_squares(count, taken.iter().map(row_of));
         let [first, last] = [taken[0].position(), taken[taken.len() - 1].position()].map(scaled);
@@ -57,7 +60,7 @@ impl Fit {
         let (centre, width) = (0.5 * (from + to), 0.5 * (to - from).abs());
         let row_of = |point: &PointState| {
             let x = (point.position - centre) / width;
-            (point.weight, DVector::from_fn(count, |k, _| x.powi(k as i32)), point.pressure)
+            (point.weight, powers(count, |k| x.powi(k)), point.pressure)
         };
         let (coefficients, misfit) = least_squares(count, points.iter().map(row_of));
         Self { coefficients, centre, width, within: [-1.0, 1.0], misfit }
@@ -113,17 +116,30 @@ impl Fit {
 }
 
 /// Coefficients of a polynomial by least squares over (weight, powers, value), and the root mean square of what remains.
-fn least_squares(count: usize, rows: impl Iterator<Item = (f64, DVector<f64>, f64)> + Clone) -> (Vec<f64>, f64) {
-    let mut normal = DMatrix::<f64>::zeros(count, count);
-    let mut rhs = DVector::<f64>::zeros(count);
+fn least_squares(
+    count: usize,
+    rows: impl ExactSizeIterator<Item = (f64, [f64; MOST], f64)> + Clone,
+) -> (Vec<f64>, f64) {
+    let (mut normal, mut rhs) = ([[0.0; MOST]; MOST], [0.0; MOST]);
     for (weight, row, value) in rows.clone() {
-        normal += &row * row.transpose() * weight;
-        rhs += row * (value * weight);
+        for i in 0..count {
+            (0..count).for_each(|j| normal[i][j] += row[i] * row[j] * weight);
+            rhs[i] += row[i] * (value * weight);
+        }
     }
-    let solved = normal.lu().solve(&rhs).unwrap_or_else(|| DVector::from_element(count, f64::NAN));
-    let squares = rows.clone().map(|(_, row, value)| (row.dot(&solved) - value).powi(2));
-    let misfit = (squares.sum::<f64>() / rows.count().saturating_sub(count).max(1) as f64).sqrt();
+    let normal = DMatrix::from_fn(count, count, |i, j| normal[i][j]).lu();
+    let solved = normal.solve(&DVector::from_fn(count, |i, _| rhs[i]));
+    let solved = solved.unwrap_or_else(|| DVector::from_element(count, f64::NAN));
+    let freedom = rows.len().saturating_sub(count).max(1) as f64;
+    let value_of = |row: &[f64; MOST]| row.iter().zip(&solved).map(|(x, c)| x * c).sum::<f64>();
+    let squares = rows.map(|(_, row, value)| (value_of(&row) - value).powi(2));
+    let misfit = (squares.sum::<f64>() / freedom).sqrt();
     (solved.iter().copied().collect(), misfit)
+}
+
+/// So many powers from the zeroth on; zeros behind.
+fn powers(count: usize, of: impl Fn(i32) -> f64) -> [f64; MOST] {
+    std::array::from_fn(|k| if k < count { of(k as i32) } else { 0.0 })
 }
 
 /// Mean of `x^k` over an interval.

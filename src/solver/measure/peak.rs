@@ -57,7 +57,10 @@ pub fn by_parabola(edges: &[EdgeState], peak: f64) -> f64 {
     let stands_out = |k: &usize| {
         let around = [k.checked_sub(1), Some(k + 1).filter(|&l| l < pairs.len())];
         let is_lower = |l: usize| pairs[l].pressure <= pairs[*k].pressure;
-        near(*k) && around.into_iter().flatten().all(is_lower)
+        // In the midst of pairs that are the same there is no other top.
+        let is_other = |l: usize| pairs[l].pressure < pairs[*k].pressure * (1.0 - ROUNDING);
+        let around = || around.into_iter().flatten();
+        near(*k) && around().all(is_lower) && around().any(is_other)
     };
     let others = (0..first).chain(last + 1..pairs.len()).filter(stands_out);
     let other = others.map(|k| parabola(&pairs, [k, k])).fold(f64::NEG_INFINITY, f64::max);

@@ -6,9 +6,21 @@ use crate::mesh::Resolution;
 use crate::mesh::outline::WIDEST;
 use crate::scene::{Body, ContactPair, Face, Path, Scene, Shape};
 
-/// Most cells, and most candidate elements of all contacts together, whose nodes share one dense matrix: a solve then stays
-/// within about 4 GB.
+/// Most cells, and most candidate elements whose nodes share one dense matrix: a solve then stays within about 4 GB.
 pub const MOST: [f64; 2] = [500e3, 2e3];
+/// Bytes of a solve by the cell, and by the square of the candidate elements: four matrices of two nodes an element on each body.
+const BYTES: [f64; 2] = [4e3, 512.0];
+
+/// Retained dofs, or candidate elements, from which on those of many bodies share no dense matrix, and the part of it that their blocks
+/// fill at most.
+const APART: (f64, f64) = (2000.0, 0.125);
+
+/// Whether the stiffness of bodies of some sizes is better kept body by body than as one dense matrix.
+pub fn is_sparse<T: Iterator<Item = f64>>(sizes: impl Fn() -> T) -> bool {
+    let (least, filled) = APART;
+    let total: f64 = sizes().sum();
+    total >= least && sizes().map(|size| size * size).sum::<f64>() <= filled * total * total
+}
 
 /// About how many cells and how many candidate elements a mesh would have; of a contact those of its finer body count.
 pub fn expected(scene: &Scene, resolution: Resolution) -> [f64; 2] {
@@ -20,6 +32,22 @@ pub fn expected(scene: &Scene, resolution: Resolution) -> [f64; 2] {
     // Cells of order p count as the 8-node ones, two intervals wide, that have as many nodes along a side.
     let wide = resolution.order.intervals() as f64 / 2.0;
     [cells * (halved * wide).powi(2), along * halved * wide]
+}
+
+/// Candidate elements of which one dense matrix would take as much memory as what is solved: all together, or where bodies are kept apart
+/// `√Σ n²` over the n of each.
+pub fn dense(scene: &Scene, resolution: Resolution) -> f64 {
+    let [_, along] = expected(scene, resolution);
+    let wide = 2.0_f64.powi(resolution.refinement as i32) * resolution.order.intervals() as f64 / 2.0;
+    let of_body =
+        |body: usize| wide * scene.contacts_of(body).map(|pair| candidates(scene, resolution, body, pair)).sum::<f64>();
+    let sizes = || (0..scene.bodies.len()).map(of_body);
+    if is_sparse(sizes) { sizes().map(|n| n * n).sum::<f64>().sqrt() } else { along }
+}
+
+/// About how many bytes a solve takes.
+fn bytes(cells: f64, dense: f64) -> f64 {
+    BYTES[0] * cells + BYTES[1] * dense * dense
 }
 
 /// Candidate elements of a body for one of its contacts.
@@ -104,21 +132,24 @@ fn cells(scene: &Scene, resolution: Resolution, index: usize) -> f64 {
 /// Whether a mesh stays within [`MOST`], before anything is allocated for it; else what is wrong, and what to do.
 pub fn solvable(scene: &Scene, resolution: Resolution) -> Result<(), (String, String)> {
     let [total, candidates] = expected(scene, resolution);
-    let [most, along] = MOST;
-    if total <= most && candidates <= along {
+    let ([most, along], dense) = (MOST, dense(scene, resolution));
+    if total <= most && dense <= along {
         return Ok(());
     }
     let together = match scene.contacts.len() {
         1 => String::new(),
         contacts => format!(" in all {contacts} contacts together"),
     };
-    let message =
-        format!("the mesh would have about {total:.1e} cells and {candidates:.0} candidate elements{together}");
+    let message = format!(
+        "the mesh would have about {total:.1e} cells and {candidates:.0} candidate elements{together}, which take some {:.1e} bytes",
+        bytes(total, dense)
+    );
     let kinks = scene.contacts.iter().map(|pair| pair.profile.kinks().len()).max().unwrap_or(0);
     let smooth = if kinks > resolution.elements { "`smooth = true` for the table, " } else { "" };
     let scenes = if scene.contacts.len() > 1 { ", or make scenes of fewer contacts" } else { "" };
     let remedy = format!(
-        "ask for {smooth}fewer `elements`, a longer `per`, a shorter `stretch` or faster growth{scenes}: {most:.0e} and {along} are solved"
+        "ask for {smooth}fewer `elements`, a longer `per`, a shorter `stretch` or faster growth{scenes}: {most:.0e} cells and {along} candidate elements of one body are solved, in some {:.0e} bytes",
+        bytes(most, along)
     );
     Err((message, remedy))
 }

@@ -7,7 +7,7 @@ use crate::contact::{ContactEdge, ContactPoint, Interface};
 use crate::elasticity::{ElasticSystem, Numbering};
 use crate::error::Error;
 use crate::mesh::{Mesh, Resolution};
-use crate::scene::Scene;
+use crate::scene::{ContactPair, Scene};
 use crate::solve::{Change, Formulation};
 
 /// A scene meshed, assembled and condensed: what all nine formulations share.
@@ -58,7 +58,12 @@ impl Discretisation {
         system: ElasticSystem,
         mut clock: Clock,
     ) -> Result<Self, Error> {
-        let condensed = system.condense_timed(&mut clock)?;
+        let coupled = |(contact, pair): (usize, &ContactPair)| {
+            let side = |body: usize| (body, mesh.bodies[body].candidates_of(contact));
+            Some([side(pair.first), side(pair.second?)])
+        };
+        let coupled: Vec<_> = scene.contacts.iter().enumerate().filter_map(coupled).collect();
+        let condensed = system.condense_timed(Some(&coupled), &mut clock)?;
         let interfaces = clock.time(Stage::Interface, || Interface::all(&scene, &mesh, &condensed))?;
         let edges = interfaces.iter().flat_map(Interface::contact_edges).collect();
         Ok(Self { scene, resolution, mesh, system, condensed, interfaces, edges, seconds: clock.seconds })

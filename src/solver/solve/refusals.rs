@@ -1,9 +1,26 @@
 //! Problems that have no solution on a discretised scene, refused with the names of their bodies.
 
+use crate::algorithm::Acceleration;
 use crate::algorithm::ContactProblem;
 use crate::error::{Error, Kind, Part, Place};
+use crate::scene::Scene;
 use crate::solution::Work;
 use crate::solve::{Change, Discretisation, Formulation};
+
+/// Most contact points of which Newton's method keeps its matrix, a number for every two of them.
+const DENSE: usize = 8000;
+
+impl Formulation {
+    /// Refuses an acceleration whose matrix would not fit.
+    pub(super) fn refuse_dense(&self, scene: &Scene, points: usize) -> Result<(), Error> {
+        if self.acceleration == Acceleration::None || points <= DENSE {
+            return Ok(());
+        }
+        let bytes = 8.0 * (points as f64).powi(2);
+        let message = format!("{} has a matrix of all {points} contact points, {bytes:.1e} bytes", self.name());
+        Err(Error::at(scene.name.as_str(), message, "ask for kinematic load, or for no acceleration"))
+    }
+}
 
 /// A condensed load below this fraction of the loads on the bodies is round-off of the condensation.
 const UNLOADED: f64 = 1e-13;

@@ -15,6 +15,7 @@ impl Discretisation {
         self.refuse_undefined(formulation, change)?;
         let (points, load) = self.changed(formulation, change);
         let problem = self.problem_under(formulation, &points, &load);
+        formulation.refuse_dense(&self.scene, points.len())?;
         self.refuse_nothing(&problem)?;
         let iterated = formulation.iterated(&problem, origin);
         let mut solution = iterated.map_err(|error| self.named(error, change.load))?;

@@ -58,7 +58,7 @@ impl Discretisation {
     ) -> Result<Option<Shear>, Error> {
         let below = Below::of(self, measures, [contact, body])?;
         let is_wanted = below.corners_and_sides();
-        let stress = stress::at_some_nodes(&self.scene, &self.mesh, displacement, &|node| is_wanted[node])?;
+        let stress = stress::of_body(&self.scene, &self.mesh, displacement, body, &|node| is_wanted[node])?;
         let nodes = self.mesh.order.nodes_per_cell();
         let grid = grid(nodes);
         let (mut samples, mut best) = (Vec::new(), None);
@@ -123,21 +123,26 @@ impl<'a> Below<'a> {
         Ok(Self { depths, ..below })
     }
 
-    /// Which nodes of the mesh belong to a cell with a node below the contact.
+    /// Which nodes of the body belong to a cell with a node below the contact.
     fn corners_and_sides(&self) -> Vec<bool> {
         let mesh = &self.discretisation.mesh;
-        let mut are = vec![false; mesh.points.len()];
+        let mut are = vec![false; self.depths.len()];
         for nodes in mesh.bodies[self.body].cells.clone().map(|cell| mesh.cell(cell)) {
             if nodes.iter().any(|&node| self.depth_of(node).is_some()) {
-                nodes.iter().for_each(|&node| are[node] = true);
+                nodes.iter().for_each(|&node| are[self.own(node)] = true);
             }
         }
         are
     }
 
+    /// Number of a node in the body.
+    fn own(&self, node: usize) -> usize {
+        node - self.discretisation.mesh.bodies[self.body].nodes.start
+    }
+
     /// Depth of a node.
     fn depth_of(&self, node: usize) -> Option<f64> {
-        self.depths[node - self.discretisation.mesh.bodies[self.body].nodes.start]
+        self.depths[self.own(node)]
     }
 
     /// Depth of a point below the surface \[mm\]; none beside the closed stretches, and too deep.
@@ -158,7 +163,7 @@ impl<'a> Below<'a> {
     /// Depth and shear stress at the nodes of a cell that lie below the contact.
     fn at_nodes(&self, cell: usize, stress: &[[f64; 3]]) -> Vec<[f64; 2]> {
         let mesh = &self.discretisation.mesh;
-        let at = |&node: &usize| Some([self.depth_of(node)?, largest_shear(stress[node])]);
+        let at = |&node: &usize| Some([self.depth_of(node)?, largest_shear(stress[self.own(node)])]);
         mesh.cell(cell).iter().filter_map(at).collect()
     }
 
@@ -168,7 +173,7 @@ impl<'a> Below<'a> {
         let (mut point, mut tensor) = ([0.0; 2], [0.0; 3]);
         for (&node, shape) in mesh.cell(cell).iter().zip(shapes) {
             (0..2).for_each(|k| point[k] += shape * mesh.points[node][k]);
-            (0..3).for_each(|k| tensor[k] += shape * stress[node][k]);
+            (0..3).for_each(|k| tensor[k] += shape * stress[self.own(node)][k]);
         }
         Some((self.depth(point)?, largest_shear(tensor)))
     }

@@ -89,7 +89,7 @@ fn mixed(problem: &ContactProblem, stiffness: &[f64]) -> Vec<f64> {
     let (n, unit) = (problem.load.len(), problem.load.iter().map(|f| f.abs()).sum::<f64>() / area);
     let mut matrix = Mat::zeros(n + closed.len(), n + closed.len());
     let mut rhs = Mat::zeros(n + closed.len(), 1);
-    matrix.submatrix_mut(0, 0, n, n).copy_from(problem.stiffness);
+    matrix.submatrix_mut(0, 0, n, n).copy_from(problem.stiffness.to_dense());
     problem.load.iter().enumerate().for_each(|(i, f)| rhs[(i, 0)] = *f);
     for (row, &i) in closed.iter().enumerate() {
         let point = &problem.points[i];
