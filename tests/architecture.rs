@@ -258,9 +258,9 @@ fn matrix_types_of_libraries_stay_inside_the_numerics() {
 
 /// Lines that a room may have; raised only by a commit that says what for.
 const BUDGETS: [(&str, usize); 8] = [
-    ("solver", 17_950),
+    ("solver", 18_050),
     ("drawing", 3_000),
-    ("case", 6_850),
+    ("case", 6_900),
     ("oracle", 4_100),
     ("study", 16_200),
     ("referee", 5_300),
