@@ -278,7 +278,9 @@ fn closed_rim_of_a_gmsh_mesh_is_used_where_it_faces_the_flat() {
             let mesh = &meshed.discretisation.mesh;
             let heights = mesh.bodies[0].candidates.iter().map(|candidate| mesh.points[candidate.node][1]);
             assert!(heights.fold(0.0, f64::max) < 1.0, "candidates at the top");
-            assert!(run.solution.unseen.iter().all(Vec::is_empty), "{:?}", run.solution.unseen);
+            // The top, 100 mm above, is no part of what penetrates: what 4-node edges pass over is the same as of the lower half.
+            let deepest = |run: &Run| run.solution.unseen[0].iter().map(|one| one.penetration).fold(0.0, f64::max);
+            assert_relative_eq!(deepest(&run), deepest(&part), epsilon = 1e-9);
         }
     }
     // And as the same ring meshed here, on cells of other sizes.
