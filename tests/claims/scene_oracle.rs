@@ -97,7 +97,11 @@ fn oracles_that_cannot_speak_are_refused_with_a_remedy() {
         ("{ hertz = { load = -1, radius = 100 } }", "`load` is -1", "give a number above 0"),
         ("{ hertz = { radius = 100 } }", "missing field `load`", "add or correct it"),
         ("{ bertz = { radius = 100 } }", "bertz", "README.md describes every key"),
-        ("{ cosine = { load = 1e9, amplitude = 0.01, wavelength = 40 } }", "gives no peak pressure", "give `value`"),
+        (
+            "{ cosine = { load = 1e9, amplitude = 0.01, wavelength = 40 } }",
+            "the gap of `cosine` has grown",
+            "a `value`",
+        ),
         ("{ polynomial = { load = 1, coefficients = [1] } }", "`coefficients` is [1]", "give 3 entries"),
     ] {
         let error = Case::parse(Path::new("oracle.toml"), &block("{ parabola = 100 }", oracle)).map(|_| ());

@@ -232,7 +232,8 @@ impl Side {
             let remedy = "contact forces act along y, or along the radius of `arc`: end the `stretch` where it is flatter, turn the scene, or give a rigid profile its gap";
             return misfit(format!("slopes by {slope:.2} against the path"), remedy);
         }
-        if !wanted.near(self.depth(path), path.own_depth()) {
+        let off = (self.depth(path) - path.own_depth()).abs() > 1e-9 * self.length * path.metric();
+        if off && !wanted.near(self.depth(path), path.own_depth()) {
             let remedy = "move the body there, give its `origin`, or `gap = \"drawn\"` where it is drawn as it stands";
             return misfit(format!("does not begin at {level}, or on `arc`"), remedy);
         }

@@ -55,7 +55,9 @@ fn of_body(mesh: &Mesh, scene: &Scene, contact: usize, body: usize) -> Result<Ve
 
 /// Edges of the boundary of a body that touches, as far as they face the other side: a closed boundary turns away from it.
 pub fn facing_edges(mesh: &Mesh, scene: &Scene, pair: &ContactPair, body: usize) -> Result<Vec<Edge>, Error> {
-    let faces = |edge: &&Edge| pair.faces(body, [edge[0], edge[1]].map(|node| mesh.points[node]), 0.0);
+    // Sides that are named here look one way.
+    let may_turn = scene.bodies[body].shape.has_given_mesh();
+    let faces = |edge: &&Edge| !may_turn || pair.faces(body, [edge[0], edge[1]].map(|node| mesh.points[node]), 0.0);
     Ok(mesh.boundary(scene, body, pair.side(body))?.iter().filter(faces).cloned().collect())
 }
 
