@@ -288,8 +288,9 @@ fn displacement_of_a_corner_beside_a_loaded_side_has_a_bar_of_the_order_that_is_
         let of = |elements| barred(CORNER, &[load, ["elements = 4", elements]], &corner);
         let (coarse, fine) = (of("elements = 4"), of("elements = 48"));
         for displaced in &corner {
-            let subject = Subject::Displacement(displaced.clone());
-            let [own, truth] = [&coarse, &fine].map(|all| all.iter().find(|one| one.subject == subject).expect("told"));
+            let quantity = Quantity::Displacement(displaced.clone());
+            let [own, truth] =
+                [&coarse, &fine].map(|all| all.iter().find(|one| one.quantity == quantity).expect("told"));
             let (error, bar) = ((own.value - truth.value).abs(), own.bar.total());
             assert!(error <= 0.8 * bar && bar <= 10.0 * error, "{load:?}: {error:.2e} of {bar:.2e}");
         }
@@ -305,8 +306,8 @@ fn elements_of_the_second_body_as_wide_as_the_contact_are_in_the_bars() {
         let second = format!("name = \"steel\"\ndensity = {density}");
         let coarse = barred(text, &[["name = \"steel\"", &second]], &[]);
         for quantity in [Quantity::PeakPressure, Quantity::HalfWidth, Quantity::SecondMomentWidth] {
-            let subject = Subject::Contact(0, quantity);
-            let [own, truth] = [&coarse, &fine].map(|all| all.iter().find(|one| one.subject == subject).expect("told"));
+            let [own, truth] =
+                [&coarse, &fine].map(|all| all.iter().find(|one| one.quantity == quantity).expect("told"));
             let (error, bar) = ((own.value - truth.value).abs(), own.bar.total());
             assert!(
                 error <= bar && bar <= 0.5 * own.value || bar.is_nan(),

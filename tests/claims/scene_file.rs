@@ -241,7 +241,7 @@ fn page_on_scene_files_is_true() {
         quoted.filter(|text| text.starts_with('{')).map(String::from).collect()
     };
     let gaps = rows("Gaps");
-    assert_eq!(gaps.len(), 14);
+    assert_eq!(gaps.len(), 14, "{gaps:?}");
     let number = |text: &str| {
         let named = [
             ("R1", "20"),
