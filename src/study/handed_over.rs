@@ -54,7 +54,7 @@ pub fn problem(discretisation: &Discretisation, vectors: Vec<Vec<f64>>) -> Resul
 /// Name, radius and clearance of the gap.
 fn profile(scene: &Scene) -> Result<(&'static str, f64, f64), Error> {
     match scene.contact().profile {
-        _ if scene.contact().clearance != 0.0 => Err(not_handed_over(&scene.name, "a clearance beside a profile")),
+        _ if scene.contact().clearance > 0.0 => Err(not_handed_over(&scene.name, "a clearance beside a profile")),
         Profile::Circle { radius } => Ok(("circle", radius, 0.0)),
         Profile::Parabola { radius } => Ok(("parabola", radius, 0.0)),
         Profile::Hole { radius, clearance } => Ok(("hole", radius, clearance)),
