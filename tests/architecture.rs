@@ -34,7 +34,7 @@ const ALLOWED: [(&str, May); 26] = [
     ("scene", Only(&["error"])),
     ("mesh", Only(&["error", "named", "scene"])),
     ("elasticity", Only(&["error", "scene", "mesh"])),
-    ("condensation", Only(&["error", "clock", "elasticity"])),
+    ("condensation", Only(&["error", "clock", "mesh", "elasticity"])),
     ("contact", Only(&["error", "named", "scene", "mesh", "elasticity", "condensation"])),
     ("solution", Only(&["error"])),
     ("measure", Only(&["scene", "mesh", "solution", "uncertainty"])),
