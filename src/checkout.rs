@@ -1,14 +1,18 @@
 //! The checkout that the program was built in, and what tells whether a file of it has changed.
 
+use std::env;
 use std::fs;
 use std::io::Result;
 use std::path::{Path, PathBuf};
 
 use sha2::{Digest as _, Sha256};
 
-/// The project's folder.
+/// Names the project's folder to a program that has been moved away from where it was built.
+pub const CHECKOUT: &str = "CONTACT_VV_CHECKOUT";
+
+/// The project's folder: what [`CHECKOUT`] names in the environment, else where the program was built.
 pub fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).to_path_buf()
+    env::var_os(CHECKOUT).map_or_else(|| env!("CARGO_MANIFEST_DIR").into(), PathBuf::from)
 }
 
 /// SHA-256 in hexadecimal digits.

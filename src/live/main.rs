@@ -3,7 +3,7 @@
 use std::process::ExitCode;
 
 use contact_vv::checkout::root;
-use contact_vv::cli::{ended, writable};
+use contact_vv::cli::{exit, writable};
 use contact_vv::error::Error;
 use contact_vv_live::freeze::{discrete, independent};
 
@@ -12,7 +12,7 @@ fn main() -> ExitCode {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
             eprintln!("error: {error}");
-            ExitCode::from(ended::WRONG_INPUT)
+            ExitCode::from(exit::WRONG_INPUT)
         }
     }
 }

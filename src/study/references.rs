@@ -206,7 +206,7 @@ pub fn solve(name: &str) -> Result<Sheet, Error> {
 /// The sheet of a case from a run, whose numbers have bars; or from cells fitted to the contact, where that can be and tells more.
 pub fn sheet(case: &Case, discretisation: &Discretisation, run: &Run, barred: &[Barred]) -> Result<Sheet, Error> {
     let shared = SHARED.iter().find(|(known, _)| *known == case.name);
-    let frozen = shared.map(|_| Independent::read()).transpose()?;
+    let frozen = shared.map(|_| Independent::built_in()).transpose()?;
     let asked = shared.zip(frozen.as_ref()).and_then(|((_, scene), frozen)| frozen.scenes.get(*scene));
     let value = |one: &Barred| {
         let Told { of, quantity, unit, factor } = Told::of(&discretisation.scene, run, one);

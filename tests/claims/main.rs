@@ -14,6 +14,7 @@ mod accuracy;
 mod accuracy_across;
 mod algorithm;
 mod answers;
+mod apart;
 #[path = "../architecture.rs"]
 mod architecture;
 mod atlas;

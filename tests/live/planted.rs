@@ -10,11 +10,11 @@ use contact_vv::case::Verdict;
 use contact_vv::checkout::root;
 use contact_vv::oracle::cross_code::independent::{Asked, Independent, Script};
 use contact_vv::oracle::cross_code::{PhysicalAnswer, PhysicalScene};
+use contact_vv::study::Study;
 use contact_vv::study::answers::Answers;
 use contact_vv::study::differences::largest_change;
 use contact_vv::study::independent::benchmark::{LEVELS, Scene};
 use contact_vv::study::independent::found::Found;
-use contact_vv::study::independent::judge;
 use contact_vv::study::independent::run::{Compared, compare};
 use libtest_mimic::Trial;
 use serde::Deserialize;
@@ -101,7 +101,7 @@ fn copy(script: Script) -> tempfile::TempDir {
 
 /// Whether there is a check, and all pass.
 fn all_pass(compared: &Compared) -> bool {
-    let checks = judge(compared).expect("judged");
+    let checks = compared.judge().expect("judged");
     !checks.is_empty() && checks.iter().all(|check| check.verdict == Verdict::Pass)
 }
 

@@ -19,8 +19,8 @@ use super::words::shown;
 const CELLS: [&str; 8] = ["CPS", "CPE", "CPEG", "S", "STRI", "M3D", "R3D", "DC2D"];
 /// As what meshio writes every 4-node quadrilateral.
 const OF_MESHIO: &str = "CAX4P";
-/// What the names of lines begin with.
-const LINES: [&str; 5] = ["T2D", "T3D", "B2", "B3", "R2D"];
+/// What the names of elements that are no cells begin with: lines, and what joins nodes.
+const NO_CELLS: [&str; 9] = ["T2D", "T3D", "B2", "B3", "R2D", "GAP", "SPRING", "DASHPOT", "MASS"];
 /// What makes nodes and elements that no line lists, or moves them.
 const GENERATED: [&str; 9] = ["NGEN", "NFILL", "NCOPY", "NMAP", "ELGEN", "ELCOPY", "SYSTEM", "INSTANCE", "PART"];
 /// Most members of all sets and surfaces together, each as often as it is named.
@@ -404,7 +404,7 @@ fn kind_of(block: &Block, kind: &str) -> Result<Option<(usize, usize)>, Error> {
             "scenes are in plane strain or plane stress: give CPE or CPS elements",
         );
     }
-    if begins(&LINES) {
+    if begins(&NO_CELLS) {
         return Ok(None);
     }
     // Of names that begin another one the longest counts.

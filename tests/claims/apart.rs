@@ -1,0 +1,52 @@
+//! The program alone: far from its sources it does all that needs none of them, and says where one is needed.
+
+use std::path::Path;
+use std::process::Command;
+
+use contact_vv::case::library::NAMES;
+use contact_vv::checkout::{CHECKOUT, root};
+
+/// How the program ends in a folder, with its checkout out of reach, and what it says.
+fn apart(folder: &Path, arguments: &[&str]) -> (Option<i32>, String) {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_contact-vv"));
+    let command = command.args(arguments).current_dir(folder).env(CHECKOUT, folder.join("nowhere"));
+    let output = command.output().expect("started");
+    let told = [output.stdout, output.stderr].map(|bytes| String::from_utf8_lossy(&bytes).into_owned()).concat();
+    (output.status.code(), told)
+}
+
+#[test]
+fn program_without_its_checkout_lists_solves_exports_judges_and_verifies() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let well = |arguments: &[&str]| {
+        let (code, told) = apart(folder.path(), arguments);
+        assert_eq!(code, Some(0), "{arguments:?}: {told}");
+        told
+    };
+    std::fs::write(folder.path().join("mine.toml"), well(&["new", "cylinder"])).expect("written");
+    for arguments in [
+        &["list"][..],
+        &["schema"],
+        &["verify", "mine.toml"],
+        &["solve", "mine.toml", "--json", "mine.json", "--csv", "mine.csv", "--vtu", "mine.vtu", "--plot", "mine.svg"],
+        &["compare", "cylinder", "--resolution", "4"],
+        &["export", "mine.toml", "to-mine"],
+        &["judge", "mine.toml", "to-mine/ours.csv"],
+    ] {
+        well(arguments);
+    }
+    for (name, _) in NAMES {
+        well(&["export", name, name]);
+        let committed = std::fs::read_to_string(root().join(format!("snapshots/sheets/{name}.md"))).expect("a sheet");
+        assert_eq!(std::fs::read_to_string(folder.path().join(name).join("sheet.md")).expect("written"), committed);
+    }
+}
+
+#[test]
+fn what_needs_the_checkout_says_so() {
+    let folder = tempfile::tempdir().expect("a folder");
+    for command in ["report", "atlas", "converged", "met", "coverage", "timings", "scoreboard"] {
+        let (code, told) = apart(folder.path(), &[command]);
+        assert!(code == Some(2) && told.contains("checkout"), "{command}: {code:?}, {told}");
+    }
+}
