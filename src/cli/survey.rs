@@ -17,12 +17,12 @@ pub fn run<S: Send + Sync, R: Serialize + DeserializeOwned + Clone + Send + Sync
 ) -> Result<(), Error> {
     let (name, record) = (survey.name, survey.file());
     let renew = |unfinished: &Path, done: &(dyn Fn() + Sync)| survey.renew(unfinished, &record, done);
-    renewed(name, &format!("snapshots/{name}.csv"), &[survey.file()], (survey.sites)()?.len(), renew)
+    renewed(name, &format!("snapshots/{name}.csv"), &[survey.file()], || Ok((survey.sites)()?.len()), renew)
 }
 
 /// The same of where methods fail, a record a plane.
 pub fn atlas() -> Result<(), Error> {
-    let sites = Plane::ALL.iter().map(|plane| plane.sites().len()).sum();
+    let sites = || Ok(Plane::ALL.iter().map(|plane| plane.sites().len()).sum());
     let renew = |unfinished: &Path, done: &(dyn Fn() + Sync)| {
         Plane::ALL.into_iter().map(|plane| atlas::run::renew(plane, unfinished, &plane::file(plane), done)).sum()
     };
@@ -34,13 +34,13 @@ fn renewed(
     name: &str,
     place: &str,
     files: &[PathBuf],
-    sites: usize,
+    sites: impl FnOnce() -> Result<usize, Error>,
     renew: impl FnOnce(&Path, &(dyn Fn() + Sync)) -> Result<usize, Error>,
 ) -> Result<(), Error> {
     let unfinished = records::unfinished(name)?;
     files.iter().try_for_each(|file| writable::file(file, writable::CHECKOUT))?;
     writable::folder(&unfinished, writable::CHECKOUT)?;
-    let bar = progress(sites);
+    let bar = progress(sites()?);
     let number = renew(&unfinished, &|| bar.inc(1));
     bar.finish_and_clear();
     let number = number?;

@@ -29,7 +29,7 @@ fn program_without_its_checkout_lists_solves_exports_judges_and_verifies() {
         &["schema"],
         &["verify", "mine.toml"],
         &["solve", "mine.toml", "--json", "mine.json", "--csv", "mine.csv", "--vtu", "mine.vtu", "--plot", "mine.svg"],
-        &["compare", "cylinder", "--resolution", "4"],
+        &["compare", "cylinder"],
         &["export", "mine.toml", "to-mine"],
         &["judge", "mine.toml", "to-mine/ours.csv"],
     ] {
