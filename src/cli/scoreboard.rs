@@ -12,8 +12,8 @@ use crate::study::seconds::Machine;
 /// Asks every installed code for every case, writes the record, and tells how each run ended.
 pub fn run() -> Result<(), Error> {
     let folder = board::folder();
+    writable::in_checkout(board::FOLDER)?;
     fs::create_dir_all(&folder).map_err(|error| Error::unwritable(&folder, error))?;
-    writable::folder(&folder, writable::CHECKOUT)?;
     let bar = progress(CASES.len() * Setting::ALL.len());
     let mut fresh = Board { scripts: hashes(), processor: Machine::here().processor, ..Board::default() };
     let mut absent = Vec::new();

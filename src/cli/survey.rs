@@ -37,6 +37,7 @@ fn renewed(
     sites: impl FnOnce() -> Result<usize, Error>,
     renew: impl FnOnce(&Path, &(dyn Fn() + Sync)) -> Result<usize, Error>,
 ) -> Result<(), Error> {
+    writable::in_checkout("snapshots")?;
     let unfinished = records::unfinished(name)?;
     files.iter().try_for_each(|file| writable::file(file, writable::CHECKOUT))?;
     writable::folder(&unfinished, writable::CHECKOUT)?;

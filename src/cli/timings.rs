@@ -6,7 +6,6 @@ use std::time::Instant;
 
 use indicatif::ProgressBar;
 
-use crate::checkout::root;
 use crate::cli::terminal::{progress, say};
 use crate::cli::writable;
 use crate::error::Error;
@@ -20,7 +19,7 @@ const REPEATS: usize = 5;
 
 /// Measures everything on one thread and writes the record.
 pub fn run() -> Result<(), Error> {
-    writable::folder(&root().join(FOLDER), writable::CHECKOUT)?;
+    writable::in_checkout(FOLDER)?;
     let record = growth::on(1, measure)?;
     for target in targets::targets(&record) {
         let met = target.met.map_or("—", |met| if met { "✓" } else { "✗" });
@@ -93,7 +92,7 @@ fn own_points(bar: &ProgressBar) -> Result<Vec<Point>, Error> {
 
 /// Measures our own points of speed against accuracy again; other codes keep what our solve took beside them.
 pub fn points() -> Result<(), Error> {
-    writable::folder(&root().join(FOLDER), writable::CHECKOUT)?;
+    writable::in_checkout(FOLDER)?;
     let mut record = Record::read()?;
     let bar = progress(precision::meshes().len());
     let own = growth::on(1, || own_points(&bar))?;
@@ -105,7 +104,7 @@ pub fn points() -> Result<(), Error> {
 
 /// Asks one code and writes its part of the record.
 pub fn ask(code: Series) -> Result<(), Error> {
-    writable::folder(&root().join(FOLDER), writable::CHECKOUT)?;
+    writable::in_checkout(FOLDER)?;
     let mut record = Record::read()?;
     let answer = growth::on(1, || asked(&mut record, code))?;
     let remedy = "bash oracles/peers/setup.sh installs it; the record stays as it was";

@@ -4,10 +4,21 @@ use std::fs::{self, File, OpenOptions};
 use std::io;
 use std::path::Path;
 
+use crate::checkout::{CHECKOUT as VARIABLE, root};
 use crate::error::{Error, Kind};
 
 /// What to do where the records of the checkout cannot be written.
 pub const CHECKOUT: &str = "give the right to write to the checkout that the program was built in";
+
+/// Refuses to begin what is written below the checkout, where that is no longer there, or its folder cannot be written.
+pub fn in_checkout(name: &str) -> Result<(), Error> {
+    if root().join("Cargo.toml").is_file() {
+        return folder(&root().join(name), CHECKOUT);
+    }
+    let message = "the checkout this program was built in is no longer there";
+    let remedy = format!("build it again where the checkout is now, or name that by {VARIABLE} in the environment");
+    Err(Error::file(&root(), message, remedy))
+}
 
 /// Refuses a folder in which no file can be made; of one that is not there yet, the nearest above it that is.
 pub fn folder(path: &Path, remedy: &str) -> Result<(), Error> {

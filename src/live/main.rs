@@ -2,7 +2,6 @@
 
 use std::process::ExitCode;
 
-use contact_vv::checkout::root;
 use contact_vv::cli::{exit, writable};
 use contact_vv::error::Error;
 use contact_vv_live::freeze::{discrete, independent};
@@ -18,7 +17,7 @@ fn main() -> ExitCode {
 }
 
 fn freeze() -> Result<(), Error> {
-    writable::folder(&root().join("oracles/frozen"), writable::CHECKOUT)?;
+    writable::in_checkout("oracles/frozen")?;
     for renew in [discrete, independent] {
         renew()?.iter().for_each(|line| println!("{line}"));
     }

@@ -9,7 +9,7 @@ use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
 use crate::case::{Check, Judged, Quantity, Reference};
-use crate::checkout::{CHECKOUT, root, sha256};
+use crate::checkout::{root, sha256};
 use crate::error::Error;
 
 /// A recorded survey: what is run, what is kept of it, and what of that is run again whenever it is judged.
@@ -227,14 +227,6 @@ impl TryFrom<String> for Millionths {
 
 /// Folder of the running program's unfinished survey of a name: another program starts afresh.
 pub fn unfinished(name: &str) -> Result<PathBuf, Error> {
-    if !root().join("Cargo.toml").is_file() {
-        let message = "the checkout this program was built in is no longer there";
-        return Err(Error::file(
-            &root(),
-            message,
-            &format!("build it again where the checkout is now, or name that by {CHECKOUT} in the environment"),
-        ));
-    }
     let unreadable = |error: std::io::Error| {
         Error::at("the running program", error.to_string(), "run it from a file that may be read")
     };

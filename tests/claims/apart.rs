@@ -38,7 +38,10 @@ fn program_without_its_checkout_lists_solves_exports_judges_and_verifies() {
     for (name, _) in NAMES {
         well(&["export", name, name]);
         let committed = std::fs::read_to_string(root().join(format!("snapshots/sheets/{name}.md"))).expect("a sheet");
-        assert_eq!(std::fs::read_to_string(folder.path().join(name).join("sheet.md")).expect("written"), committed);
+        assert_eq!(
+            std::fs::read_to_string(folder.path().join(name).join(format!("{name}.md"))).expect("written"),
+            committed
+        );
     }
 }
 
