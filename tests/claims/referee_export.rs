@@ -18,10 +18,10 @@ use contact_vv::solve::{Discretisation, Formulation, Run};
 use crate::outputs::contact_vv;
 
 /// A scene file of one body of an exported mesh, held by nothing: it is only read.
-fn scene_of(body: &str, file: &str, path: &str) -> String {
+fn scene_of([body, contact]: [&str; 2], file: &str, path: &str) -> String {
     format!(
         "plane = \"strain\"\nthickness = 1\n[[body]]\nname = \"{body}\"\nyoung = 1000\npoisson = 0.3\n\
-         shape = {{ gmsh = {{ file = \"{file}\", group = \"{body}\", contact = \"{body} contact\" }} }}\n\
+         shape = {{ mesh = {{ file = \"{file}\", group = \"{body}\", contact = \"{contact}\" }} }}\n\
          [contact]\nfirst = \"{body}\"\ngap = {{ uniform = 0 }}\ngap-only = true\n{path}\nstretch = 1e-1\n[reference]\npressure = 5\n"
     )
 }
@@ -44,7 +44,8 @@ fn exported_meshes_are_read_back_by_our_own_gmsh_reader_as_they_were() {
                     true => format!("origin = {origin:?}"),
                     false => format!("arc = {{ centre = [{x}, {y}], radius = {depth} }}"),
                 };
-                let text = scene_of(&body.name, "mesh.msh", &path);
+                let contact = format!("{} contact", body.name);
+                let text = scene_of([&body.name, &contact], "mesh.msh", &path);
                 let read = Case::parse(&folder.path().join("scene.toml"), &text).expect("read");
                 let Shape::Given(given) = &read.scene.bodies[0].shape else { panic!("{name}: no mesh") };
                 assert_eq!(given.cells.len(), part.cells.len(), "{name}");
@@ -67,6 +68,27 @@ fn exported_meshes_are_read_back_by_our_own_gmsh_reader_as_they_were() {
             }
         }
     }
+}
+
+#[test]
+fn exported_deck_is_read_back_with_all_that_joins_its_nodes() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let case = find("cylinder", None).expect("a case");
+    let discretisation = Discretisation::of(case.scene.clone(), case.resolution).expect("meshed");
+    std::fs::write(folder.path().join("mesh.inp"), deck::text(&discretisation).expect("written")).expect("written");
+    let text = scene_of(["CYLINDER", "S_CYLINDER_CONTACT"], "mesh.inp", "arc = { centre = [0, 50], radius = 50 }");
+    let read = Case::parse(&folder.path().join("scene.toml"), &text).expect("read");
+    let Shape::Given(given) = &read.scene.bodies[0].shape else { panic!("no mesh") };
+    let mesh = &discretisation.mesh;
+    assert_eq!((given.cells.len(), given.points.len()), (mesh.cells(), mesh.points.len()));
+    for (cell, own) in given.cells.iter().enumerate() {
+        for (&node, &wanted) in own.iter().zip(mesh.cell(cell)) {
+            let [found, wanted] = [given.points[node], mesh.points[wanted]];
+            assert!((0..2).all(|k| (found[k] - wanted[k]).abs() < 1e-9), "cell {cell}: {found:?}, {wanted:?}");
+        }
+    }
+    let contact = &mesh.bodies[0].boundaries["contact"];
+    assert_eq!(given.boundaries["S_CYLINDER_CONTACT"].len(), contact.len());
 }
 
 fn failed(found: &Verdicts) -> Vec<String> {
