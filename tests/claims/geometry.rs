@@ -448,3 +448,29 @@ fn block_that_is_pressed_flat_on_waves_has_their_pressure() {
     let shortening = 300.0 * 40.0 * (1.0 + 0.3) * (1.0 - 2.0 * 0.3) / (210e3 * (1.0 - 0.3));
     assert_relative_eq!(approach(&meshed, &run), shortening + waves.sunk(), max_relative = 2e-3);
 }
+
+#[test]
+fn half_a_tube_is_in_contact_where_it_faces_the_other_body_alone() {
+    let bodies = |sweep: f64| {
+        format!(
+            "plane = \"strain\"\nthickness = 1\n[[body]]\nname = \"tube\"\nyoung = 210e3\npoisson = 0.3\n\
+             shape = {{ ring = {{ centre = [0, 50], inner = 30, outer = 50, sweep = {sweep}, contact = \"inner\" }} }}\n\
+             supports = [{{ at = \"start\", component = \"x\" }}, {{ at = \"outer\", component = \"y\" }}{}]\n\
+             [[body]]\nname = \"disc\"\nyoung = 210e3\npoisson = 0.3\n\
+             shape = {{ disc = {{ centre = [0, 45], radius = 25 }} }}\n\
+             supports = [{{ at = \"axis\", component = \"x\" }}]\n\
+             loads = [{{ traction = {{ at = \"cut\", value = [0, -40] }} }}]\n\
+             [contact]\nfirst = \"disc\"\nsecond = \"tube\"\ngap = {{ circles = [25, -30] }}\nstretch = 4\norigin = [0, 20]\n\
+             [mesh]\nelements = 8\nper = 1\n",
+            if sweep == 180.0 { ", { at = \"end\", component = \"x\" }" } else { "" }
+        )
+    };
+    let [half, most] = [180.0, 135.0].map(|sweep| {
+        let case = Case::parse(Path::new("tube.toml"), &bodies(sweep)).unwrap_or_else(|error| panic!("{error}"));
+        let (_, run) = case.solve().unwrap_or_else(|error| panic!("{error}"));
+        let measures = run.measures();
+        [measures.peak.pressure, measures.second_moment_width, measures.half_width()]
+    });
+    assert_alike(half, most, 2e-3, "three quarters of it");
+    assert!((half[0] / 700.86 - 1.0).abs() < 2e-3, "{half:?}");
+}

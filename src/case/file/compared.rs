@@ -33,7 +33,7 @@ pub(super) fn refuse_other(table: Value, pair: &ContactPair, drawn: &DrawnGap) -
     let flat = FLAT * pair.stretch * pair.path.metric();
     let apart = |gap: &[f64; 3]| (gap[1] - gap[2]).abs();
     let Some([s, given, drawn]) = told.iter().max_by(|a, b| apart(a).total_cmp(&apart(b))) else { return Ok(()) };
-    if largest(2) <= flat || (given - drawn).abs() <= ALIKE * largest(1) + flat {
+    if largest(2) <= flat || (given - drawn).abs() <= ALIKE * (largest(1) - clearance).max(0.0) + flat {
         return Ok(());
     }
     let [given, drawn] = [given, drawn].map(|gap| rounded(gap / length));

@@ -237,7 +237,8 @@ impl Family {
             false => {
                 let [own, other] = [&self.sizes, &self.others].map(|all| all[contact] / width_of(quantity, measures));
                 let of_other = if other > UNEVEN * own { other.powf(UNSEEN * counted.power) } else { 0.0 };
-                counted.hidden * (own.powf(counted.power) + of_other)
+                let swings = if of_other > 0.0 && !ends_at_candidates { self.swings(quantity) * other } else { 0.0 };
+                counted.hidden * (own.powf(counted.power) + of_other) + swings
             }
         };
         let [scale, read] = match quantity {
@@ -256,6 +257,17 @@ impl Family {
         };
         let read = read + self.undrawn(quantity, reading.value, contact, measures);
         factor * known.into_iter().fold(0.0, f64::max) + (hidden + ROUND_OFF) * scale.abs() + read
+    }
+
+    /// Error over the elements of a much coarser second body, on the half-width: pressures swing from one of its nodes to the next (a disc on a
+    /// block of 0.1 to 0.35 of its elements).
+    fn swings(&self, quantity: &Quantity) -> f64 {
+        match quantity {
+            Quantity::PeakPressure if self.order == Order::Linear => 2.5,
+            Quantity::PeakPressure => 0.3,
+            Quantity::HalfWidth | Quantity::Begin(_) | Quantity::End(_) => 1.0,
+            _ => 0.0,
+        }
     }
 
     /// What the reading of a number may miss, on this mesh and on all coarser ones alike: of a peak how far two readings of it are apart,

@@ -1,10 +1,11 @@
 //! The candidate contact nodes of each body, with the outward normals that make their normal dofs.
 
+use std::f64::consts::FRAC_PI_2;
 use std::ops::Range;
 
 use crate::error::{Error, Kind, Part};
 use crate::mesh::{BodyMesh, Candidate, Edge, Mesh};
-use crate::scene::{ContactPair, Scene};
+use crate::scene::{ContactPair, Scene, Shape};
 
 /// Difference of contact coordinates, over the stretch, that rounding explains.
 const SAME: f64 = 1e-9;
@@ -55,8 +56,10 @@ fn of_body(mesh: &Mesh, scene: &Scene, contact: usize, body: usize) -> Result<Ve
 
 /// Edges of the boundary of a body that touches, as far as they face the other side: a closed boundary turns away from it.
 pub fn facing_edges(mesh: &Mesh, scene: &Scene, pair: &ContactPair, body: usize) -> Result<Vec<Edge>, Error> {
-    // Sides that are named here look one way.
-    let may_turn = scene.bodies[body].shape.has_given_mesh();
+    // Other sides that are named here look one way.
+    let shape = &scene.bodies[body].shape;
+    let is_round = matches!(shape, Shape::Ring { sweep, .. } if *sweep > FRAC_PI_2 * (1.0 + SAME));
+    let may_turn = shape.has_given_mesh() || is_round && pair.path.is_straight();
     let faces = |edge: &&Edge| !may_turn || pair.faces(body, [edge[0], edge[1]].map(|node| mesh.points[node]), 0.0);
     Ok(mesh.boundary(scene, body, pair.side(body))?.iter().filter(faces).cloned().collect())
 }
