@@ -427,7 +427,8 @@ fn fuzz(name: &str, seed: u64, count: usize) -> usize {
 #[test]
 fn five_thousand_mutated_meshes_are_read_or_refused() {
     let sound = fuzz("fuzz", 23, 5000);
-    assert!(sound > 100 && sound < 4500, "{sound} of 5000 were read");
+    // Most counts that are spoiled are no longer those of their rows.
+    assert!(sound > 50 && sound < 4500, "{sound} of 5000 were read");
 }
 
 /// The block of `two_blocks` as two blocks that meet at x = 1, one of them turned by its corners, and the same as one.

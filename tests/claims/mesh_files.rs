@@ -471,6 +471,8 @@ fn meshes_that_meshio_writes_are_read() {
             .replace("T3D2", "B31H")
             .replace("T3D3", "B33H")
             + "*ELSET, ELSET=gmsh:bounding_entities\n90,-1\n";
+        // Edges of shells are called otherwise.
+        let deck = if kind.starts_with('S') { deck.replace(", s", ", e") } else { deck };
         let case = read(folder.path(), "a.inp", deck.as_bytes(), UNIFORM, "\"axis\"")
             .unwrap_or_else(|error| panic!("{error}"));
         for [_, pressure] in pressures(&solved(&case)) {
@@ -562,4 +564,76 @@ fn files_of_every_format_spoiled_anyhow_are_read_or_refused() {
             }
         }
     }
+}
+
+/// A block of 2 × 1 cells of a type, with `BOTTOM` as a set of its nodes, and what else a deck says.
+fn deck_of(kind: &str, more: &str) -> String {
+    format!(
+        "*NODE\n1, 0, 0\n2, 1, 0\n3, 2, 0\n4, 0, 1\n5, 1, 1\n6, 2, 1\n*ELEMENT, TYPE={kind}, ELSET=BLOCK\n\
+         10, 1, 2, 5, 4\n11, 2, 3, 6, 5\n*NSET, NSET=BOTTOM\n1, 2, 3\n{more}"
+    )
+}
+
+/// The nodes of the edges of a side.
+fn side(file: &str, text: &str, name: &str) -> Result<Vec<[f64; 2]>, String> {
+    let folder = tempfile::tempdir().expect("a folder");
+    std::fs::write(folder.path().join(file), text).expect("written");
+    let scene = format!(
+        "plane = \"strain\"\nthickness = 1\n[[body]]\nname = \"block\"\nyoung = 1000\npoisson = 0.3\n\
+         shape = {{ mesh = {{ file = \"{file}\", group = \"BLOCK\", contact = \"BOTTOM\" }} }}\n\
+         [contact]\nfirst = \"block\"\ngap = {{ uniform = 0 }}\nstretch = 2\n[reference]\npressure = 5\n"
+    );
+    let case = Case::parse(&folder.path().join("scene.toml"), &scene).map_err(|error| error.to_string())?;
+    let Shape::Given(given) = &case.scene.bodies[0].shape else { panic!("no mesh") };
+    let edges = given.boundaries.get(name).ok_or(format!("no `{name}`"))?;
+    Ok(edges.iter().flat_map(|edge| edge.iter().map(|&node| given.points[node])).collect())
+}
+
+#[test]
+fn sides_of_decks_are_counted_once_and_are_those_that_both_codes_mean() {
+    let (below, right, top) = ([[0.0, 0.0], [1.0, 0.0], [1.0, 0.0], [2.0, 0.0]], [[2.0, 0.0], [2.0, 1.0]], 4);
+    let surface = |rows: &str| format!("*SURFACE, NAME=X, TYPE=ELEMENT\n{rows}\n");
+    let all = "*ELSET, ELSET=ALL\n10, 11\n";
+    for (kind, more, wanted) in [
+        ("CPS4", format!("{all}{}", surface("ALL, S1\n10, S1\n11, S1")), &below[..]),
+        ("CPS4", surface("10, S1\n11, S1").repeat(2), &below),
+        ("CPE4R", surface("11, S2"), &right),
+        // Of shells and membranes S1 and S2 are faces.
+        ("S4", surface("11, S4"), &right),
+        ("S4R", surface("11, E2"), &right),
+        ("M3D4", surface("10, S3\n11, S3"), &below),
+        // A surface of nodes is no set of nodes.
+        ("CPS4", "*NSET, NSET=X\n4, 5, 6\n*SURFACE, NAME=X, TYPE=NODE\n3\n6\n".into(), &right),
+        // What nobody asks for is passed over.
+        ("CPS4", format!("{}*SURFACE, NAME=R, TYPE=SEGMENTS\nSTART, 0, 0\nLINE, 1, 0\n", surface("11, S2")), &right),
+        ("CPS4", format!("{}*SURFACE, NAME=U, COMBINE=UNION\nX, Y\n", surface("11, S2")), &right),
+        ("S4", format!("{}*SURFACE, NAME=F, TYPE=ELEMENT\nBLOCK, SPOS\n", surface("11, E2")), &right),
+        (
+            "CPS4",
+            format!("*ELEMENT, TYPE=MASS, ELSET=M\n90, 1\n91, 2\n*ELEMENT, TYPE=SPRING1\n92, 3\n{}", surface("11, S2")),
+            &right,
+        ),
+        ("CPS4", format!("*END INSTANCE\n*NODE\n1, 7, 7, 3\n{}", surface("11, S2")), &right),
+    ] {
+        let found =
+            side("mesh.inp", &deck_of(kind, &more), "X").unwrap_or_else(|error| panic!("{kind}, {more}: {error}"));
+        let mut found: Vec<String> = found.iter().map(|place| format!("{place:?}")).collect();
+        let mut wanted: Vec<String> = wanted.iter().map(|place| format!("{place:?}")).collect();
+        (found.sort(), wanted.sort());
+        assert_eq!(found, wanted, "{kind}: {more}");
+    }
+    assert_eq!(side("mesh.inp", &deck_of("CPS4", &surface("10, S3\n11, S3")), "X").expect("a side").len(), top);
+    let refused = side("mesh.inp", &deck_of("S4", &surface("11, S2")), "X").expect_err("a face");
+    assert!(refused.contains("mesh.inp:14") && refused.contains("E1 to E4"), "{refused}");
+}
+
+#[test]
+fn section_of_a_mesh_with_more_rows_than_it_counts_is_refused() {
+    let body = Body::of(4);
+    let text = String::from_utf8(msh(&body, "2.2", Coding::Text)).expect("text");
+    let count = body.sides.iter().map(|(_, edges)| edges.len()).sum::<usize>() + body.cells.len();
+    let fewer = text.replacen(&format!("$Elements\n{count}"), &format!("$Elements\n{}", count - 1), 1);
+    assert_ne!(fewer, text);
+    let refused = side("mesh.msh", &fewer.replace("\"body\"", "\"BLOCK\""), "X").expect_err("a row too many");
+    assert!(refused.contains("behind the last row of `$Elements`") && refused.contains("counts fewer"), "{refused}");
 }

@@ -20,7 +20,10 @@ const CELLS: [&str; 8] = ["CPS", "CPE", "CPEG", "S", "STRI", "M3D", "R3D", "DC2D
 /// As what meshio writes every 4-node quadrilateral.
 const OF_MESHIO: &str = "CAX4P";
 /// What the names of elements that are no cells begin with: lines, and what joins nodes.
-const NO_CELLS: [&str; 9] = ["T2D", "T3D", "B2", "B3", "R2D", "GAP", "SPRING", "DASHPOT", "MASS"];
+const NO_CELLS: [&str; 14] =
+    ["T2D", "T3D", "B2", "B3", "R2D", "GAP", "SPRING", "DASHPOT", "MASS", "ROTARY", "CONN", "DCOUP", "RB", "SFM"];
+/// What the names of shells and membranes begin with: S1 and S2 are their faces, and their edges are E1 to E4, or S3 to S6 in CalculiX.
+const SHELLS: [&str; 3] = ["S", "M3D", "R3D"];
 /// What makes nodes and elements that no line lists, or moves them.
 const GENERATED: [&str; 9] = ["NGEN", "NFILL", "NCOPY", "NMAP", "ELGEN", "ELCOPY", "SYSTEM", "INSTANCE", "PART"];
 /// Most members of all sets and surfaces together, each as often as it is named.
@@ -148,7 +151,10 @@ struct Deck {
     elements: Elements,
     /// Index of each element by its number.
     index: BTreeMap<u64, usize>,
+    /// Numbers of shells and membranes.
+    shells: BTreeSet<u64>,
     node_sets: Sets,
+    node_surfaces: Sets,
     element_sets: Sets,
     members: usize,
 }
@@ -161,9 +167,13 @@ pub fn parse(file: &Path, bytes: &[u8]) -> Result<Elements, Error> {
     refuse_generated(&blocks)?;
     let called = ["element set", "surface or set"];
     let mut deck = Deck { elements: Elements { called, made: MADE, ..Elements::default() }, ..Deck::default() };
+    // The nodes of an assembly are counted anew: reference points, of which no cell is made.
+    let placed = blocks.iter().position(|block| block.keyword == "END INSTANCE").unwrap_or(blocks.len());
+    let is_of_assembly = |k: usize, keyword: &str| k > placed && ["NODE", "ELEMENT"].contains(&keyword);
     // Sets may stand before what they name, and name one another only afterwards.
     for keywords in [&["NODE"][..], &["ELEMENT"], &["NSET", "ELSET"], &["SURFACE"]] {
-        for block in blocks.iter().filter(|block| keywords.contains(&block.keyword.as_str())) {
+        let of_keyword = blocks.iter().enumerate().filter(|(_, block)| keywords.contains(&block.keyword.as_str()));
+        for (_, block) in of_keyword.filter(|(k, block)| !is_of_assembly(*k, &block.keyword)) {
             if block.parameter("INPUT").is_some() {
                 return Err(block.refused("its lines are in another file", "put them below the keyword"));
             }
@@ -227,8 +237,11 @@ impl Deck {
         let cell = kind_of(block, kind)?;
         let mut rows = block.rows();
         while let Some(mut row) = rows.next() {
-            // The codes differ in the nodes of lines, of which each has a line of the deck.
-            let (count, corners) = cell.unwrap_or((row.len().clamp(3, 4) - 1, 2));
+            // The codes differ in the nodes of what is no cell, of which each has a line of the deck.
+            let (count, corners) = cell.unwrap_or((row.len() - 1, 2));
+            if count == 1 {
+                continue;
+            }
             // The nodes of a cell go on in the next line until they are all there.
             while row.len() <= count {
                 let Some(more) = rows.next() else { break };
@@ -245,6 +258,9 @@ impl Deck {
             let index = self.elements.add_piece(Piece { tag, nodes, corners }, refused)?;
             if self.index.insert(tag, index).is_some() {
                 return Err(refused(format!("element {tag} stands twice"), AGAIN));
+            }
+            if cell.is_some() && SHELLS.iter().any(|name| kind.to_uppercase().starts_with(name)) {
+                self.shells.insert(tag);
             }
             if let Some(set) = block.parameter("ELSET") {
                 self.element_sets.of(set).insert(tag);
@@ -331,15 +347,25 @@ impl Deck {
     fn read_surface(&mut self, block: &Block) -> Result<(), Error> {
         let name = block.parameter("NAME").filter(|name| !name.is_empty());
         let name = name.ok_or_else(|| block.refused("it has no NAME", AGAIN))?;
-        let of_nodes = block.parameter("TYPE").is_some_and(|kind| kind.eq_ignore_ascii_case("NODE"));
+        let kind = block.parameter("TYPE").unwrap_or("ELEMENT").to_uppercase();
+        let of_nodes = kind == "NODE";
+        // Rigid lines, and surfaces made of others, are no sides of cells.
+        if !of_nodes && kind != "ELEMENT" || block.parameter("COMBINE").is_some() {
+            return Ok(());
+        }
         for row in block.rows() {
+            let is_face = row.last().is_some_and(|(word, _)| ["SPOS", "SNEG"].contains(&word.to_uppercase().as_str()));
             let own = self.named(block, &row[0], of_nodes)?;
             if of_nodes {
-                self.node_sets.of(name).extend(own);
+                self.node_surfaces.of(name).extend(own);
                 continue;
             }
             for tag in own {
                 let piece = &self.elements.pieces[self.index[&tag]];
+                // Nor are the faces of a shell.
+                if piece.corners > 2 && is_face {
+                    continue;
+                }
                 let index = if piece.corners == 2 { self.index[&tag] } else { self.add_side(block, tag, &row)? };
                 add_to(self.elements.curves.entry(name.to_owned()).or_default(), index);
             }
@@ -347,17 +373,29 @@ impl Deck {
         Ok(())
     }
 
-    /// A side of a cell as a line; its index. S1 is that from the first to the second corner.
+    /// A side of a cell as a line; its index. S1 is that from the first to the second corner, of a shell E1 or S3.
     fn add_side(&mut self, block: &Block, tag: u64, row: &[Word]) -> Result<usize, Error> {
         let Piece { nodes, corners, .. } = &self.elements.pieces[self.index[&tag]];
         let (word, place) = row.get(1).unwrap_or(&row[0]);
-        let side = (0..*corners).find(|k| word.eq_ignore_ascii_case(&format!("S{}", k + 1)));
+        let is_shell = self.shells.contains(&tag);
+        let names = |k: usize| {
+            if is_shell {
+                [format!("E{}", k + 1), format!("S{}", k + 3)]
+            } else {
+                [format!("S{}", k + 1), String::new()]
+            }
+        };
+        let side = (0..*corners).find(|k| names(*k).iter().any(|name| word.eq_ignore_ascii_case(name)));
         let Some(k) = side else {
             let message = format!("`{}` is no side of element {tag}", shown(word));
             return Err(block.source.refused(
                 place.clone(),
                 message,
-                "name a side of S1 to S4 behind the element or set",
+                if is_shell {
+                    "name an edge of E1 to E4, or of S3 to S6 as CalculiX has them, behind the element or set"
+                } else {
+                    "name a side of S1 to S4 behind the element or set"
+                },
             ));
         };
         let nodes = vec![nodes[k], nodes[(k + 1) % corners]];
@@ -384,6 +422,7 @@ impl Deck {
                 elements.surfaces.insert(name, cells);
             }
         }
+        self.node_sets.0.append(&mut self.node_surfaces.0);
         elements.sets = self.node_sets.0.into_values().map(|(name, own)| (name, own.into_iter().collect())).collect();
         elements
     }

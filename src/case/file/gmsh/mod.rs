@@ -182,10 +182,13 @@ fn curves<'a>(mesh: &'a Elements, sides: &'a HashMap<SideKey, Side>) -> BTreeMap
     for (name, lines) in &mesh.curves {
         // The middle node of a line stands last or between its ends.
         let side = |piece: &Piece| {
-            let ends = |[i, j]: [usize; 2]| sides.get(&key(*piece.nodes.get(i)?, *piece.nodes.get(j)?));
+            let ends = |[i, j]: [usize; 2]| sides.get_key_value(&key(*piece.nodes.get(i)?, *piece.nodes.get(j)?));
             [[0, 1], [0, 2], [1, 2]].into_iter().find_map(ends)
         };
-        curves.insert(name, mesh.of(lines).filter_map(side).collect());
+        // A side that is listed again is the same side.
+        let mut listed = HashSet::new();
+        let own = mesh.of(lines).filter_map(side).filter(|(key, _)| listed.insert(**key));
+        curves.insert(name, own.map(|(_, side)| side).collect());
     }
     let mut beginning: HashMap<u64, Vec<SideKey>> = HashMap::new();
     if !mesh.sets.is_empty() {

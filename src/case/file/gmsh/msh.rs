@@ -27,6 +27,9 @@ const SOLIDS: [i64; 11] = [4, 5, 6, 7, 11, 12, 13, 14, 17, 18, 19];
 /// Physical groups by dimension and entity.
 type Entities = HashMap<(i64, i64), Vec<u64>>;
 
+/// Sections that are read to their last row.
+const SECTIONS: [&str; 4] = ["$PhysicalNames", "$Entities", "$Nodes", "$Elements"];
+
 /// What a file is read into.
 struct Gmsh<'a> {
     words: Words<'a>,
@@ -50,6 +53,7 @@ pub fn parse(file: &Path, bytes: &[u8]) -> Result<Elements, Error> {
     let mut sections = Vec::new();
     while let Some((name, place)) = gmsh.words.next() {
         gmsh.words.begin_data();
+        let is_read = name != "$MeshFormat" && SECTIONS.contains(&&*name) && (gmsh.by_blocks || name != "$Entities");
         match &*name {
             "$MeshFormat" => gmsh.read_format(bytes)?,
             "$PhysicalNames" => gmsh.read_names()?,
@@ -64,7 +68,11 @@ pub fn parse(file: &Path, bytes: &[u8]) -> Result<Elements, Error> {
                 return Err(gmsh.words.wrong(place, message, "save the mesh again as version 4.1, ASCII"));
             }
         }
-        gmsh.words.skip(&name, place)?;
+        if is_read {
+            gmsh.words.closed(&name, place)?
+        } else {
+            gmsh.words.skip(&name, place)?
+        }
         sections.push(name);
     }
     let wanted = ["$MeshFormat", "$Nodes", "$Elements"].into_iter().chain(gmsh.by_blocks.then_some("$Entities"));

@@ -127,6 +127,22 @@ impl<'a> Words<'a> {
         }
     }
 
+    /// The end of a section that was read: nothing stands before it.
+    pub fn closed(&mut self, name: &str, place: Range<usize>) -> Result<(), Error> {
+        let (begin, end) = (self.at, format!("$End{}", &name[1..]));
+        match self.next() {
+            Some((word, _)) if word == end => Ok(()),
+            Some((word, place)) if !word.starts_with('$') => {
+                let message = format!("`{}` stands behind the last row of `{name}`", shown(&word));
+                Err(self.wrong(place, message, "the section counts fewer rows than it has: save the mesh again"))
+            }
+            _ => {
+                self.at = begin;
+                self.skip(name, place)
+            }
+        }
+    }
+
     /// Skips a section.
     pub fn skip(&mut self, name: &str, place: Range<usize>) -> Result<(), Error> {
         let end = format!("$End{}", &name[1..]);
