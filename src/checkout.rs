@@ -12,7 +12,9 @@ pub const CHECKOUT: &str = "CONTACT_VV_CHECKOUT";
 
 /// The project's folder: what [`CHECKOUT`] names in the environment, else where the program was built.
 pub fn root() -> PathBuf {
-    env::var_os(CHECKOUT).map_or_else(|| env!("CARGO_MANIFEST_DIR").into(), PathBuf::from)
+    env::var_os(CHECKOUT)
+        .filter(|named| !named.is_empty())
+        .map_or_else(|| env!("CARGO_MANIFEST_DIR").into(), PathBuf::from)
 }
 
 /// SHA-256 in hexadecimal digits.

@@ -12,7 +12,7 @@ pub const CHECKOUT: &str = "give the right to write to the checkout that the pro
 
 /// Refuses to begin what is written below the checkout, where that is no longer there, or its folder cannot be written.
 pub fn in_checkout(name: &str) -> Result<(), Error> {
-    if root().join("Cargo.toml").is_file() {
+    if root().join("snapshots/checks.csv").is_file() {
         return folder(&root().join(name), CHECKOUT);
     }
     let message = "the checkout this program was built in is no longer there";

@@ -44,12 +44,14 @@ fn value(bench: &Bench, quantity: &Asked) -> Option<f64> {
     Some(quantity.factor() * value?)
 }
 
-/// The check as declared, but for a tolerance that is round-off of this code: files of other codes carry six or seven digits.
+/// The check as declared, but for the model error that is stated of its truth, and for a tolerance that is round-off of this code: files of
+/// other codes carry six or seven digits.
 fn of_digits(check: &Check) -> Check {
-    if check.tolerance >= DIGITS || check.tolerance <= 0.0 {
-        return check.clone();
+    let with_model = Check { tolerance: check.tolerance + check.model, ..check.clone() };
+    if with_model.tolerance >= DIGITS || check.tolerance <= 0.0 {
+        return with_model;
     }
-    Check { tolerance: DIGITS, because: "the digits that files of other codes carry".into(), ..check.clone() }
+    Check { tolerance: DIGITS, because: "the digits that files of other codes carry".into(), ..with_model }
 }
 
 /// Relative error that these digits explain.

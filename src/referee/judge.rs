@@ -2,7 +2,7 @@
 
 use crate::case::{Check, Judged, Reference, Verdict};
 use crate::measure::{ACTIVE, Measures, Quantity, display_factor, larger, peak};
-use crate::referee::bench::{Bench, KNOWN};
+use crate::referee::bench::Bench;
 use crate::referee::profile::Profile;
 use crate::referee::truth::{Known, Truth};
 use crate::referee::{contact_laws, declared, norm};
@@ -122,8 +122,9 @@ impl Bench<'_> {
         let reference = known.reference.clone().times(factor);
         let because = "the tolerance of the half-width, the bar of the reference, and one edge of this mesh";
         let check = Check::absolute(name, reference.clone(), allowed, because);
-        // Known well enough on the scale of the half-width.
-        let bar = if known.bar <= self.tolerance.max(KNOWN) * size { 0.0 } else { f64::NAN };
+        // How well it is known on the scale of the half-width.
+        let scale = if reference.value.abs() > 0.0 { reference.value.abs() } else { 1.0 };
+        let bar = known.bar / size * scale;
         let mut judged = self.ruled(check, factor * value, Known { reference, bar });
         judged.reference.uncertainty = Some(standard(factor * known.bar));
         judged

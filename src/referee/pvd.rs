@@ -38,7 +38,8 @@ pub fn chosen(file: &Path, text: &str, asked: &Asked) -> Result<(PathBuf, State,
         let message = format!("it has {parts} files of time {}, and one with all bodies is judged", state.time);
         return Err(source.refused(message, "save the grid of that time in one .vtu"));
     }
-    if own.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("pvd")) {
+    let is = |file: &Path, ending: &str| file.extension().is_some_and(|own| own.eq_ignore_ascii_case(ending));
+    if is(&own, "pvd") || is(&own, "gz") && is(&own.with_extension(""), "pvd") {
         return Err(source.refused("it names another collection", ONE));
     }
     Ok((own, state, states))

@@ -32,7 +32,7 @@ const SHOWN: usize = 12;
 impl State {
     /// Whether it is of the same time.
     pub fn is_at(&self, time: f64) -> bool {
-        (self.time - time).abs() <= SAME * time.abs().max(1.0)
+        (self.time - time).abs() <= SAME * time.abs().max(self.time.abs())
     }
 
     /// The place of the state that is asked for among those of the results that are read; the last one where none is.

@@ -318,6 +318,11 @@ fn of_a_collection_the_last_grid_is_judged_or_that_of_a_time() {
     refused(&series, &at(0.7), ["no results of the time", "time 0.5; time 1"]);
     refused(&(series.clone() + &entry("1", "part.vtu")), &usual(), ["2 files of time 1", "one .vtu"]);
     refused(&entry("1", "series.pvd"), &usual(), ["another collection", ".vtu"]);
+    refused(&entry("1", "series.pvd.gz"), &usual(), ["another collection", ".vtu"]);
+    // Times may be short.
+    let short = entry("1e-6", "last.vtu") + &entry("2e-6", "first.vtu");
+    assert!(read(&short, &at(1e-6)).expect("read").notes.iter().any(|note| note.contains("goes on to")));
+    refused(&short, &usual(), ["first.vtu", "missing"]);
     refused("", &usual(), ["names no grid", ".vtu"]);
     refused(&entry("one", "last.vtu"), &usual(), ["series.pvd:4", "no number"]);
     refused("<DataSet timestep=\"1\"/>", &usual(), ["series.pvd:4", "has no file"]);
@@ -376,6 +381,29 @@ fn a_stated_model_error_counts_for_every_quantity_it_is_stated_for() {
         assert_relative_eq!(truth.model(&asked), 0.07);
         let known = truth.known(0, &asked);
         assert!(known.bar >= 0.07 * known.reference.value, "{quantity}: {known:?}");
+    }
+}
+
+#[test]
+fn declared_check_asks_no_more_than_its_model_error_leaves() {
+    let text = std::fs::read_to_string(folder().join("tiny.toml")).expect("a scene");
+    // 1 % off Hertz everywhere.
+    let p = |x: f64| 1.01 * 100.0 * (1.0 - (x / half_width()).powi(2)).max(0.0).sqrt();
+    let rows: String = (0..=44).map(|k| 0.05 * f64::from(k)).map(|x| format!("{x},{}\n", p(x))).collect();
+    for (model, met) in [("", false), ("model-error = 0.02\n", true)] {
+        let check = format!("\n[[check]]\nquantity = \"peak-pressure\"\ntolerance = 1e-3\n{model}because = \".\"\n");
+        let case = Case::parse(&folder().join("stated.toml"), &(text.clone() + &check)).expect("read");
+        let truth = Truth::of(case).expect("solved");
+        let answer = read::parse(
+            Path::new("a.csv"),
+            format!("position [mm],pressure [MPa]\n{rows}").as_bytes(),
+            &truth.case,
+            &Asked::default(),
+        );
+        let found = verdicts(&truth, answer.expect("read"), ENGINEERING).expect("judged");
+        let declared = found.ruled[0].judged.iter().filter(|one| one.check.because == ".").collect::<Vec<_>>();
+        assert_eq!(declared.len(), 1);
+        assert_eq!(declared[0].verdict == contact_vv::case::Verdict::Pass, met, "{:?}", declared[0]);
     }
 }
 
