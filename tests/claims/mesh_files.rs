@@ -619,7 +619,8 @@ fn sides_of_decks_are_counted_once_and_are_those_that_both_codes_mean() {
             side("mesh.inp", &deck_of(kind, &more), "X").unwrap_or_else(|error| panic!("{kind}, {more}: {error}"));
         let mut found: Vec<String> = found.iter().map(|place| format!("{place:?}")).collect();
         let mut wanted: Vec<String> = wanted.iter().map(|place| format!("{place:?}")).collect();
-        (found.sort(), wanted.sort());
+        found.sort();
+        wanted.sort();
         assert_eq!(found, wanted, "{kind}: {more}");
     }
     assert_eq!(side("mesh.inp", &deck_of("CPS4", &surface("10, S3\n11, S3")), "X").expect("a side").len(), top);
