@@ -316,3 +316,31 @@ fn elements_of_the_second_body_as_wide_as_the_contact_are_in_the_bars() {
         }
     }
 }
+
+#[test]
+fn swings_that_a_coarse_soft_second_body_leaves_are_in_the_bars() {
+    let text = "plane = \"strain\"\nthickness = 1\n[[body]]\nname = \"disc\"\nyoung = 210e3\npoisson = 0.3\n\
+        shape = { disc = { centre = [0, 50], radius = 50 } }\nsupports = [{ at = \"axis\", component = \"x\" }]\n\
+        loads = [{ traction = { at = \"cut\", value = [0, -40] } }]\n\
+        [[body]]\nname = \"block\"\nyoung = 20e3\npoisson = 0.3\ndensity = 1\n\
+        shape = { rectangle = { x = [0, 40], y = [-40, 0], contact = \"top\" } }\n\
+        supports = [{ at = \"left\", component = \"x\" }, { at = \"far\", component = \"y\" }]\n\
+        [contact]\nfirst = \"disc\"\nsecond = \"block\"\ngap = { circle = 50 }\nstretch = 8\n\
+        [mesh]\nelements = 16\nper = 2\norder = 2\n";
+    let truth = barred(text, &[["elements = 16", "elements = 32"]], &[]);
+    for (elements, density, order) in [(8, "0.2", 1), (16, "0.2", 1), (24, "0.2", 1), (8, "0.1", 2)] {
+        let [elements, order] = [format!("elements = {elements}"), format!("order = {order}")];
+        let density = format!("density = {density}");
+        let found =
+            barred(text, &[["elements = 16", &elements], ["density = 1", &density], ["order = 2", &order]], &[]);
+        for quantity in [Quantity::PeakPressure, Quantity::HalfWidth] {
+            let [own, truth] =
+                [&found, &truth].map(|all| all.iter().find(|one| one.quantity == quantity).expect("told"));
+            let (error, bar) = ((own.value - truth.value).abs(), own.bar.total());
+            assert!(
+                error <= bar || bar.is_nan(),
+                "{elements}, {density}, {order}, {quantity:?}: {error:.3e} of {bar:.3e}"
+            );
+        }
+    }
+}

@@ -8,7 +8,7 @@ use contact_vv::condensation::stiffness::Stiffness;
 use contact_vv::measure::Measures;
 use contact_vv::mesh::Mesh;
 use contact_vv::solution::Work;
-use contact_vv::solve::{Change, Discretisation, Element, Formulation, Origin, Run};
+use contact_vv::solve::{Change, Discretisation, Element, Formulation, Iteration, Origin, Run};
 
 use crate::outputs::{contact_vv, scene};
 use crate::scene_file::text_of;
@@ -392,5 +392,16 @@ fn work_grows_with_the_number_of_bodies_and_each_is_what_it_would_be_alone() {
     for found in &together {
         assert_relative_eq!(found.peak.pressure, alone[0].peak.pressure, max_relative = 1e-8);
         assert_relative_eq!(found.half_width(), alone[0].half_width(), max_relative = 1e-8);
+    }
+}
+
+#[test]
+fn newtons_method_of_more_points_than_its_matrix_may_have_is_refused_with_the_bytes() {
+    let discretisation = many(100, false);
+    for algorithm in [Iteration::Varying, Iteration::Constant] {
+        let run = Run::of(&discretisation, &Formulation::accelerated(Element::Node, algorithm));
+        let refused = run.map(|_| ()).expect_err("too large");
+        assert!(refused.message.contains("8100 contact points, 5.2e8 bytes"), "{refused}");
+        assert!(refused.remedy.contains("kinematic"), "{refused}");
     }
 }

@@ -259,8 +259,8 @@ impl Family {
         factor * known.into_iter().fold(0.0, f64::max) + (hidden + ROUND_OFF) * scale.abs() + read
     }
 
-    /// Error over the elements of a much coarser second body, on the half-width: pressures swing from one of its nodes to the next (a disc on a
-    /// block of 0.1 to 0.35 of its elements).
+    /// Error over the elements of a much coarser second body, on the half-width: pressures swing from one of its nodes to the next.
+    /// That is of a disc on a block of a tenth of its modulus, of 0.1 to 0.35 of its elements; of equal moduli far less is left.
     fn swings(&self, quantity: &Quantity) -> f64 {
         match quantity {
             Quantity::PeakPressure if self.order == Order::Linear => 2.5,
