@@ -263,7 +263,7 @@ const BUDGETS: [(&str, usize); 9] = [
     ("drawing", 3_000),
     ("case", 7_650),
     ("oracle", 3_900),
-    ("study", 15_750),
+    ("study", 15_850),
     ("referee", 5_400),
     ("report", 3_450),
     ("cli", 4_300),
@@ -281,7 +281,7 @@ fn rooms_keep_to_their_budgets() {
 }
 
 /// Files and types that the studies may have together.
-const STUDIES: [usize; 2] = [60, 140];
+const STUDIES: [usize; 2] = [61, 140];
 
 #[test]
 fn studies_keep_to_their_files_and_types() {

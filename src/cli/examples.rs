@@ -49,7 +49,8 @@ Examples:
 pub const EXPORT: &str = "\
 Examples:
   contact-vv export cylinder elsewhere
-  contact-vv export mine.toml elsewhere";
+  contact-vv export mine.toml elsewhere
+  contact-vv export cylinder elsewhere --condensed";
 
 /// Of `judge`.
 pub const JUDGE: &str = "\
@@ -68,7 +69,8 @@ Examples:
 pub const LIST: &str = "\
 Examples:
   contact-vv list
-  contact-vv list --json";
+  contact-vv list --json
+  contact-vv list --references > references.json";
 
 /// Of `new`.
 pub const NEW: &str = "\
@@ -81,7 +83,8 @@ Examples:
 pub const SCHEMA: &str = "\
 Examples:
   contact-vv schema > schema.json
-  contact-vv schema answer > answer-schema.json";
+  contact-vv schema answer > answer-schema.json
+  contact-vv schema references > references-schema.json";
 
 /// Of `completions`.
 pub const COMPLETIONS: &str = "\

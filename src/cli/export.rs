@@ -13,9 +13,9 @@ use crate::cli::{choice, vtu, writable};
 use crate::error::Error;
 use crate::referee::Truth;
 use crate::referee::document::{Document, schema};
-use crate::referee::export::{deck, gmsh, own, problem};
+use crate::referee::export::{condensed, deck, gmsh, own, problem};
 use crate::solve::{Formulation, Run};
-use crate::study::references;
+use crate::study::{references, sheet};
 
 /// Arguments of `export`.
 #[derive(Debug, Args)]
@@ -28,6 +28,9 @@ pub struct Arguments {
     /// Replace files there that hold something else than what is written; files that the scene reads are never replaced.
     #[arg(long)]
     pub force: bool,
+    /// Write condensed.npz too: the condensed matrices, gaps, areas and loads with our solution, for algorithms of others.
+    #[arg(long)]
+    pub condensed: bool,
 }
 
 /// Writes the files, and names them.
@@ -35,12 +38,12 @@ pub fn run(arguments: &Arguments) -> Result<(), Error> {
     let case = choice::case(&arguments.case, None)?;
     let folder = &arguments.folder;
     writable::folder(folder, "name a folder that may be written")?;
-    let written = files(&case).map_err(|error| case.located(error))?;
+    let written = files(&case, arguments.condensed).map_err(|error| case.located(error))?;
     let paths: Vec<PathBuf> = written.iter().map(|(name, ..)| folder.join(name)).collect();
     // The folders above an export are made with it.
     let there = paths.iter().zip(&written).filter(|_| folder.exists());
     let files = there.map(|(path, (_, text, _))| {
-        let is_earlier = Box::new(move |there: &str| there == text);
+        let is_earlier = Box::new(move |there: &[u8]| there == text);
         Some(Output { option: "file", path, is_earlier })
     });
     outputs::refuse("export", files, &case.read_files(), arguments.force)?;
@@ -52,13 +55,20 @@ pub fn run(arguments: &Arguments) -> Result<(), Error> {
     Ok(())
 }
 
-/// Name, text and what it is of every file.
-pub fn files(case: &Case) -> Result<Vec<(String, String, &'static str)>, Error> {
+/// Name, content and what it is of a file.
+type Written = (String, Vec<u8>, &'static str);
+
+/// Every file.
+pub fn files(case: &Case, condensed: bool) -> Result<Vec<Written>, Error> {
     let discretisation = case.meshed()?.discretisation;
     let run = Run::of(&discretisation, &Formulation::verification())?;
     let truth = Truth::of(case.clone())?;
     let named = |ending: &str| format!("{}{ending}", plain(&case.name));
-    let sheet = references::file(&references::sheet(case, &truth.discretisation, &truth.run, &truth.bars)?).1;
+    let sheet = references::sheet(case, &truth.discretisation, &truth.run, &truth.bars)?;
+    let mut sheet = sheet::file(&sheet).1;
+    if condensed {
+        sheet = format!("{sheet}\n{}", condensed::TEXT);
+    }
     let table = profile::csv(&discretisation.scene, &run, Path::new("ours.csv"))?;
     let scripts = problem::SCRIPTS.map(|(name, text, what)| (name.to_owned(), text.to_owned(), what));
     let files = vec![
@@ -76,7 +86,15 @@ pub fn files(case: &Case) -> Result<Vec<(String, String, &'static str)>, Error> 
         ("ours.json".into(), document(&own::answer(&case.name, &discretisation, &run)), "our own answer on this mesh"),
         ("ours.csv".into(), table, "the same as a table"),
     ];
-    Ok(files.into_iter().chain(scripts).collect())
+    let bytes = |(name, text, what): (String, String, _)| -> Written { (name, text.into_bytes(), what) };
+    let matrices = condensed.then(|| {
+        (
+            condensed::FILE.into(),
+            condensed::npz(&discretisation, &run),
+            "condensed matrices and our solution, for NumPy",
+        )
+    });
+    Ok(files.into_iter().chain(scripts).map(bytes).chain(matrices).collect())
 }
 
 fn document(document: &Document) -> String {

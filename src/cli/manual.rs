@@ -32,7 +32,7 @@ pub fn man(folder: Option<&Path>, command: Command, force: bool) -> Result<(), E
     writable::folder(folder, "name a folder that may be written")?;
     let pages = if folder.is_dir() { pages(NAME, &command) } else { vec![] };
     let pages: Vec<PathBuf> = pages.iter().map(|page| folder.join(page)).collect();
-    let is_page = |text: &str| text.contains("\n.TH contact-vv");
+    let is_page = |there: &[u8]| std::str::from_utf8(there).is_ok_and(|text| text.contains("\n.TH contact-vv"));
     let pages = pages.iter().map(|path| Some(Output { option: "page", path, is_earlier: Box::new(is_page) }));
     outputs::refuse("man", pages, &[], force)?;
     let unwritable = |error: std::io::Error| Error::unwritable(folder, error);

@@ -59,7 +59,7 @@ use crate::cli::terminal::{say, show};
 use crate::error::Error;
 use crate::referee::document;
 use crate::report;
-use crate::study::references::SHEETS;
+use crate::study::sheet::{self, SHEETS};
 use crate::study::timings::growth;
 use crate::study::timings::precision::Series;
 use crate::study::{Room, promised};
@@ -142,6 +142,9 @@ enum Command {
         /// Print them as JSON.
         #[arg(long)]
         json: bool,
+        /// Print their reference values as JSON: value, bound, unit, how it was found, and by whom it is confirmed.
+        #[arg(long, conflicts_with = "json")]
+        references: bool,
     },
     /// Print a commented scene file for a shape of problem, to begin with.
     #[command(after_help = examples::NEW)]
@@ -207,7 +210,11 @@ pub fn main() -> ExitCode {
         Command::Judge(arguments) => judge::run(&arguments),
         Command::Solve(arguments) => solve::run(&arguments),
         Command::Compare(arguments) => compare::run(&arguments),
-        Command::List { json } => {
+        Command::List { references: true, .. } => {
+            say(sheet::BUILT_IN.trim_end());
+            Ok(Exit::Well)
+        }
+        Command::List { json, .. } => {
             list(json);
             Ok(Exit::Well)
         }
@@ -219,6 +226,7 @@ pub fn main() -> ExitCode {
             say(match of {
                 json::Schema::Printed => json::schema(),
                 json::Schema::Answer => document::schema(),
+                json::Schema::References => sheet::schema(),
             });
             Ok(Exit::Well)
         }

@@ -12,14 +12,17 @@ const FORCE: &str = "name another file, or add --force to replace it";
 /// What stands for standard output in place of a file.
 pub const STDOUT: &str = "-";
 
+/// Whether bytes are an earlier output.
+pub type IsEarlier<'a> = dyn Fn(&[u8]) -> bool + 'a;
+
 /// A file that a command is to write.
 pub struct Output<'a> {
     /// What asks for it.
     pub option: &'static str,
     /// Where.
     pub path: &'a Path,
-    /// Whether a text that is there is an earlier output of this kind, which may be replaced.
-    pub is_earlier: Box<dyn Fn(&str) -> bool + 'a>,
+    /// Whether what is there is an earlier output of this kind, which may be replaced.
+    pub is_earlier: Box<IsEarlier<'a>>,
 }
 
 /// Refuses a drawing whose name would not tell its format.
@@ -71,7 +74,8 @@ impl<'a> Output<'a> {
     /// The file that an option asks for; none without it, or where it goes to standard output.
     pub fn of(option: &'static str, path: &'a Option<PathBuf>, is_earlier: fn(&str) -> bool) -> Option<Self> {
         let path = path.as_deref().filter(|path| path.as_os_str() != STDOUT)?;
-        Some(Self { option, path, is_earlier: Box::new(is_earlier) })
+        let is_earlier = Box::new(move |there: &[u8]| std::str::from_utf8(there).is_ok_and(is_earlier));
+        Some(Self { option, path, is_earlier })
     }
 
     /// Whether nothing is lost: no file is there, an empty one, or an earlier output.
@@ -79,9 +83,7 @@ impl<'a> Output<'a> {
         if !self.path.exists() || !holds_text(self.path) {
             return true;
         }
-        fs::read(self.path).is_ok_and(|bytes| {
-            bytes.is_empty() || std::str::from_utf8(&bytes).is_ok_and(|text| (self.is_earlier)(text))
-        })
+        fs::read(self.path).is_ok_and(|bytes| bytes.is_empty() || (self.is_earlier)(&bytes))
     }
 }
 

@@ -7,7 +7,7 @@ use crate::error::Error;
 use crate::report::Page;
 use crate::report::diff::{Difference, tree::Tree};
 use crate::report::links::{CHARTS, PAGES};
-use crate::study::references::SHEETS;
+use crate::study::sheet::SHEETS;
 
 /// The page's file.
 pub const PAGE: &str = "VALIDATION.md";

@@ -1,11 +1,13 @@
-//! The whole report: the front page, a page a case and a study, charts and benchmark sheets.
+//! The whole report: the front page, a page a case and a study, charts, benchmark sheets and their values.
+
+use std::path::Path;
 
 use crate::drawing::schematic;
 use crate::error::Error;
 use crate::report::links::{CHARTS, PAGES};
 use crate::report::{case_page, checks_page, front, record, study_page, symbols};
-use crate::study::references::{self, Sheet};
-use crate::study::{Finding, Room, drawn};
+use crate::study::sheet::{self, SHEETS, Sheet};
+use crate::study::{Files, Finding, Room, drawn, references};
 
 /// The front page and all that is behind it.
 #[derive(Clone, Debug)]
@@ -38,8 +40,8 @@ pub fn compose(findings: &[Finding]) -> Result<Page, Error> {
         markdown: front::page(findings),
         pages: pages(findings)?,
         charts,
-        sheets: sheets(findings).map(references::file).collect(),
-        record: record::files(findings)?,
+        sheets: sheets(findings).map(sheet::file).collect(),
+        record: [record::files(findings)?, values(findings)?].concat(),
     })
 }
 
@@ -50,11 +52,23 @@ fn sheets(findings: &[Finding]) -> impl Iterator<Item = &Sheet> {
     })
 }
 
-/// The page and the charts of one study: paths and texts.
-pub fn of_study(room: &Room, findings: &[Finding]) -> Result<Vec<(String, String)>, Error> {
+/// The values of all sheets as data: paths and texts.
+fn values(findings: &[Finding]) -> Result<Files, Error> {
+    let sheets: Vec<Sheet> = sheets(findings).map(Sheet::published).collect();
+    let rows = sheets.iter().flat_map(|one| one.values.iter().map(|value| (one.name.clone(), value.clone())));
+    let cells = record::cells(&sheet::COLUMNS, &rows.collect::<Vec<_>>());
+    let table = record::text(Path::new(sheet::CSV), &cells)?;
+    Ok(vec![(sheet::JSON.into(), sheet::json(&sheets)), (sheet::CSV.into(), table)])
+}
+
+/// The page and the charts of one study, and its sheets with their values: paths and texts.
+pub fn of_study(room: &Room, findings: &[Finding]) -> Result<Files, Error> {
     let page = (format!("{}/{}", PAGES, study_page::file(room.name)), study_page::page(room, findings)?);
     let charts = (room.pictures)(findings)?.into_iter().map(|(name, svg)| (format!("{CHARTS}/{name}"), svg));
-    Ok(std::iter::once(page).chain(charts).collect())
+    let sheets = sheets(findings).map(sheet::file).map(|(name, text)| (format!("{SHEETS}/{name}"), text));
+    let sheets: Files = sheets.collect();
+    let values = if sheets.is_empty() { vec![] } else { values(findings)? };
+    Ok(std::iter::once(page).chain(charts).chain(sheets).chain(values).collect())
 }
 
 /// The pages behind the front page: a loop over the studies, of which that of the cases has a page a case.

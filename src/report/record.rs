@@ -59,7 +59,7 @@ pub fn parsed<T: DeserializeOwned>(text: &str) -> Result<Vec<T>, String> {
 }
 
 /// The names of columns, and below them a row each.
-fn cells<'a, T: 'a>(columns: &[Column<T>], rows: impl IntoIterator<Item = &'a T>) -> Vec<Vec<String>> {
+pub fn cells<'a, T: 'a>(columns: &[Column<T>], rows: impl IntoIterator<Item = &'a T>) -> Vec<Vec<String>> {
     let head = columns.iter().map(|(name, _)| (*name).to_owned()).collect();
     let rows = rows.into_iter().map(|row| columns.iter().map(|(_, cell)| cell(row)).collect());
     std::iter::once(head).chain(rows).collect()

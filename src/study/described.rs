@@ -93,7 +93,8 @@ fn shape(shape: &Shape) -> String {
     }
 }
 
-fn load(load: &Load) -> String {
+/// A load in words.
+pub fn load(load: &Load) -> String {
     match load {
         Load::Traction { boundary, traction } => format!("traction {traction:?} MPa on `{boundary}`"),
         Load::TractionField { boundary, .. } => format!("the traction of the closed form on `{boundary}`"),

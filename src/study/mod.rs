@@ -1,7 +1,8 @@
 //! What is found out over many solves: the list of studies, and what they share.
 //!
 //! * [`about`] — what a study is: its name, its trials, and what is made of what they found.
-//! * [`described`] — a scene in words and numbers.
+//! * [`described`] — a scene in words and numbers; [`elsewhere`] — in those of codes that no script of ours starts.
+//! * [`sheet`] — a benchmark sheet: its page, and its values as data.
 //! * [`drawn`] — colours and dashes of formulations, and curves.
 //! * [`method`] — what was run and how it ended, as they are recorded.
 //! * [`random`] — random scenes of closed form.
@@ -18,6 +19,7 @@ pub mod cross_code;
 pub mod described;
 pub mod differences;
 pub mod drawn;
+pub mod elsewhere;
 pub mod faults;
 pub mod fields;
 pub mod fitted;
@@ -35,6 +37,7 @@ pub mod references;
 pub mod refinement;
 pub mod scoreboard;
 pub mod seconds;
+pub mod sheet;
 pub mod stability;
 pub mod timings;
 

@@ -9,20 +9,17 @@ use crate::accuracy::{Barred, Told, bars};
 use crate::case::library::{Cylinder, NAMES, find};
 use crate::case::{self, Case, Check, Judged, Reference};
 use crate::error::Error;
-use crate::markdown::{self, Column, significant, to_bound};
+use crate::markdown::{self, significant, to_bound};
 use crate::measure::Quantity;
 use crate::measure::order::richardson;
 use crate::mesh::Resolution;
-use crate::oracle::ReferenceKind;
 use crate::oracle::cross_code::PhysicalAnswer;
-use crate::oracle::cross_code::independent::{Independent, Script};
+use crate::oracle::cross_code::independent::Independent;
 use crate::scene::ContactPair;
 use crate::solve::{Discretisation, Formulation, Run};
 use crate::study::about::{About, Found, Planned, Study};
-use crate::study::described;
-
-/// The folder of the sheets.
-pub const SHEETS: &str = "snapshots/sheets";
+use crate::study::sheet::{FoundBy, SHEETS, Sheet, Value, bounded};
+use crate::study::{described, elsewhere};
 
 /// Cases of the library with an answer, beside the cylinder with a contact twice as wide.
 const NAMED: [&str; 3] = ["cylinder", "pin-rod", "pin-plate"];
@@ -86,7 +83,7 @@ impl Study for Numbers {
         let because = "a sheet without numbers can be met by nobody";
         let known = Check::at_least("reference values with a bound", Reference::own("at least", 2.0), because)
             .judge(known as f64);
-        let met = sheet.values.iter().flat_map(|value| value.others.iter().map(|other| met(value, other)));
+        let met = sheet.values.iter().flat_map(|value| value.others.iter().map(|other| value.met(other)));
         Ok(std::iter::once(known).chain(met).collect())
     }
 
@@ -135,44 +132,6 @@ pub struct Answered {
     pub eight: Option<[f64; 2]>,
 }
 
-/// A benchmark sheet.
-#[derive(Clone, Debug)]
-pub struct Sheet {
-    /// Name on the command line.
-    pub name: String,
-    /// What it is.
-    pub title: String,
-    /// The scene in words and numbers, a paragraph or list each.
-    pub scene: Vec<String>,
-    /// Where scene and closed form come from.
-    pub sources: Vec<String>,
-    /// Degrees of freedom of the mesh of the reference values.
-    pub dofs: usize,
-    /// The values.
-    pub values: Vec<Value>,
-}
-
-/// A reference value.
-#[derive(Clone, Debug)]
-pub struct Value {
-    /// The contact, or the body.
-    pub of: String,
-    /// What it is.
-    pub quantity: String,
-    /// Unit.
-    pub unit: &'static str,
-    /// Ours; NaN for a peak without a limit.
-    pub value: f64,
-    /// How far it may be off; NaN where that is not known.
-    pub bound: f64,
-    /// Whether it is that of cells of high order fitted to the contact, and not of 8-node cells.
-    pub fitted: bool,
-    /// What the closed form says.
-    pub closed_form: Option<f64>,
-    /// What scripts of other codes found on their finest mesh, in the unit of ours, with its standard uncertainty.
-    pub others: Vec<(Script, [f64; 2])>,
-}
-
 /// A case on 8-node cells half as large as its own, with the error bars of its numbers.
 fn on_8_node_cells(case: &Case) -> Result<(Discretisation, Run, Vec<Barred>), Error> {
     let resolution = Resolution { refinement: REFINEMENT, ..case.resolution };
@@ -216,17 +175,29 @@ pub fn sheet(case: &Case, discretisation: &Discretisation, run: &Run, barred: &[
         let sound = run.solution.converged() && !run.is_unbounded(one.contact, &one.quantity);
         let value = if sound { factor * one.value } else { f64::NAN };
         let (bound, others) = (factor * one.bar.total(), others.collect());
-        Value { of, quantity, unit, value, bound, fitted: false, closed_form, others }
+        Value {
+            of,
+            quantity,
+            unit,
+            value,
+            bound,
+            found: FoundBy::EightNodeCells,
+            closed_form,
+            others,
+            confirmed_by: vec![],
+        }
     };
     let of_oracle = case.oracle().into_iter().map(|oracle| {
         let source = oracle.source();
         format!("{}: {} ({})", oracle.name(), source.citation, source.note)
     });
     let own = std::iter::once(case.source.clone()).filter(|source| !source.is_empty());
+    let mut scene = described::scene(&case.scene);
+    scene.push(elsewhere::paragraph(&case.name, &case.scene, &discretisation.mesh));
     let mut sheet = Sheet {
         name: case.name.clone(),
         title: case.title.clone(),
-        scene: described::scene(&case.scene),
+        scene,
         sources: own.chain(of_oracle).collect(),
         dofs: run.dofs,
         values: barred.iter().map(value).collect(),
@@ -261,13 +232,14 @@ impl Sheet {
         let (quantity, (unit, factor)) = (known.quantity.key(), known.quantity.unit(!pair.path.is_straight()));
         let Known { value, bound, .. } = known.times(factor);
         match self.values.iter_mut().find(|own| own.of == pair.name && own.quantity == quantity) {
-            Some(own) if bound <= own.bound => (own.value, own.bound, own.fitted) = (value, bound, true),
+            Some(own) if bound <= own.bound => (own.value, own.bound, own.found) = (value, bound, FoundBy::FittedCells),
             Some(_) => {}
             None if value.is_finite() => {
                 let place = self.values.iter().take_while(|own| own.of == pair.name).count();
                 let (of, quantity) = (pair.name.clone(), quantity.into_owned());
                 let others = Vec::new();
-                let row = Value { of, quantity, unit, value, bound, fitted: true, closed_form: None, others };
+                let (found, confirmed_by) = (FoundBy::FittedCells, Vec::new());
+                let row = Value { of, quantity, unit, value, bound, found, closed_form: None, others, confirmed_by };
                 self.values.insert(place, row);
             }
             None => {}
@@ -277,11 +249,6 @@ impl Sheet {
 
 /// Bound of a number of an answer over its scale.
 const DIGITS: f64 = 1e-5;
-/// What springs of the scripts with a penalty may leave, relative.
-const PENALTY: f64 = 2e-4;
-/// Standard uncertainties of another code that its value may be off: two hold for 95 of 100, and there are thirty
-/// comparisons.
-const SPREAD: f64 = 3.0;
 
 fn judge_answer(Answered { known, eight, .. }: &Answered) -> Vec<Judged> {
     let at = |name: &'static str| case::Quantity::at(name, known.quantity.key());
@@ -296,19 +263,6 @@ fn judge_answer(Answered { known, eight, .. }: &Answered) -> Vec<Judged> {
             .judge((value - known.value).abs() / (bar + known.bound))
     });
     [bound].into_iter().chain(eight).collect()
-}
-
-/// Another code within our bound and thrice its uncertainty, and what its springs leave.
-fn met(value: &Value, (script, [theirs, uncertainty]): &(Script, [f64; 2])) -> Judged {
-    let penalty = if script.has_penalty() { PENALTY * theirs.abs() } else { 0.0 };
-    let round_off = 1e-9 * theirs.abs();
-    let allowed = value.bound + SPREAD * uncertainty + penalty + round_off;
-    let reference =
-        Reference { name: script.name().into(), kind: ReferenceKind::CrossCode, value: 0.0, uncertainty: None };
-    let at = format!("{}, {}", value.quantity, value.of);
-    let quantity = case::Quantity::at("difference over what both may be off", at);
-    let because = "our bound, three standard uncertainties of theirs, and what their springs leave";
-    Check::error(quantity, reference, 1.0, because).judge((value.value - theirs).abs() / allowed)
 }
 
 fn table_of_answer([answer, order, layers, cells, eight]: [usize; 5], known: &[Answered]) -> String {
@@ -330,48 +284,4 @@ fn table_of_answer([answer, order, layers, cells, eight]: [usize; 5], known: &[A
         vec![name, (*unit).into(), bounded(known.value, known.bound), relative, order, layers, cells, eight]
     };
     markdown::table(&head, &known.iter().map(row).collect::<Vec<_>>())
-}
-
-fn bounded(value: f64, bound: f64) -> String {
-    format!("{} ± {}", to_bound(value, bound), significant(bound, 2))
-}
-
-/// Columns of the reference values of a sheet.
-const VALUES: [Column<Value>; 7] = [
-    ("of", |value| value.of.clone()),
-    ("quantity", |value| value.quantity.clone()),
-    ("unit", |value| value.unit.into()),
-    ("value ± bound", |value| quoted(value.value, value.bound)),
-    ("cells", |value| if value.fitted { "order 8" } else { "8-node" }.into()),
-    ("closed form", |value| value.closed_form.map_or("–".into(), |value| format!("{value:.7}"))),
-    ("other codes, ± standard uncertainty", |value| match &value.others[..] {
-        [] => "–".into(),
-        some => {
-            some.iter().map(|(script, [x, u])| format!("{script}: {}", quoted(*x, *u))).collect::<Vec<_>>().join("; ")
-        }
-    }),
-];
-
-fn quoted(value: f64, bound: f64) -> String {
-    match value.is_nan() {
-        true => "without limit".into(),
-        false if bound.is_nan() => format!("{}, bound unknown", markdown::value(value)),
-        false => bounded(value, bound),
-    }
-}
-
-/// Name of the file of a sheet, and its text.
-pub fn file(sheet: &Sheet) -> (String, String) {
-    let Sheet { name, title, scene, sources, dofs, values } = sheet;
-    let sources = if sources.is_empty() { "none but this sheet".into() } else { sources.join("\n* ") };
-    let text = format!(
-        "# {name}: {title}\n\nLengths in mm, forces in N, stresses in MPa. Generated; do not edit. `contact-vv solve {name}` solves it.\n\n\
-         {}\n\n## Reference values\n\nBy exact active sets (*node*, *kinematic load*): on {dofs} degrees of freedom of 8-node cells, with the \
-         error bar of the number as bound (mesh, iteration and penalty); or, where these tell more, on cells of order 8 fitted to the contact, with twice the \
-         largest difference to three other meshes as bound ([reference answers](../pages/references.md)). A closed form may be of an idealised scene (a half-plane, an infinite plate).\n\n{}\n\
-         ## Sources\n\n* {sources}\n",
-        scene.join("\n\n"),
-        markdown::columns(&VALUES, values),
-    );
-    (format!("{name}.md"), text)
 }

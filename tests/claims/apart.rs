@@ -26,11 +26,13 @@ fn program_without_its_checkout_lists_solves_exports_judges_and_verifies() {
     std::fs::write(folder.path().join("mine.toml"), well(&["new", "cylinder"])).expect("written");
     for arguments in [
         &["list"][..],
+        &["list", "--references"],
         &["schema"],
+        &["schema", "references"],
         &["verify", "mine.toml"],
         &["solve", "mine.toml", "--json", "mine.json", "--csv", "mine.csv", "--vtu", "mine.vtu", "--plot", "mine.svg"],
         &["compare", "cylinder"],
-        &["export", "mine.toml", "to-mine"],
+        &["export", "mine.toml", "to-mine", "--condensed"],
         &["judge", "mine.toml", "to-mine/ours.csv"],
     ] {
         well(arguments);

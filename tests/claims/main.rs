@@ -26,6 +26,7 @@ mod boundary;
 mod command_line;
 mod compare;
 mod condensation;
+mod condensed;
 mod contact;
 mod converged;
 mod corpus;

@@ -119,7 +119,7 @@ fn the_frd_beside_the_dat_of_an_exported_deck_tells_its_displacements() {
     let case = find("cylinder", None).expect("a case");
     let (meshed, run) = case.solve().expect("solved");
     let folder = tempfile::tempdir().expect("a folder");
-    for (name, text, _) in contact_vv::cli::export::files(&case).expect("exported") {
+    for (name, text, _) in contact_vv::cli::export::files(&case, false).expect("exported") {
         std::fs::write(folder.path().join(name), text).expect("written");
     }
     let deck = std::fs::read_to_string(folder.path().join("cylinder.inp")).expect("a deck");

@@ -237,7 +237,7 @@ fn exported_scripts_solve_the_case_where_their_codes_are_installed_and_meet_its_
     let case = find("truncated-hertz", None).expect("a case");
     let truth = Truth::of(case.clone()).expect("a truth");
     let folder = tempfile::tempdir().expect("a folder");
-    for (name, text, _) in contact_vv::cli::export::files(&case).expect("exported") {
+    for (name, text, _) in contact_vv::cli::export::files(&case, false).expect("exported") {
         std::fs::write(folder.path().join(name), text).expect("written");
     }
     for (script, method) in [("run_getfem.py", "basic"), ("run_dolfinx.py", "active-set"), ("run_calculix.py", "gaps")]

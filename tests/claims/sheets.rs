@@ -1,8 +1,14 @@
-//! Benchmark sheets bite: values that another code does not meet, and values without a bound, turn red.
+//! Benchmark sheets bite: values that another code does not meet, and values without a bound, turn red. Their values are data, without a checkout.
 
 use contact_vv::case::Verdict;
+use contact_vv::case::library::NAMES;
+use contact_vv::checkout::root;
 use contact_vv::study::Study;
-use contact_vv::study::references::{Numbers, Sheet, solve};
+use contact_vv::study::references::{Numbers, solve};
+use contact_vv::study::sheet::{BUILT_IN, FoundBy, Sheet, schema};
+use serde_json::Value;
+
+use crate::outputs::contact_vv;
 
 fn green(sheet: &Sheet) -> bool {
     Numbers::Sheet(sheet.clone()).judge().expect("judged").iter().all(|one| one.verdict == Verdict::Pass)
@@ -27,4 +33,46 @@ fn a_value_that_another_code_does_not_meet_turns_red() {
     let mut unknown = sound.clone();
     unknown.values.iter_mut().for_each(|value| value.bound = f64::NAN);
     assert!(!green(&unknown));
+}
+
+#[test]
+fn values_as_data_are_those_of_the_sheets_confirmed_only_by_codes_that_meet_them() {
+    let sound = solve("truncated-hertz").expect("solved");
+    let published = sound.published();
+    let peak = |sheet: &Sheet| sheet.values.iter().find(|one| one.quantity == "peak-pressure").expect("a peak").clone();
+    let (ours, one) = (peak(&sound), peak(&published));
+    // The closed form is of the very scene, and our own cells are among those that found it.
+    assert_eq!((one.found, one.bound), (FoundBy::ClosedForm, 0.0));
+    assert_eq!(one.confirmed_by.len(), 1 + ours.others.len());
+    for by in &one.confirmed_by {
+        assert!((by.value - one.value).abs() + by.bound <= 1.06 * by.to * one.value && by.to <= 2e-3, "{by:?}");
+    }
+    let mut spoiled = sound.clone();
+    let place = spoiled.values.iter().position(|one| one.quantity == "peak-pressure").expect("a peak");
+    spoiled.values[place].others[1].1[0] *= 1.01;
+    assert_eq!(peak(&spoiled.published()).confirmed_by.len(), ours.others.len());
+    // One number that leaves the closed form makes it one of an idealised scene.
+    spoiled.values[place].value *= 1.001;
+    assert!(spoiled.published().values.iter().all(|one| one.found != FoundBy::ClosedForm));
+    let committed: Vec<Value> = serde_json::from_str(BUILT_IN).expect("JSON");
+    let own = committed.iter().find(|sheet| sheet["case"] == "truncated-hertz").expect("a case");
+    assert_eq!(*own, serde_json::to_value(&published).expect("JSON"));
+}
+
+#[test]
+fn program_prints_the_reference_values_of_every_case_and_their_schema() {
+    let (sound, printed, error) = contact_vv(&["list", "--references"]);
+    assert!(sound && printed == BUILT_IN, "{error}");
+    let cases: Vec<Value> = serde_json::from_str(&printed).expect("JSON");
+    assert_eq!(cases.iter().map(|one| &one["case"]).collect::<Vec<_>>(), NAMES.map(|(name, _)| name));
+    let citation = std::fs::read_to_string(root().join("CITATION.cff")).expect("a citation");
+    assert!(citation.contains(concat!("\nversion: ", env!("CARGO_PKG_VERSION"), "\n")), "{citation}");
+    let schema: Value = serde_json::from_str(&schema()).expect("JSON");
+    assert!(schema["$id"].as_str().is_some_and(|id| id.starts_with("urn:contact-vv:references:")));
+    for value in cases.iter().flat_map(|one| one["values"].as_array().expect("values")) {
+        let names = |object: &Value| object.as_object().expect("an object").keys().cloned().collect::<Vec<_>>();
+        assert_eq!(names(value), names(&schema["definitions"]["Value"]["properties"]), "{value}");
+        let bound = value["bound"].as_f64().filter(|_| value["value"].is_number());
+        assert!(bound.is_none_or(|bound| bound >= 0.0), "{value}");
+    }
 }

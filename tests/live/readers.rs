@@ -14,6 +14,8 @@ pub fn trials() -> Vec<Trial> {
     vec![
         Trial::test("fields are read by meshio and pyvista under names that a calculator takes", fields),
         Trial::test("all that is printed as JSON is of the published schema", documents),
+        Trial::test("reference values are of their schema", references),
+        Trial::test("condensed matrices are read by numpy, with a solution of their problem", condensed),
     ]
 }
 
@@ -95,6 +97,30 @@ fn documents() -> Result<(), Failed> {
     assert!(sound && number.trim() == documents.lines().count().to_string(), "{number}{error}");
     for wrong in [r#"{"case": "cylinder"}"#, r#"{"trial": 3}"#, "[{}]", &documents.replacen("\"MPa\"", "3", 1)] {
         assert!(!asked("valid.py", &schema, wrong).0, "{}", &wrong[..20.min(wrong.len())]);
+    }
+    Ok(())
+}
+
+fn references() -> Result<(), Failed> {
+    let folder = tempfile::tempdir().expect("a folder");
+    let schema = folder.path().join("schema.json");
+    std::fs::write(&schema, contact_vv(&["schema", "references"]).1)?;
+    let values = contact_vv(&["list", "--references"]).1.lines().collect::<String>() + "\n";
+    let (sound, _, error) = asked("valid.py", &schema, &values);
+    assert!(sound, "{error}");
+    assert!(!asked("valid.py", &schema, &values.replacen("\"MPa\"", "3", 1)).0);
+    Ok(())
+}
+
+fn condensed() -> Result<(), Failed> {
+    let folder = tempfile::tempdir().expect("a folder");
+    for name in ["cylinder", "pin-rod"] {
+        let to = folder.path().join(name);
+        let (sound, _, error) = contact_vv(&["export", name, &to.display().to_string(), "--condensed"]);
+        assert!(sound, "{error}");
+        let (sound, violated, error) = asked("condensed.py", &to.join("condensed.npz"), "");
+        let violated: f64 = violated.trim().parse().map_err(|_| error)?;
+        assert!(sound && violated <= 1e-9, "{name}: {violated}");
     }
     Ok(())
 }

@@ -33,7 +33,13 @@ fn sides<'a>(scene: &Scene, mesh: &'a Mesh) -> Vec<Side<'a>> {
     mesh.bodies.iter().enumerate().flat_map(of).collect()
 }
 
-/// Curves are numbered from 1 on, surfaces behind them.
+/// Physical numbers of sides and bodies by their names: curves are numbered from 1 on, surfaces behind them.
+pub fn numbers(scene: &Scene, mesh: &Mesh) -> Vec<(String, usize)> {
+    let names = sides(scene, mesh).into_iter().map(|side| side.name);
+    names.chain(scene.bodies.iter().map(|body| body.name.clone())).zip(1..).collect()
+}
+
+/// The names, numbered as [`numbers`] tells.
 fn names(text: &mut String, scene: &Scene, sides: &[Side]) {
     let _ = writeln!(text, "$PhysicalNames\n{}", sides.len() + scene.bodies.len());
     for (k, side) in sides.iter().enumerate() {

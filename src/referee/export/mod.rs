@@ -4,8 +4,10 @@
 //! * [`deck`] — an input deck of CalculiX or Abaqus.
 //! * [`problem`] — the same as plain numbers, and scripts of other codes that solve it.
 //! * `rows` — the approach of a contact node as displacements of nodes.
+//! * [`condensed`] — the condensed matrices and our solution, for other algorithms.
 //! * [`own`] — our own answer, and an empty one.
 
+pub mod condensed;
 pub mod deck;
 pub mod gmsh;
 pub mod own;

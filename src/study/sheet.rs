@@ -1,0 +1,262 @@
+//! A benchmark sheet: what is on it, its page, and its values as data: `snapshots/references.json` and `.csv`.
+
+use schemars::JsonSchema;
+use schemars::generate::SchemaSettings;
+use serde::Serialize;
+
+use crate::case::{self, Check, Judged, Reference, Verdict};
+use crate::markdown::{self, Column, significant, to_bound};
+use crate::oracle::ReferenceKind;
+use crate::oracle::cross_code::independent::Script;
+
+/// The folder of the sheets.
+pub const SHEETS: &str = "snapshots/sheets";
+/// The values of all sheets.
+pub const JSON: &str = "snapshots/references.json";
+/// The same as a table.
+pub const CSV: &str = "snapshots/references.csv";
+/// The values of all sheets as they were when the program was built, for which no checkout is needed.
+pub const BUILT_IN: &str = include_str!("../../snapshots/references.json");
+/// Identifier of the schema of the values; another one where a reader of this would be misled.
+const ID: &str = "urn:contact-vv:references:1";
+
+/// A case of the library with its reference values.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct Sheet {
+    /// Name on the command line.
+    #[serde(rename = "case")]
+    pub name: String,
+    /// What it is.
+    pub title: String,
+    /// The scene in words and numbers, a paragraph or list each.
+    #[serde(skip)]
+    pub scene: Vec<String>,
+    /// Where scene and closed form come from.
+    pub sources: Vec<String>,
+    /// Degrees of freedom of the mesh of 8-node cells.
+    pub dofs: usize,
+    /// The values.
+    pub values: Vec<Value>,
+}
+
+/// A reference value.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct Value {
+    /// The contact, or the body.
+    pub of: String,
+    /// What it is.
+    pub quantity: String,
+    /// Unit.
+    pub unit: &'static str,
+    /// The value; null of a peak without a limit.
+    #[schemars(with = "Option<f64>")]
+    pub value: f64,
+    /// How far it may be off; 0 of a closed form of the very scene, null where it is not known.
+    #[schemars(with = "Option<f64>")]
+    pub bound: f64,
+    /// How it was found.
+    pub found: FoundBy,
+    /// What the closed form says, which may be of an idealised scene: a half-plane, an infinite plate.
+    pub closed_form: Option<f64>,
+    /// What scripts of other codes found on their finest mesh, in the unit of ours, with its standard uncertainty.
+    #[serde(skip)]
+    pub others: Vec<(Script, [f64; 2])>,
+    /// Who else found it; known where values are data.
+    pub confirmed_by: Vec<Confirmed>,
+}
+
+/// How a value was found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum FoundBy {
+    /// By a closed form that no number of the scene departs from by more than its bound.
+    ClosedForm,
+    /// By our cells of order 8 fitted to the contact.
+    FittedCells,
+    /// By our 8-node cells.
+    EightNodeCells,
+}
+
+/// A code that found a value too, with a mesh and a contact of its own; or our cells, where the value is that of a closed form.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct Confirmed {
+    /// Code and method.
+    pub by: String,
+    /// What it found.
+    pub value: f64,
+    /// How far that may be off: two standard uncertainties of a refinement series, or our bound.
+    pub bound: f64,
+    /// What the value is confirmed to: difference and that bound, relative.
+    pub to: f64,
+}
+
+impl FoundBy {
+    fn name(self) -> &'static str {
+        match self {
+            Self::ClosedForm => "closed form",
+            Self::FittedCells => "order 8",
+            Self::EightNodeCells => "8-node",
+        }
+    }
+}
+
+/// What springs of the scripts with a penalty may leave, relative.
+const PENALTY: f64 = 2e-4;
+/// Standard uncertainties of another code that its value may be off: two hold for 95 of 100, and there are thirty
+/// comparisons.
+const SPREAD: f64 = 3.0;
+
+impl Value {
+    /// Another code within our bound and thrice its uncertainty, and what its springs leave.
+    pub fn met(&self, (script, [theirs, uncertainty]): &(Script, [f64; 2])) -> Judged {
+        let penalty = if script.has_penalty() { PENALTY * theirs.abs() } else { 0.0 };
+        let round_off = 1e-9 * theirs.abs();
+        let allowed = self.bound + SPREAD * uncertainty + penalty + round_off;
+        let reference =
+            Reference { name: script.name().into(), kind: ReferenceKind::CrossCode, value: 0.0, uncertainty: None };
+        let at = format!("{}, {}", self.quantity, self.of);
+        let quantity = case::Quantity::at("difference over what both may be off", at);
+        let because = "our bound, three standard uncertainties of theirs, and what their springs leave";
+        Check::error(quantity, reference, 1.0, because).judge((self.value - theirs).abs() / allowed)
+    }
+
+    /// What another value, off by a bound at most, confirms this one to.
+    fn confirmed(&self, by: &str, value: f64, bound: f64) -> Confirmed {
+        Confirmed { by: by.into(), value, bound, to: ((value - self.value).abs() + bound) / self.value.abs() }
+    }
+
+    /// The closed form, where it is of the very scene, else our value; who found it too; no digits but those that are known.
+    fn published(&self, is_exact: bool) -> Self {
+        let mut one = self.clone();
+        if let Some(closed) = self.closed_form.filter(|_| is_exact) {
+            (one.value, one.bound, one.found) = (closed, 0.0, FoundBy::ClosedForm);
+            one.confirmed_by = vec![one.confirmed(&format!("our {} cells", self.found.name()), self.value, self.bound)];
+        }
+        let met = self.others.iter().filter(|other| self.met(other).verdict == Verdict::Pass);
+        let theirs: Vec<_> = met.map(|(script, [x, u])| one.confirmed(script.name(), *x, 2.0 * u)).collect();
+        one.confirmed_by.extend(theirs);
+        one.confirmed_by.retain(|confirmed| confirmed.to.is_finite());
+        for Confirmed { value, bound, to, .. } in &mut one.confirmed_by {
+            (*value, *bound, *to) = (rounded(*value, *bound), digits(*bound, 2), digits(*to, 2));
+        }
+        (one.value, one.bound) = (rounded(one.value, one.bound), digits(one.bound, 2));
+        one.closed_form = one.closed_form.map(|closed| rounded(closed, 0.0));
+        one
+    }
+
+    /// Whether its closed form, where there is one, is within its bound.
+    fn holds_closed_form(&self) -> bool {
+        self.closed_form.is_none_or(|closed| (closed - self.value).abs() <= self.bound)
+    }
+}
+
+/// A value to the second digit of its bound; without one to six digits, and to those that all machines agree on where it is exact.
+fn rounded(value: f64, bound: f64) -> f64 {
+    match bound {
+        bound if bound.is_nan() => digits(value, 6),
+        bound if bound > 0.0 => to_place(value, 1.0 - bound.log10().floor()),
+        _ => digits(value, 12),
+    }
+}
+
+/// A number with so many significant digits.
+fn digits(number: f64, count: i32) -> f64 {
+    to_place(number, f64::from(count - 1) - number.abs().max(1e-12).log10().floor())
+}
+
+/// A number with so many decimal places; what rounds to nothing has no sign.
+fn to_place(number: f64, places: f64) -> f64 {
+    let tens = 10_f64.powi(places.clamp(0.0, 15.0) as i32);
+    (number * tens).round() / tens + 0.0
+}
+
+impl Sheet {
+    /// Its values as data.
+    pub fn published(&self) -> Self {
+        let is_exact = self.values.iter().all(Value::holds_closed_form);
+        Self { values: self.values.iter().map(|value| value.published(is_exact)).collect(), ..self.clone() }
+    }
+}
+
+/// Sheets as JSON.
+pub fn json(sheets: &[Sheet]) -> String {
+    serde_json::to_string_pretty(sheets).expect("numbers, strings and lists can be written as JSON") + "\n"
+}
+
+/// The schema of [`JSON`] (JSON Schema, draft 7).
+pub fn schema() -> String {
+    let generator = SchemaSettings::draft07().for_serialize().into_generator();
+    let mut schema = generator.into_root_schema_for::<Vec<Sheet>>();
+    schema.insert("$id".into(), ID.into());
+    schema.insert("title".into(), "Reference values of contact-vv".into());
+    serde_json::to_string_pretty(&schema).expect("a schema can be written as JSON")
+}
+
+/// Columns of [`CSV`]: a row a value, behind the name of its case.
+pub const COLUMNS: [Column<(String, Value)>; 9] = [
+    ("case", |(case, _)| case.clone()),
+    ("of", |(_, one)| one.of.clone()),
+    ("quantity", |(_, one)| one.quantity.clone()),
+    ("unit", |(_, one)| one.unit.into()),
+    ("value", |(_, one)| number(one.value)),
+    ("bound", |(_, one)| number(one.bound)),
+    ("found by", |(_, one)| one.found.name().into()),
+    ("closed form", |(_, one)| number(one.closed_form.unwrap_or(f64::NAN))),
+    ("confirmed by", |(_, one)| {
+        let confirmed = one.confirmed_by.iter().map(|own| format!("{} to {}", own.by, significant(own.to, 2)));
+        confirmed.collect::<Vec<_>>().join("; ")
+    }),
+];
+
+fn number(number: f64) -> String {
+    if number.is_nan() { String::new() } else { number.to_string() }
+}
+
+/// Columns of the reference values of a sheet.
+const VALUES: [Column<Value>; 7] = [
+    ("of", |value| value.of.clone()),
+    ("quantity", |value| value.quantity.clone()),
+    ("unit", |value| value.unit.into()),
+    ("value ± bound", |value| quoted(value.value, value.bound)),
+    ("cells", |value| value.found.name().into()),
+    ("closed form", |value| value.closed_form.map_or("–".into(), |value| format!("{value:.7}"))),
+    ("other codes, ± standard uncertainty (confirm it to)", |value| {
+        let told = |(script, [x, u]): &(Script, [f64; 2])| {
+            let to = value.confirmed(script.name(), *x, 2.0 * u).to;
+            format!("{script}: {} ({})", quoted(*x, *u), markdown::error(to))
+        };
+        match &value.others[..] {
+            [] => "–".into(),
+            some => some.iter().map(told).collect::<Vec<_>>().join("; "),
+        }
+    }),
+];
+
+fn quoted(value: f64, bound: f64) -> String {
+    match value.is_nan() {
+        true => "without limit".into(),
+        false if bound.is_nan() => format!("{}, bound unknown", markdown::value(value)),
+        false => bounded(value, bound),
+    }
+}
+
+/// Name of the file of a sheet, and its text.
+pub fn file(sheet: &Sheet) -> (String, String) {
+    let Sheet { name, title, scene, sources, dofs, values } = sheet;
+    let sources = if sources.is_empty() { "none but this sheet".into() } else { sources.join("\n* ") };
+    let text = format!(
+        "# {name}: {title}\n\nLengths in mm, forces in N, stresses in MPa. Generated; do not edit. `contact-vv solve {name}` solves it.\n\n\
+         {}\n\n## Reference values\n\nBy exact active sets (*node*, *kinematic load*): on {dofs} degrees of freedom of 8-node cells, with the \
+         error bar of the number as bound (mesh, iteration and penalty); or, where these tell more, on cells of order 8 fitted to the contact, with twice the \
+         largest difference to three other meshes as bound ([reference answers](../pages/references.md)). A closed form may be of an idealised scene (a half-plane, an infinite plate).\n\n{}\n\
+         ## Sources\n\n* {sources}\n",
+        scene.join("\n\n"),
+        markdown::columns(&VALUES, values),
+    );
+    (format!("{name}.md"), text)
+}
+
+/// A value with its bound.
+pub fn bounded(value: f64, bound: f64) -> String {
+    format!("{} ± {}", to_bound(value, bound), significant(bound, 2))
+}
