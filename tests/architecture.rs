@@ -266,7 +266,7 @@ const BUDGETS: [(&str, usize); 9] = [
     ("study", 15_850),
     ("referee", 5_400),
     ("report", 3_450),
-    ("cli", 4_300),
+    ("cli", 4_330),
     ("live", 450),
 ];
 

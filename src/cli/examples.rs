@@ -58,7 +58,8 @@ Examples:
   contact-vv judge cylinder theirs.csv
   contact-vv judge cylinder theirs.csv --column pressure=CPRESS --unit pressure=MPa --unit position=mm
   contact-vv judge mine.toml forces.csv --order 2 --tolerance \"0.5 %\"
-  contact-vv judge cylinder theirs.json --markdown";
+  contact-vv judge cylinder theirs.json --markdown
+  contact-vv judge cylinder results/one.csv results/two.csv --junit verdicts.xml";
 
 /// Of `verdicts`.
 pub const VERDICTS: &str = "\

@@ -193,7 +193,7 @@ pub fn main() -> ExitCode {
         }
         Command::Report { study: Some(room), .. } => study_command(room).map(Exit::checked),
         Command::Report { check, .. } => report_command(check).map(Exit::checked),
-        Command::Verdicts => Ok(Exit::checked(suite::verdicts())),
+        Command::Verdicts => writable::checkout().map(|()| Exit::checked(suite::verdicts())),
         Command::Atlas => survey::atlas().map(|()| Exit::Well),
         Command::Converged => survey::run(&promised::converged::SURVEY).map(|()| Exit::Well),
         Command::Met => survey::run(&promised::met::SURVEY).map(|()| Exit::Well),
@@ -316,6 +316,7 @@ fn root() -> Result<PathBuf, Error> {
     let is_root = |folder: &&Path| folder.join("Cargo.toml").is_file() && folder.join("snapshots").is_dir();
     here.ancestors().find(is_root).map(Path::to_path_buf).ok_or_else(|| {
         let message = "neither this folder nor one above holds Cargo.toml and snapshots/";
-        Error::file(&here, message, "run inside a checkout of the project")
+        let remedy = "run inside a checkout of the project; all but the report and the surveys runs anywhere, see `contact-vv help`";
+        Error::file(&here, message, remedy)
     })
 }

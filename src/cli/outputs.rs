@@ -27,9 +27,19 @@ pub struct Output<'a> {
 
 /// Refuses a drawing whose name would not tell its format.
 pub fn refuse_plot(command: &str, plot: &Option<PathBuf>) -> Result<(), Error> {
-    match plot.as_ref().filter(|path| path.extension().is_none_or(|end| end != "svg")) {
+    refuse_ending(command, "--plot", plot, ["svg", "plots are SVG"])
+}
+
+/// Refuses a file whose name does not end as its format does, and says which that is.
+pub fn refuse_ending(
+    command: &str,
+    option: &str,
+    path: &Option<PathBuf>,
+    [ending, format]: [&str; 2],
+) -> Result<(), Error> {
+    match path.as_ref().filter(|path| path.extension().is_none_or(|end| end != ending)) {
         Some(path) => {
-            Err(Error::value(command, "--plot", path.display(), "plots are SVG", "end the file name in .svg"))
+            Err(Error::value(command, option, path.display(), format, format!("end the file name in .{ending}")))
         }
         None => Ok(()),
     }

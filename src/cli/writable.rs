@@ -12,8 +12,13 @@ pub const CHECKOUT: &str = "give the right to write to the checkout that the pro
 
 /// Refuses to begin what is written below the checkout, where that is no longer there, or its folder cannot be written.
 pub fn in_checkout(name: &str) -> Result<(), Error> {
+    checkout().and_then(|()| folder(&root().join(name), CHECKOUT))
+}
+
+/// Refuses to begin what reads the checkout, where that is no longer there.
+pub fn checkout() -> Result<(), Error> {
     if root().join("snapshots/checks.csv").is_file() {
-        return folder(&root().join(name), CHECKOUT);
+        return Ok(());
     }
     let message = "the checkout this program was built in is no longer there";
     let remedy = format!("build it again where the checkout is now, or name that by {VARIABLE} in the environment");

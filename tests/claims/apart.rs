@@ -38,7 +38,9 @@ fn program_without_its_checkout_lists_solves_exports_judges_and_verifies() {
         well(arguments);
     }
     for (name, _) in NAMES {
+        // Into a folder of its own name, which does not hide the case.
         well(&["export", name, name]);
+        well(&["judge", name, &format!("{name}/ours.csv")]);
         let committed = std::fs::read_to_string(root().join(format!("snapshots/sheets/{name}.md"))).expect("a sheet");
         assert_eq!(
             std::fs::read_to_string(folder.path().join(name).join(format!("{name}.md"))).expect("written"),
@@ -50,7 +52,7 @@ fn program_without_its_checkout_lists_solves_exports_judges_and_verifies() {
 #[test]
 fn what_needs_the_checkout_says_so() {
     let folder = tempfile::tempdir().expect("a folder");
-    for command in ["report", "atlas", "converged", "met", "coverage", "timings", "scoreboard"] {
+    for command in ["report", "verdicts", "atlas", "converged", "met", "coverage", "timings", "scoreboard"] {
         let (code, told) = apart(folder.path(), &[command]);
         assert!(code == Some(2) && told.contains("checkout"), "{command}: {code:?}, {told}");
     }

@@ -12,6 +12,8 @@ mod workbench;
 mod accelerated;
 mod accuracy;
 mod accuracy_across;
+#[cfg(unix)]
+mod action;
 mod algorithm;
 mod answers;
 mod apart;

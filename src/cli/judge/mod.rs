@@ -1,8 +1,9 @@
 //! `judge CASE ANSWER…`: answers of other codes, on their own meshes, held against the truth of a case.
 //!
 //! * `options` — what the user asks for.
-//! * `told` — the verdicts in a table.
+//! * `told` — the verdicts in a table; `junit` — as test cases.
 
+mod junit;
 mod options;
 mod told;
 
@@ -42,8 +43,11 @@ pub fn run(arguments: &Arguments) -> Result<Exit, Error> {
         fs::write(path, svg).map_err(|error| Error::unwritable(path, error))?;
     }
     let mut met = judged.iter().all(Verdicts::met);
+    let found = if arguments.series { series::all(&truth, &judged) } else { Vec::new() };
+    if let Some(path) = &arguments.junit {
+        fs::write(path, junit::report(&truth, &judged, &found)).map_err(|error| Error::unwritable(path, error))?;
+    }
     if arguments.series {
-        let found = series::all(&truth, &judged);
         // Coarse meshes of a series need not meet the tolerance: the finest and the limits do.
         let goes_there = found.iter().flat_map(|one| &one.along).all(|one| one.judged.verdict != Verdict::Fail);
         met = judged.last().is_some_and(Verdicts::met) && goes_there && !found.is_empty();

@@ -7,6 +7,7 @@ use clap::Args;
 use crate::accuracy;
 use crate::case::Case;
 use crate::cli::choice::choice;
+use crate::cli::judge::junit;
 use crate::cli::outputs::{self, Output};
 use crate::drawing;
 use crate::error::Error;
@@ -55,7 +56,10 @@ pub struct Arguments {
     /// Draw the profile on the truth, with the differences, as SVG; of one answer.
     #[arg(long, value_name = "FILE.svg")]
     pub plot: Option<PathBuf>,
-    /// Replace a file that is no earlier drawing; files that are read are never replaced.
+    /// Write every check as a test case of JUnit XML, which hosts of workflows show.
+    #[arg(long, value_name = "FILE.xml")]
+    pub junit: Option<PathBuf>,
+    /// Replace a file that is no earlier drawing or report; files that are read are never replaced.
     #[arg(long)]
     force: bool,
     /// Print the verdicts as JSON, a line an answer.
@@ -95,6 +99,7 @@ impl Arguments {
                 "name three or more, coarse to fine",
             ));
         }
+        outputs::refuse_ending("judge", "--junit", &self.junit, ["xml", "JUnit reports are XML"])?;
         let Some(path) = &self.plot else { return Ok(()) };
         if count > 1 {
             return Err(Error::value("judge", "--plot", path.display(), "one answer is drawn", "name one answer"));
@@ -102,10 +107,12 @@ impl Arguments {
         outputs::refuse_plot("judge", &self.plot)
     }
 
-    /// Refuses a drawing that cannot be written, or by which something would be lost.
+    /// Refuses a drawing or a report that cannot be written, or by which something would be lost.
     pub fn refuse_unwritable(&self, case: &Case) -> Result<(), Error> {
         let inputs = [self.answers.clone(), case.read_files()].concat();
-        outputs::refuse("judge", [Output::of("--plot", &self.plot, drawing::is_drawing)], &inputs, self.force)
+        let plot = Output::of("--plot", &self.plot, drawing::is_drawing);
+        let junit = Output::of("--junit", &self.junit, junit::is_report);
+        outputs::refuse("judge", [plot, junit], &inputs, self.force)
     }
 
     /// The tolerance asked for.

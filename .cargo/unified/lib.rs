@@ -1,0 +1,1 @@
+//! Nothing: this package asks for features of others, as its Cargo.toml says.

@@ -1,0 +1,137 @@
+//! What judges in the workflows of others: JUnit XML, the Action, the form of an issue.
+
+use std::fs;
+use std::os::unix::fs::PermissionsExt;
+use std::path::Path;
+use std::process::{Command, Output};
+
+use contact_vv::case::library::NAMES;
+use contact_vv::checkout::root;
+use quick_junit::{Report, TestCaseStatus};
+use serde_json::json;
+use tempfile::TempDir;
+
+use crate::outputs::contact_vv;
+
+/// Our own answer to a case, and the same with pressures 3 % too large, in files whose names have blanks.
+fn answers() -> TempDir {
+    let folder = tempfile::tempdir().expect("a folder");
+    let at = |name: &str| folder.path().join(name);
+    let (exported, _, error) = contact_vv(&["export", "truncated-hertz", &at("to").display().to_string()]);
+    assert!(exported, "{error}");
+    let text = fs::read_to_string(at("to/ours.csv")).expect("an answer");
+    let wrong = text.lines().enumerate().map(|(line, text)| {
+        let mut cells: Vec<String> = text.split(',').map(String::from).collect();
+        if line > 0 {
+            cells[1] = (1.03 * cells[1].parse::<f64>().expect("a pressure")).to_string();
+        }
+        cells.join(",") + "\n"
+    });
+    fs::write(at("right one.csv"), &text).expect("written");
+    fs::write(at("wrong one.csv"), wrong.collect::<String>()).expect("written");
+    folder
+}
+
+/// A script of the Action in a folder, with what it is told by the environment; standard output, then what is in a file it writes.
+fn script(name: &str, folder: &Path, told: &[(&str, String)], file: &str) -> (Option<i32>, String, String) {
+    let path = format!("{}/bin:{}", folder.display(), std::env::var("PATH").expect("a path"));
+    let mut command = Command::new("bash");
+    command.arg(root().join(".github/actions/judge").join(name)).current_dir(folder).envs(told.iter().cloned());
+    let command = command.env("PATH", path).env("GITHUB_OUTPUT", "output").env("GITHUB_STEP_SUMMARY", "summary");
+    let Output { status, stdout, stderr } = command.output().expect("started");
+    let log = String::from_utf8_lossy(&[stdout, stderr].concat()).into_owned();
+    (status.code(), log, fs::read_to_string(folder.join(file)).unwrap_or_default())
+}
+
+#[test]
+fn junit_has_a_test_case_for_every_verdict() {
+    let folder = answers();
+    let at = |name: &str| folder.path().join(name).display().to_string();
+    let (files, xml) = ([at("right one.csv"), at("wrong one.csv")], at("verdicts.xml"));
+    let judge = |option: &str| contact_vv(&["judge", "truncated-hertz", &files[0], &files[1], "--json", option, &xml]);
+    for met in [judge("--junit"), judge("--junit")].map(|(met, ..)| met) {
+        assert!(!met, "an earlier report is replaced");
+    }
+    let report = Report::deserialize_from_str(&fs::read_to_string(&xml).expect("a report")).expect("JUnit XML");
+    let (_, lines, _) = judge("--junit");
+    for (suite, line) in report.test_suites.iter().zip(lines.lines()) {
+        let line: serde_json::Value = serde_json::from_str(line).expect("JSON");
+        assert_eq!(line["answer"], suite.name.as_str());
+        let list = |key: &str| line[key].as_array().expect("a list").clone();
+        let failed = |one: &serde_json::Value| one["verdict"] == "fail";
+        assert_eq!(suite.tests, list("checks").len() + list("missing").len());
+        assert_eq!((suite.failures, suite.errors), (list("checks").iter().filter(|one| failed(one)).count(), 0));
+        for (case, check) in suite.test_cases.iter().zip(list("checks")) {
+            assert_eq!(check["quantity"], case.name.as_str());
+            if let TestCaseStatus::NonSuccess { message, .. } = &case.status {
+                let message = message.as_ref().expect("a message").as_str();
+                assert!(message.contains(check["requirement"].as_str().expect("a sentence")), "{message}");
+            }
+        }
+    }
+    assert_eq!([0, 1].map(|k| report.test_suites[k].failures > 0), [false, true]);
+    fs::write(&xml, "<testsuites name=\"another\"/>").expect("written");
+    let (_, _, error) = judge("--junit");
+    assert!(error.contains("not an earlier output"), "{error}");
+}
+
+#[test]
+fn the_action_writes_summary_and_junit_and_ends_as_the_program_does() {
+    for (files, options, code, parts) in [
+        ("r*.csv", "", 0, ["meets all", "| peak pressure [MPa] |"]),
+        ("\n right one.csv \nwrong*.csv\n", "", 1, ["does not meet", "NOT MET"]),
+        ("wrong one.csv", "--tolerance=5 %", 0, ["meets all", "✓ met"]),
+        ("*.dat", "", 2, ["No file matches `*.dat`", "`files`"]),
+        ("bare.csv", "", 2, ["bare.csv", "::set-env::"]),
+        ("right one.csv", "--unit=furlong", 2, ["furlong", "```text"]),
+    ] {
+        let folder = answers();
+        fs::write(folder.path().join("bare.csv"), "position,pressure\n::set-env::,1\n").expect("written");
+        let program = env!("CARGO_BIN_EXE_contact-vv");
+        let inputs = json!({ "case": "truncated-hertz", "files": files, "units": "position=mm\npressure=MPa", "columns": "",
+            "options": options, "junit": "a b.xml", "program": program });
+        let (ended, log, summary) = script("judge.sh", folder.path(), &[("INPUTS", inputs.to_string())], "summary");
+        assert_eq!(ended, Some(code), "{files}: {log}");
+        assert!(parts.iter().all(|part| summary.contains(part)), "{files}: {summary}");
+        assert_eq!(log.lines().filter(|line| line.starts_with("::")).count(), usize::from(code > 0), "{log}");
+        assert_eq!(folder.path().join("a b.xml").is_file(), code < 2, "{files}");
+    }
+}
+
+#[test]
+fn the_form_of_an_issue_is_read_and_nothing_else_of_it() {
+    let form = fs::read_to_string(root().join(".github/ISSUE_TEMPLATE/judge-my-answer.yml")).expect("a form");
+    assert!(form.contains(&format!("options: [{}]", NAMES.map(|(name, _)| name).join(", "))), "{form}");
+    assert!(["Case", "Units", "Answer"].iter().all(|label| form.contains(&format!("label: {label}\n"))), "{form}");
+    let link = "https://github.com/user-attachments/files/1/theirs.csv";
+    let read = |case: &str, units: &str, answer: &str| {
+        let folder = answers();
+        let curl = folder.path().join("bin/curl");
+        fs::create_dir(folder.path().join("bin")).expect("a folder");
+        let copy = "#!/bin/sh\nwhile [ \"$1\" != --output ]; do shift; done\ncp 'right one.csv' \"$2\"\n";
+        fs::write(&curl, copy).expect("written");
+        fs::set_permissions(&curl, fs::Permissions::from_mode(0o755)).expect("set");
+        let body =
+            format!("### Case\r\n\r\n{case}\r\n\r\n### Units\r\n\r\n{units}\r\n\r\n### Answer\r\n\r\n{answer}\r\n");
+        let (code, log, output) = script("issue.sh", folder.path(), &[("BODY", body)], "output");
+        let fetched = fs::read_dir(folder.path().join("answers")).map_or(0, Iterator::count);
+        assert!(!folder.path().join("run").exists() && log.is_empty(), "{log}");
+        (code, output, fetched)
+    };
+    let (code, output, fetched) =
+        read("cylinder", "position=mm\r\npressure=MPa", &format!("two: [a]({link}) [b]({link}.gz)"));
+    assert_eq!((code, fetched), (Some(0), 2));
+    assert_eq!(output, "case=cylinder\nunits<<END\nposition=mm\npressure=MPa\nEND\n");
+    let (code, output, fetched) = read("cylinder", "$(touch run)\nEND\ncase=../x y\n`touch run`", link);
+    assert_eq!((code, output.as_str(), fetched), (Some(0), "case=cylinder\nunits<<END\nEND\n", 1));
+    for (case, answer) in [
+        ("../mine.toml", link),
+        ("--help", link),
+        ("cylinder", "none"),
+        ("cylinder", "https://example.com/files/1/a.csv"),
+        ("cylinder", "https://github.com/a/b/files/1/../../c"),
+    ] {
+        let (code, output, fetched) = read(case, "", answer);
+        assert_eq!((code, output.as_str(), fetched), (Some(1), "sheet=refused.md\n", 0), "{case}: {answer}");
+    }
+}
