@@ -33,7 +33,7 @@ fn in_the_paper(charts: &[&Chart]) -> Drawing {
     const SOFTEST: f64 = 1e-3;
     let curve = |chart: &Chart, method: Method| {
         let mut curve = Curve::default();
-        let row = chart.of_method(method).flatten().zip(chart.plane.stiffnesses());
+        let row = chart.of_method(method).flatten().zip(Plane::stiffnesses());
         for (record, stiffness) in row.filter(|(record, _)| record.stiffness >= SOFTEST) {
             match record.class {
                 Ended::Converged => curve.points.push([stiffness, record.iterations as f64]),

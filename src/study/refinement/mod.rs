@@ -22,7 +22,7 @@ use crate::study::about::{About, Found, Planned, Study};
 use crate::study::drawn::picture;
 use crate::study::refinement::nested::told;
 use crate::uncertainty::standard;
-use family::{Curve, Slope};
+use family::Curve;
 use nested::Series;
 
 /// What a trial found.
@@ -55,8 +55,6 @@ pub enum Numbers {
         /// Half-angle in a wide plate at the largest clearance (Persson) \[rad\].
         wide_plate: f64,
     },
-    /// Slopes of the family at the default scene, by clearance, eye and shank.
-    Slopes([Slope; 3]),
 }
 
 impl Study for Numbers {
@@ -78,19 +76,17 @@ impl Study for Numbers {
                 nested::truncated(order).map(|(series, load)| Numbers::Orders { series, load })
             })
         });
-        let family = "dimensionless family, pin-rod";
         let others = [
             Planned::new("model error, cylinder", "node.kinematic", || model_error().map(Numbers::ModelError)),
             Planned::new("refinement, pin-rod", "4-node and 8-node", || {
                 nested::pin_rod().map(|(series, difference)| Numbers::PinRod { series, difference })
             }),
             Planned::new("half cylinder against quarter", "node.kinematic", || changes().map(Numbers::Quarter)),
-            Planned::new(family, "clearance and thickness", || {
+            Planned::new("dimensionless family, pin-rod", "clearance and thickness", || {
                 let [first, other] = family::same_place()?;
                 let (curves, wide_plate) = (family::curves()?, family::in_wide_plate());
                 Ok(Numbers::Family { curves, same_place: [first, other], wide_plate })
             }),
-            Planned::new(family, "sensitivities", || family::slopes().map(Numbers::Slopes)),
         ];
         orders.into_iter().chain(others).collect()
     }
@@ -102,7 +98,6 @@ impl Study for Numbers {
             Numbers::PinRod { series, difference } => nested::judge_pin_rod(series, *difference),
             Numbers::Quarter(changes) => changes.iter().flat_map(judge_change).collect(),
             Numbers::Family { curves, same_place, wide_plate } => family::judge(curves, same_place, *wide_plate),
-            Numbers::Slopes(slopes) => slopes.iter().flat_map(family::judge_slope).collect(),
         })
     }
 
@@ -120,7 +115,6 @@ impl Study for Numbers {
                 Numbers::PinRod { series, .. } => refinement += &nested::table_of_pin_rod(series),
                 Numbers::Quarter(changes) => quarter += &table_of_changes(changes),
                 Numbers::Family { curves, .. } => family += &family::table_of_curves(curves),
-                Numbers::Slopes(slopes) => family += &family::table_of_slopes(slopes),
             }
         }
         Ok(refinement + &quarter + &family)

@@ -2,8 +2,7 @@
 //! counts recorded beside them are still the code's own: these are computed again. A folder, since what measures seconds, what keeps
 //! them and what computes errors and counts again with every report are three things.
 //!
-//! * `precision` — on which meshes truncated Hertz is solved; error against seconds and work, ours and of codes on meshes of their own;
-//!   the cylinder by GetFEM and CalculiX on ours.
+//! * `precision` — on which meshes truncated Hertz is solved; error against seconds and work, ours and of codes on meshes of their own.
 //! * `growth` — one solve at three sizes, stage by stage, against one plain sparse Cholesky solve; all nine formulations over one.
 //! * `record` — what is kept under `snapshots/timings`, measured on demand by the command `timings`, and what of it is cheapest.
 //! * `targets` — what was asked for, and what was measured.
@@ -16,8 +15,6 @@ pub mod precision;
 pub mod record;
 pub mod targets;
 
-use std::collections::BTreeSet;
-
 use crate::case::{Check, Judged, Quantity, Reference};
 use crate::clock::Stage;
 use crate::drawing::palette::{self, Dash, Marker, Style};
@@ -29,7 +26,7 @@ use crate::solve::{Element, Formulation, Iteration};
 use crate::study::about::{About, Found, Planned, Study};
 use crate::study::drawn::picture;
 use crate::study::timings::growth::{Counts, Growth, exponent};
-use crate::study::timings::precision::{LOADS, PeerPoint, Point, Series, TOLERANCE, cells};
+use crate::study::timings::precision::{LOADS, Point, Series, TOLERANCE, cells};
 use crate::study::timings::record::{Beside, Measure, Record, cheapest, front, sound};
 use crate::study::timings::targets::{COMPARED, NOT_ASKED, Target, ours, targets};
 
@@ -158,15 +155,7 @@ const ASKED: [Column<Target>; 4] = [
 /// The page of a record.
 pub fn page(record: &Record) -> String {
     let asked = markdown::columns(&ASKED, &targets(record));
-    [machine(record), asked, counted(record), precision(), growth(record)].concat()
-}
-
-/// What the seconds of each code on our meshes count, by its own account.
-fn counted(record: &Record) -> String {
-    let told = |peer: &PeerPoint| format!("{} {}: {}.", peer.code.name(), peer.version, peer.counted);
-    let each: BTreeSet<String> = record.measured.peers.iter().map(told).collect();
-    let lead = "The same mesh is handed to codes that one would pick instead; ours is the contact solve from the assembled matrix on, theirs";
-    format!("\n{lead} count:\n\n{}", each.into_iter().map(|line| format!("* {line}\n")).collect::<String>())
+    [machine(record), asked, precision(), growth(record)].concat()
 }
 
 fn machine(record: &Record) -> String {

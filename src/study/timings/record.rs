@@ -11,7 +11,7 @@ use crate::error::Error;
 use crate::study::records;
 use crate::study::seconds::{Machine, Spread};
 use crate::study::timings::growth::{Growth, Nine};
-use crate::study::timings::precision::{PeerPoint, Point, Series};
+use crate::study::timings::precision::{Point, Series};
 
 /// What renews the records.
 pub const RENEW: &str = "run `cargo run --release -- timings` and review the diff of snapshots/timings";
@@ -31,8 +31,6 @@ pub struct Measured {
     pub report: f64,
     /// Our cheapest solve of truncated Hertz within 0.1 %, measured before and after each of the other codes.
     pub beside: Vec<Beside>,
-    /// Other codes on the cylinder.
-    pub peers: Vec<PeerPoint>,
     /// Codes that were not installed: what was missing.
     pub absent: BTreeMap<String, String>,
 }
