@@ -8,7 +8,7 @@ use crate::case::library::{PinPlate, TruncatedHertz};
 use crate::case::{self, Case, Check, Judged, Reference};
 use crate::checkout::root;
 use crate::drawing::palette::{self, Dash, Marker, Style};
-use crate::drawing::{Axis, Chart, Drawing};
+use crate::drawing::{Axis, Chart, Drawing, Series};
 use crate::error::Error;
 use crate::markdown::{self, Column};
 use crate::measure::{larger, relative_error};
@@ -16,7 +16,7 @@ use crate::mesh::{Order, Resolution};
 use crate::scene::Scene;
 use crate::solve::{Discretisation, Fitted, Formulation, Run};
 use crate::study::about::{About, Found, Planned, Study};
-use crate::study::drawn::{Curve, picture};
+use crate::study::drawn::picture;
 use crate::study::random::{Family, Site};
 
 /// What is asked: digits that order and layers are chosen for, relative error of peak and second-moment width, degrees
@@ -138,8 +138,8 @@ impl Study for Numbers {
         for Found { numbers, .. } in findings {
             for (label, style, is_one) in kinds {
                 let own = numbers.meshes.iter().filter(|mesh| is_one(mesh));
-                let points = own.map(|mesh| [mesh.dofs as f64, larger(mesh.errors[0], mesh.errors[1])]).collect();
-                chart.series.push(Curve { points, failed: Vec::new() }.drawn(label, style));
+                let points = own.map(|mesh| [mesh.dofs as f64, larger(mesh.errors[0], mesh.errors[1])]);
+                chart.series.push(Series::new(label, points, style));
             }
         }
         Ok(vec![(FILE.into(), chart.drawing())])

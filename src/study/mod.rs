@@ -2,7 +2,7 @@
 //!
 //! * [`about`] — what a study is: its name, its trials, and what is made of what they found.
 //! * [`described`] — a scene in words and numbers.
-//! * [`drawn`] — colours and dashes of formulations, and curves.
+//! * [`drawn`] — colours and dashes of formulations.
 //! * [`method`] — what was run and how it ended, as they are recorded.
 //! * [`random`] — random scenes of closed form.
 //! * [`records`] — recorded surveys; [`present`] — whether what scripts record is of the present sources.

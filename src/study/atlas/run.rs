@@ -248,7 +248,7 @@ pub fn judge(numbers: &Numbers) -> Vec<Judged> {
             let mut judged = vec![as_recorded(*recomputed, *moved)];
             judged.extend(predicted(chart));
             judged.push(halved(chart));
-            judged.extend(averaged(chart));
+            judged.push(averaged(chart));
             judged.push(honest(chart));
             judged
         }
@@ -383,14 +383,14 @@ fn halved(chart: &Chart) -> Judged {
 }
 
 /// Constant stiffness with correction, by itself: whatever the scene and the start, it neither diverges nor cycles.
-fn averaged(chart: &Chart) -> Option<Judged> {
+fn averaged(chart: &Chart) -> Judged {
     let plain = Element::ALL.map(|element| Method::usual(element, Iteration::Constant));
     let own: Vec<&Record> = chart.rows.iter().flatten().filter(|r| plain.contains(&r.method)).collect();
     let wrong = own.iter().filter(|r| [Ended::Diverged, Ended::Cycling].contains(&r.class)).count();
     let what = "run of constant stiffness with correction that diverges or cycles";
     let because =
         "predicted before any contact is solved: an averaged map comes no farther from its limit at any iteration";
-    (!own.is_empty()).then(|| none(what, format!("of {}", own.len()), because, wrong, own.len()))
+    none(what, format!("of {}", own.len()), because, wrong, own.len())
 }
 
 /// No run shall be called converged with a peak or a width that is not that of its discrete problem.

@@ -15,14 +15,14 @@ use std::fmt::Write;
 
 use crate::case::{Check, Judged, Quantity, Reference, covered};
 use crate::drawing::palette::{self, Dash, Marker, Style};
-use crate::drawing::{Axis, Chart, Drawing, panels};
+use crate::drawing::{Axis, Chart, Drawing, Series, panels};
 use crate::error::Error;
 use crate::markdown::{self, Column};
 use crate::oracle::ReferenceKind;
 use crate::oracle::cross_code::independent::{Folder, Independent, Script};
 use crate::study::about::{About, Found, Planned, Study};
 use crate::study::answers::reproduced;
-use crate::study::drawn::{Curve, picture};
+use crate::study::drawn::picture;
 use crate::study::independent::benchmark::{STATIONS, Scene};
 use crate::study::independent::found::{Measured, Number};
 use crate::study::independent::run::{Compared, Other};
@@ -233,7 +233,7 @@ fn profiles(compared: &Compared) -> Chart {
         let differences: Vec<f64> =
             other.found.profile.iter().zip(&compared.ours.profile).map(|(p, q)| p - q).collect();
         let points = points(compared, &differences);
-        Curve { points, failed: Vec::new() }.drawn(other.script.name(), style(other.script))
+        Series::new(other.script.name(), points, style(other.script))
     }));
     chart
 }

@@ -455,11 +455,9 @@ fn panel(name: &str, numbers: &[[f64; 2]]) -> Chart {
         ("median", 0.5, palette::LAYER, Dash::Dashed, Marker::Square),
     ];
     for (label, share, colour, dash, marker) in quantiles {
-        let (points, style) = (curve(numbers, share), Style::run(colour, dash, marker));
-        chart.series.push(Series { label: label.into(), points, style, hollow: Vec::new() });
+        chart.series.push(Series::new(label, curve(numbers, share), Style::run(colour, dash, marker)));
     }
-    let points = RANGE.map(|end| (end, end)).into();
-    chart.series.push(Series { label: "error = bar".into(), points, style: Style::reference(), hollow: Vec::new() });
+    chart.series.push(Series::new("error = bar", RANGE.map(|end| (end, end)), Style::reference()));
     chart
 }
 

@@ -9,13 +9,13 @@ use crate::case::file::files_in;
 use crate::case::library::{self, NAMES, TruncatedHertz};
 use crate::case::{Case, Check, Judged, Quantity, Reference};
 use crate::checkout::root;
-use crate::drawing::{Axis, Chart, Drawing, panels};
+use crate::drawing::{Axis, Chart, Drawing, Series, panels};
 use crate::error::{Error, Kind};
 use crate::markdown;
 use crate::solution::EnergyError;
 use crate::solve::Ended;
 use crate::solve::{Change, Discretisation, Formulation, Iteration, Origin, Run, Settings};
-use crate::study::drawn::{self, Curve};
+use crate::study::drawn;
 use crate::study::records::{Millionths, Survey, Surveyed, are_like};
 
 /// The survey.
@@ -343,9 +343,8 @@ pub(super) fn picture(recorded: &[Record]) -> (String, Drawing) {
                 let is_at = |record: &Record| same(record.tolerance, TOLERANCES[0]) && same(record.stretch, stretch);
                 share(recorded, k, is_at).map(|share| [stretch, 100.0 * share])
             };
-            let points = STRETCHES.into_iter().filter(|stretch| *stretch > 0.0).filter_map(at).collect();
-            let curve = Curve { points, failed: Vec::new() };
-            chart.series.push(curve.drawn(drawn::label(formulation), drawn::style(formulation)));
+            let points = STRETCHES.into_iter().filter(|stretch| *stretch > 0.0).filter_map(at);
+            chart.series.push(Series::new(drawn::label(formulation), points, drawn::style(formulation)));
         }
         chart
     };

@@ -3,7 +3,7 @@
 use crate::case::library::PinRod;
 use crate::case::{Check, Judged, Quantity, Reference};
 use crate::drawing::palette::{self, Dash, Marker, Style};
-use crate::drawing::{Axis, Chart, Drawing, panels};
+use crate::drawing::{Axis, Chart, Drawing, Series, panels};
 use crate::error::Error;
 use crate::markdown;
 use crate::mesh::{Order, Resolution};
@@ -12,7 +12,7 @@ use crate::oracle::analytic::persson::PinInHole;
 use crate::scene::Material;
 use crate::solve::Ended;
 use crate::solve::{Discretisation, Formulation, Run};
-use crate::study::drawn::{self, picture};
+use crate::study::drawn::picture;
 
 /// Values of `E t c / F`.
 pub const CLEARANCES: [f64; 8] = [0.0, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0];
@@ -177,11 +177,9 @@ pub fn chart(all: &[&[Curve]]) -> Drawing {
             let points = || CLEARANCES.into_iter().zip(&curve.placed);
             // A contact beyond the quarter is refused, and no point of the family.
             let is_lost = |placed: &Placed| placed.is_err_and(|class| class != Ended::Beyond);
-            let drawn = drawn::Curve {
-                points: points().map(|(clearance, placed)| [clearance, of(numbers(*placed))]).collect(),
-                failed: points().filter(|(_, placed)| is_lost(placed)).map(|(clearance, _)| clearance).collect(),
-            };
-            chart.series.push(drawn.drawn(&*curve.name, style));
+            let found = points().map(|(clearance, placed)| [clearance, of(numbers(*placed))]);
+            let hollow = points().filter(|(_, placed)| is_lost(placed)).map(|(clearance, _)| clearance).collect();
+            chart.series.push(Series { hollow, ..Series::new(&*curve.name, found, style) });
         }
         let mut points = chart.series.iter().flat_map(|series| &series.points);
         if points.any(|(clearance, value)| *clearance <= 0.0 && value.is_finite()) {

@@ -14,7 +14,7 @@ use std::fs;
 use crate::case::{Case, Check, Judged, Quantity, library};
 use crate::checkout::root;
 use crate::drawing::palette::{self, Dash, Marker, Style};
-use crate::drawing::{Axis, Chart, Drawing};
+use crate::drawing::{Axis, Chart, Drawing, Series};
 use crate::error::Error;
 use crate::markdown::{self, Column};
 use crate::measure::{Quantity as Number, larger};
@@ -22,7 +22,7 @@ use crate::oracle::ReferenceKind;
 use crate::referee::Truth;
 use crate::solve::Discretisation;
 use crate::study::about::{About, Found, Planned, Study};
-use crate::study::drawn::{Curve, picture};
+use crate::study::drawn::picture;
 use crate::study::scoreboard::board::{Board, Code, Ended, RENEW, Scored, Setting, Told, hashes, scored};
 
 /// One body on a rigid one, flat and curved; two bodies, straight, curved, and conforming.
@@ -130,19 +130,19 @@ impl Study for Numbers {
             Axis::log("larger relative error of p₀ and a [–]"),
         );
         for (code, first) in Code::ALL.into_iter().flat_map(|code| [(code, true), (code, false)]) {
-            let mut curve = Curve::default();
+            let (mut points, mut hollow) = (Vec::new(), Vec::new());
             for found in findings {
                 let best = found.numbers.best(|setting| setting.code == code).map(|row| row.setting);
                 let rows = found.numbers.rows.iter().filter(|row| row.setting.code == code);
                 for row in rows.filter(|row| if first { row.setting.first } else { Some(row.setting) == best }) {
                     match row.scored {
-                        Ok(_) => curve.points.push([row.seconds(), row.error().max(FLOOR)]),
-                        Err(_) => curve.failed.push(row.seconds()),
+                        Ok(_) => points.push([row.seconds(), row.error().max(FLOOR)]),
+                        Err(_) => hollow.push(row.seconds()),
                     }
                 }
             }
-            let name = if first { "first choice" } else { "best setting" };
-            chart.series.push(curve.drawn(format!("{}, {name}", code.name()), style(code, first)));
+            let label = format!("{}, {}", code.name(), if first { "first choice" } else { "best setting" });
+            chart.series.push(Series { hollow, ..Series::new(label, points, style(code, first)) });
         }
         Ok(vec![(FILE.into(), chart.drawing())])
     }

@@ -27,7 +27,7 @@ use crate::study::about::{About, Found, Planned, Study};
 use crate::study::drawn::picture;
 use crate::study::timings::growth::{Counts, Growth, exponent};
 use crate::study::timings::precision::{LOADS, Point, Series, TOLERANCE, cells};
-use crate::study::timings::record::{Beside, Measure, Record, cheapest, front, sound};
+use crate::study::timings::record::{Beside, MEASURES, Measure, Record, cheapest, front, sound};
 use crate::study::timings::targets::{COMPARED, NOT_ASKED, Target, ours, targets};
 
 /// Name of the trials.
@@ -286,7 +286,7 @@ const OPERATIONS: Cost = (
 /// Truncated Hertz, whose answer is known, beside meshes fitted to the contact and codes on meshes of their own.
 pub fn chart(record: &Record) -> Drawing {
     let mut charts = charts(record);
-    for (chart, measure) in charts.iter_mut().step_by(2).zip(Measure::ALL) {
+    for (chart, measure) in charts.iter_mut().step_by(2).zip(MEASURES) {
         let style = Style::run(palette::INK, Dash::Dashed, Marker::Square);
         let label = "node element, high order, fitted to the contact it finds".into();
         curve(chart, label, style, record.of(Series::Fitted).collect(), SECONDS, measure);
@@ -300,22 +300,19 @@ pub fn chart(record: &Record) -> Drawing {
 fn charts(record: &Record) -> Vec<Chart> {
     let points = sound(&record.points);
     let both = |measure: Measure| [SECONDS, OPERATIONS].map(|cost| own(&points, measure, cost));
-    Measure::ALL.into_iter().flat_map(both).collect()
+    MEASURES.into_iter().flat_map(both).collect()
 }
 
-fn own(points: &[&Point], measure: Measure, cost: Cost) -> Chart {
+fn own(points: &[&Point], measure @ (name, errors): Measure, cost: Cost) -> Chart {
     let (axis, value, _) = cost;
-    let worst = |point: &Point| measure.errors(point)[1];
-    let mut chart = Chart::new(measure.name(), Axis::log(axis), Axis::log("worst relative error [%]"));
+    let worst = |point: &Point| errors(point)[1];
+    let mut chart = Chart::new(name, Axis::log(axis), Axis::log("worst relative error [%]"));
     for (element, colour) in Element::ALL.into_iter().zip(palette::CURVES) {
         let names = Iteration::ALL.map(|algorithm| Some(Formulation::new(element, algorithm).name()));
         let own = points.iter().filter(|point| names.contains(&point.formulation));
-        chart.series.push(drawing::Series {
-            label: format!("{} element, any algorithm and mesh", element.name()),
-            points: own.map(|point| (value(point), 100.0 * worst(point))).collect(),
-            style: Style::run(colour, Dash::Absent, Marker::Dot),
-            hollow: vec![],
-        });
+        let label = format!("{} element, any algorithm and mesh", element.name());
+        let points = own.map(|point| (value(point), 100.0 * worst(point)));
+        chart.series.push(drawing::Series::new(label, points, Style::run(colour, Dash::Absent, Marker::Dot)));
     }
     let label = "Pareto front: none is cheaper and as exact".into();
     let style = Style::run(palette::INK, Dash::Solid, Marker::Absent);
@@ -332,16 +329,14 @@ fn curve(
     style: Style,
     mut points: Vec<&Point>,
     (_, cost, _): Cost,
-    measure: Measure,
+    (_, errors): Measure,
 ) {
     if points.is_empty() {
         return;
     }
     points.sort_by(|a, b| cost(a).total_cmp(&cost(b)));
-    let ends: Vec<_> =
-        points.iter().map(|point| measure.errors(point).map(|error| (cost(point), 100.0 * error))).collect();
-    let worst = ends.iter().map(|[_, worst]| *worst).collect();
-    chart.series.push(drawing::Series { label, points: worst, style, hollow: vec![] });
+    let ends: Vec<_> = points.iter().map(|point| errors(point).map(|error| (cost(point), 100.0 * error))).collect();
+    chart.series.push(drawing::Series::new(label, ends.iter().map(|[_, worst]| *worst), style));
     let label = format!("upright bar: median to worst of {LOADS} loads");
     chart.bars.push(Bars { label, ends, colour: style.colour });
 }
@@ -351,11 +346,11 @@ fn remark<'a>(
     chart: &mut Chart,
     points: impl IntoIterator<Item = &'a Point>,
     (_, cost, told): Cost,
-    measure: Measure,
+    (_, errors): Measure,
     right: bool,
     colour: Colour,
 ) {
-    let worst = |point: &Point| measure.errors(point)[1];
+    let worst = |point: &Point| errors(point)[1];
     if let Some(point) = cheapest(points, cost, worst, COMPARED) {
         let label = format!("cheapest within {}", percent());
         let (at, text) = ((cost(point), 100.0 * worst(point)), told(cost(point)));

@@ -109,35 +109,14 @@ fn files() -> [PathBuf; 2] {
     ["measured.json", "precision.csv"].map(|name| root().join(FOLDER).join(name))
 }
 
-/// Quantities whose error is drawn.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Measure {
-    /// Peak pressure.
-    Peak,
-    /// Half-width.
-    HalfWidth,
-}
+/// What is drawn: its name, and its median and its worst error over the loads.
+pub type Measure = (&'static str, fn(&Point) -> [f64; 2]);
 
-impl Measure {
-    /// Both.
-    pub const ALL: [Self; 2] = [Self::Peak, Self::HalfWidth];
-
-    /// Symbol and name.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Peak => "peak pressure p₀",
-            Self::HalfWidth => "half-width a",
-        }
-    }
-
-    /// Its median and its worst error over the loads.
-    pub fn errors(self, point: &Point) -> [f64; 2] {
-        match self {
-            Self::Peak => [point.peak, point.peak_worst],
-            Self::HalfWidth => [point.half_width, point.half_width_worst],
-        }
-    }
-}
+/// Peak pressure and half-width.
+pub const MEASURES: [Measure; 2] = [
+    ("peak pressure p₀", |point| [point.peak, point.peak_worst]),
+    ("half-width a", |point| [point.half_width, point.half_width_worst]),
+];
 
 /// Our points on meshes that do not know where the contact ends, under all of whose loads the runs converge.
 pub fn sound(points: &[Point]) -> Vec<&Point> {
