@@ -217,22 +217,6 @@ impl Chart {
         let mut neighbours = places.filter_map(|(row, column)| self.rows.get(row)?.get(column));
         neighbours.any(|other| other.class != self.rows[row][column].class)
     }
-
-    /// What is frozen: the iterations where all neighbours ended alike, the class alone near a boundary.
-    pub fn frozen(&self) -> String {
-        let mut text = format!("{}; κ₀ from 1e-6 to 1e6\n", self.plane.label());
-        for (r, row) in self.rows.iter().enumerate() {
-            let _ = write!(text, "{} {}:", row[0].method, row[0].ordinate);
-            for (c, record) in row.iter().enumerate() {
-                let _ = match record.class {
-                    Ended::Converged if !self.is_near_a_boundary(r, c) => write!(text, " {}", record.iterations),
-                    class => write!(text, " {}", class.name()),
-                };
-            }
-            text.push('\n');
-        }
-        text
-    }
 }
 
 /// The record of a plane.

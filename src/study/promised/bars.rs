@@ -291,7 +291,7 @@ pub(super) fn judge(surveyed: &Surveyed<Record>) -> Vec<Judged> {
 /// The share of errors within their bars, an unknown one being outside, of each number of each family on each kind of cells, where it is
 /// smallest.
 pub fn within(recorded: &[Record]) -> Judged {
-    let groups = JUDGED.into_iter().flat_map(|family| Kind::ALL.map(|(kind, name, _)| (family, kind, name)));
+    let groups = JUDGED.iter().flat_map(|&family| Kind::ALL.map(|(kind, name, _)| (family, kind, name)));
     let groups = groups.flat_map(|(family, kind, name)| ORDERS.map(|cells| (family, kind, name, cells)));
     let shares = groups.filter_map(|(family, kind, name, cells)| {
         let is_own = |one: &Record, own| one.family == family && own == kind && order(one.number) == cells;

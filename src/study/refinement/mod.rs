@@ -19,6 +19,7 @@ use crate::measure::{larger, relative_error};
 use crate::mesh::{Order, Resolution};
 use crate::solve::{Discretisation, Formulation, Run};
 use crate::study::about::{About, Found, Planned, Study};
+use crate::study::differences::peak_and_width;
 use crate::study::drawn::picture;
 use crate::study::refinement::nested::told;
 use crate::uncertainty::standard;
@@ -185,12 +186,6 @@ fn powers(ratios: &[Ratio; 4], number: usize) -> Vec<Observed> {
     pairs(&sizes, &falling().map(|ratio| ratio.departures[number][0]).collect::<Vec<_>>(), floor)
 }
 
-/// Peak pressure and half-width; NaN, which no check passes, where the run did not converge.
-fn found(run: &Run) -> [f64; 2] {
-    let measures = run.measures();
-    if run.solution.converged() { [measures.peak.pressure, measures.second_moment_width] } else { [f64::NAN; 2] }
-}
-
 /// What the quarter cylinder differs from Hertz by, on meshes fine enough to show it.
 pub fn model_error() -> Result<[Ratio; 4], Error> {
     let ratio = |a_over_r| {
@@ -203,7 +198,7 @@ pub fn model_error() -> Result<[Ratio; 4], Error> {
         let runs = [coarse?, medium?, fine?];
         let hertz = [numbers.scene().reference.pressure, numbers.half_width()];
         let departures = [0, 1].map(|number| {
-            let series = runs.each_ref().map(|run| found(run)[number] / hertz[number] - 1.0);
+            let series = runs.each_ref().map(|run| peak_and_width(run)[number] / hertz[number] - 1.0);
             [series[2], richardson(series).bound]
         });
         Ok(Ratio { a_over_r, departures, dofs: runs[2].dofs })
@@ -218,7 +213,7 @@ pub fn changes() -> Result<Vec<Change>, Error> {
         let contact = |model| {
             let case = Cylinder { a_over_r, model, ..Default::default() }.case();
             let made = Discretisation::of(case.scene, case.resolution)?;
-            Ok::<_, Error>(found(&Run::of(&made, &Formulation::verification())?))
+            Ok::<_, Error>(peak_and_width(&Run::of(&made, &Formulation::verification())?))
         };
         let quarter = contact(CylinderModel::Quarter)?;
         let half = contact(CylinderModel::Half)?;

@@ -19,6 +19,7 @@ use crate::oracle::cross_code::process::{Told, run};
 use crate::scene::{Grading, Scene};
 use crate::solve::run::Run;
 use crate::solve::{Discretisation, Fitted, Formulation, Iteration};
+use crate::study::differences::errors;
 use crate::study::seconds::Spread;
 
 /// Tolerance of every run: a thirtieth of the smallest error that is asked for.
@@ -177,7 +178,8 @@ pub fn measure(series: Series, mesh: usize) -> Result<Vec<Point>, Error> {
         let runs = solved(series, mesh, half_width, &formulations)?;
         let (_, exact) = series.loaded(half_width);
         for ((run, seconds), loaded) in runs.into_iter().zip(&mut loaded) {
-            loaded.push(Loaded { errors: errors(&run, &exact), run, seconds });
+            let errors = errors(&run, [exact.peak_pressure(), exact.half_width()]);
+            loaded.push(Loaded { errors, run, seconds });
         }
     }
     let point = |(formulation, loaded): (&Formulation, Vec<Loaded>)| {
@@ -199,16 +201,6 @@ pub fn measure(series: Series, mesh: usize) -> Result<Vec<Point>, Error> {
         }
     };
     Ok(formulations.iter().zip(loaded).map(point).collect())
-}
-
-/// Relative errors of p₀ and a; NaN where the run did not converge.
-fn errors(run: &Run, exact: &Hertz) -> [f64; 2] {
-    if !run.solution.converged() {
-        return [f64::NAN; 2];
-    }
-    let measures = run.measures();
-    let pairs = [(measures.peak.pressure, exact.peak_pressure()), (measures.second_moment_width, exact.half_width())];
-    pairs.map(|(found, exact)| (found / exact - 1.0).abs())
 }
 
 /// One mesh under one load by some formulations, each with its seconds.

@@ -8,6 +8,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::checkout::root;
 use crate::error::Error;
+use crate::oracle::cross_code::frozen::{read_json, write_json};
 use crate::study::records;
 use crate::study::seconds::{Machine, Spread};
 use crate::study::timings::growth::{Growth, Nine};
@@ -75,17 +76,15 @@ impl Record {
     /// Reads what is committed.
     pub fn read() -> Result<Self, Error> {
         let [one, two] = files();
-        let text = std::fs::read_to_string(&one).map_err(|_| Error::missing_file(&one, RENEW))?;
-        let measured = serde_json::from_str(&text).map_err(|error| Error::unreadable(&one, error, RENEW))?;
+        let measured = read_json(&one, RENEW)?;
         Ok(Self { measured, points: records::read(&two, &records::named(POINTS), RENEW)? })
     }
 
     /// Writes both files.
     pub fn write(&self) -> Result<(), Error> {
         let [one, two] = files();
-        let text = serde_json::to_string_pretty(&self.measured).map_err(|error| Error::unwritable(&one, error))?;
         records::write(&two, &records::named(POINTS), &self.points)?;
-        std::fs::write(&one, text + "\n").map_err(|error| Error::unwritable(&one, error))
+        write_json(&one, &self.measured)
     }
 }
 
