@@ -260,13 +260,13 @@ fn matrix_types_of_libraries_stay_inside_the_numerics() {
 /// Lines that a room may have; raised only by a commit that says what for.
 const BUDGETS: [(&str, usize); 9] = [
     ("solver", 18_700),
-    ("drawing", 3_000),
+    ("drawing", 2_970),
     ("case", 7_650),
-    ("oracle", 3_900),
-    ("study", 15_850),
+    ("oracle", 3_740),
+    ("study", 14_330),
     ("referee", 5_400),
-    ("report", 3_450),
-    ("cli", 4_330),
+    ("report", 3_430),
+    ("cli", 4_220),
     ("live", 450),
 ];
 
@@ -281,7 +281,7 @@ fn rooms_keep_to_their_budgets() {
 }
 
 /// Files and types that the studies may have together.
-const STUDIES: [usize; 2] = [61, 140];
+const STUDIES: [usize; 2] = [58, 130];
 
 #[test]
 fn studies_keep_to_their_files_and_types() {

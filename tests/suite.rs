@@ -10,7 +10,6 @@ use contact_vv::case::library::{NAMES, find};
 use contact_vv::markdown::significant;
 use contact_vv::solve::Run;
 use contact_vv::solve::{Discretisation, Formulation};
-use contact_vv::study::atlas::{Chart, Plane};
 use contact_vv::study::{self, promised};
 use libtest_mimic::{Arguments, Failed, Trial};
 use truth::{Findings, counted, truth};
@@ -28,9 +27,6 @@ fn main() {
     // Truth lock: all checks of a trial hold.
     let mut tests: Vec<Trial> = study::trials().into_iter().map(|trial| truth(trial, findings.clone())).collect();
     tests.extend(FROZEN.into_iter().flat_map(runs));
-    tests.extend(
-        Plane::ALL.map(|plane| Trial::test(format!("snapshot, atlas × {}", plane.name()), move || charted(plane))),
-    );
     tests.extend(frozen::trials());
     tests.push(Trial::test("every snapshot belongs to a run of the suite", no_stray_snapshot));
     let conclusion = libtest_mimic::run(&arguments, tests);
@@ -63,12 +59,6 @@ fn runs(scene: &'static str) -> Vec<Trial> {
         })
     };
     Formulation::compared().into_iter().map(test).collect()
-}
-
-/// Drift lock: classes near a boundary of the recorded atlas, and iterations elsewhere, are what they were.
-fn charted(plane: Plane) -> Result<(), Failed> {
-    let chart = Chart::read(plane).map_err(|error| error.to_string())?;
-    frozen::freeze("atlas", Some(plane.name()), chart.frozen())
 }
 
 /// What is frozen of a run; of one that did not converge, the outcome only.
@@ -118,7 +108,6 @@ fn no_stray_snapshot() -> Result<(), Failed> {
     let expected: Vec<String> = FROZEN
         .iter()
         .flat_map(|scene| Formulation::compared().into_iter().map(move |f| format!("{scene}@{}.snap", f.name())))
-        .chain(Plane::ALL.map(|plane| format!("atlas@{}.snap", plane.name())))
         .chain(frozen::names())
         .collect();
     let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("snapshots");

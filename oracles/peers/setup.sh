@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs the finite element codes this project is timed against and that the scoreboard asks, once: GetFEM, SfePy and CalculiX from
-# Debian, NGSolve, Kratos, Akantu and FElupe from PyPI, and by oracles/setup.sh scikit-fem and dolfinx. Timed are CalculiX, GetFEM,
-# NGSolve, scikit-fem and dolfinx. No test needs the first seven.
+# Debian, NGSolve, Kratos, Akantu and FElupe from PyPI, and by oracles/setup.sh scikit-fem and dolfinx. Timed are NGSolve, scikit-fem
+# and dolfinx. No test needs the first seven.
 # Serves Debian 12 (bookworm). What is not a Debian package goes to oracles/.python, which git ignores.
 set -euo pipefail
 

@@ -10,7 +10,7 @@ use crate::cli::terminal::{progress, say};
 use crate::cli::writable;
 use crate::error::Error;
 use crate::study::seconds::{Machine, Spread};
-use crate::study::timings::precision::{self, Peer, Point, Series};
+use crate::study::timings::precision::{self, Point, Series};
 use crate::study::timings::record::{Beside, FOLDER, Measured, Record};
 use crate::study::timings::{beside, growth, targets};
 
@@ -30,21 +30,13 @@ pub fn run() -> Result<(), Error> {
 }
 
 fn measure() -> Result<Record, Error> {
-    let bar = progress(
-        growth::MESHES.len()
-            + precision::meshes().len()
-            + Series::CODES.len()
-            + Peer::ALL.len()
-            + growth::NINE.len()
-            + 1,
-    );
+    let bar = progress(growth::MESHES.len() + precision::meshes().len() + Series::CODES.len() + growth::NINE.len() + 1);
     let mut measured = Measured {
         machine: Machine::here(),
         growth: vec![],
         nine: vec![],
         report: f64::NAN,
         beside: vec![],
-        peers: vec![],
         absent: BTreeMap::new(),
     };
     for mesh in growth::NINE {
@@ -60,13 +52,6 @@ fn measure() -> Result<Record, Error> {
         step(&bar, code.name());
         if let Err(why) = asked(&mut record, code)? {
             record.measured.absent.insert(code.name().into(), why);
-        }
-    }
-    for peer in Peer::ALL {
-        step(&bar, peer.name());
-        match precision::cylinder(peer)? {
-            Ok(found) => record.measured.peers.extend(found),
-            Err(why) => drop(record.measured.absent.insert(peer.name().into(), why)),
         }
     }
     step(&bar, "the report");

@@ -36,6 +36,17 @@ pub struct Series {
     pub hollow: Vec<f64>,
 }
 
+impl Series {
+    /// A curve of runs that all converged.
+    pub fn new(
+        label: impl Into<String>,
+        points: impl IntoIterator<Item = impl Into<(f64, f64)>>,
+        style: Style,
+    ) -> Self {
+        Self { label: label.into(), points: points.into_iter().map(Into::into).collect(), style, hollow: Vec::new() }
+    }
+}
+
 /// Which axis a guide or a band belongs to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Direction {

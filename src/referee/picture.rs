@@ -36,12 +36,7 @@ fn row(truth: &Truth, profile: &Profile) -> Vec<Chart> {
     let curve = (0..=INTERVALS).map(|k| from + (to - from) * k as f64 / INTERVALS as f64);
     let curve: Vec<(f64, f64)> = curve.map(|s| (factor * s, finite(truth.pressure(contact, s)))).collect();
     let named = truth.of_profile(contact).reference.name;
-    let series = |label: &str, points: Vec<(f64, f64)>, style: Style| Series {
-        label: label.into(),
-        points,
-        style,
-        hollow: vec![],
-    };
+    let series = |label: &str, points: Vec<(f64, f64)>, style: Style| Series::new(label, points, style);
     let mut pressures = Chart::new("Contact pressure", axis(), Axis::linear("contact pressure [MPa]"));
     pressures.series = vec![
         series("handed in", points(&|_, p| p), theirs),

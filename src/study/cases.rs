@@ -296,9 +296,8 @@ fn pin_rod_scheme() -> Drawing {
 fn curves(runs: &[&Run], place: f64, scale: f64) -> Vec<Series> {
     let curve = |run: &&&Run| {
         let points = run.solution.edges.iter().map(|edge| (edge.position() * place, edge.pressure / scale));
-        let points = if run.solution.converged() { points.collect() } else { Vec::new() };
-        let (label, style) = (label(&run.formulation), style(&run.formulation));
-        Series { label, points, style, hollow: failed(&[run]) }
+        let points = points.filter(|_| run.solution.converged());
+        Series { hollow: failed(&[run]), ..Series::new(label(&run.formulation), points, style(&run.formulation)) }
     };
     runs.iter().filter(|run| run.formulation.is_in_the_paper()).map(|run| curve(&run)).collect()
 }
@@ -308,8 +307,8 @@ fn hertz(hollow: Vec<f64>) -> Series {
     let problem = Cylinder::default().case();
     let ReferenceValues { length: a, pressure: p0, .. } = problem.scene.reference;
     let places = (0..=INTERVALS).map(|k| END * k as f64 / INTERVALS as f64);
-    let points = places.map(|x| (x, problem.reference_pressure(0, x * a) / p0)).collect();
-    Series { label: "Hertz".into(), points, style: Style::reference(), hollow }
+    let points = places.map(|x| (x, problem.reference_pressure(0, x * a) / p0));
+    Series { hollow, ..Series::new("Hertz", points, Style::reference()) }
 }
 
 /// Pressure on the cylinder, its axes.
@@ -372,8 +371,9 @@ fn all_on_pin(runs: &[&Run]) -> Drawing {
     let edges = runs.iter().find(is_own).map(|run| run.solution.edges.as_slice()).unwrap_or_default();
     let mut pressure = on_pin("Pressure");
     pressure.ribbons.push(band(runs, degrees, scale));
-    let points = edges.iter().map(|edge| (degrees * edge.position(), edge.pressure / scale)).collect();
-    pressure.series.push(Series { label: label(&own), points, style: Style::reference(), hollow: failed(runs) });
+    let points = edges.iter().map(|edge| (degrees * edge.position(), edge.pressure / scale));
+    let verification = Series::new(label(&own), points, Style::reference());
+    pressure.series.push(Series { hollow: failed(runs), ..verification });
     let angle = Axis::linear("θ from the load line [°]").over(0.0, 90.0);
     let axis = Axis::linear("difference of R t p / F [% of its largest]");
     let mut difference = Chart::new(&format!("Difference to {}", label(&own)), angle, axis);
@@ -402,12 +402,7 @@ fn band(runs: &[&Run], place: f64, scale: f64) -> Ribbon {
 fn differences(runs: &[&Run], place: f64, of: &dyn Fn(usize, &EdgeState) -> f64) -> Vec<Series> {
     let curve = |run: &&&Run| {
         let points = run.solution.edges.iter().enumerate().map(|(k, edge)| (edge.position() * place, of(k, edge)));
-        Series {
-            label: label(&run.formulation),
-            points: points.collect(),
-            style: style(&run.formulation),
-            hollow: vec![],
-        }
+        Series::new(label(&run.formulation), points, style(&run.formulation))
     };
     runs.iter().filter(|run| run.solution.converged()).map(|run| curve(&run)).collect()
 }

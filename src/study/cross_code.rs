@@ -12,23 +12,10 @@ use crate::oracle::ReferenceKind;
 use crate::oracle::cross_code::frozen::{Digest, Frozen, REFREEZE, file};
 use crate::oracle::cross_code::{Code, DiscreteAnswer, DiscreteProblem, SET_UP};
 use crate::solve::{Discretisation, Element, Formulation, Iteration};
-use crate::study::about::About;
+use crate::study::about::{About, Found, Planned, Study};
 use crate::study::answers::{Answers, Reproduced, reproduced};
 use crate::study::differences::{relative_difference, worst_difference};
 use crate::study::handed_over::{self, KAPPA, not_handed_over};
-use crate::study::{Found, Planned};
-
-/// What its page is called, what it asks, and what it cannot tell.
-pub const ABOUT: About = About {
-    title: "Against other codes: the same problem assembled twice",
-    asked: "Whether other codes, given the same mesh, find the same numbers.",
-    limits: "Errors of the mesh, of the supports and of the contact rows are common to all; independent codes share none of them.",
-};
-
-/// All trials, against frozen answers.
-pub fn plan() -> Vec<Planned<Numbers>> {
-    against(Answers::Frozen)
-}
 
 /// All trials, against answers that are frozen, or of the codes themselves.
 pub fn against(answers: Answers) -> Vec<Planned<Numbers>> {
@@ -50,6 +37,39 @@ pub struct Numbers {
     pub reproduced: Option<Reproduced>,
     /// Ours against its answer.
     pub differences: Vec<Difference>,
+}
+
+impl Study for Numbers {
+    const NAME: &'static str = "cross_code";
+    const ABOUT: About = About {
+        title: "Against other codes: the same problem assembled twice",
+        asked: "Whether other codes, given the same mesh, find the same numbers.",
+        limits: "Errors of the mesh, of the supports and of the contact rows are common to all; independent codes share none of them.",
+    };
+
+    /// All trials, against frozen answers.
+    fn plan() -> Vec<Planned<Self>> {
+        against(Answers::Frozen)
+    }
+
+    fn judge(&self) -> Result<Vec<Judged>, Error> {
+        let live = self.reproduced.iter().map(|live| reproduced(self.code.name(), live));
+        Ok(live.chain(self.differences.iter().map(|one| assembled_alike(self.code, one))).collect())
+    }
+
+    /// The verdicts, with the versions the frozen answers came from.
+    fn section(findings: &[Found<Self>]) -> Result<String, Error> {
+        let mut text = String::new();
+        for code in Code::ALL {
+            text += &frozen(code, &Frozen::read(code)?);
+        }
+        Ok(format!(
+            "{text}\nTo ask the codes themselves, {SET_UP} and `cargo test --release --workspace`.\n\n\
+             Each code takes our mesh and assembles stiffness, loads and edge functions for itself; supports and penalty line elements \
+             (two Gauss points an edge) are put together from these in Python, condensed nowhere.\n\n{}\n",
+            code_check(findings)
+        ))
+    }
 }
 
 /// A relative difference from another code.
@@ -258,12 +278,6 @@ const ASSEMBLED: f64 = 1e-11;
 /// Two direct solvers on a system of condition 1e6 and more.
 const SOLVED: f64 = 1e-8;
 
-/// The checks.
-pub fn judge(compared: &Numbers) -> Result<Vec<Judged>, Error> {
-    let live = compared.reproduced.iter().map(|live| reproduced(compared.code.name(), live));
-    Ok(live.chain(compared.differences.iter().map(|one| assembled_alike(compared.code, one))).collect())
-}
-
 /// Another code assembles, and finds, the same on our mesh.
 pub fn assembled_alike(code: Code, difference: &Difference) -> Judged {
     let (name, tolerance, because) = match difference.part {
@@ -278,37 +292,6 @@ pub fn assembled_alike(code: Code, difference: &Difference) -> Judged {
     let quantity = Quantity::at(name, difference.by.clone());
     let theirs = Reference { name: code.name().into(), kind: ReferenceKind::CrossCode, value: 0.0, uncertainty: None };
     Check::error(quantity, theirs, tolerance, because).judge(difference.error)
-}
-
-/// The verdicts, with the versions the frozen answers came from.
-pub fn section(findings: &[Found<Numbers>]) -> Result<String, Error> {
-    let mut text = String::new();
-    for code in Code::ALL {
-        text += &frozen(code, &Frozen::read(code)?);
-    }
-    Ok(format!(
-        "{text}\nTo ask the codes themselves, {SET_UP} and `cargo test --release --workspace`.\n\n\
-         Each code takes our mesh and assembles stiffness, loads and edge functions for itself; supports and penalty line elements \
-         (two Gauss points an edge) are put together from these in Python, condensed nowhere.\n\n{}\n",
-        code_check(findings)
-    ))
-}
-
-impl crate::study::Study for Numbers {
-    const NAME: &'static str = "cross_code";
-    const ABOUT: About = ABOUT;
-
-    fn plan() -> Vec<Planned<Self>> {
-        plan()
-    }
-
-    fn judge(&self) -> Result<Vec<Judged>, Error> {
-        judge(self)
-    }
-
-    fn section(findings: &[Found<Self>]) -> Result<String, Error> {
-        section(findings)
-    }
 }
 
 fn frozen(code: Code, frozen: &Frozen) -> String {

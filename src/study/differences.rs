@@ -1,8 +1,21 @@
-//! How far two answers are apart; NaN, which no check passes, where they cannot be compared.
+//! What is compared of runs, and how far two answers are apart; NaN, which no check passes, where they cannot be compared.
 
-use crate::measure::larger;
+use crate::measure::{larger, relative_error};
 use crate::oracle::cross_code::Code;
 use crate::oracle::cross_code::frozen::Frozen;
+use crate::solve::Run;
+
+/// Peak pressure and second-moment width of a run; NaN, which no check passes, where it did not converge.
+pub fn peak_and_width(run: &Run) -> [f64; 2] {
+    let measures = run.measures();
+    if run.solution.converged() { [measures.peak.pressure, measures.second_moment_width] } else { [f64::NAN; 2] }
+}
+
+/// Relative errors of both against the truth, without their signs.
+pub fn errors(run: &Run, truth: [f64; 2]) -> [f64; 2] {
+    let found = peak_and_width(run);
+    [0, 1].map(|k| relative_error(found[k], truth[k]))
+}
 
 /// Numbers in groups of one unit and scale.
 pub type Groups = [(String, Vec<f64>)];

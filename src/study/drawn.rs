@@ -2,7 +2,7 @@
 
 use crate::algorithm::Acceleration;
 use crate::drawing::palette::{self, Dash, Marker, Style};
-use crate::drawing::{self, Drawing, Series};
+use crate::drawing::{self, Drawing};
 use crate::error::Error;
 use crate::solve::{Formulation, Iteration};
 
@@ -16,23 +16,6 @@ pub fn svg(figure: &Drawing) -> Result<String, Error> {
 /// Files of figures by their names.
 pub fn written(figures: &[(String, Drawing)]) -> Result<Vec<(String, String)>, Error> {
     figures.iter().map(|(name, figure)| Ok((name.clone(), svg(figure)?))).collect()
-}
-
-/// Points of a curve, and the abscissae of runs that did not converge.
-#[derive(Clone, Debug, Default)]
-pub struct Curve {
-    /// Points.
-    pub points: Vec<[f64; 2]>,
-    /// Abscissae without a converged run.
-    pub failed: Vec<f64>,
-}
-
-impl Curve {
-    /// The curve in a chart.
-    pub fn drawn(&self, label: impl Into<String>, style: Style) -> Series {
-        let points = self.points.iter().map(|&[x, y]| (x, y)).collect();
-        Series { label: label.into(), points, style, hollow: self.failed.clone() }
-    }
 }
 
 /// Colour = element, dash = algorithm.

@@ -4,14 +4,14 @@ use crate::case::library::{Bars, Cylinder, PinRod};
 use crate::case::{Case, Check, Judged, Quantity, Reference, universal};
 use crate::drawing::palette::{self, Marker, Style};
 use crate::drawing::{
-    self, Axis, Band, Chart, ColourMap, Detail, Direction, Drawing, IterationPaths, Path, State, Window, panels,
+    self, Axis, Band, Chart, ColourMap, Detail, Direction, Drawing, IterationPaths, Path, Series, State, Window, panels,
 };
 use crate::error::Error;
 use crate::measure;
 use crate::mesh::BodyMesh;
 use crate::solve::{Discretisation, Element, Fields, Formulation, Iteration, Run, shapes};
 use crate::study::about::{About, Found, Planned, Study};
-use crate::study::drawn::{Curve, label, picture, style};
+use crate::study::drawn::{label, picture, style};
 
 /// Start stiffness of the bars, so soft that every iteration has a way to go.
 const SOFT: f64 = 0.4;
@@ -348,7 +348,7 @@ fn along_chart(alongs: &[&Along]) -> Drawing {
         let mut chart = Chart::new(&format!("{name}: {quantity}"), angle, Axis::linear(axis));
         chart.series.extend(alongs.iter().filter(|along| along.converged).map(|along| {
             let style = Style { marker: Marker::Absent, ..style(&along.formulation) };
-            Curve { points: of(&along.arcs[body]).clone(), failed: Vec::new() }.drawn(label(&along.formulation), style)
+            Series::new(label(&along.formulation), of(&along.arcs[body]).iter().copied(), style)
         }));
         let label = "Gaertner 1977: not at hand".into();
         chart.bands.push(Band { direction: Direction::Vertical, from: 76.0, to: 89.0, label });

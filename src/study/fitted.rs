@@ -8,15 +8,16 @@ use crate::case::library::{PinPlate, TruncatedHertz};
 use crate::case::{self, Case, Check, Judged, Reference};
 use crate::checkout::root;
 use crate::drawing::palette::{self, Dash, Marker, Style};
-use crate::drawing::{Axis, Chart, Drawing};
+use crate::drawing::{Axis, Chart, Drawing, Series};
 use crate::error::Error;
 use crate::markdown::{self, Column};
-use crate::measure::{larger, relative_error};
+use crate::measure::larger;
 use crate::mesh::{Order, Resolution};
 use crate::scene::Scene;
 use crate::solve::{Discretisation, Fitted, Formulation, Run};
 use crate::study::about::{About, Found, Planned, Study};
-use crate::study::drawn::{Curve, picture};
+use crate::study::differences::{errors, peak_and_width};
+use crate::study::drawn::picture;
 use crate::study::random::{Family, Site};
 
 /// What is asked: digits that order and layers are chosen for, relative error of peak and second-moment width, degrees
@@ -138,8 +139,8 @@ impl Study for Numbers {
         for Found { numbers, .. } in findings {
             for (label, style, is_one) in kinds {
                 let own = numbers.meshes.iter().filter(|mesh| is_one(mesh));
-                let points = own.map(|mesh| [mesh.dofs as f64, larger(mesh.errors[0], mesh.errors[1])]).collect();
-                chart.series.push(Curve { points, failed: Vec::new() }.drawn(label, style));
+                let points = own.map(|mesh| [mesh.dofs as f64, larger(mesh.errors[0], mesh.errors[1])]);
+                chart.series.push(Series::new(label, points, style));
             }
         }
         Ok(vec![(FILE.into(), chart.drawing())])
@@ -238,18 +239,6 @@ fn solved(cells: Cells, factor: f64) -> Result<Mesh, Error> {
     })
 }
 
-/// Relative errors of peak pressure and second-moment width; NaN where the run did not converge.
-fn errors(run: &Run, truth: [f64; 2]) -> [f64; 2] {
-    let found = measured(run);
-    [0, 1].map(|k| relative_error(found[k], truth[k]))
-}
-
-/// Peak pressure and second-moment width; NaN where the run did not converge.
-fn measured(run: &Run) -> [f64; 2] {
-    let measures = run.measures();
-    if run.solution.converged() { [measures.peak.pressure, measures.second_moment_width] } else { [f64::NAN; 2] }
-}
-
 /// Other scenes, each on a mesh of which five digits are asked.
 fn elsewhere() -> Result<Vec<(String, Mesh)>, Error> {
     let pin = |degrees: f64| {
@@ -273,7 +262,7 @@ fn elsewhere() -> Result<Vec<(String, Mesh)>, Error> {
     let solved = all.into_par_iter().map(|(name, scene, fitted, truth)| {
         let on = |fitted: Fitted| fitted.solve_with_ends(&scene, &Formulation::verification(), AT_REST);
         let run = on(fitted)?.run;
-        let right = truth.map_or_else(|| on(BEST).map(|best| measured(&best.run)), Ok)?;
+        let right = truth.map_or_else(|| on(BEST).map(|best| peak_and_width(&best.run)), Ok)?;
         let errors = errors(&run, right);
         let cells = Cells::Fitted(fitted);
         Ok((name, Mesh { cells, dofs: run.dofs, in_all: run.dofs, errors, exact: truth.is_some() }))

@@ -9,16 +9,6 @@ use crate::solve::Discretisation;
 /// Stiffness of the springs.
 pub const KAPPA: [f64; 2] = [1e2, 1e4];
 
-/// Writes our discretisation to a file, for codes in processes of their own.
-pub fn export(discretisation: &Discretisation, file: &std::path::Path) -> Result<(), Error> {
-    let handed = problem(discretisation, Vec::new())?;
-    let text = serde_json::to_string(&handed).map_err(|error| Error::unwritable(file, error))?;
-    if let Some(folder) = file.parent() {
-        std::fs::create_dir_all(folder).map_err(|error| Error::unwritable(file, error))?;
-    }
-    std::fs::write(file, text).map_err(|error| Error::unwritable(file, error))
-}
-
 /// Our discretisation as plain numbers, and displacements, node by node, to multiply the stiffness with.
 pub fn problem(discretisation: &Discretisation, vectors: Vec<Vec<f64>>) -> Result<DiscreteProblem, Error> {
     let (scene, mesh) = (&discretisation.scene, &discretisation.mesh);

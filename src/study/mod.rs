@@ -3,7 +3,7 @@
 //! * [`about`] — what a study is: its name, its trials, and what is made of what they found.
 //! * [`described`] — a scene in words and numbers; [`elsewhere`] — in those of codes that no script of ours starts.
 //! * [`sheet`] — a benchmark sheet: its page, and its values as data.
-//! * [`drawn`] — colours and dashes of formulations, and curves.
+//! * [`drawn`] — colours and dashes of formulations.
 //! * [`method`] — what was run and how it ended, as they are recorded.
 //! * [`random`] — random scenes of closed form.
 //! * [`records`] — recorded surveys; [`present`] — whether what scripts record is of the present sources.

@@ -2,13 +2,12 @@
 //!
 //! A terminal is told, not the page: that shall be the same before and after an edit that changes no number.
 
-use std::fs;
-
 use serde::Deserialize;
 
 use crate::case::{Check, Judged, Quantity, Verdict};
 use crate::checkout::{digest, root};
 use crate::error::Error;
+use crate::oracle::cross_code::frozen::read_json;
 
 /// A record that a script makes and that carries digests of its sources.
 #[derive(Clone, Copy, Debug)]
@@ -51,9 +50,7 @@ pub struct Entry {
 impl Made {
     /// Reads it.
     pub fn read(&self) -> Result<Record<Entry>, Error> {
-        let file = root().join(self.file);
-        let text = fs::read_to_string(&file).map_err(|_| Error::missing_file(&file, self.renew))?;
-        serde_json::from_str(&text).map_err(|error| Error::unreadable(&file, error, self.renew))
+        read_json(&root().join(self.file), self.renew)
     }
 
     /// The check of what is committed against the checkout.

@@ -9,8 +9,8 @@ use contact_vv::accuracy::{self, Answer, Asked, Quantity, ends, fitted};
 use contact_vv::mesh::{Mesh, Order};
 use contact_vv::scene::Scene;
 use contact_vv::solve::{Discretisation, Fitted, Formulation, Run};
-use contact_vv::study::promised::asked::{self as study, ASKED};
 
+use crate::accuracy::{ASKED, error};
 use crate::scene_file::text_of;
 use crate::workbench::{block_text, parsed};
 
@@ -59,7 +59,7 @@ fn both(run: &Run) -> [f64; 2] {
 /// That an answer is met, within what is asked and what is estimated, but for what the truth itself leaves.
 fn met(answer: &Answer, asked: f64, truth: [f64; 2], place: &str) {
     assert!(answer.unmet.is_none(), "{place}: {:?}", answer.unmet);
-    let error = study::error(&answer.run, truth);
+    let error = error(&answer.run, truth);
     assert!(error <= asked, "{place}: {error:e}");
     assert!(error <= answer.estimate() + 1e-4, "{place}: {error:e} beyond {:e}", answer.estimate());
 }
@@ -108,7 +108,7 @@ fn symmetric_contact_takes_twice_the_freedoms_of_its_half_and_the_same_meshes() 
             // Where the ends are sought, they rest where they are good enough for the order.
             let order = whole.resolution.order;
             let (apart, spread) = if order > Order::Quadratic { (Fitted::misfit(order), 0.2) } else { (1e-6, 1e-3) };
-            assert!(study::error(&whole.run, both(&half.run)) <= apart, "{place}");
+            assert!(error(&whole.run, both(&half.run)) <= apart, "{place}");
             assert_relative_eq!(whole.estimate(), half.estimate(), max_relative = spread);
         }
     }
@@ -125,7 +125,7 @@ fn mirror_image_is_answered_with_the_mirrored_mesh() {
         assert_eq!(right.run.dofs, left.run.dofs);
         assert_relative_eq!(right.scene.contact().stretch, left.scene.contact().stretch, max_relative = 1e-6);
         assert_relative_eq!(right.run.measures().centre, -left.run.measures().centre, max_relative = 1e-6);
-        assert!(study::error(&right.run, both(&left.run)) <= 1e-6);
+        assert!(error(&right.run, both(&left.run)) <= 1e-6);
     }
 }
 

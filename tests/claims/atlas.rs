@@ -25,7 +25,7 @@ fn point(method: Method, ordinate: f64, stiffness: f64, class: Ended, iterations
 
 /// A plane of converged points.
 fn flat(plane: Plane) -> Vec<Record> {
-    let points = plane.rows().into_iter().flat_map(|row| plane.stiffnesses().into_iter().map(move |k| (row, k)));
+    let points = plane.rows().into_iter().flat_map(|row| Plane::stiffnesses().into_iter().map(move |k| (row, k)));
     points.map(|((site, method), k)| point(method, site.ordinate, k, Ended::Converged, 17)).collect()
 }
 
@@ -34,7 +34,7 @@ fn every_element_algorithm_and_rule_is_on_both_full_planes() {
     for plane in [Plane::Stretch, Plane::Mesh] {
         let rows = plane.rows();
         assert_eq!(rows.len(), 3 * 9 * plane.ordinates().len(), "{}", plane.name());
-        let stiffnesses = plane.stiffnesses();
+        let stiffnesses = Plane::stiffnesses();
         let decades = (stiffnesses[stiffnesses.len() - 1] / stiffnesses[0]).log10();
         assert!((decades - 12.0).abs() < 1e-9, "{decades}");
     }
@@ -45,7 +45,7 @@ fn every_element_algorithm_and_rule_is_on_both_full_planes() {
 #[test]
 fn an_incomplete_or_foreign_record_is_refused_with_the_command_that_renews_it() {
     let folder = tempfile::tempdir().expect("a folder");
-    let (plane, file) = (Plane::Thickness, folder.path().join("thickness.csv"));
+    let (plane, file) = (Plane::Mesh, folder.path().join("mesh.csv"));
     let refused = || Chart::read_from(&file, plane).expect_err("refused").to_string();
     let write = |records: &[Record]| {
         records::write(&file, &records::named(plane::HEAD), records).expect("written");
@@ -56,16 +56,16 @@ fn an_incomplete_or_foreign_record_is_refused_with_the_command_that_renews_it() 
     moved[3].stiffness *= 2.0;
     for records in [&whole[1..], &moved] {
         write(records);
-        assert!(refused().contains("thickness.csv") && refused().contains("-- atlas"), "{}", refused());
+        assert!(refused().contains("mesh.csv") && refused().contains("-- atlas"), "{}", refused());
     }
     let text = write(&whole);
     assert_eq!(Chart::read_from(&file, plane).expect("complete").rows.concat().len(), whole.len());
     for foreign in ["layer.varying.penalty", "layer.varying", "line"] {
         std::fs::write(&file, text.replacen("layer.varying.secant", foreign, 1)).expect("written");
-        let parts = ["thickness.csv", "-- atlas", &format!("`{foreign}`")];
+        let parts = ["mesh.csv", "-- atlas", &format!("`{foreign}`")];
         assert!(parts.iter().all(|part| refused().contains(part)), "{foreign}: {}", refused());
     }
-    let missing = Chart::read_from(&folder.path().join("mesh.csv"), Plane::Mesh).expect_err("missing");
+    let missing = Chart::read_from(&folder.path().join("stretch.csv"), Plane::Stretch).expect_err("missing");
     assert!(missing.kind == Kind::MissingFile, "{missing}");
 }
 
@@ -112,18 +112,14 @@ fn atlas_turns_red_where_a_point_moved_a_prediction_failed_or_an_answer_is_wrong
 }
 
 #[test]
-fn counts_are_frozen_away_from_boundaries_and_classes_beside_them() {
-    let plane = Plane::Thickness;
+fn what_ends_otherwise_than_its_neighbours_is_near_a_boundary() {
+    let plane = Plane::Mesh;
     let mut records = flat(plane);
-    let columns = plane.stiffnesses().len();
     records[5].class = Ended::Diverged;
     let chart = Chart::of(plane, &records);
-    let line = chart.frozen().lines().nth(1).expect("the first row").to_string();
-    let cells: Vec<&str> = line.split(": ").nth(1).expect("cells").split(' ').collect();
-    assert_eq!(cells.len(), columns);
-    assert_eq!(cells[3..8], ["17", "converged", "diverged", "converged", "17"]);
+    assert_eq!([3, 4, 5, 6, 7].map(|column| chart.is_near_a_boundary(0, column)), [false, true, true, true, false]);
     // The same formulation at the next ordinate feels the boundary, at the one after it no more.
-    let rows_an_ordinate = plane.rows().len() / plane.ordinates().len();
+    let rows_an_ordinate = Method::all().len();
     assert!(chart.is_near_a_boundary(rows_an_ordinate, 5) && !chart.is_near_a_boundary(2 * rows_an_ordinate, 5));
     assert!(!chart.is_near_a_boundary(1, 5));
 }
@@ -131,24 +127,24 @@ fn counts_are_frozen_away_from_boundaries_and_classes_beside_them() {
 #[test]
 fn records_of_a_plane_are_those_of_its_sites_in_their_order() {
     let folder = tempfile::tempdir().expect("a folder");
-    let (plane, file) = (Plane::Thickness, folder.path().join("thickness.csv"));
-    // A site that was finished before, with a mark that no run could leave, is not surveyed again.
-    let sites = plane.sites();
-    let marked = |record: Record| Record { class: Ended::Cycling, iterations: 123_456, ..record };
-    let kept: Vec<Record> =
-        flat(plane).into_iter().filter(|one| one.ordinate == sites[0].ordinate).map(marked).collect();
-    records::write(&folder.path().join(sites[0].key() + ".csv"), &records::named(plane::HEAD), &kept).expect("written");
-    let surveyed = run::renew(plane, folder.path(), &file, || ());
+    let (plane, file) = (Plane::Mesh, folder.path().join("mesh.csv"));
+    // Sites that were finished before, with a mark that no run could leave, are not surveyed again.
+    for site in plane.sites() {
+        let own = flat(plane).into_iter().filter(|one| one.ordinate == site.ordinate);
+        let marked: Vec<Record> =
+            own.map(|record| Record { class: Ended::Cycling, iterations: 123_456, ..record }).collect();
+        records::write(&folder.path().join(site.key() + ".csv"), &records::named(plane::HEAD), &marked)
+            .expect("written");
+    }
+    let surveyed = run::renew(plane, folder.path(), &file, || ()).expect("surveyed");
     let chart = Chart::read_from(&file, plane).expect("complete");
-    assert_eq!(surveyed.expect("surveyed"), chart.rows.concat().len());
-    let (resumed, fresh) = chart.rows.split_at(plane.methods().len());
-    assert!(resumed.iter().flatten().all(|record| record.iterations == 123_456));
-    assert!(fresh.iter().flatten().all(|record| record.iterations <= 2000));
+    assert_eq!(surveyed, chart.rows.concat().len());
+    assert!(chart.rows.iter().flatten().all(|record| record.iterations == 123_456));
 }
 
 #[test]
 fn a_point_is_as_recorded_only_if_class_counts_measures_and_predictions_are() {
-    let plane = Plane::Thickness;
+    let plane = Plane::Mesh;
     let mut records = flat(plane);
     records[5].class = Ended::Diverged;
     let chart = Chart::of(plane, &records);
@@ -204,6 +200,22 @@ fn atlas_records_springs_too_soft_as_unsupported() {
     let (site, method) = Plane::Cylinder.rows()[0];
     let case = site.case();
     let discretisation = Discretisation::of(case.scene, case.resolution).expect("meshed");
-    let record = run::Ground::of(&discretisation, site, method).record(method, 1e-12).expect("a record");
+    let record = run::Ground::of(&discretisation, site.ordinate, method).record(method, 1e-12).expect("a record");
     assert_eq!((record.class, record.iterations), (Ended::Unsupported, 0));
+}
+
+#[test]
+fn starts_cease_to_be_soft_where_the_halving_law_has_it() {
+    // The first start of each mesh that takes no more iterations than a hard one, and the one before it.
+    let charts = [Plane::Stretch, Plane::Mesh].map(|plane| Chart::read(plane).expect("a record"));
+    let law = Method::usual(Element::Node, Iteration::Kinematic);
+    let mut from: Vec<[f64; 2]> = Vec::new();
+    for row in charts.iter().flat_map(|chart| chart.of_method(law)) {
+        let hard = row.iter().position(|one| one.iterations == row[row.len() - 1].iterations).expect("itself");
+        from.extend(hard.checked_sub(1).map(|soft| [row[soft].stiffness, row[hard].stiffness]));
+    }
+    from.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    assert!(from.len() > 8, "{from:?}");
+    let [soft, hard] = from[from.len() / 2];
+    assert!(soft < SOFT && SOFT <= hard, "{from:?}");
 }

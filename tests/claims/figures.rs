@@ -10,7 +10,7 @@ use contact_vv::drawing::{
     Style, Theme, schematic,
 };
 use contact_vv::study::timings::precision::Point;
-use contact_vv::study::timings::record::{Measure, Record, cheapest, front, sound};
+use contact_vv::study::timings::record::{MEASURES, Record, cheapest, front, sound};
 
 /// Linear red, green and blue (IEC 61966-2-1, as in WCAG 2.1).
 fn linear(Rgb(red, green, blue): Rgb) -> [f64; 3] {
@@ -222,8 +222,8 @@ fn everything_that_is_drawn_is_in_the_legend() {
 fn no_point_is_both_cheaper_and_as_exact_as_one_of_the_front() {
     let points = Record::read().expect("the committed record").points;
     let own = sound(&points);
-    for measure in Measure::ALL {
-        let (cost, worst): (fn(&Point) -> f64, _) = (|point| point.seconds, |point: &Point| measure.errors(point)[1]);
+    for (measure, errors) in MEASURES {
+        let (cost, worst): (fn(&Point) -> f64, _) = (|point| point.seconds, |point: &Point| errors(point)[1]);
         let front = front(&own, cost, &worst);
         assert!(front.len() > 3, "{measure:?}");
         let beats = |a: &Point, b: &Point| cost(a) < cost(b) && worst(a) <= worst(b);

@@ -136,15 +136,6 @@ fn a_lost_scene_of_the_family_and_a_pin_of_another_place_turn_red() {
 }
 
 #[test]
-fn a_slope_that_depends_on_its_step_turns_red() {
-    let judge = |by_half: [f64; 2]| {
-        let slope = || family::Slope { number: "E t c / F", slope: [0.2, -0.4], by_half };
-        fails(&judged(&Numbers::Slopes([slope(), slope(), slope()])))
-    };
-    assert_eq!([judge([0.2, -0.4]), judge([0.25, -0.4]), judge([f64::NAN; 2])], [0, 3, 6]);
-}
-
-#[test]
 fn stresses_that_do_not_carry_the_load_turn_red() {
     let mut field = fields::field(fields::Shown::Cylinder).expect("solved");
     let judge = |field: &fields::Field| fails(&fields::Numbers::Field(field.clone()).judge().expect("judged"));

@@ -10,8 +10,8 @@ use contact_vv::solution::{IterationError, Work};
 use contact_vv::solve::{Discretisation, Element, Formulation, Iteration};
 use contact_vv::stability::{Limit, halving, linear, rate};
 use contact_vv::study::Study;
-use contact_vv::study::stability::rates::{Before, Rate, Scene};
-use contact_vv::study::stability::{Mesh, Numbers};
+use contact_vv::study::stability::Numbers;
+use contact_vv::study::stability::rates::{Before, Rate};
 
 fn discretisation() -> Discretisation {
     let scene = library::find("truncated-hertz", None).expect("a scene of the library").scene;
@@ -124,22 +124,6 @@ fn hertz_rate_turns_red_where_the_measured_one_is_not_within_its_factor_or_not_t
 }
 
 #[test]
-fn halving_law_judges_soft_starts_only_off_the_scene_of_their_threshold() {
-    let law = |scene, soft: usize, hard: usize, from: f64| {
-        let measured = [soft, 5, hard].map(Some);
-        let mesh = Mesh { stretch: 1.5, elements: 8, predicted: [5; 3], measured, hard_from: Some(from) };
-        Numbers::Halving(scene, vec![mesh])
-    };
-    let threshold = halving::SOFT;
-    assert!(!fails(law(Scene::TruncatedHertz, 8, 6, threshold)));
-    assert!(fails(law(Scene::TruncatedHertz, 5, 7, threshold)));
-    assert!(fails(law(Scene::TruncatedHertz, 5, 5, 1.5 * threshold)));
-    assert!(fails(law(Scene::TruncatedHertz, 5, 5, f64::NAN)));
-    assert!(fails(law(Scene::Cylinder, 8, 6, threshold)));
-    assert!(!fails(law(Scene::Cylinder, 6, 4, threshold)));
-}
-
-#[test]
 fn a_rate_that_is_not_the_predicted_one_turns_red() {
     let start = |predicted, measured| Rate { stiffness: 1.0, predicted, linearised: None, measured: Some(measured) };
     let verdict = |predicted, measured| start(predicted, measured).against("spectral radius", predicted).verdict;
@@ -149,26 +133,6 @@ fn a_rate_that_is_not_the_predicted_one_turns_red() {
         [(0.98, 0.97), (0.98, 0.99), (0.98, f64::NAN), (f64::NAN, 0.98), (0.98, 1.0), (1.0, 0.98)]
     {
         assert_eq!(verdict(predicted, measured), Verdict::Fail, "{predicted}, {measured}");
-    }
-}
-
-#[test]
-fn pin_rod_turns_red_where_twice_the_elements_cost_more_than_a_halving() {
-    let mesh = |elements, measured| Mesh { stretch: 1.5, elements, predicted: [5; 3], measured, hard_from: None };
-    let verdict = |fine: [Option<usize>; 3]| {
-        let meshes = vec![mesh(12, [Some(6), Some(5), Some(5)]), mesh(24, fine)];
-        let judged = Numbers::Halving(Scene::PinRod, meshes).judge().expect("judged");
-        assert_eq!(judged.len(), 1);
-        judged[0].verdict.clone()
-    };
-    assert_eq!(verdict([Some(7), Some(5), Some(6)]), Verdict::Pass);
-    for fine in [
-        [Some(8), Some(5), Some(5)],
-        [Some(6), Some(7), Some(5)],
-        [Some(6), Some(5), Some(7)],
-        [None, Some(5), Some(5)],
-    ] {
-        assert_eq!(verdict(fine), Verdict::Fail, "{fine:?}");
     }
 }
 

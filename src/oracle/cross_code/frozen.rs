@@ -87,7 +87,7 @@ impl Frozen {
 
     /// The same, whatever the scripts are now.
     pub fn load(code: Code) -> Result<Self, Error> {
-        read_json(&file(code))
+        read_json(&file(code), REFREEZE)
     }
 
     /// The same from a text; the file is only named.
@@ -136,14 +136,14 @@ pub fn script_hash() -> Result<String, Error> {
     hash_of(&scripts())
 }
 
-/// What a file holds.
-pub(super) fn read_json<T: DeserializeOwned>(file: &Path) -> Result<T, Error> {
-    let text = fs::read_to_string(file).map_err(|_| Error::missing_file(file, REFREEZE))?;
-    serde_json::from_str(&text).map_err(|error| Error::unreadable(file, error, REFREEZE))
+/// What a record holds; `renew` says what renews it.
+pub fn read_json<T: DeserializeOwned>(file: &Path, renew: &str) -> Result<T, Error> {
+    let text = fs::read_to_string(file).map_err(|_| Error::missing_file(file, renew))?;
+    serde_json::from_str(&text).map_err(|error| Error::unreadable(file, error, renew))
 }
 
 /// Writes a file, and its folder where there is none.
-pub(super) fn write_json(file: &Path, content: &impl Serialize) -> Result<(), Error> {
+pub fn write_json(file: &Path, content: &impl Serialize) -> Result<(), Error> {
     let text = serde_json::to_string_pretty(content).map_err(|error| Error::unwritable(file, error))?;
     fs::create_dir_all(file.parent().unwrap_or(file)).map_err(|error| Error::unwritable(file, error))?;
     fs::write(file, text + "\n").map_err(|error| Error::unwritable(file, error))

@@ -216,7 +216,7 @@ impl Independent {
 
     /// Reads the answers, of whatever scripts they are.
     pub fn load() -> Result<Self, Error> {
-        read_json(&file())
+        read_json(&file(), REFREEZE)
     }
 
     /// Writes the answers.

@@ -26,7 +26,7 @@ pub mod provenance;
 pub mod scene;
 mod text;
 
-pub use acceptance::{Comparison, Deviation, OurPoint, compare};
+pub use acceptance::{OurPoint, compare, model_form, worst};
 pub use curve::DigitisedCurve;
 pub use point::{Abscissa, CurvePoint, Ordinate};
 pub use provenance::{CurveProvenance, Hand, Kind, Provenance};

@@ -42,7 +42,7 @@ pub fn chart(findings: &[Finding]) -> Drawing {
         if !shares.is_empty() {
             let label = format!("{kind}, {} checks", shares.len());
             let style = Style::run(colour, dash, marker);
-            chart.series.push(Series { label, points: cumulated(&shares), style, hollow: Vec::new() });
+            chart.series.push(Series::new(label, cumulated(&shares), style));
         }
     }
     chart.drawing()

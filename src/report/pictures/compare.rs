@@ -26,6 +26,6 @@ fn chart(runs: &[Run], algorithm: Iteration) -> Option<Chart> {
 fn series(run: &Run) -> Series {
     let shown = |error: f64| if error.is_finite() && error > 0.0 { error } else { f64::NAN };
     let errors = run.solution.history.iter().map(|iteration| shown(iteration.error.largest()));
-    let points = errors.enumerate().map(|(before, error)| ((before + 1) as f64, error)).collect();
-    Series { label: label(&run.formulation), points, style: style(&run.formulation), hollow: vec![] }
+    let points = errors.enumerate().map(|(before, error)| ((before + 1) as f64, error));
+    Series::new(label(&run.formulation), points, style(&run.formulation))
 }

@@ -74,12 +74,7 @@ fn profile(problem: &Case, run: &Run, contact: usize, [title, y]: [&str; 2], of:
     let x = Axis::linear(if factor > 1.0 { "θ [°]" } else { "s [mm]" }).over(ends[0], ends[1]);
     let title = if run.contacts.len() > 1 { format!("{title}, {}", pair.name) } else { title.to_string() };
     let mut chart = Chart::new(&title, x, Axis::linear(y));
-    chart.series.push(Series {
-        label: label(&run.formulation),
-        points: found.collect(),
-        style: style(&run.formulation),
-        hollow: vec![],
-    });
+    chart.series.push(Series::new(label(&run.formulation), found, style(&run.formulation)));
     chart
 }
 
@@ -104,13 +99,8 @@ pub fn pressure(problem: &Case, run: &Run, contact: usize) -> Chart {
     if let (Some(oracle), 0) = (problem.oracle(), contact) {
         let factor = display_factor(&pair.path);
         let places = (0..=INTERVALS).map(|k| k as f64 / INTERVALS as f64 * pair.stretch);
-        let curve = places.map(|s| (factor * s, problem.reference_pressure(contact, s))).collect();
-        chart.series.push(Series {
-            label: oracle.name().into(),
-            points: curve,
-            style: Style::reference(),
-            hollow: vec![],
-        });
+        let curve = places.map(|s| (factor * s, problem.reference_pressure(contact, s)));
+        chart.series.push(Series::new(oracle.name(), curve, Style::reference()));
     }
     // From zero, so that a uniform pressure looks uniform.
     let drawn = chart.series.iter().flat_map(|series| &series.points).map(|point| point.1);
@@ -143,8 +133,7 @@ pub fn iteration_error(run: &Run) -> Chart {
             at_rest.push(label);
             continue;
         }
-        let style = Style::run(colour, Dash::Solid, marker);
-        chart.series.push(Series { label: label.into(), points, style, hollow: vec![] });
+        chart.series.push(Series::new(label, points, Style::run(colour, Dash::Solid, marker)));
     }
     let at = run.formulation.settings.tolerance;
     chart.guides.push(Guide { direction: Direction::Horizontal, at, label: "tolerance".into() });

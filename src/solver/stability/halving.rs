@@ -1,7 +1,7 @@
 //! Kinematic load started with every candidate closed: the contact shrinks from L to a by halving `L² − a²` at each iteration.
 
 /// Below this κ₀ springs are softer than the bodies, and the first iteration halves nothing: the median of where the iteration more
-/// ceases on truncated Hertz (`predicted iterations of kinematic load` measures it anew).
+/// ceases on meshes of truncated Hertz with candidates beyond the contact.
 pub const SOFT: f64 = 0.5;
 /// The last iteration confirms what the one before it found.
 const FEWEST: f64 = 2.0;

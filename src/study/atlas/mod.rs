@@ -8,7 +8,7 @@
 //!   acceleration; and predictions against runs.
 //! * `picture` — charts.
 //!
-//! Below is the page: recommendation, predicted curves and their laws, methods, maps, slices, predictions against runs; and the iterations
+//! Below is the page: recommendation, predicted curves and their laws, methods, maps, predictions against runs; and the iterations
 //! of the paper's elements and algorithms on its scenes.
 
 mod picture;
@@ -69,7 +69,6 @@ impl Study for Numbers {
             "How every run ends over initial stiffness and candidate surface, with the predicted boundary",
         );
         text += &picture("atlas-mesh.svg", "The same over initial stiffness and mesh");
-        text += &slices(&charts);
         let _ = writeln!(text, "**Predictions against runs**\n\n{}\n{EXPLAINED}", predictions(&charts));
         Ok(text + &in_the_paper(findings, &charts))
     }
@@ -170,34 +169,6 @@ fn obstacle(method: Method) -> &'static str {
         }
         _ => "not offered",
     }
-}
-
-/// Iterations along the slices, a table each, at the initial stiffness of each algorithm that the paper's forms start from.
-fn slices(charts: &[&Chart]) -> String {
-    let mut text = String::from(
-        "Slices through the centre, at the surveyed initial stiffness next to each algorithm's own: iterations, and error of p₀ or a \
-         against the discrete solution.\n\n",
-    );
-    for chart in charts.iter().filter(|chart| chart.plane.is_slice()) {
-        let first = chart.plane.methods().into_iter().filter(|method| method.rule == method.algorithm.rules()[0]);
-        let rows: Vec<Vec<String>> = first.filter_map(|method| along(chart, method)).collect();
-        let ordinates = chart.plane.ordinates().iter().map(f64::to_string);
-        let head: Vec<String> = std::iter::once(chart.plane.label().to_string()).chain(ordinates).collect();
-        let _ = writeln!(text, "{}", markdown::table(&head, &rows));
-    }
-    text
-}
-
-/// A method along a slice.
-fn along(chart: &Chart, method: Method) -> Option<Vec<String>> {
-    let near = |r: &&Record| (r.stiffness / method.algorithm.default_stiffness()).log10().abs() < 0.5;
-    let records: Vec<&Record> = chart.of_method(method).filter_map(|row| row.iter().find(near)).collect();
-    let first = format!("{method}, κ₀ = {:e}", records.first()?.stiffness);
-    let cell = |record: &Record| match record.class {
-        Ended::Converged => format!("{} iterations, {}", record.iterations, markdown::error(record.error)),
-        class => class.name().into(),
-    };
-    Some(std::iter::once(first).chain(records.into_iter().map(cell)).collect())
 }
 
 /// How often each prediction fails, by method.

@@ -6,7 +6,7 @@ use crate::drawing::{Axis, Cell, Chart as Figure, ClassMap, Colour, Drawing, Map
 use crate::solve::Ended;
 use crate::solve::{Element, Iteration, Settings};
 use crate::study::atlas::plane::{Chart, Plane, Record, STRETCH, same};
-use crate::study::drawn::{Curve, label, style};
+use crate::study::drawn::{label, style};
 use crate::study::method::Method;
 
 /// A map of each full plane, the iterations with their prediction, and those on the scenes of the paper.
@@ -32,18 +32,18 @@ fn panel(title: &str, softest: f64) -> Figure {
 fn in_the_paper(charts: &[&Chart]) -> Drawing {
     const SOFTEST: f64 = 1e-3;
     let curve = |chart: &Chart, method: Method| {
-        let mut curve = Curve::default();
-        let row = chart.of_method(method).flatten().zip(chart.plane.stiffnesses());
+        let (mut points, mut hollow) = (Vec::new(), Vec::new());
+        let row = chart.of_method(method).flatten().zip(Plane::stiffnesses());
         for (record, stiffness) in row.filter(|(record, _)| record.stiffness >= SOFTEST) {
             match record.class {
-                Ended::Converged => curve.points.push([stiffness, record.iterations as f64]),
-                _ => curve.failed.push(stiffness),
+                Ended::Converged => points.push([stiffness, record.iterations as f64]),
+                _ => hollow.push(stiffness),
             }
         }
         let formulation = method.formulation(1.0);
         let plain = style(&formulation);
         let drawn = if method.is_accelerated() { Style { dash: Dash::DashDot, ..plain } } else { plain };
-        curve.drawn(label(&formulation), drawn)
+        Series { hollow, ..Series::new(label(&formulation), points, drawn) }
     };
     let on = |chart: &Chart, algorithm: Iteration| {
         let mut panel = panel(&format!("{}: {}", chart.plane.name(), algorithm.name()), SOFTEST);
@@ -99,15 +99,12 @@ fn curves(row: &[Record], method: Method) -> Vec<Series> {
     };
     let predicted = points(|record| record.predicted_iterations.filter(|iterations| iterations.is_finite()));
     let measured = points(|record| (record.class == Ended::Converged).then_some(record.iterations as f64));
-    let series = |what: &str, points, dash, marker, hollow| Series {
-        label: format!("{}: {what}", rule(method)),
-        points,
-        style: Style::run(colour(method), dash, marker),
-        hollow,
+    let series = |what: &str, points: Vec<(f64, f64)>, dash, marker| {
+        Series::new(format!("{}: {what}", rule(method)), points, Style::run(colour(method), dash, marker))
     };
     let mut curves = vec![
-        series("predicted", predicted, Dash::Solid, Marker::Absent, vec![]),
-        series("measured", measured, Dash::Absent, Marker::Circle, vec![]),
+        series("predicted", predicted, Dash::Solid, Marker::Absent),
+        series("measured", measured, Dash::Absent, Marker::Circle),
     ];
     curves.retain(|curve| curve.points.iter().any(|(_, iterations)| iterations.is_finite()));
     let causes = [
@@ -120,7 +117,7 @@ fn curves(row: &[Record], method: Method) -> Vec<Series> {
     ];
     let failed = causes.map(|(class, marker)| {
         let hollow = row.iter().filter(|record| record.class == class).map(|record| record.stiffness).collect();
-        series(class.name(), vec![], Dash::Absent, marker, hollow)
+        Series { hollow, ..series(class.name(), vec![], Dash::Absent, marker) }
     });
     curves.extend(failed.into_iter().filter(|curve| !curve.hollow.is_empty()));
     curves

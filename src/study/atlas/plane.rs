@@ -1,4 +1,4 @@
-//! The planes and slices of the atlas, initial stiffness against one other number; what was measured at each point, as it is kept under
+//! The planes of the atlas, initial stiffness against one other number; what was measured at each point, as it is kept under
 //! `snapshots/atlas`, and the chart of a plane that it makes; and what charts say of each method: where every run ends right, how the
 //! others end, and which to use from where.
 
@@ -10,12 +10,11 @@ use serde::{Deserialize, Serialize};
 use crate::algorithm::StiffnessRule;
 use crate::case::Case;
 use crate::case::library::{Cylinder, PinRod, TruncatedHertz};
-use crate::contact::Quadrature;
 use crate::error::Error;
 use crate::mesh::Resolution;
 use crate::named::named_enum;
 use crate::solve::Ended;
-use crate::solve::{Element, Formulation, Iteration};
+use crate::solve::Iteration;
 use crate::study::method::Method;
 use crate::study::records;
 
@@ -28,7 +27,7 @@ const PIN_ROD_ELEMENTS: usize = 12;
 
 named_enum! {
     /// Initial stiffness against one other number, all else at the centre: truncated Hertz, candidates to 1.9 half-widths, 8
-    /// elements per half-width, one increment. The two full planes first, then the slices; the name is that of the record.
+    /// elements per half-width. The two full planes first, then the scenes of the paper; the name is that of the record.
     pub enum Plane {
         /// Candidate stretch over the half-width.
         Stretch = "stretch",
@@ -38,12 +37,6 @@ named_enum! {
         Cylinder = "cylinder",
         /// The pin-rod.
         PinRod = "pin-rod",
-        /// Load increments.
-        Increments = "increments",
-        /// Thickness of the layer element over its edge length.
-        Thickness = "thickness",
-        /// Quadrature of line and layer elements.
-        Quadrature = "quadrature",
     }
 }
 
@@ -58,9 +51,6 @@ impl Plane {
             Self::Mesh => ("elements per a", &[4.0, 6.0, 8.0, 12.0, 16.0]),
             Self::Cylinder => ("elements per a", &[ELEMENTS as f64]),
             Self::PinRod => ("elements per 10 mm", &[PIN_ROD_ELEMENTS as f64]),
-            Self::Increments => ("increments", &[2.0, 5.0, 10.0]),
-            Self::Thickness => ("t₀ / edge length", &[1e-4, 1e-2, 1.0]),
-            Self::Quadrature => ("Gauss points per edge (0: Lobatto)", &[3.0, 0.0]),
         }
     }
 
@@ -79,25 +69,9 @@ impl Plane {
         [Self::Stretch, Self::Mesh].contains(&self)
     }
 
-    /// Whether it varies how the centre is solved: fewer initial stiffnesses, and not all of them with nodes and one increment.
-    pub fn is_slice(self) -> bool {
-        [Self::Increments, Self::Thickness, Self::Quadrature].contains(&self)
-    }
-
-    /// Initial stiffnesses over twelve decades: halves of them in the planes and on both paper scenes, whole ones else.
-    pub fn stiffnesses(self) -> Vec<f64> {
-        let halves = if self.is_slice() { 2 } else { 1 };
-        (-12..=12).step_by(halves).map(|k| 10f64.powf(0.5 * f64::from(k))).collect()
-    }
-
-    /// What is run at each ordinate, in the order of the record.
-    pub fn methods(self) -> Vec<Method> {
-        let elements: &[Element] = match self {
-            Self::Thickness => &[Element::Layer],
-            Self::Quadrature => &[Element::Line, Element::Layer],
-            _ => &Element::ALL,
-        };
-        elements.iter().flat_map(|&element| Method::of(element)).collect()
+    /// Initial stiffnesses over twelve decades, by halves of them.
+    pub fn stiffnesses() -> Vec<f64> {
+        (-12..=12).map(|k| 10f64.powf(0.5 * f64::from(k))).collect()
     }
 
     /// Its meshes, in the order of the record.
@@ -107,8 +81,7 @@ impl Plane {
 
     /// Its lines, all but the initial stiffness fixed, in the order of the record.
     pub fn rows(self) -> Vec<(Site, Method)> {
-        let methods = self.methods();
-        self.sites().into_iter().flat_map(|site| methods.iter().map(move |&method| (site, method))).collect()
+        self.sites().into_iter().flat_map(|site| Method::all().into_iter().map(move |method| (site, method))).collect()
     }
 
     /// The case that the library has of it, or truncated Hertz with such candidates.
@@ -136,26 +109,11 @@ impl Site {
         format!("{}-{}", self.plane.name(), self.ordinate)
     }
 
-    /// A method as it is run here, at an initial stiffness.
-    pub fn formulation(&self, method: Method, stiffness: f64) -> Formulation {
-        let mut formulation = method.formulation(stiffness);
-        match self.plane {
-            Plane::Increments => formulation.settings.increments = self.ordinate as usize,
-            Plane::Thickness => formulation.layer_thickness = self.ordinate,
-            Plane::Quadrature => {
-                formulation.quadrature = if self.ordinate > 0.0 { Quadrature::GaussFull } else { Quadrature::Lobatto };
-            }
-            _ => {}
-        }
-        formulation
-    }
-
     /// The case on its mesh.
     pub fn case(&self) -> Case {
         let (stretch, elements) = match self.plane {
             Plane::Stretch => (self.ordinate, ELEMENTS),
             Plane::Mesh | Plane::Cylinder | Plane::PinRod => (STRETCH, self.ordinate as usize),
-            Plane::Increments | Plane::Thickness | Plane::Quadrature => (STRETCH, ELEMENTS),
         };
         let case = self.plane.case(stretch);
         Case { resolution: Resolution { elements, ..case.resolution }, ..case }
@@ -222,7 +180,7 @@ pub struct Chart {
 impl Chart {
     /// The records in the order of the plan.
     pub fn of(plane: Plane, records: &[Record]) -> Self {
-        Self { plane, rows: records.chunks(plane.stiffnesses().len()).map(<[Record]>::to_vec).collect() }
+        Self { plane, rows: records.chunks(Plane::stiffnesses().len()).map(<[Record]>::to_vec).collect() }
     }
 
     /// The record of a plane; refused where it does not hold exactly the points of the plan.
@@ -233,7 +191,7 @@ impl Chart {
     /// The same from another file.
     pub fn read_from(path: &Path, plane: Plane) -> Result<Self, Error> {
         let records: Vec<Record> = records::read(path, &records::named(HEAD), RENEW)?;
-        let of_row = |(site, method): (Site, Method)| plane.stiffnesses().into_iter().map(move |k| (site, method, k));
+        let of_row = |(site, method): (Site, Method)| Plane::stiffnesses().into_iter().map(move |k| (site, method, k));
         let planned: Vec<(Site, Method, f64)> = plane.rows().into_iter().flat_map(of_row).collect();
         let is_at = |(record, (site, method, k)): (&Record, &(Site, Method, f64))| {
             record.method == *method && same(record.ordinate, site.ordinate) && same(record.stiffness, *k)
@@ -252,28 +210,12 @@ impl Chart {
 
     /// Whether a neighbour in stiffness or in the other number ended in another class.
     pub fn is_near_a_boundary(&self, row: usize, column: usize) -> bool {
-        let across = self.plane.methods().len();
+        let across = Method::all().len();
         let beside = [column.checked_sub(1), Some(column + 1)].map(|column| Some((row, column?)));
         let above = [row.checked_sub(across), Some(row + across)].map(|row| Some((row?, column)));
         let places = beside.into_iter().chain(above).flatten();
         let mut neighbours = places.filter_map(|(row, column)| self.rows.get(row)?.get(column));
         neighbours.any(|other| other.class != self.rows[row][column].class)
-    }
-
-    /// What is frozen: the iterations where all neighbours ended alike, the class alone near a boundary.
-    pub fn frozen(&self) -> String {
-        let mut text = format!("{}; κ₀ from 1e-6 to 1e6\n", self.plane.label());
-        for (r, row) in self.rows.iter().enumerate() {
-            let _ = write!(text, "{} {}:", row[0].method, row[0].ordinate);
-            for (c, record) in row.iter().enumerate() {
-                let _ = match record.class {
-                    Ended::Converged if !self.is_near_a_boundary(r, c) => write!(text, " {}", record.iterations),
-                    class => write!(text, " {}", class.name()),
-                };
-            }
-            text.push('\n');
-        }
-        text
     }
 }
 
@@ -282,7 +224,7 @@ pub fn file(plane: Plane) -> PathBuf {
     records::file(&format!("atlas/{}", plane.name()))
 }
 
-/// What the scenes say of a method: the planes over scenes, meshes and candidate stretches, which have the same initial stiffnesses.
+/// What the planes say of a method.
 #[derive(Clone, Debug)]
 pub struct Digest {
     /// What was run.
@@ -325,8 +267,7 @@ pub fn digests(charts: &[&Chart]) -> Vec<Digest> {
 }
 
 fn digest(charts: &[&Chart], method: Method) -> Digest {
-    let scenes = charts.iter().filter(|chart| !chart.plane.is_slice());
-    let rows: Vec<&[Record]> = scenes.flat_map(|chart| chart.of_method(method)).collect();
+    let rows: Vec<&[Record]> = charts.iter().flat_map(|chart| chart.of_method(method)).collect();
     let all = || rows.iter().flat_map(|row| row.iter());
     let count = |class: Ended| (class, all().filter(|record| record.class == class).count());
     Digest {

@@ -87,7 +87,7 @@ pub const ENOUGH: usize = 6_000;
 /// The record of a plane, and what of it was recomputed.
 fn of_plane(plane: Plane) -> Result<Numbers, Error> {
     let chart = Chart::read(plane)?;
-    let methods = plane.methods().len();
+    let methods = Method::all().len();
     let [every, share] = if plane.is_full() { FULL } else { OTHERS };
     let entered: Vec<(usize, Site)> = plane.sites().into_iter().enumerate().step_by(every).collect();
     let again = |(k, site): &(usize, Site)| -> Result<Vec<bool>, Error> {
@@ -131,10 +131,11 @@ pub fn records(site: &Site) -> Result<Vec<Record>, Error> {
 fn points(site: &Site, chosen: impl Fn(usize, usize) -> bool) -> Result<Vec<([usize; 2], Record)>, Error> {
     let case = site.case();
     let discretisation = Discretisation::of(case.scene, case.resolution)?;
-    let (methods, stiffnesses) = (site.plane.methods(), site.plane.stiffnesses());
+    let (methods, stiffnesses) = (Method::all(), Plane::stiffnesses());
     // Every element has as many methods.
     let by_element: Vec<&[Method]> = methods.chunk_by(|a, b| a.element == b.element).collect();
-    let grounds: Vec<Ground> = by_element.iter().map(|own| Ground::of(&discretisation, *site, own[0])).collect();
+    let grounds: Vec<Ground> =
+        by_element.iter().map(|own| Ground::of(&discretisation, site.ordinate, own[0])).collect();
     let all = (0..methods.len()).flat_map(|row| (0..stiffnesses.len()).map(move |column| [row, column]));
     let places: Vec<[usize; 2]> = all.filter(|[row, column]| chosen(*row, *column)).collect();
     let fresh = |&[row, column]: &[usize; 2]| {
@@ -147,29 +148,29 @@ fn points(site: &Site, chosen: impl Fn(usize, usize) -> bool) -> Result<Vec<([us
 /// What the points of one contact element on a site share.
 pub struct Ground<'a> {
     discretisation: &'a Discretisation,
-    site: Site,
+    ordinate: f64,
     points: Vec<ContactPoint>,
     limit: Option<Limit>,
 }
 
 impl<'a> Ground<'a> {
-    /// Contact points of a method on its site, condensed, and the contact that it shall end in.
-    pub fn of(discretisation: &'a Discretisation, site: Site, method: Method) -> Self {
-        let formulation = site.formulation(method, 1.0);
+    /// Contact points of a method on a mesh, condensed, and the contact that it shall end in.
+    pub fn of(discretisation: &'a Discretisation, ordinate: f64, method: Method) -> Self {
+        let formulation = method.formulation(1.0);
         let points = discretisation.points(&formulation);
         let limit = Limit::of(&discretisation.problem(&formulation, &points));
-        Self { discretisation, site, points, limit }
+        Self { discretisation, ordinate, points, limit }
     }
 
     /// Predicts and runs a method at an initial stiffness.
     pub fn record(&self, method: Method, stiffness: f64) -> Result<Record, Error> {
-        let formulation = self.site.formulation(method, stiffness);
+        let formulation = method.formulation(stiffness);
         let run = Run::of(self.discretisation, &formulation);
         let (class, iterations) = Ended::of(&run)?;
         let [error, penalty] = run.map_or([f64::NAN; 2], |run| [run.iteration_error(), run.penalty_error()]);
         Ok(Record {
             method,
-            ordinate: self.site.ordinate,
+            ordinate: self.ordinate,
             stiffness: rounded(stiffness),
             class,
             iterations,
@@ -183,7 +184,7 @@ impl<'a> Ground<'a> {
     /// is accelerated.
     fn predicted(&self, method: Method, formulation: &Formulation) -> Option<f64> {
         let limit = self.limit.as_ref()?;
-        if formulation.settings.increments > 1 || method.is_accelerated() {
+        if method.is_accelerated() {
             return None;
         }
         let problem = self.discretisation.problem(formulation, &self.points);
@@ -246,8 +247,8 @@ pub fn judge(numbers: &Numbers) -> Vec<Judged> {
         Numbers::Surveyed { chart, recomputed, moved } => {
             let mut judged = vec![as_recorded(*recomputed, *moved)];
             judged.extend(predicted(chart));
-            judged.extend(halved(chart));
-            judged.extend(averaged(chart));
+            judged.push(halved(chart));
+            judged.push(averaged(chart));
             judged.push(honest(chart));
             judged
         }
@@ -362,18 +363,15 @@ fn predicted(chart: &Chart) -> Vec<Judged> {
         "constant stiffness linearised on the final active set, or its gaps worked off; varying stiffness by its points near the edge, each alone: on fine meshes their neighbours help",
     );
     let in_iterations = in_iterations.judge(worst(ratios.iter().copied()));
-    let all = [(failing.len(), never_converge), (ending.len(), always_converge), (ratios.len(), in_iterations)];
-    // Planes with nodes and one increment hold something of each kind: nothing of it is a fault.
-    let asked = all.into_iter().filter(|(of, _)| !chart.plane.is_slice() || *of > 0);
-    asked.map(|(_, judged)| judged).collect()
+    vec![never_converge, always_converge, in_iterations]
 }
 
-/// Kinematic load on nodes against the halving law, on the Hertz scenes; soft starts not where their threshold was taken.
-fn halved(chart: &Chart) -> Option<Judged> {
+/// Kinematic load on nodes against the halving law; soft starts not where their threshold was taken. The last closed point of the
+/// pin–rod is that of the solved contact.
+fn halved(chart: &Chart) -> Judged {
     let (which, least) = match chart.plane {
-        Plane::Cylinder => ("any start", 0.0),
+        Plane::Cylinder | Plane::PinRod => ("any start", 0.0),
         Plane::Stretch | Plane::Mesh => ("starts that are not soft", SOFT),
-        _ => return None,
     };
     let switching = chart.of_method(Method::usual(Element::Node, Iteration::Kinematic)).flatten();
     let check = Check::at_most(
@@ -381,18 +379,18 @@ fn halved(chart: &Chart) -> Option<Judged> {
         Reference::own("halving of L² − a²", HALVINGS),
         "the law counts halvings; the last one may end anywhere within a node spacing",
     );
-    Some(check.judge(worst(switching.filter(|r| r.stiffness >= least).map(iterations_off))))
+    check.judge(worst(switching.filter(|r| r.stiffness >= least).map(iterations_off)))
 }
 
 /// Constant stiffness with correction, by itself: whatever the scene and the start, it neither diverges nor cycles.
-fn averaged(chart: &Chart) -> Option<Judged> {
+fn averaged(chart: &Chart) -> Judged {
     let plain = Element::ALL.map(|element| Method::usual(element, Iteration::Constant));
     let own: Vec<&Record> = chart.rows.iter().flatten().filter(|r| plain.contains(&r.method)).collect();
     let wrong = own.iter().filter(|r| [Ended::Diverged, Ended::Cycling].contains(&r.class)).count();
     let what = "run of constant stiffness with correction that diverges or cycles";
     let because =
         "predicted before any contact is solved: an averaged map comes no farther from its limit at any iteration";
-    (!own.is_empty()).then(|| none(what, format!("of {}", own.len()), because, wrong, own.len()))
+    none(what, format!("of {}", own.len()), because, wrong, own.len())
 }
 
 /// No run shall be called converged with a peak or a width that is not that of its discrete problem.

@@ -10,6 +10,7 @@ use crate::oracle::cross_code::PhysicalAnswer;
 use crate::oracle::cross_code::frozen::REFREEZE;
 use crate::oracle::{Quantity, Reading};
 use crate::solve::{Discretisation, Formulation, Run};
+use crate::study::differences::peak_and_width;
 use crate::study::independent::benchmark::{Benchmark, LEVELS, Scene};
 
 /// What was found on the finest mesh, with its uncertainty.
@@ -71,10 +72,11 @@ pub fn ours(benchmark: &Benchmark) -> Result<Vec<PhysicalAnswer>, Error> {
         let discretisation = Discretisation::of(benchmark.case.scene.clone(), resolution)?;
         let run = Run::of(&discretisation, &Formulation::verification())?;
         let converged = |value: f64| if run.solution.converged() { value } else { f64::NAN };
+        let [peak, half_width] = peak_and_width(&run);
         let means = profile::means(&run.solution.edges, &benchmark.physical.stations);
         Ok(PhysicalAnswer {
-            half_width: converged(run.measures().second_moment_width),
-            peak: converged(run.measures().peak.pressure),
+            half_width,
+            peak,
             resultant: converged(run.transmitted()),
             pressure: means.into_iter().map(converged).collect(),
             dofs: run.dofs,

@@ -11,6 +11,7 @@ use crate::oracle::cross_code::{PhysicalAnswer, PhysicalScene};
 use crate::solve::{Discretisation, Element, Formulation, Iteration, Run};
 use crate::study::Planned;
 use crate::study::answers::{Answers, Reproduced};
+use crate::study::differences::peak_and_width;
 use crate::study::independent::benchmark::{Benchmark, LEVELS, Scene};
 use crate::study::independent::found::{Found, closed_form, ours};
 
@@ -130,12 +131,7 @@ fn penalty(benchmark: &Benchmark) -> Result<[f64; 2], Error> {
         stiffness: KAPPA,
         ..Formulation::new(Element::Node, Iteration::Kinematic).tolerance(1e-8)
     };
-    let numbers = |formulation: &Formulation| -> Result<[f64; 2], Error> {
-        let run = Run::of(&discretisation, formulation)?;
-        let measures = run.measures();
-        Ok([measures.peak.pressure, measures.second_moment_width]
-            .map(|x| if run.solution.converged() { x } else { f64::NAN }))
-    };
+    let numbers = |formulation: &Formulation| Ok::<_, Error>(peak_and_width(&Run::of(&discretisation, formulation)?));
     let [soft, exact] = [numbers(&springs)?, numbers(&Formulation::verification())?];
     Ok([0, 1].map(|k| (soft[k] - exact[k]).abs()))
 }

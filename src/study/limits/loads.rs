@@ -1,19 +1,17 @@
 //! Limits of the load: of the wrong sign, of zero, too small for the mesh. And of the contact's extent: candidates and bodies that end
-//! before it, and a/R, where it is the reference that fails.
+//! before it.
 
 use crate::algorithm::{Kinematic, iterate};
-use crate::case::library::{self, Bars, Cylinder, TruncatedHertz};
+use crate::case::library::{Bars, Cylinder, TruncatedHertz};
 use crate::case::{Check, Quantity, Reference, notes};
 use crate::error::{Error, Kind};
 use crate::measure::{Measures, larger, largest};
 use crate::mesh::Order;
 use crate::scene::{Load, Scene};
 use crate::solution::Outcome;
-use crate::solve::run::Errors;
 use crate::solve::{Discretisation, Formulation};
 use crate::study::limits::push::{
-    Limit, ORDERS, Push, Solved, against_hertz, folded, meshed, number, percent, refused, size, told, told_with_remedy,
-    worst,
+    Limit, ORDERS, Push, Solved, against_hertz, folded, meshed, number, percent, size, told, told_with_remedy, worst,
 };
 
 /// What the nine formulations make of a discretisation, in their order.
@@ -337,80 +335,6 @@ pub(super) fn body_end() -> Result<Limit, Error> {
                 ("outcome", |(_, [solved])| solved.run.solution.outcome.to_string()),
                 ("last closed point / width", |(_, [solved])| format!("{:.3}", edge(solved))),
                 ("p at the corner / peak", |(_, [solved])| format!("{:.3}", at_corner(solved))),
-            ],
-        ),
-    })
-}
-
-/// Half-widths over the radius.
-const RATIOS: [f64; 7] = [0.005, 0.05, 0.1, 0.2, 0.3, 0.4, 0.5];
-/// Difference to Hertz that counts as its failure.
-const FAILS: f64 = 0.01;
-/// Difference to Hertz, and change by refinement, that is none.
-const HOLDS: f64 = 1e-3;
-/// Ratio from which on the contact is large.
-const LARGE: f64 = 0.15;
-
-/// By how much the differences to Hertz change from a mesh to one of twice the elements.
-fn change([coarse, fine]: &[Solved; 2]) -> Errors {
-    let [coarse, fine] = [coarse.errors(), fine.errors()];
-    Errors { peak: fine.peak - coarse.peak, half_width: fine.half_width - coarse.half_width }
-}
-
-/// Contacts of up to half the radius: the difference to Hertz's parabola on a half-space grows, the change by refinement does not.
-pub(super) fn large_contact() -> Result<Limit, Error> {
-    let ratios = Push::of("a/R", &RATIOS, [12, 24], |a_over_r, elements| {
-        let scene = Cylinder { a_over_r, ..Default::default() }.scene();
-        Solved::on(&meshed(scene, elements, Order::Quadratic)?)
-    })?;
-    let beyond = refused(library::find("cylinder", Some(0.6)), "a contact of more than half the radius")?;
-    let is_off = |bound: f64| move |[_, fine]: &[Solved; 2]| fine.is_off(bound);
-    let largest_change = largest(ratios.tried.iter().map(|(_, found)| change(found).largest()));
-    let large = ratios.tried.iter().filter(|(ratio, _)| *ratio > LARGE);
-    let shares = large.map(|(_, found)| change(found).largest() / found[1].errors().largest());
-    Ok(Limit {
-        pushed: "a/R of the cylinder: Hertz's own limit",
-        range: ratios.range("a/R"),
-        onset: format!(
-            "Hertz is off by {} {}; refinement changes p₀ and a by at most {}",
-            size(FAILS),
-            ratios.onset(is_off(FAILS)),
-            size(largest_change)
-        ),
-        seen: format!("{}; beyond, {}", ratios.last()[1].seen(), told(&beyond)),
-        instead: format!(
-            "trust the solution, not Hertz; verify at a/R ≤ {}",
-            number(ratios.last_before(is_off(HOLDS)))
-        ),
-        judged: vec![
-            Check::error(
-                Quantity::at("largest change of p₀ and a by refinement", "from 12 to 24 elements per half-width"),
-                Reference::own("twice as fine a mesh", 0.0),
-                HOLDS,
-                "a tenth of the difference that is attributed to the reference",
-            )
-            .judge(largest_change),
-            Check::at_least(
-                Quantity::at("difference to Hertz over change by refinement of a large contact", "a/R ≥ 0.2"),
-                Reference::own("ten times", 10.0),
-                "parabola for circle, half-space for cylinder: of the order of (a/R)²",
-            )
-            .judge(shares.reduce(larger).map_or(f64::NAN, f64::recip)),
-            against_hertz(
-                Quantity::at("error of p₀ and a of a small contact", "a/R = 0.005"),
-                ratios.tried[0].1[1].errors().largest(),
-                HOLDS,
-                "(a/R)² is 2.5e-5; 24 8-node cells per half-width",
-            ),
-        ],
-        table: ratios.table(
-            "Cylinder: what fails at large a/R",
-            &[
-                ("a/R", |(ratio, _)| ratio.to_string()),
-                ("p₀ against Hertz", |(_, [_, fine])| percent(fine.errors().peak)),
-                ("a against Hertz", |(_, [_, fine])| percent(fine.errors().half_width)),
-                ("p₀, change by refinement", |(_, both)| percent(change(both).peak)),
-                ("a, change by refinement", |(_, both)| percent(change(both).half_width)),
             ],
         ),
     })

@@ -18,6 +18,7 @@ use crate::measure::profile;
 use crate::mesh::{Order, Resolution};
 use crate::oracle::digitised::{
     Abscissa, Digitised, DigitisedCurve, DigitisedScene, Ordinate, OurPoint, RodScene, SheetScene, compare, fringes,
+    model_form, worst,
 };
 use crate::oracle::{Oracle, ReferenceKind};
 use crate::scene::Scene;
@@ -129,8 +130,7 @@ fn compared(curve: &DigitisedCurve) -> Result<Judged, Error> {
         ours(point.abscissa)?;
     }
     let comparison = compare(curve, &|at| ours(at).unwrap_or(OurPoint { value: f64::NAN, uncertainty: f64::NAN }));
-    let worst = comparison.worst().map_or(f64::NAN, |deviation| deviation.ratio);
-    Ok(check(&curve.file, curve.name(), curve.kind(), comparison.model_form.as_deref()).judge(worst))
+    Ok(check(&curve.file, curve.name(), curve.kind(), model_form(curve).as_deref()).judge(worst(&comparison)))
 }
 
 fn ours(curve: &DigitisedCurve) -> Result<Ours, Error> {

@@ -4,7 +4,7 @@
 use crate::case::library::{Cylinder, CylinderModel};
 use crate::case::{Check, Judged, Quantity, Reference};
 use crate::drawing::palette::{self, Dash, Marker, Style};
-use crate::drawing::{Axis, Chart, Direction, Drawing, Guide, panels};
+use crate::drawing::{Axis, Chart, Direction, Drawing, Guide, Series, panels};
 use crate::elasticity::{point, shape_functions};
 use crate::error::Error;
 use crate::markdown::{self, Column, significant};
@@ -14,7 +14,7 @@ use crate::oracle::ReferenceKind;
 use crate::oracle::digitised::fringes::{Channel, End, Fringe};
 use crate::scene::Grading;
 use crate::solve::{Discretisation, Formulation, Run};
-use crate::study::drawn::{Curve, picture};
+use crate::study::drawn::picture;
 
 /// Half-widths over the radius at which the disc is solved; the best lies on the parabola through the least three.
 const WIDTHS: [f64; 10] = [0.030, 0.035, 0.040, 0.045, 0.050, 0.055, 0.060, 0.065, 0.070, 0.075];
@@ -227,8 +227,7 @@ fn fringes(photograph: &Photograph, end: End, title: &str) -> Chart {
             Channel::B => (palette::LINE, "blue", Marker::Diamond),
         };
         let mut draw = |points: &[[f64; 2]], label: String, dash, marker| {
-            let curve = Curve { points: points.to_vec(), failed: Vec::new() };
-            chart.series.push(curve.drawn(label, Style::run(colour, dash, marker)));
+            chart.series.push(Series::new(label, points.iter().copied(), Style::run(colour, dash, marker)));
         };
         draw(&line.computed, format!("{name}, computed"), Dash::Solid, Marker::Absent);
         draw(&line.measured, format!("{name}, read"), Dash::Absent, marker);
@@ -241,8 +240,8 @@ fn widths(photograph: &Photograph) -> Drawing {
     let mut chart = Chart::new(title, Axis::linear("half-width a / R [–]"), Axis::linear("rms [fringe orders]"));
     let kinds = [("all else held", palette::LINE, Dash::Solid, 1), ("all else fitted", palette::NODE, Dash::Dashed, 2)];
     chart.series.extend(kinds.map(|(label, colour, dash, k)| {
-        let points = photograph.widths.iter().map(|width| [width[0], width[k]]).collect();
-        Curve { points, failed: Vec::new() }.drawn(label, Style::run(colour, dash, Marker::Circle))
+        let points = photograph.widths.iter().map(|width| [width[0], width[k]]);
+        Series::new(label, points, Style::run(colour, dash, Marker::Circle))
     }));
     chart.guides.push(Guide { direction: Direction::Vertical, at: photograph.half_width[0], label: "fitted".into() });
     chart.drawing()

@@ -291,7 +291,7 @@ pub(super) fn judge(surveyed: &Surveyed<Record>) -> Vec<Judged> {
 /// The share of errors within their bars, an unknown one being outside, of each number of each family on each kind of cells, where it is
 /// smallest.
 pub fn within(recorded: &[Record]) -> Judged {
-    let groups = JUDGED.into_iter().flat_map(|family| Kind::ALL.map(|(kind, name, _)| (family, kind, name)));
+    let groups = JUDGED.iter().flat_map(|&family| Kind::ALL.map(|(kind, name, _)| (family, kind, name)));
     let groups = groups.flat_map(|(family, kind, name)| ORDERS.map(|cells| (family, kind, name, cells)));
     let shares = groups.filter_map(|(family, kind, name, cells)| {
         let is_own = |one: &Record, own| one.family == family && own == kind && order(one.number) == cells;
@@ -455,11 +455,9 @@ fn panel(name: &str, numbers: &[[f64; 2]]) -> Chart {
         ("median", 0.5, palette::LAYER, Dash::Dashed, Marker::Square),
     ];
     for (label, share, colour, dash, marker) in quantiles {
-        let (points, style) = (curve(numbers, share), Style::run(colour, dash, marker));
-        chart.series.push(Series { label: label.into(), points, style, hollow: Vec::new() });
+        chart.series.push(Series::new(label, curve(numbers, share), Style::run(colour, dash, marker)));
     }
-    let points = RANGE.map(|end| (end, end)).into();
-    chart.series.push(Series { label: "error = bar".into(), points, style: Style::reference(), hollow: Vec::new() });
+    chart.series.push(Series::new("error = bar", RANGE.map(|end| (end, end)), Style::reference()));
     chart
 }
 

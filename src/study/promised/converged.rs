@@ -9,13 +9,13 @@ use crate::case::file::files_in;
 use crate::case::library::{self, NAMES, TruncatedHertz};
 use crate::case::{Case, Check, Judged, Quantity, Reference};
 use crate::checkout::root;
-use crate::drawing::{Axis, Chart, Drawing, panels};
+use crate::drawing::{Axis, Chart, Drawing, Series, panels};
 use crate::error::{Error, Kind};
 use crate::markdown;
 use crate::solution::EnergyError;
 use crate::solve::Ended;
 use crate::solve::{Change, Discretisation, Formulation, Iteration, Origin, Run, Settings};
-use crate::study::drawn::{self, Curve};
+use crate::study::drawn;
 use crate::study::records::{Millionths, Survey, Surveyed, are_like};
 
 /// The survey.
@@ -249,9 +249,9 @@ fn same(a: f64, b: f64) -> bool {
     a.to_bits() == b.to_bits()
 }
 
-/// The section: criterion, how loose the bound in the energy norm is, and shares that converge.
+/// The section: criterion, how loose the bound in the energy norm is, and the chart.
 pub(super) fn section(surveyed: &Surveyed<Record>, energies: &[Option<EnergyError>]) -> String {
-    let text = format!(
+    format!(
         "## What is called converged\n\n\
          A run stops by its error against the solution of its own discrete problem, which an active set finds beside it, and \
          not by a residual, whose scale someone must guess. Per contact, relative to that solution: the *peak*, the share of \
@@ -261,18 +261,18 @@ pub(super) fn section(surveyed: &Surveyed<Record>, energies: &[Option<EnergyErro
          {}\
          Every scene file and library scene, and a block of {SIZE} half-widths, under every element and algorithm; candidates as \
          long as the scene has them and of {stretches} half-widths, where the bodies allow it; loads of {loads} of the scene's own; \
-         tolerances of {tolerances}. A run that does not converge is reported so, and is not wrong. {}\n\n{}",
+         tolerances of {tolerances}; at most {limit} iterations. A run that does not converge is reported so, and is not wrong. {}\n\n{}",
         bound(energies),
         surveyed.told(),
         drawn::picture(
             "converged.svg",
             "Share of the runs that converge at the default tolerance, by candidate stretch, over all scenes and loads"
         ),
+        limit = Settings::default().max_iterations,
         stretches = list(&STRETCHES[1..]),
         loads = list(&LOADS),
         tolerances = list(&TOLERANCES),
-    );
-    text + &shares(&surveyed.recorded)
+    )
 }
 
 /// Numbers one after the other.
@@ -302,35 +302,6 @@ fn bound(energies: &[Option<EnergyError>]) -> String {
     )
 }
 
-/// Shares that converge, by formulation: on each stretch, then under each load.
-fn shares(recorded: &[Record]) -> String {
-    let mut rows = Vec::new();
-    for tolerance in TOLERANCES {
-        for (k, formulation) in Formulation::nine().iter().enumerate() {
-            let of = |is_meant: &dyn Fn(&Record) -> bool| {
-                percent(share(recorded, k, |record| same(record.tolerance, tolerance) && is_meant(record)))
-            };
-            let by_stretch = STRETCHES.map(|stretch| of(&|record| same(record.stretch, stretch)));
-            let by_load = LOADS.map(|load| of(&|record| same(record.load, load)));
-            let named = [formulation.name(), format!("{tolerance:e}")];
-            rows.push([&named[..], &by_stretch, &by_load].concat());
-        }
-    }
-    let stretches = STRETCHES.map(|stretch| if stretch > 0.0 { format!("{stretch} a") } else { "own".into() });
-    let loads = LOADS.map(|load| format!("load × {load:e}"));
-    let head = [&["formulation", "tolerance"].map(String::from)[..], &stretches, &loads].concat();
-    let limit = Settings::default().max_iterations;
-    let title = format!(
-        "Share of the runs that converge within {limit} iterations, by candidate stretch under all loads, and by load on all stretches"
-    );
-    markdown::folded(&title, &markdown::table(&head, &rows), false)
-}
-
-/// A share; – without a run.
-fn percent(share: Option<f64>) -> String {
-    share.map_or("–".into(), |share| format!("{:.0} %", 100.0 * share))
-}
-
 /// Share of the runs that converge at the default tolerance against the candidate stretch, one panel an algorithm.
 pub(super) fn picture(recorded: &[Record]) -> (String, Drawing) {
     let all = Formulation::nine();
@@ -343,9 +314,8 @@ pub(super) fn picture(recorded: &[Record]) -> (String, Drawing) {
                 let is_at = |record: &Record| same(record.tolerance, TOLERANCES[0]) && same(record.stretch, stretch);
                 share(recorded, k, is_at).map(|share| [stretch, 100.0 * share])
             };
-            let points = STRETCHES.into_iter().filter(|stretch| *stretch > 0.0).filter_map(at).collect();
-            let curve = Curve { points, failed: Vec::new() };
-            chart.series.push(curve.drawn(drawn::label(formulation), drawn::style(formulation)));
+            let points = STRETCHES.into_iter().filter(|stretch| *stretch > 0.0).filter_map(at);
+            chart.series.push(Series::new(drawn::label(formulation), points, drawn::style(formulation)));
         }
         chart
     };

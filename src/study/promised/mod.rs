@@ -4,11 +4,9 @@
 //! * [`converged`] — every scene under all nine formulations (recorded).
 //! * [`bars`] — true errors of random scenes against their bars (recorded).
 //! * [`met`] — random scenes solved to five accuracies (recorded).
-//! * [`asked`] — what an accuracy costs beside a mesh made by hand.
 //!
 //! The bars of all checks are judged below, after all other trials.
 
-pub mod asked;
 pub mod bars;
 pub mod converged;
 pub mod met;
@@ -30,8 +28,6 @@ pub enum Numbers {
     Bars(Surveyed<bars::Record>),
     /// Answers called met or not.
     Met(Surveyed<met::Record>),
-    /// An answer beside a mesh made by hand.
-    Asked(asked::Answered),
     /// How many checks have bars, and those whose error is beyond, each with the title of its trial.
     Checks(usize, Vec<(String, Judged)>),
 }
@@ -41,8 +37,7 @@ impl Study for Numbers {
     const ABOUT: About = About {
         title: "What is promised",
         asked: "Whether a run that is called converged has the peak and the width of its discrete problem, how often the true error is \
-                within the error bar that was printed, how often an answer that is called accurate is not, and what an accuracy costs \
-                beside a mesh made by hand.",
+                within the error bar that was printed, how often an answer that is called accurate is not, and what an accuracy costs.",
         limits: "What is called converged says nothing of the mesh: that is what error bars are for. Bars and accuracies are held \
                  against random scenes whose truth is a closed form, or that of a boundary method: what has neither is not among them. \
                  Of the checks only those against closed forms have a true error to look at.",
@@ -51,15 +46,13 @@ impl Study for Numbers {
     /// The trials; the one of the checks is made after those of all studies.
     fn plan() -> Vec<Planned<Self>> {
         let of = |case: &str, run: fn() -> Result<Numbers, Error>| Planned::new(case, "all scenes", run);
-        let surveys = [
+        vec![
             of("what is called converged", || {
                 Ok(Numbers::Converged(converged::SURVEY.surveyed()?, converged::energies()?))
             }),
             of("coverage of error bars", || bars::SURVEY.surveyed().map(Numbers::Bars)),
             of("what is called met", || met::SURVEY.surveyed().map(Numbers::Met)),
-        ];
-        let asked = asked::plan().into_iter().map(|one| one.map(Numbers::Asked));
-        surveys.into_iter().chain(asked).collect()
+        ]
     }
 
     fn judge(&self) -> Result<Vec<Judged>, Error> {
@@ -67,7 +60,6 @@ impl Study for Numbers {
             Numbers::Converged(surveyed, _) => converged::judge(surveyed),
             Numbers::Bars(surveyed) => bars::judge(surveyed),
             Numbers::Met(surveyed) => met::judge(surveyed),
-            Numbers::Asked(answered) => asked::judge(answered),
             Numbers::Checks(all, outside) => judge_checks(*all, outside),
         })
     }
@@ -75,7 +67,6 @@ impl Study for Numbers {
     /// A subsection for each promise.
     fn section(findings: &[Found<Self>]) -> Result<String, Error> {
         let mut text = String::new();
-        let mut answered = Vec::new();
         let mut checked =
             String::from("## Error bars beside checks\n\nThey are judged where all studies are solved.\n");
         for found in findings {
@@ -83,11 +74,10 @@ impl Study for Numbers {
                 Numbers::Converged(surveyed, energies) => text += &converged::section(surveyed, energies),
                 Numbers::Bars(surveyed) => text += &bars::section(surveyed),
                 Numbers::Met(surveyed) => text += &met::section(surveyed),
-                Numbers::Asked(one) => answered.push((found.name.to_owned(), *one)),
                 Numbers::Checks(all, outside) => checked = section_on_checks(*all, outside),
             }
         }
-        Ok(format!("{text}{}\n{checked}", asked::section(&answered)))
+        Ok(text + &checked)
     }
 
     /// Runs that converge by the candidate stretch, and true errors against bars.

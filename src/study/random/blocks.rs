@@ -38,34 +38,17 @@ pub fn cosine(draw: &mut Draw, material: Material, guess: f64) -> Sample {
     let (peak, half_width) = (waves.pressure(0.0), share * wavelength);
     let rolled = |at: Place| Support { at, component: Component::X, value: 0.0 };
     let side = 0.5 * wavelength;
-    let scene = Scene {
-        name: "waves".into(),
-        plane: PlaneHypothesis::Strain,
-        thickness: 1.0,
-        bodies: vec![Body {
-            density: 1.0,
-            name: "block".into(),
-            shape: Shape::Rectangle { x: [0.0, side], y: [0.0, height], contact: Face::Bottom },
-            material,
-            supports: ["left", "right"].map(|name| rolled(Place::Boundary(name.into()))).into(),
-            loads: vec![Load::Traction { boundary: "far".into(), traction: [0.0, -waves.mean] }],
-        }],
-        contacts: vec![ContactPair::new(
-            None,
-            Path::HORIZONTAL,
-            Profile::Cosine { amplitude, wavelength },
-            (guess * half_width).min(side),
-        )],
-        reference: ReferenceValues { length: half_width, pressure: peak, gap: amplitude },
-        grading: Grading { unit: half_width, along: 1.5, depth: 1.4, first: 1.0, coarsest: 0.2, end: 1.0 },
-    };
-    let truths = [
-        (Quantity::PeakPressure, peak),
-        (Quantity::PeakPlace, 0.0),
-        (Quantity::SecondMomentWidth, waves.second_moment()),
-        (Quantity::End(0), half_width),
-        (Quantity::Resultant, 2.0 * side * waves.mean),
-    ];
+    let supports = ["left", "right"].map(|name| rolled(Place::Boundary(name.into()))).into();
+    let loads = vec![Load::Traction { boundary: "far".into(), traction: [0.0, -waves.mean] }];
+    let profile = Profile::Cosine { amplitude, wavelength };
+    let scene = scene(
+        "waves",
+        vec![rectangle(material, [[0.0, side], [0.0, height]], supports, loads)],
+        ContactPair::new(None, Path::HORIZONTAL, profile, (guess * half_width).min(side)),
+        ReferenceValues { length: half_width, pressure: peak, gap: amplitude },
+        GROWING,
+    );
+    let truths = even([peak, 0.0], waves.second_moment(), half_width, 2.0 * side * waves.mean);
     // On the mean over x the sides take σ_x = ν' σ_y: ε_y = (1 − ν'²) σ_y / E'.
     let ratio = material.poisson / (1.0 - material.poisson);
     let shortening = waves.mean * height * (1.0 - ratio * ratio) / modulus;
@@ -99,22 +82,15 @@ pub fn rolling(draw: &mut Draw, material: Material, guess: f64) -> Sample {
     let reach = (centre - left).min(right - centre);
     let path = Path::Straight(Line { origin: [0.0, 0.0], both_sides: true });
     let pair = ContactPair::new(None, path, Profile::Parabola { radius }, (guess * a).min(reach));
-    let scene = Scene {
-        name: "block that rolls".into(),
-        plane: PlaneHypothesis::Strain,
-        thickness: 1.0,
-        bodies: vec![Body {
-            density: 1.0,
-            name: "block".into(),
-            shape: Shape::Rectangle { x: [centre + left, centre + right], y: [0.0, height], contact: Face::Bottom },
-            material,
-            supports: vec![Support { at: Place::Point([centre + right, height]), component: Component::X, value: 0.0 }],
-            loads: loads.into(),
-        }],
-        contacts: vec![ContactPair { symmetric: false, ..pair }],
-        reference: ReferenceValues { length: a, pressure: hertz.peak_pressure(), gap: a * a / (2.0 * radius) },
-        grading: Grading { unit: a, along: 1.5, depth: 1.4, first: 1.0, coarsest: 0.2, end: 1.0 },
-    };
+    let held = Support { at: Place::Point([centre + right, height]), component: Component::X, value: 0.0 };
+    let size = [[centre + left, centre + right], [0.0, height]];
+    let scene = scene(
+        "block that rolls",
+        vec![rectangle(material, size, vec![held], loads.into())],
+        ContactPair { symmetric: false, ..pair },
+        ReferenceValues { length: a, pressure: hertz.peak_pressure(), gap: a * a / (2.0 * radius) },
+        GROWING,
+    );
     Sample::of(
         scene,
         [
@@ -132,13 +108,40 @@ pub fn rolling(draw: &mut Draw, material: Material, guess: f64) -> Sample {
 
 /// What Hertz says of a contact.
 pub fn of_hertz(hertz: &Hertz) -> [(Quantity, f64); 5] {
+    even([hertz.peak_pressure(), 0.0], hertz.half_width(), hertz.half_width(), hertz.load)
+}
+
+/// What is said of an even contact: peak and its place, second-moment width, end and resultant.
+pub fn even([peak, place]: [f64; 2], width: f64, end: f64, load: f64) -> [(Quantity, f64); 5] {
     [
-        (Quantity::PeakPressure, hertz.peak_pressure()),
-        (Quantity::PeakPlace, 0.0),
-        (Quantity::SecondMomentWidth, hertz.half_width()),
-        (Quantity::End(0), hertz.half_width()),
-        (Quantity::Resultant, hertz.load),
+        (Quantity::PeakPressure, peak),
+        (Quantity::PeakPlace, place),
+        (Quantity::SecondMomentWidth, width),
+        (Quantity::End(0), end),
+        (Quantity::Resultant, load),
     ]
+}
+
+/// Growth of the elements along the surface and into the depth, and the coarsest over the body.
+pub const GROWING: [f64; 3] = [1.5, 1.4, 0.2];
+
+/// A scene of plane strain and one contact, whose elements are graded from its reference length on.
+pub fn scene(
+    name: &str,
+    bodies: Vec<Body>,
+    pair: ContactPair,
+    reference: ReferenceValues,
+    [along, depth, coarsest]: [f64; 3],
+) -> Scene {
+    let grading = Grading { unit: reference.length, along, depth, first: 1.0, coarsest, end: 1.0 };
+    let (plane, contacts) = (PlaneHypothesis::Strain, vec![pair]);
+    Scene { name: name.into(), plane, thickness: 1.0, bodies, contacts, reference, grading }
+}
+
+/// A block with its contact below.
+pub fn rectangle(material: Material, [x, y]: [[f64; 2]; 2], supports: Vec<Support>, loads: Vec<Load>) -> Body {
+    let shape = Shape::Rectangle { x, y, contact: Face::Bottom };
+    Body { density: 1.0, name: "block".into(), shape, material, supports, loads }
 }
 
 /// A block on a rigid plane under a pressure linear in x, which is that of the contact at every height.
@@ -155,22 +158,15 @@ pub fn eccentric(draw: &mut Draw, material: Material) -> Sample {
         (material.plane_modulus(PlaneHypothesis::Strain), material.poisson / (1.0 - material.poisson));
     let far = || Place::Boundary("far".into());
     let path = Path::Straight(Line { origin: [0.0, 0.0], both_sides: true });
-    let scene = Scene {
-        name: "block under an eccentric load".into(),
-        plane: PlaneHypothesis::Strain,
-        thickness: 1.0,
-        bodies: vec![Body {
-            density: 1.0,
-            name: "block".into(),
-            shape: Shape::Rectangle { x: [-half, half], y: [0.0, height], contact: Face::Bottom },
-            material,
-            supports: vec![Support { at: Place::Point([0.0, height]), component: Component::X, value: 0.0 }],
-            loads: vec![Load::Stress { boundary: "far".into(), field }],
-        }],
-        contacts: vec![ContactPair { symmetric: false, ..ContactPair::new(None, path, Profile::Uniform(0.0), half) }],
-        reference: ReferenceValues { length: half, pressure: mean, gap: half * mean / material.young },
-        grading: Grading { unit: half, along: 1.0, depth: 1.0, first: 1.0, coarsest: 1.0, end: 1.0 },
-    };
+    let held = Support { at: Place::Point([0.0, height]), component: Component::X, value: 0.0 };
+    let loads = vec![Load::Stress { boundary: "far".into(), field }];
+    let scene = scene(
+        "block under an eccentric load",
+        vec![rectangle(material, [[-half, half], [0.0, height]], vec![held], loads)],
+        ContactPair { symmetric: false, ..ContactPair::new(None, path, Profile::Uniform(0.0), half) },
+        ReferenceValues { length: half, pressure: mean, gap: half * mean / material.young },
+        [1.0, 1.0, 1.0],
+    );
     Sample::of(
         scene,
         [
@@ -305,15 +301,13 @@ pub fn sample(contact: HalfPlane, materials: &[Material], cut: Cut) -> Sample {
         (cut.guess * outermost).min(side),
     );
     let finite = if peak.is_finite() { peak } else { load / outermost };
-    let scene = Scene {
-        name: "block of a half-plane".into(),
-        plane: PlaneHypothesis::Strain,
-        thickness: 1.0,
+    let scene = scene(
+        "block of a half-plane",
         bodies,
-        contacts: vec![ContactPair { symmetric: !cut.whole, ..pair }],
-        reference: ReferenceValues { length: outermost, pressure: finite, gap: load / contact.modulus },
-        grading: Grading { unit: outermost, along: 1.5, depth: 1.4, first: 1.0, coarsest: 0.2, end: 1.0 },
-    };
+        ContactPair { symmetric: !cut.whole, ..pair },
+        ReferenceValues { length: outermost, pressure: finite, gap: load / contact.modulus },
+        GROWING,
+    );
     let mut sample = Sample::of(
         scene,
         [

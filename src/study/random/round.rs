@@ -11,10 +11,10 @@ use crate::oracle::analytic::{Plane, lame};
 use crate::oracle::boundary::strip::OnStrip;
 use crate::oracle::boundary::{Ring, Strip};
 use crate::scene::{
-    Body, Circle, Component, ContactPair, Face, Grading, Load, Material, Path, Place, PlaneHypothesis, Profile,
-    ReferenceValues, Scene, Sector, Shape, Support, TractionField,
+    Body, Circle, Component, ContactPair, Face, Load, Material, Path, Place, PlaneHypothesis, Profile, ReferenceValues,
+    Sector, Shape, Support, TractionField,
 };
-use crate::study::random::blocks::of_hertz;
+use crate::study::random::blocks::{GROWING, even, of_hertz, rectangle, scene};
 use crate::study::random::family::{Draw, Sample};
 
 /// Elements across a ring: one has no coarser neighbour.
@@ -59,13 +59,7 @@ pub fn pin(draw: &mut Draw, material: Material, guess: f64) -> Sample {
         poisson: material.poisson,
         plane: Plane::Stress,
     };
-    let truths = [
-        (Quantity::PeakPressure, solution.peak_pressure()),
-        (Quantity::PeakPlace, 0.0),
-        (Quantity::SecondMomentWidth, solution.second_moment()),
-        (Quantity::End(0), half_angle),
-        (Quantity::Resultant, load),
-    ];
+    let truths = even([solution.peak_pressure(), 0.0], solution.second_moment(), half_angle, load);
     Sample::of(numbers.scene(), truths)
 }
 
@@ -93,19 +87,17 @@ pub fn cylinders(draw: &mut Draw, upper: Material, guess: f64) -> Sample {
         vec![disc("upper", above, above, Face::Bottom, upper), disc("lower", -below, below, Face::Top, lower)];
     bodies[0].loads = vec![Load::Traction { boundary: "cut".into(), traction: [0.0, -hertz.load / (2.0 * above)] }];
     bodies[1].supports.push(held("cut", Component::Y));
-    let scene = Scene {
-        name: "two cylinders".into(),
-        plane: PlaneHypothesis::Strain,
-        thickness: 1.0,
+    let scene = scene(
+        "two cylinders",
         bodies,
-        contacts: vec![ContactPair::new(Some(1), Path::HORIZONTAL, Profile::Parabola { radius }, guess * half_width)],
-        reference: ReferenceValues {
+        ContactPair::new(Some(1), Path::HORIZONTAL, Profile::Parabola { radius }, guess * half_width),
+        ReferenceValues {
             length: half_width,
             pressure: 2.0 * hertz.load / (PI * half_width),
             gap: half_width * half_width / (2.0 * radius),
         },
-        grading: Grading { unit: half_width, along: 1.7, depth: 1.6, first: 1.0, coarsest: 0.3, end: 1.0 },
-    };
+        [1.7, 1.6, 0.3],
+    );
     Sample::of(scene, of_hertz(&hertz))
 }
 
@@ -177,39 +169,24 @@ pub fn ring(draw: &mut Draw, material: Material, guess: f64) -> Sample {
     let circle = |radius| Circle { centre: [0.0, 0.0], radius };
     let held = |side: &'static str| Support { at: Place::Boundary(side.into()), component: Component::X, value: 0.0 };
     let stretch = (guess * half_angle).min(FRAC_PI_2);
-    let scene = Scene {
-        name: "ring on a pin".into(),
-        plane,
-        thickness: 1.0,
-        bodies: vec![Body {
-            density: 1.0,
-            name: "ring".into(),
-            shape: Shape::Ring {
-                pole: [0.0, 0.0],
-                inner: circle(inner),
-                outer: circle(outer),
-                sweep: PI,
-                both_sides: false,
-                contact: Face::Bottom,
-            },
-            material,
-            supports: ["start", "end"].map(held).into(),
-            loads: vec![Load::TractionField { boundary: "outer".into(), field: TractionField(Arc::new(pressed)) }],
-        }],
-        contacts: vec![ContactPair {
-            above: false,
-            ..ContactPair::new(None, Path::Arc(circle(inner)), profile, stretch)
-        }],
-        reference: ReferenceValues { length: inner * half_angle, pressure: peak, gap: clearance },
-        grading: Grading { unit: inner * half_angle, along: 1.5, depth: 1.4, first: 1.0, coarsest: 0.2, end: 1.0 },
+    let shape = Shape::Ring {
+        pole: [0.0, 0.0],
+        inner: circle(inner),
+        outer: circle(outer),
+        sweep: PI,
+        both_sides: false,
+        contact: Face::Bottom,
     };
-    let truths = [
-        (Quantity::PeakPressure, peak),
-        (Quantity::PeakPlace, place),
-        (Quantity::SecondMomentWidth, contact.second_moment()),
-        (Quantity::End(0), half_angle),
-        (Quantity::Resultant, load),
-    ];
+    let supports = ["start", "end"].map(held).into();
+    let loads = vec![Load::TractionField { boundary: "outer".into(), field: TractionField(Arc::new(pressed)) }];
+    let scene = scene(
+        "ring on a pin",
+        vec![Body { density: 1.0, name: "ring".into(), shape, material, supports, loads }],
+        ContactPair { above: false, ..ContactPair::new(None, Path::Arc(circle(inner)), profile, stretch) },
+        ReferenceValues { length: inner * half_angle, pressure: peak, gap: clearance },
+        GROWING,
+    );
+    let truths = even([peak, place], contact.second_moment(), half_angle, load);
     Sample::of(scene, truths)
 }
 
@@ -277,30 +254,12 @@ fn sample(
 ) -> Sample {
     let (a, load, [peak, place]) = (contact.half_width, contact.load(), contact.peak());
     supports.push(Support { at: Place::Boundary("left".into()), component: Component::X, value: 0.0 });
-    let scene = Scene {
-        name: name.into(),
-        plane: PlaneHypothesis::Strain,
-        thickness: 1.0,
-        bodies: vec![Body {
-            density: 1.0,
-            name: "block".into(),
-            shape: Shape::Rectangle { x: [0.0, side], y: [0.0, height], contact: Face::Bottom },
-            material,
-            supports,
-            loads,
-        }],
-        contacts: vec![ContactPair::new(None, Path::HORIZONTAL, profile.clone(), (guess * a).min(side))],
-        reference: ReferenceValues { length: a, pressure: peak, gap: profile.gap(a) },
-        grading: Grading { unit: a, along: 1.5, depth: 1.4, first: 1.0, coarsest: 0.2, end: 1.0 },
-    };
-    Sample::of(
-        scene,
-        [
-            (Quantity::PeakPressure, peak),
-            (Quantity::PeakPlace, place),
-            (Quantity::SecondMomentWidth, contact.second_moment()),
-            (Quantity::End(0), a),
-            (Quantity::Resultant, load),
-        ],
-    )
+    let scene = scene(
+        name,
+        vec![rectangle(material, [[0.0, side], [0.0, height]], supports, loads)],
+        ContactPair::new(None, Path::HORIZONTAL, profile.clone(), (guess * a).min(side)),
+        ReferenceValues { length: a, pressure: peak, gap: profile.gap(a) },
+        GROWING,
+    );
+    Sample::of(scene, even([peak, place], contact.second_moment(), a, load))
 }

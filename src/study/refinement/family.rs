@@ -3,16 +3,16 @@
 use crate::case::library::PinRod;
 use crate::case::{Check, Judged, Quantity, Reference};
 use crate::drawing::palette::{self, Dash, Marker, Style};
-use crate::drawing::{Axis, Chart, Drawing, panels};
+use crate::drawing::{Axis, Chart, Drawing, Series, panels};
 use crate::error::Error;
-use crate::markdown::{self, Column};
+use crate::markdown;
 use crate::mesh::{Order, Resolution};
 use crate::oracle::analytic::Plane;
 use crate::oracle::analytic::persson::PinInHole;
 use crate::scene::Material;
 use crate::solve::Ended;
 use crate::solve::{Discretisation, Formulation, Run};
-use crate::study::drawn::{self, picture};
+use crate::study::drawn::picture;
 
 /// Values of `E t c / F`.
 pub const CLEARANCES: [f64; 8] = [0.0, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0];
@@ -20,8 +20,6 @@ pub const CLEARANCES: [f64; 8] = [0.0, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0];
 const EYES: [f64; 3] = [1.6, 2.0, 2.5];
 /// Values of shank width over pin diameter.
 const SHANKS: [f64; 3] = [0.8, 1.0, 1.4];
-/// Relative step of the sensitivities.
-const STEP: f64 = 0.05;
 /// Elements per 10 mm of arc of a pin of 10 mm radius.
 const ELEMENTS: usize = 16;
 /// Part of the candidate stretch from which on a contact reaches its end.
@@ -40,17 +38,6 @@ pub struct Curve {
     pub name: String,
     /// By clearance.
     pub placed: Vec<Placed>,
-}
-
-/// `∂ ln result / ∂ ln number`, by central differences.
-#[derive(Clone, Debug)]
-pub struct Slope {
-    /// The number.
-    pub number: &'static str,
-    /// Of the pressure, and of the angle.
-    pub slope: [f64; 2],
-    /// The same by half the step.
-    pub by_half: [f64; 2],
 }
 
 /// A pin–rod of the proportions of another at a place of the family.
@@ -121,24 +108,6 @@ pub fn in_wide_plate() -> f64 {
     PinInHole { radius, clearance, load, modulus, poisson, plane: Plane::Stress }.second_moment()
 }
 
-/// Slopes at the default scene by clearance, eye and shank, by two steps.
-pub fn slopes() -> Result<[Slope; 3], Error> {
-    let slope = |number: &'static str, index: usize| {
-        let by = |step: f64| -> Result<[f64; 2], Error> {
-            let moved = |factor: f64| {
-                let mut place = DEFAULT;
-                place[index] *= factor;
-                solve(&at(&PinRod::default(), place)).map(numbers)
-            };
-            let (up, down) = (moved(1.0 + step)?, moved(1.0 - step)?);
-            let per = ((1.0 + step) / (1.0 - step)).ln();
-            Ok([0, 1].map(|k| (up[k] / down[k]).ln() / per))
-        };
-        Ok::<_, Error>(Slope { number, slope: by(STEP)?, by_half: by(0.5 * STEP)? })
-    };
-    Ok([slope("E t c / F", 0)?, slope("eye outer radius / R", 1)?, slope("shank width / 2R", 2)?])
-}
-
 /// No scene is lost, an eye embraces the pin, and three numbers place a pin.
 pub fn judge(curves: &[Curve], [first, other]: &[[f64; 2]; 2], wide_plate: f64) -> Vec<Judged> {
     let all = || curves.iter().flat_map(|curve| &curve.placed);
@@ -173,21 +142,6 @@ fn smaller(a: f64, b: f64) -> f64 {
     if a.is_nan() || b.is_nan() { f64::NAN } else { a.min(b) }
 }
 
-/// Change of a slope with half the step.
-const STEPS: f64 = 0.02;
-
-/// Slopes do not depend on their step.
-pub fn judge_slope(slope: &Slope) -> [Judged; 2] {
-    [("p_max", 0), ("angle", 1)].map(|(result, k)| {
-        let quantity =
-            Quantity::at("change of a sensitivity by half the step", format!("{result} by {}", slope.number));
-        let because =
-            "central differences: error of the order of the step squared, and of the mesh that changes with it";
-        Check::error(quantity, Reference::own("half the step", 0.0), STEPS, because)
-            .judge((slope.slope[k] - slope.by_half[k]).abs())
-    })
-}
-
 /// File of the chart.
 pub const FILE: &str = "family-pin-rod.svg";
 
@@ -211,17 +165,6 @@ pub fn table_of_curves(curves: &[Curve]) -> String {
     format!("**Pin–rod: pressure and second-moment angle by dimensionless clearance**\n\n{table}\n")
 }
 
-/// Sensitivities.
-pub fn table_of_slopes(slopes: &[Slope]) -> String {
-    let columns: [Column<Slope>; 3] = [
-        ("number", |slope| slope.number.into()),
-        ("∂ ln p_max / ∂ ln", |slope| format!("{:+.3}", slope.slope[0])),
-        ("∂ ln angle / ∂ ln", |slope| format!("{:+.3}", slope.slope[1])),
-    ];
-    let ([clearance, eye, shank], table) = (DEFAULT, markdown::columns(&columns, slopes));
-    format!("**Pin–rod: sensitivities around E t c/F = {clearance}, eye {eye} R, shank {shank} · 2R**\n\n{table}\n")
-}
-
 /// Ends of the axis of clearances; what has none stands on its left end.
 const ENDS: [f64; 2] = [0.25, 60.0];
 
@@ -234,11 +177,9 @@ pub fn chart(all: &[&[Curve]]) -> Drawing {
             let points = || CLEARANCES.into_iter().zip(&curve.placed);
             // A contact beyond the quarter is refused, and no point of the family.
             let is_lost = |placed: &Placed| placed.is_err_and(|class| class != Ended::Beyond);
-            let drawn = drawn::Curve {
-                points: points().map(|(clearance, placed)| [clearance, of(numbers(*placed))]).collect(),
-                failed: points().filter(|(_, placed)| is_lost(placed)).map(|(clearance, _)| clearance).collect(),
-            };
-            chart.series.push(drawn.drawn(&*curve.name, style));
+            let found = points().map(|(clearance, placed)| [clearance, of(numbers(*placed))]);
+            let hollow = points().filter(|(_, placed)| is_lost(placed)).map(|(clearance, _)| clearance).collect();
+            chart.series.push(Series { hollow, ..Series::new(&*curve.name, found, style) });
         }
         let mut points = chart.series.iter().flat_map(|series| &series.points);
         if points.any(|(clearance, value)| *clearance <= 0.0 && value.is_finite()) {

@@ -19,10 +19,11 @@ use crate::measure::{larger, relative_error};
 use crate::mesh::{Order, Resolution};
 use crate::solve::{Discretisation, Formulation, Run};
 use crate::study::about::{About, Found, Planned, Study};
+use crate::study::differences::peak_and_width;
 use crate::study::drawn::picture;
 use crate::study::refinement::nested::told;
 use crate::uncertainty::standard;
-use family::{Curve, Slope};
+use family::Curve;
 use nested::Series;
 
 /// What a trial found.
@@ -55,8 +56,6 @@ pub enum Numbers {
         /// Half-angle in a wide plate at the largest clearance (Persson) \[rad\].
         wide_plate: f64,
     },
-    /// Slopes of the family at the default scene, by clearance, eye and shank.
-    Slopes([Slope; 3]),
 }
 
 impl Study for Numbers {
@@ -78,19 +77,17 @@ impl Study for Numbers {
                 nested::truncated(order).map(|(series, load)| Numbers::Orders { series, load })
             })
         });
-        let family = "dimensionless family, pin-rod";
         let others = [
             Planned::new("model error, cylinder", "node.kinematic", || model_error().map(Numbers::ModelError)),
             Planned::new("refinement, pin-rod", "4-node and 8-node", || {
                 nested::pin_rod().map(|(series, difference)| Numbers::PinRod { series, difference })
             }),
             Planned::new("half cylinder against quarter", "node.kinematic", || changes().map(Numbers::Quarter)),
-            Planned::new(family, "clearance and thickness", || {
+            Planned::new("dimensionless family, pin-rod", "clearance and thickness", || {
                 let [first, other] = family::same_place()?;
                 let (curves, wide_plate) = (family::curves()?, family::in_wide_plate());
                 Ok(Numbers::Family { curves, same_place: [first, other], wide_plate })
             }),
-            Planned::new(family, "sensitivities", || family::slopes().map(Numbers::Slopes)),
         ];
         orders.into_iter().chain(others).collect()
     }
@@ -102,7 +99,6 @@ impl Study for Numbers {
             Numbers::PinRod { series, difference } => nested::judge_pin_rod(series, *difference),
             Numbers::Quarter(changes) => changes.iter().flat_map(judge_change).collect(),
             Numbers::Family { curves, same_place, wide_plate } => family::judge(curves, same_place, *wide_plate),
-            Numbers::Slopes(slopes) => slopes.iter().flat_map(family::judge_slope).collect(),
         })
     }
 
@@ -120,7 +116,6 @@ impl Study for Numbers {
                 Numbers::PinRod { series, .. } => refinement += &nested::table_of_pin_rod(series),
                 Numbers::Quarter(changes) => quarter += &table_of_changes(changes),
                 Numbers::Family { curves, .. } => family += &family::table_of_curves(curves),
-                Numbers::Slopes(slopes) => family += &family::table_of_slopes(slopes),
             }
         }
         Ok(refinement + &quarter + &family)
@@ -191,12 +186,6 @@ fn powers(ratios: &[Ratio; 4], number: usize) -> Vec<Observed> {
     pairs(&sizes, &falling().map(|ratio| ratio.departures[number][0]).collect::<Vec<_>>(), floor)
 }
 
-/// Peak pressure and half-width; NaN, which no check passes, where the run did not converge.
-fn found(run: &Run) -> [f64; 2] {
-    let measures = run.measures();
-    if run.solution.converged() { [measures.peak.pressure, measures.second_moment_width] } else { [f64::NAN; 2] }
-}
-
 /// What the quarter cylinder differs from Hertz by, on meshes fine enough to show it.
 pub fn model_error() -> Result<[Ratio; 4], Error> {
     let ratio = |a_over_r| {
@@ -209,7 +198,7 @@ pub fn model_error() -> Result<[Ratio; 4], Error> {
         let runs = [coarse?, medium?, fine?];
         let hertz = [numbers.scene().reference.pressure, numbers.half_width()];
         let departures = [0, 1].map(|number| {
-            let series = runs.each_ref().map(|run| found(run)[number] / hertz[number] - 1.0);
+            let series = runs.each_ref().map(|run| peak_and_width(run)[number] / hertz[number] - 1.0);
             [series[2], richardson(series).bound]
         });
         Ok(Ratio { a_over_r, departures, dofs: runs[2].dofs })
@@ -224,7 +213,7 @@ pub fn changes() -> Result<Vec<Change>, Error> {
         let contact = |model| {
             let case = Cylinder { a_over_r, model, ..Default::default() }.case();
             let made = Discretisation::of(case.scene, case.resolution)?;
-            Ok::<_, Error>(found(&Run::of(&made, &Formulation::verification())?))
+            Ok::<_, Error>(peak_and_width(&Run::of(&made, &Formulation::verification())?))
         };
         let quarter = contact(CylinderModel::Quarter)?;
         let half = contact(CylinderModel::Half)?;

@@ -12,7 +12,6 @@ use crate::measure::{larger, profile, relative_error, whole};
 use crate::mesh::{Order, Resolution};
 use crate::scene::Scene;
 use crate::solve::{Discretisation, Formulation, Run};
-use crate::study::drawn::Curve;
 use crate::uncertainty::{COVERAGE, Comparison};
 
 /// Elements of the coarsest mesh: per half-width of truncated Hertz, per 10 mm of arc of the pin–rod.
@@ -360,9 +359,9 @@ fn curves(series: &Series) -> [Drawn; 3] {
         _ => (Dash::Solid, Marker::Circle),
     };
     let curve = |quantity, colour, of: fn(&Level) -> f64| {
-        let points = series.levels.iter().map(|level| [level.size(), of(level).abs()]).collect();
+        let points = series.levels.iter().map(|level| [level.size(), of(level).abs()]);
         let label = format!("{quantity}, {}", series.cells());
-        Curve { points, failed: Vec::new() }.drawn(label, Style::run(colour, dash, marker))
+        Drawn::new(label, points, Style::run(colour, dash, marker))
     };
     [
         curve("p₀", palette::NODE, |level| level.peak),

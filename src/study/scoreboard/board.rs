@@ -12,14 +12,14 @@ use flate2::Compression;
 use flate2::write::GzEncoder;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
-use sha2::{Digest, Sha256};
 
 use crate::case::{Case, Judged, Verdict};
-use crate::checkout::root;
+use crate::checkout::{root, sha256};
 use crate::condensation::Plain;
 use crate::error::Error;
 use crate::measure::Quantity as Number;
 use crate::named::named_enum;
+use crate::oracle::cross_code::frozen::{read_json, write_json};
 use crate::referee::export::deck;
 use crate::referee::export::problem::{self, SCRIPTS};
 use crate::referee::judge::ENGINEERING;
@@ -193,16 +193,12 @@ pub enum Ended {
 impl Board {
     /// Reads it.
     pub fn load() -> Result<Self, Error> {
-        let file = file();
-        let text = fs::read_to_string(&file).map_err(|_| Error::missing_file(&file, RENEW))?;
-        serde_json::from_str(&text).map_err(|error| Error::unreadable(&file, error, RENEW))
+        read_json(&file(), RENEW)
     }
 
     /// Writes it.
     pub fn write(&self) -> Result<(), Error> {
-        let file = file();
-        let text = serde_json::to_string_pretty(self).map_err(|error| Error::unwritable(&file, error))?;
-        fs::write(&file, text + "\n").map_err(|error| Error::unwritable(&file, error))
+        write_json(&file(), self)
     }
 
     /// The case; refused where it was not asked.
@@ -223,8 +219,7 @@ pub fn folder() -> PathBuf {
 
 /// SHA-256 of the scripts as they are now.
 pub fn hashes() -> BTreeMap<String, String> {
-    let of = |text: &str| Sha256::digest(text).iter().map(|byte| format!("{byte:02x}")).collect();
-    SCRIPTS.into_iter().map(|(name, text, _)| (name.to_owned(), of(text))).collect()
+    SCRIPTS.into_iter().map(|(name, text, _)| (name.to_owned(), sha256(text.as_bytes()))).collect()
 }
 
 /// The interpreter that the codes are installed for.

@@ -11,20 +11,19 @@ pub mod board;
 use std::fmt::Write;
 use std::fs;
 
-use crate::case::{Case, Check, Judged, Quantity, Reference, library};
+use crate::case::{Case, Check, Judged, Quantity, library};
 use crate::checkout::root;
 use crate::drawing::palette::{self, Dash, Marker, Style};
-use crate::drawing::{Axis, Chart, Drawing};
+use crate::drawing::{Axis, Chart, Drawing, Series};
 use crate::error::Error;
 use crate::markdown::{self, Column};
 use crate::measure::{Quantity as Number, larger};
 use crate::oracle::ReferenceKind;
 use crate::referee::Truth;
-use crate::referee::judge::ENGINEERING;
 use crate::solve::Discretisation;
 use crate::study::about::{About, Found, Planned, Study};
-use crate::study::drawn::{Curve, picture};
-use crate::study::scoreboard::board::{Board, Code, Ended, FOLDER, RENEW, Scored, Setting, Told, hashes, scored};
+use crate::study::drawn::picture;
+use crate::study::scoreboard::board::{Board, Code, Ended, RENEW, Scored, Setting, Told, hashes, scored};
 
 /// One body on a rigid one, flat and curved; two bodies, straight, curved, and conforming.
 pub const CASES: [&str; 6] = ["cylinder", "truncated-hertz", "bars", "own-weight", "two-cylinders", "pin-rod"];
@@ -72,43 +71,13 @@ impl Study for Numbers {
         let rows = || self.rows.iter();
         let unread =
             rows().filter(|row| matches!(row.told.ended, Ended::Answered { .. }) && row.scored.is_err()).count();
-        // Acceptance is stated, so that what is no number has moved.
-        let is_same = |row: &&Row| row.moved().is_none_or(|moved| moved <= SAME);
-        let moved = self.rows.len() - rows().filter(is_same).count();
         let complete = |value: f64| if self.rows.len() == Setting::ALL.len() { value } else { f64::NAN };
         let named = |name: &'static str| Quantity::at(name, self.case.clone());
         let none =
             |name, value: usize, because: &'static str| Check::none(named(name), because).judge(complete(value as f64));
-        let best = self.best(|_| true).and_then(|row| row.scored.as_ref().ok());
-        let agrees = |k: usize, name| {
-            let (error, bar) = best.map_or((f64::NAN, 0.0), |best| (best.scores[k].error.abs(), best.scores[k].bar));
-            let reference =
-                Reference { kind: ReferenceKind::CrossCode, ..Reference::own("the nearest of other codes", 0.0) };
-            Check::error(
-                named(name),
-                reference,
-                ENGINEERING + bar,
-                "engineering tolerance, and what the truth may be off",
-            )
-            .judge(error)
-        };
-        let [now, then] = self.dofs;
-        let dofs = Check::at_most(
-            named("degrees of freedom that the exported mesh has changed by"),
-            Reference::own("none", 0.0),
-            format!("{FOLDER} is of the present meshes: {RENEW}"),
-        );
         Ok(vec![
             none("frozen answers that cannot be read", unread, "what a code wrote once is read as it was"),
-            none(
-                "frozen answers judged otherwise than when they were written",
-                moved,
-                "peak and second-moment width within 1e-6",
-            ),
             none("scripts changed since their answers were frozen", self.changed.len(), RENEW),
-            dofs.judge(now.abs_diff(then) as f64),
-            agrees(0, "relative error of the peak pressure of the nearest code"),
-            agrees(1, "relative error of the second-moment width of the nearest code"),
         ])
     }
 
@@ -161,19 +130,19 @@ impl Study for Numbers {
             Axis::log("larger relative error of p₀ and a [–]"),
         );
         for (code, first) in Code::ALL.into_iter().flat_map(|code| [(code, true), (code, false)]) {
-            let mut curve = Curve::default();
+            let (mut points, mut hollow) = (Vec::new(), Vec::new());
             for found in findings {
                 let best = found.numbers.best(|setting| setting.code == code).map(|row| row.setting);
                 let rows = found.numbers.rows.iter().filter(|row| row.setting.code == code);
                 for row in rows.filter(|row| if first { row.setting.first } else { Some(row.setting) == best }) {
                     match row.scored {
-                        Ok(_) => curve.points.push([row.seconds(), row.error().max(FLOOR)]),
-                        Err(_) => curve.failed.push(row.seconds()),
+                        Ok(_) => points.push([row.seconds(), row.error().max(FLOOR)]),
+                        Err(_) => hollow.push(row.seconds()),
                     }
                 }
             }
-            let name = if first { "first choice" } else { "best setting" };
-            chart.series.push(curve.drawn(format!("{}, {name}", code.name()), style(code, first)));
+            let label = format!("{}, {}", code.name(), if first { "first choice" } else { "best setting" });
+            chart.series.push(Series { hollow, ..Series::new(label, points, style(code, first)) });
         }
         Ok(vec![(FILE.into(), chart.drawing())])
     }
@@ -205,14 +174,6 @@ impl Row {
     /// Seconds over those of one sparse Cholesky solve.
     pub fn seconds(&self) -> f64 {
         self.told.seconds / self.told.cholesky
-    }
-
-    /// Largest relative change of peak and second-moment width since they were judged by the live run; none without an answer.
-    fn moved(&self) -> Option<f64> {
-        let (Ended::Answered { found, .. }, Ok(Scored { scores, .. })) = (&self.told.ended, &self.scored) else {
-            return None;
-        };
-        Some(scores.iter().zip(found).map(|(now, then)| (now.value - then).abs() / then.abs()).fold(0.0, larger))
     }
 }
 
@@ -263,9 +224,6 @@ fn row(truth: &Truth, discretisation: &Discretisation, told: &Told) -> Option<Ro
     };
     Some(Row { setting, told: told.clone(), scored })
 }
-
-/// Relative change that other rounding explains.
-const SAME: f64 = 1e-6;
 
 /// A code, its row of each case by the first choice and by the best setting, and how many of its runs failed.
 type Summed = (Code, [Vec<Option<Row>>; 2], usize);

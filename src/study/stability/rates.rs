@@ -1,14 +1,14 @@
 //! Rates of convergence: on the final active set by the condensed matrices, beforehand by Hertz's closed form, and as measured.
 
 use crate::algorithm::{ContactProblem, StiffnessRule};
-use crate::case::library::{Cylinder, PinRod, TruncatedHertz};
+use crate::case::library::{Cylinder, TruncatedHertz};
 use crate::case::{Check, Judged, Quantity, Reference, Verdict};
 use crate::error::Error;
 use crate::markdown::{self, Column};
 use crate::measure::larger;
 use crate::measure::profile::weighted_line;
 use crate::mesh::{Order, Resolution};
-use crate::scene;
+use crate::scene::Scene;
 use crate::solution::Solution;
 use crate::solve::{Discretisation, Element, Formulation, Iteration};
 use crate::stability::{Limit, linear, rate};
@@ -28,39 +28,13 @@ const STEPS: usize = 20;
 const TOLERANCE: f64 = 1e-12;
 const LIMIT: usize = 12_000;
 
-/// A scene on which predictions are tried.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Scene {
-    /// The cylinder.
-    Cylinder,
-    /// Truncated Hertz.
-    TruncatedHertz,
-    /// The pin-rod, whose contact is no Hertz contact.
-    PinRod,
-}
-
-impl Scene {
-    /// All.
-    pub const ALL: [Self; 3] = [Self::Cylinder, Self::TruncatedHertz, Self::PinRod];
-
-    /// Name of its trial.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Cylinder => "cylinder",
-            Self::TruncatedHertz => "truncated hertz",
-            Self::PinRod => "pin-rod",
-        }
-    }
-
-    /// The scene with candidates over the half-width, of the pin-rod in degrees.
-    pub(super) fn stretched(self, stretch: f64) -> scene::Scene {
-        match self {
-            Self::Cylinder => Cylinder { stretch, ..Default::default() }.scene(),
-            Self::TruncatedHertz => TruncatedHertz { stretch, ..Default::default() }.scene(),
-            Self::PinRod => PinRod { stretch: stretch.to_radians(), ..Default::default() }.scene(),
-        }
-    }
-}
+/// A scene with candidates over the half-width.
+type Stretched = fn(f64) -> Scene;
+/// Scenes whose half-width is known beforehand.
+pub(super) const SCENES: [(&str, Stretched); 2] = [
+    ("truncated hertz", |stretch| TruncatedHertz { stretch, ..Default::default() }.scene()),
+    ("cylinder", |stretch| Cylinder { stretch, ..Default::default() }.scene()),
+];
 
 /// A start of a method, predicted and measured.
 #[derive(Clone, Copy, Debug)]
@@ -257,8 +231,8 @@ pub struct Before {
 
 impl Before {
     /// On a mesh of a scene.
-    fn of(scene: Scene, stretch: f64, elements: usize) -> Result<Self, Error> {
-        let scene = scene.stretched(stretch);
+    fn of(stretched: Stretched, stretch: f64, elements: usize) -> Result<Self, Error> {
+        let scene = stretched(stretch);
         let half_width = scene.reference.length;
         let discretisation =
             Discretisation::of(scene, Resolution { elements, refinement: 0, order: Order::Quadratic })?;
@@ -277,7 +251,7 @@ impl Before {
 }
 
 /// Every mesh of a scene whose half-width is known beforehand.
-pub fn before(scene: Scene) -> Result<Vec<Before>, Error> {
+pub(super) fn before(scene: Stretched) -> Result<Vec<Before>, Error> {
     let meshes = STRETCHES.iter().flat_map(|&stretch| ELEMENTS.map(|elements| (stretch, elements)));
     meshes.map(|(stretch, elements)| Before::of(scene, stretch, elements)).collect()
 }

@@ -1,12 +1,12 @@
-//! Stability of constant and varying stiffness: towards fixed springs, next to the contact, and under rules that fail.
+//! Stability of constant and varying stiffness: towards fixed springs, and next to the contact.
 
 use crate::algorithm::{Algorithm, ContactProblem, Springs, StiffnessRule, Varying};
 use crate::case::{Check, Judged, Quantity, Reference};
 use crate::error::{Error, Kind};
 use crate::markdown::{self, Column};
 use crate::measure::larger;
-use crate::solution::{Outcome, Solution, Work};
-use crate::solve::{Discretisation, Element, Formulation, Iteration, Settings};
+use crate::solution::{Outcome, Work};
+use crate::solve::{Element, Formulation, Iteration, Settings};
 use crate::stability::{Limit, rate};
 use crate::study::stability::rates::{ACCEPTED, MEASURABLE, discretised, limit};
 
@@ -255,94 +255,6 @@ pub(super) fn table_of_basin(starts: &[(&str, &Basin)]) -> String {
             let end = start.far.map_or("no spring left".into(), |outcome| outcome.to_string());
             format!("{end} after {}", start.iterations)
         }),
-    ];
-    markdown::columns(&columns, starts)
-}
-
-/// Initial stiffnesses of constant stiffness with `secant` and `literal`.
-const SHOWN: [f64; 5] = [0.1, 1.0, 1e2, 1e4, 1e6];
-
-/// A start of constant stiffness with the rules `secant` and `literal`, which fail.
-#[derive(Clone, Copy, Debug)]
-pub struct Failing {
-    /// Initial stiffness κ₀.
-    pub stiffness: f64,
-    /// Half of the largest κ* that `secant` asks for.
-    pub needed: f64,
-    /// Spectral radius of `secant`; NaN where there is none.
-    pub predicted: f64,
-    /// How `secant` ends.
-    pub secant: Outcome,
-    /// How `literal` ends.
-    pub literal: Outcome,
-    /// Largest force that `literal` leaves in a point that is open in the limit, over the limit's largest.
-    pub left: f64,
-}
-
-/// Every start with an element.
-pub fn failing(element: Element) -> Result<Vec<Failing>, Error> {
-    let discretisation = discretised()?;
-    SHOWN.into_iter().map(|stiffness| fail(&discretisation, element, stiffness)).collect()
-}
-
-fn fail(discretisation: &Discretisation, element: Element, stiffness: f64) -> Result<Failing, Error> {
-    let with = |rule| Formulation { rule, stiffness, ..Formulation::new(element, Iteration::Constant) };
-    let secant = with(StiffnessRule::Secant);
-    let points = discretisation.points(&secant);
-    let problem = discretisation.problem(&secant, &points);
-    let limit = limit(&problem)?;
-    let asked = limit.target(&problem).into_iter().map(|k| problem.scale.clip(k)).fold(0.0, f64::max);
-    let literal = discretisation.solve(&with(StiffnessRule::Literal))?;
-    Ok(Failing {
-        stiffness,
-        needed: 0.5 * asked / problem.scale.stiffness,
-        predicted: rate::secant_force(&problem, &limit).unwrap_or(f64::NAN),
-        secant: discretisation.solve(&secant)?.outcome,
-        literal: literal.outcome,
-        left: force_left(&literal, &limit),
-    })
-}
-
-/// Largest force that the last iteration left in a point that is open in the limit, over the limit's largest.
-fn force_left(solution: &Solution, limit: &Limit) -> f64 {
-    let open = solution.spring_pressures.iter().zip(&limit.closed).filter(|(_, closed)| !**closed);
-    open.map(|(p, _)| p.abs()).fold(0.0, f64::max) / limit.pressure.iter().copied().fold(0.0, f64::max)
-}
-
-/// Neither rule converges, and the forces of `literal` say why.
-pub fn judge_failing(starts: &[Failing]) -> Vec<Judged> {
-    let outcomes = starts.iter().flat_map(|start| [start.secant, start.literal]);
-    let converged = outcomes.filter(|outcome| *outcome == Outcome::Converged).count();
-    let smaller = |a: f64, b: f64| -larger(-a, -b);
-    let least = starts.iter().map(|start| start.left).reduce(smaller).unwrap_or(f64::NAN);
-    vec![
-        Check::none(
-            "start from which secant or literal converges with constant stiffness",
-            "secant needs springs of half what the gap-free point asks for; literal forgets Σ k Δw in its forces",
-        )
-        .judge(if least.is_nan() { f64::NAN } else { converged as f64 }),
-        Check::at_least(
-            "least force that the literal sum leaves in open points, over the peak",
-            Reference::own("error accepted", 1e-3),
-            "Σ (k⁺ − k) w is not the change of k w: what is missing stays in the point",
-        )
-        .judge(least),
-    ]
-}
-
-/// Both rules from every start, with the name of the element.
-pub(super) fn table_of_failing(starts: &[(&str, &Failing)]) -> String {
-    let columns: [Column<(&str, &Failing)>; 7] = [
-        ("element", |(element, _)| element.to_string()),
-        ("κ₀", |(_, start)| format!("{:e}", start.stiffness)),
-        ("largest κ*/2", |(_, start)| format!("{:.1e}", start.needed)),
-        ("secant: predicted ρ", |(_, start)| match start.predicted {
-            large if large > 10.0 => format!("{large:.0}"),
-            usual => format!("{usual:.6}"),
-        }),
-        ("secant: outcome", |(_, start)| start.secant.to_string()),
-        ("literal: outcome", |(_, start)| start.literal.to_string()),
-        ("literal: force left in open points, over the peak", |(_, start)| format!("{:.1e}", start.left)),
     ];
     markdown::columns(&columns, starts)
 }

@@ -151,12 +151,6 @@ pub fn measure((elements, refinement, repeats): (usize, u32, usize), memory: Opt
     })
 }
 
-/// Seconds of the contact solve alone.
-pub fn contact_seconds(elements: usize, refinement: u32, repeats: usize) -> Result<Spread, Error> {
-    let one = |_| once(elements, refinement).map(|run| sum(&run.stages, |stage| !BEFORE.contains(&stage)));
-    Ok(Spread::of(&(0..repeats).map(one).collect::<Result<Vec<_>, _>>()?))
-}
-
 fn sum(stages: &[(Stage, f64)], which: impl Fn(Stage) -> bool) -> f64 {
     stages.iter().filter(|(stage, _)| which(*stage)).map(|(_, seconds)| seconds).sum()
 }

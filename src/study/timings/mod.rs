@@ -2,8 +2,7 @@
 //! counts recorded beside them are still the code's own: these are computed again. A folder, since what measures seconds, what keeps
 //! them and what computes errors and counts again with every report are three things.
 //!
-//! * `precision` — on which meshes truncated Hertz is solved; error against seconds and work, ours and of codes on meshes of their own;
-//!   the cylinder by GetFEM and CalculiX on ours.
+//! * `precision` — on which meshes truncated Hertz is solved; error against seconds and work, ours and of codes on meshes of their own.
 //! * `growth` — one solve at three sizes, stage by stage, against one plain sparse Cholesky solve; all nine formulations over one.
 //! * `record` — what is kept under `snapshots/timings`, measured on demand by the command `timings`, and what of it is cheapest.
 //! * `targets` — what was asked for, and what was measured.
@@ -16,8 +15,6 @@ pub mod precision;
 pub mod record;
 pub mod targets;
 
-use std::collections::BTreeSet;
-
 use crate::case::{Check, Judged, Quantity, Reference};
 use crate::clock::Stage;
 use crate::drawing::palette::{self, Dash, Marker, Style};
@@ -29,8 +26,8 @@ use crate::solve::{Element, Formulation, Iteration};
 use crate::study::about::{About, Found, Planned, Study};
 use crate::study::drawn::picture;
 use crate::study::timings::growth::{Counts, Growth, exponent};
-use crate::study::timings::precision::{LOADS, PeerPoint, Point, Series, TOLERANCE, cells};
-use crate::study::timings::record::{Beside, Measure, Record, cheapest, front, sound};
+use crate::study::timings::precision::{LOADS, Point, Series, TOLERANCE, cells};
+use crate::study::timings::record::{Beside, MEASURES, Measure, Record, cheapest, front, sound};
 use crate::study::timings::targets::{COMPARED, NOT_ASKED, Target, ours, targets};
 
 /// Name of the trials.
@@ -158,15 +155,7 @@ const ASKED: [Column<Target>; 4] = [
 /// The page of a record.
 pub fn page(record: &Record) -> String {
     let asked = markdown::columns(&ASKED, &targets(record));
-    [machine(record), asked, counted(record), precision(), growth(record)].concat()
-}
-
-/// What the seconds of each code on our meshes count, by its own account.
-fn counted(record: &Record) -> String {
-    let told = |peer: &PeerPoint| format!("{} {}: {}.", peer.code.name(), peer.version, peer.counted);
-    let each: BTreeSet<String> = record.measured.peers.iter().map(told).collect();
-    let lead = "The same mesh is handed to codes that one would pick instead; ours is the contact solve from the assembled matrix on, theirs";
-    format!("\n{lead} count:\n\n{}", each.into_iter().map(|line| format!("* {line}\n")).collect::<String>())
+    [machine(record), asked, precision(), growth(record)].concat()
 }
 
 fn machine(record: &Record) -> String {
@@ -297,7 +286,7 @@ const OPERATIONS: Cost = (
 /// Truncated Hertz, whose answer is known, beside meshes fitted to the contact and codes on meshes of their own.
 pub fn chart(record: &Record) -> Drawing {
     let mut charts = charts(record);
-    for (chart, measure) in charts.iter_mut().step_by(2).zip(Measure::ALL) {
+    for (chart, measure) in charts.iter_mut().step_by(2).zip(MEASURES) {
         let style = Style::run(palette::INK, Dash::Dashed, Marker::Square);
         let label = "node element, high order, fitted to the contact it finds".into();
         curve(chart, label, style, record.of(Series::Fitted).collect(), SECONDS, measure);
@@ -311,22 +300,19 @@ pub fn chart(record: &Record) -> Drawing {
 fn charts(record: &Record) -> Vec<Chart> {
     let points = sound(&record.points);
     let both = |measure: Measure| [SECONDS, OPERATIONS].map(|cost| own(&points, measure, cost));
-    Measure::ALL.into_iter().flat_map(both).collect()
+    MEASURES.into_iter().flat_map(both).collect()
 }
 
-fn own(points: &[&Point], measure: Measure, cost: Cost) -> Chart {
+fn own(points: &[&Point], measure @ (name, errors): Measure, cost: Cost) -> Chart {
     let (axis, value, _) = cost;
-    let worst = |point: &Point| measure.errors(point)[1];
-    let mut chart = Chart::new(measure.name(), Axis::log(axis), Axis::log("worst relative error [%]"));
+    let worst = |point: &Point| errors(point)[1];
+    let mut chart = Chart::new(name, Axis::log(axis), Axis::log("worst relative error [%]"));
     for (element, colour) in Element::ALL.into_iter().zip(palette::CURVES) {
         let names = Iteration::ALL.map(|algorithm| Some(Formulation::new(element, algorithm).name()));
         let own = points.iter().filter(|point| names.contains(&point.formulation));
-        chart.series.push(drawing::Series {
-            label: format!("{} element, any algorithm and mesh", element.name()),
-            points: own.map(|point| (value(point), 100.0 * worst(point))).collect(),
-            style: Style::run(colour, Dash::Absent, Marker::Dot),
-            hollow: vec![],
-        });
+        let label = format!("{} element, any algorithm and mesh", element.name());
+        let points = own.map(|point| (value(point), 100.0 * worst(point)));
+        chart.series.push(drawing::Series::new(label, points, Style::run(colour, Dash::Absent, Marker::Dot)));
     }
     let label = "Pareto front: none is cheaper and as exact".into();
     let style = Style::run(palette::INK, Dash::Solid, Marker::Absent);
@@ -343,16 +329,14 @@ fn curve(
     style: Style,
     mut points: Vec<&Point>,
     (_, cost, _): Cost,
-    measure: Measure,
+    (_, errors): Measure,
 ) {
     if points.is_empty() {
         return;
     }
     points.sort_by(|a, b| cost(a).total_cmp(&cost(b)));
-    let ends: Vec<_> =
-        points.iter().map(|point| measure.errors(point).map(|error| (cost(point), 100.0 * error))).collect();
-    let worst = ends.iter().map(|[_, worst]| *worst).collect();
-    chart.series.push(drawing::Series { label, points: worst, style, hollow: vec![] });
+    let ends: Vec<_> = points.iter().map(|point| errors(point).map(|error| (cost(point), 100.0 * error))).collect();
+    chart.series.push(drawing::Series::new(label, ends.iter().map(|[_, worst]| *worst), style));
     let label = format!("upright bar: median to worst of {LOADS} loads");
     chart.bars.push(Bars { label, ends, colour: style.colour });
 }
@@ -362,11 +346,11 @@ fn remark<'a>(
     chart: &mut Chart,
     points: impl IntoIterator<Item = &'a Point>,
     (_, cost, told): Cost,
-    measure: Measure,
+    (_, errors): Measure,
     right: bool,
     colour: Colour,
 ) {
-    let worst = |point: &Point| measure.errors(point)[1];
+    let worst = |point: &Point| errors(point)[1];
     if let Some(point) = cheapest(points, cost, worst, COMPARED) {
         let label = format!("cheapest within {}", percent());
         let (at, text) = ((cost(point), 100.0 * worst(point)), told(cost(point)));

@@ -1,5 +1,5 @@
 //! Error against seconds and work, over loads the mesh does not know: ours, and by other codes in processes of their own, if they are
-//! installed: scikit-fem, dolfinx and NGSolve on truncated Hertz with their own meshes, GetFEM and CalculiX on our mesh of the cylinder.
+//! installed: scikit-fem, dolfinx and NGSolve on truncated Hertz with their own meshes.
 //!
 //! The mesh is graded for the nominal half-width and the candidate stretch; eight loads then move the contact edge across
 //! one of its elements, so that no mesh has the edge on a node by luck. Every point is the median and the worst of them.
@@ -10,7 +10,6 @@ use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
 use crate::case::library::TruncatedHertz;
-use crate::checkout::root;
 use crate::error::Error;
 use crate::measure::larger;
 use crate::mesh::{Order, Resolution};
@@ -20,9 +19,8 @@ use crate::oracle::cross_code::process::{Told, run};
 use crate::scene::{Grading, Scene};
 use crate::solve::run::Run;
 use crate::solve::{Discretisation, Fitted, Formulation, Iteration};
-use crate::study::handed_over;
+use crate::study::differences::errors;
 use crate::study::seconds::Spread;
-use crate::study::timings::growth::{contact_seconds, discretised};
 
 /// Tolerance of every run: a thirtieth of the smallest error that is asked for.
 pub const TOLERANCE: f64 = 1e-5;
@@ -180,7 +178,8 @@ pub fn measure(series: Series, mesh: usize) -> Result<Vec<Point>, Error> {
         let runs = solved(series, mesh, half_width, &formulations)?;
         let (_, exact) = series.loaded(half_width);
         for ((run, seconds), loaded) in runs.into_iter().zip(&mut loaded) {
-            loaded.push(Loaded { errors: errors(&run, &exact), run, seconds });
+            let errors = errors(&run, [exact.peak_pressure(), exact.half_width()]);
+            loaded.push(Loaded { errors, run, seconds });
         }
     }
     let point = |(formulation, loaded): (&Formulation, Vec<Loaded>)| {
@@ -202,16 +201,6 @@ pub fn measure(series: Series, mesh: usize) -> Result<Vec<Point>, Error> {
         }
     };
     Ok(formulations.iter().zip(loaded).map(point).collect())
-}
-
-/// Relative errors of p₀ and a; NaN where the run did not converge.
-fn errors(run: &Run, exact: &Hertz) -> [f64; 2] {
-    if !run.solution.converged() {
-        return [f64::NAN; 2];
-    }
-    let measures = run.measures();
-    let pairs = [(measures.peak.pressure, exact.peak_pressure()), (measures.second_moment_width, exact.half_width())];
-    pairs.map(|(found, exact)| (found / exact - 1.0).abs())
 }
 
 /// One mesh under one load by some formulations, each with its seconds.
@@ -249,8 +238,6 @@ pub fn meshes() -> Vec<(Series, usize)> {
 const TRIANGLES: [[usize; 2]; 8] = [[8, 0], [12, 0], [16, 0], [17, 0], [32, 0], [17, 1], [32, 1], [64, 1]];
 /// Meshes of NGSolve: order, and cells per candidate stretch.
 const HIGH_ORDER: [[usize; 2]; 7] = [[3, 6], [4, 9], [6, 9], [4, 18], [4, 27], [6, 27], [4, 81]];
-/// Meshes of the cylinder handed to the peers: elements per half-width, times halved, repeats.
-const SHARED: [(usize, u32, usize); 3] = [(8, 0, 5), (8, 1, 3), (8, 2, 1)];
 
 /// What the meshes of a code are, in a few words.
 pub fn cells(code: Series) -> String {
@@ -313,61 +300,4 @@ pub fn version(line: &Value) -> String {
 fn spread(line: &Value, key: &str) -> Spread {
     let list = line[key].as_array().into_iter().flatten().map(|x| x.as_f64().unwrap_or(f64::NAN));
     Spread::of(&list.collect::<Vec<_>>())
-}
-
-named_enum! {
-    /// A code that solves on our own mesh of the cylinder.
-    pub enum Peer {
-        /// GetFEM.
-        GetFem = "GetFEM",
-        /// CalculiX.
-        CalculiX = "CalculiX",
-    }
-}
-
-/// One mesh of the cylinder by a peer.
-#[derive(Clone, Debug, Serialize, Deserialize)]
-pub struct PeerPoint {
-    /// Code.
-    pub code: Peer,
-    /// Version.
-    pub version: String,
-    /// Our degrees of freedom.
-    pub dofs: usize,
-    /// Seconds by its own account.
-    pub seconds: Spread,
-    /// What they count.
-    pub counted: String,
-    /// Our contact solve on the same mesh \[s\].
-    pub ours: Spread,
-}
-
-/// The cylinder by a peer on our meshes; the reason where it is not installed.
-pub fn cylinder(peer: Peer) -> Result<Result<Vec<PeerPoint>, String>, Error> {
-    let script = match peer {
-        Peer::GetFem => "getfem_peer.py",
-        Peer::CalculiX => "calculix_peer.py",
-    };
-    let mut points = Vec::new();
-    for (elements, refinement, repeats) in SHARED {
-        let discretisation = discretised(elements, refinement)?;
-        let file = root().join("target").join(format!("cylinder-{elements}-{refinement}.json"));
-        handed_over::export(&discretisation, &file)?;
-        let told = run(script, &[file.display().to_string(), repeats.to_string()], "");
-        // The file is in the build's own folder: nothing is lost if it cannot be removed.
-        let _ = std::fs::remove_file(&file);
-        let line = match told? {
-            Told::Absent(why) => return Ok(Err(why)),
-            Told::Lines(lines) => lines.into_iter().next().unwrap_or(Value::Null),
-        };
-        points.push(PeerPoint {
-            code: peer,
-            version: version(&line),
-            dofs: discretisation.system.dofs(),
-            seconds: spread(&line, "seconds"),
-            counted: line["counted"].as_str().unwrap_or_default().into(),
-            ours: contact_seconds(elements, refinement, 5)?,
-        });
-    }
-    Ok(Ok(points))
 }

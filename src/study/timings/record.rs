@@ -8,10 +8,11 @@ use serde::{Deserialize, Serialize};
 
 use crate::checkout::root;
 use crate::error::Error;
+use crate::oracle::cross_code::frozen::{read_json, write_json};
 use crate::study::records;
 use crate::study::seconds::{Machine, Spread};
 use crate::study::timings::growth::{Growth, Nine};
-use crate::study::timings::precision::{PeerPoint, Point, Series};
+use crate::study::timings::precision::{Point, Series};
 
 /// What renews the records.
 pub const RENEW: &str = "run `cargo run --release -- timings` and review the diff of snapshots/timings";
@@ -31,8 +32,6 @@ pub struct Measured {
     pub report: f64,
     /// Our cheapest solve of truncated Hertz within 0.1 %, measured before and after each of the other codes.
     pub beside: Vec<Beside>,
-    /// Other codes on the cylinder.
-    pub peers: Vec<PeerPoint>,
     /// Codes that were not installed: what was missing.
     pub absent: BTreeMap<String, String>,
 }
@@ -77,17 +76,15 @@ impl Record {
     /// Reads what is committed.
     pub fn read() -> Result<Self, Error> {
         let [one, two] = files();
-        let text = std::fs::read_to_string(&one).map_err(|_| Error::missing_file(&one, RENEW))?;
-        let measured = serde_json::from_str(&text).map_err(|error| Error::unreadable(&one, error, RENEW))?;
+        let measured = read_json(&one, RENEW)?;
         Ok(Self { measured, points: records::read(&two, &records::named(POINTS), RENEW)? })
     }
 
     /// Writes both files.
     pub fn write(&self) -> Result<(), Error> {
         let [one, two] = files();
-        let text = serde_json::to_string_pretty(&self.measured).map_err(|error| Error::unwritable(&one, error))?;
         records::write(&two, &records::named(POINTS), &self.points)?;
-        std::fs::write(&one, text + "\n").map_err(|error| Error::unwritable(&one, error))
+        write_json(&one, &self.measured)
     }
 }
 
@@ -111,35 +108,14 @@ fn files() -> [PathBuf; 2] {
     ["measured.json", "precision.csv"].map(|name| root().join(FOLDER).join(name))
 }
 
-/// Quantities whose error is drawn.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Measure {
-    /// Peak pressure.
-    Peak,
-    /// Half-width.
-    HalfWidth,
-}
+/// What is drawn: its name, and its median and its worst error over the loads.
+pub type Measure = (&'static str, fn(&Point) -> [f64; 2]);
 
-impl Measure {
-    /// Both.
-    pub const ALL: [Self; 2] = [Self::Peak, Self::HalfWidth];
-
-    /// Symbol and name.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Peak => "peak pressure p₀",
-            Self::HalfWidth => "half-width a",
-        }
-    }
-
-    /// Its median and its worst error over the loads.
-    pub fn errors(self, point: &Point) -> [f64; 2] {
-        match self {
-            Self::Peak => [point.peak, point.peak_worst],
-            Self::HalfWidth => [point.half_width, point.half_width_worst],
-        }
-    }
-}
+/// Peak pressure and half-width.
+pub const MEASURES: [Measure; 2] = [
+    ("peak pressure p₀", |point| [point.peak, point.peak_worst]),
+    ("half-width a", |point| [point.half_width, point.half_width_worst]),
+];
 
 /// Our points on meshes that do not know where the contact ends, under all of whose loads the runs converge.
 pub fn sound(points: &[Point]) -> Vec<&Point> {

@@ -4,7 +4,7 @@ use crate::clock::Stage;
 use crate::error::Error;
 use crate::solve::{Element, Formulation, Iteration};
 use crate::study::timings::growth::{Growth, exponent};
-use crate::study::timings::precision::{Peer, Point, Series, TOLERANCE, half_widths, solved};
+use crate::study::timings::precision::{Point, Series, TOLERANCE, half_widths, solved};
 use crate::study::timings::record::{Beside, Record, cheapest, sound};
 
 /// One row.
@@ -64,7 +64,6 @@ pub fn targets(record: &Record) -> Vec<Target> {
         all.push(one.memory_ratio.map_or(unknown, |ratio| at_most(what, 2.0, ratio)));
     }
     all.extend(Series::CODES.into_iter().zip([20.0, 10.0, 1.0]).map(|(code, asked)| to_accuracy(record, code, asked)));
-    all.extend(Peer::ALL.into_iter().zip([10.0, 50.0]).map(|(code, asked)| peer(record, code, asked)));
     all.extend(growth.first().map(|one| sixth_digit(record, one)));
     all.push(at_most("whole report from nothing [s]".into(), 60.0, record.measured.report));
     all
@@ -137,19 +136,6 @@ fn to_accuracy(record: &Record, code: Series, asked: f64) -> Target {
         }
         _ => Target { measured: NOT_ASKED.into(), met: None, ..at_least(what, asked, f64::NAN) },
     }
-}
-
-fn peer(record: &Record, code: Peer, asked: f64) -> Target {
-    let what = format!("contact solve of the same cylinder mesh: {} ÷ ours", code.name());
-    let own = record.measured.peers.iter().filter(|point| point.code == code);
-    let ratios: Vec<f64> = own.map(|point| point.seconds.median / point.ours.median).collect();
-    let least = ratios.iter().copied().reduce(|a, b| if a.is_nan() || a < b { a } else { b });
-    let told: Vec<String> = ratios.iter().map(|ratio| format!("{ratio:.0}")).collect();
-    let (measured, met) = match least {
-        Some(least) => (format!("{} on {} meshes", told.join(", "), told.len()), Some(least >= asked)),
-        None => (NOT_ASKED.into(), None),
-    };
-    Target { what, asked: format!("≥ {asked}"), measured, met }
 }
 
 fn at_most(what: String, limit: f64, value: f64) -> Target {
