@@ -8,7 +8,7 @@ use contact_vv::case::library::{self, Cylinder};
 use contact_vv::case::{Case, Verdict};
 use contact_vv::mesh::{Order, Resolution};
 use contact_vv::scene::{Component, Place, Scene, Support};
-use contact_vv::solve::{Discretisation, Displaced, Element, Formulation, Iteration, Run};
+use contact_vv::solve::{Discretisation, Displaced, Element, Fitted, Formulation, Iteration, Run};
 use contact_vv::study::promised::bars::{Record, SURVEY, beyond, narrow, setup, told, within};
 use contact_vv::study::random::{Family, Site};
 use contact_vv::study::records::Millionths;
@@ -173,6 +173,46 @@ fn numbers_without_a_limit_or_a_meaning_are_not_quoted() {
     assert!(!has("flat-punch", shear));
     // No load and no side along y but those of symmetry, where nothing moves.
     assert!(!has("press-fit", approach) && !has("press-fit", moved));
+}
+
+#[test]
+fn approach_and_displacement_that_are_prescribed_are_exact() {
+    let far = |component| Displaced { body: 0, at: Place::Boundary("far".into()), component };
+    let pushed = [["loads = [{ traction = { at = \"far\", value = [60, -100] } }]", ""], ["supports = [", PUSHED]];
+    let all = barred(CORNER, &pushed, &[far(Component::X), far(Component::Y)]);
+    let of = |quantity| all.iter().find(|one| one.quantity == quantity).expect("told");
+    for (quantity, value) in [(Quantity::Approach, 0.01), (Quantity::Displacement(far(Component::Y)), -0.01)] {
+        let one = of(quantity);
+        assert!((one.value - value).abs() <= 1e-15 && one.bar.total() <= 0.0, "{one:?}");
+    }
+    // What nothing prescribes is known within a bar.
+    assert!(of(Quantity::Displacement(far(Component::X))).bar.total() > 0.0);
+}
+
+const PUSHED: &str = "supports = [{ at = \"far\", component = \"y\", value = -0.01 }, ";
+
+#[test]
+fn a_thin_ring_whose_forces_round_off_takes_has_bars_that_hold() {
+    let ring = "plane = \"strain\"\nthickness = 1\n[[body]]\nname = \"wheel\"\nyoung = 210e3\npoisson = 0.3\n\
+        shape = { ring = { centre = [0, 50], inner = 49.5, outer = 50, sweep = 180, contact = \"outer\" } }\n\
+        supports = [{ at = \"start\", component = \"x\" }, { at = \"end\", component = \"x\" }]\n\
+        loads = [{ pressure = { at = \"inner\", part = { centre = [0, 50], from = 0, to = 30 }, law = { uniform = 0.01 } } }]\n\
+        [contact]\nfirst = \"wheel\"\ngap = { circle = 50 }\nstretch = 1\n[mesh]\nelements = 12\nper = 0.3\n";
+    let scene = parsed(ring).scene;
+    let [coarse, fine] = [4, 6].map(|digits| {
+        let fitted = Fitted::of_digits(digits);
+        let formulation = Formulation::verification().tolerance(Fitted::misfit(fitted.order));
+        let answer = fitted.solve(&scene, &formulation).expect("solved");
+        (bars(&answer.discretisation, &answer.run, &[]).expect("bars").all, answer.run)
+    });
+    // No solve at 1e-9 is accepted on it.
+    assert!(coarse.1.imbalance() > 1e-6, "{:e}", coarse.1.imbalance());
+    for quantity in [Quantity::PeakPressure, Quantity::HalfWidth, Quantity::Resultant, Quantity::Approach] {
+        let [own, truth] =
+            [&coarse, &fine].map(|(all, _)| all.iter().find(|one| one.quantity == quantity).expect("told"));
+        let (error, bar) = ((own.value - truth.value).abs(), own.bar.total());
+        assert!(error <= bar && bar <= 0.06 * own.value, "{quantity:?}: {error:.2e} of {bar:.2e}");
+    }
 }
 
 #[test]

@@ -1,5 +1,7 @@
 //! Several contacts in one scene: each is what it would be alone where they do not meet, and all of them balance.
 
+use std::path::Path;
+
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use contact_vv::algorithm::ContactProblem;
 use contact_vv::case::notes;
@@ -7,6 +9,7 @@ use contact_vv::case::{Against, Case, Check, Quantity, Verdict};
 use contact_vv::condensation::stiffness::Stiffness;
 use contact_vv::measure::Measures;
 use contact_vv::mesh::Mesh;
+use contact_vv::mesh::size::{cells_of, expected};
 use contact_vv::solution::Work;
 use contact_vv::solve::{Change, Discretisation, Element, Formulation, Iteration, Origin, Run};
 
@@ -326,6 +329,10 @@ fn outputs_tell_every_contact_by_its_name() {
 
 /// Blocks on rigid ground, apart from one another or one upon the other, with 40 candidate elements each.
 fn many(blocks: usize, upright: bool) -> Discretisation {
+    discretised(&parsed(&text_of_many(blocks, upright, 8)))
+}
+
+fn text_of_many(blocks: usize, upright: bool, elements: usize) -> String {
     let block = |k: usize| {
         let ([x, y], last) = (if upright { [0, 10 * k] } else { [20 * k, 0] }, !upright || k + 1 == blocks);
         let load = if last { "loads = [{ traction = { at = \"far\", value = [0, -1] } }]\n" } else { "" };
@@ -344,7 +351,19 @@ fn many(blocks: usize, upright: bool) -> Discretisation {
         )
     };
     let text: String = (0..blocks).map(block).collect();
-    discretised(&parsed(&format!("plane = \"strain\"\nthickness = 1\n{text}[mesh]\nelements = 8\nper = 1\n")))
+    format!("plane = \"strain\"\nthickness = 1\n{text}[mesh]\nelements = {elements}\nper = 1\n")
+}
+
+#[test]
+fn row_of_400_bodies_is_solved_where_it_fits_and_refused_with_the_bytes_where_not() {
+    let read = |elements| Case::parse(Path::new("row.toml"), &text_of_many(400, true, elements));
+    let fits = read(8).expect("so many cells are solved");
+    // Counted to the last one, where the estimate has several times as many.
+    let cells = Mesh::of(&fits.scene, fits.resolution).expect("meshed").cells() as f64;
+    let [estimated, _] = expected(&fits.scene, fits.resolution);
+    assert!(estimated > 500e3 && (cells_of(&fits.scene, fits.resolution) - cells).abs() < 0.5, "{estimated}, {cells}");
+    let refused = read(32).map(|_| ()).expect_err("too many").to_string();
+    assert!(refused.contains("e10 bytes") && refused.contains("fewer `elements`"), "{refused}");
 }
 
 #[test]

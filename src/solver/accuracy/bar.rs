@@ -13,7 +13,7 @@
 //!
 //! The parts of iteration and penalty are differences to the solution of the same discrete problem, which is exact.
 
-use crate::accuracy::family::{Family, discrete_of};
+use crate::accuracy::family::{Family, discrete_of, is_found};
 use crate::accuracy::reading::{self, Reading, of_discrete, value_of};
 use crate::accuracy::recovered::{Recovered, recovered};
 use crate::algorithm::StiffnessRule;
@@ -204,8 +204,8 @@ fn of_displacements(
     let Recovered { readings, shears } = recovered(discretisation, run, wanted)?;
     let of = |formulation: &Formulation| -> Result<Vec<Reading>, Error> {
         match Run::from_origin(Origin::From(&run.solution), discretisation, formulation, Change::NONE) {
-            Ok(other) if other.solution.converged() && is_same(&other, run) => Ok(readings.clone()),
-            Ok(other) if other.solution.converged() => Ok(recovered(discretisation, &other, wanted)?.readings),
+            Ok(other) if is_found(&other) && is_same(&other, run) => Ok(readings.clone()),
+            Ok(other) if is_found(&other) => Ok(recovered(discretisation, &other, wanted)?.readings),
             // Not found: its numbers are unknown.
             _ => Ok(Vec::new()),
         }
@@ -223,8 +223,20 @@ fn of_displacements(
         let shear = shears.iter().find(|(of, _)| *of == [contact, body]);
         shear.map_or(f64::NAN, |(_, shear)| shear.farthest(FLAT * bar))
     };
+    let scene = &discretisation.scene;
+    let is_prescribed = |reading: &Reading| match &reading.quantity {
+        Quantity::Displacement(side) => scene.prescribes(side),
+        Quantity::Approach => {
+            let sides = scene.pressed_sides(reading.contact).unwrap_or_default();
+            !sides.is_empty() && sides.iter().all(|side| scene.prescribes(side))
+        }
+        _ => false,
+    };
     let one = |reading: &Reading| {
         let Reading { contact, quantity, .. } = reading;
+        if is_prescribed(reading) {
+            return Barred::of(reading, 0.0, [reading.value; 2], (run, family));
+        }
         let [ended, discrete] = [&target, &rigid].map(|readings| value_of(readings, *contact, quantity));
         let mesh = match quantity {
             Quantity::ShearDepth { body } => family.mesh(run, reading, discrete) + flat(*contact, *body),

@@ -3,7 +3,6 @@
 //! They know where the contact ends by a mesh line, and 8-node cells by its pressures alone, so that these take three times as many dofs to
 //! tell the half-width. Above 1e-2 8-node cells are as cheap.
 
-use crate::accuracy::answer::largest;
 use crate::accuracy::fitted::{self, Fitted};
 use crate::accuracy::rungs::{Rung, Rungs};
 use crate::accuracy::{Asked, Quantity};
@@ -73,8 +72,8 @@ pub(super) fn found(around: &Fitted, rungs: &mut Rungs) -> Result<Option<Rung>, 
             return Ok(None);
         }
         let mut rung = rungs.remember(&discretisation, run, "order");
-        rungs.look(&discretisation, &mut rung);
-        let estimate = largest(&rung.estimates);
+        rungs.look(&discretisation, &mut rung)?;
+        let estimate = rung.error;
         if estimate <= asked {
             return Ok(Some(rung));
         }

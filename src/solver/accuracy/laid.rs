@@ -1,7 +1,7 @@
 //! A scene laid out for a mesh.
 
 use crate::mesh::Resolution;
-use crate::mesh::size::{MOST, dense, expected};
+use crate::mesh::size::{MOST, cells_of, dense, expected};
 use crate::scene::Scene;
 
 /// A scene laid out for a mesh.
@@ -15,7 +15,7 @@ pub(super) struct Laid {
 impl Laid {
     /// Why its mesh is too large to be solved, with so many cells at most.
     pub(super) fn too_large(&self, most_cells: f64) -> Option<String> {
-        let [cells, candidates] = expected(&self.scene, self.resolution);
+        let (cells, [_, candidates]) = (cells_of(&self.scene, self.resolution), expected(&self.scene, self.resolution));
         let most = MOST[1];
         let fits = cells <= most_cells && dense(&self.scene, self.resolution) <= most;
         (!fits).then(|| {

@@ -5,13 +5,15 @@ use crate::accuracy::bar::of_contacts;
 use crate::accuracy::laid::Laid;
 use crate::accuracy::{Answer, Asked, Barred, Quantity, Tried, TriedContact, ends};
 use crate::error::Error;
+use crate::measure::larger;
 use crate::mesh::Resolution;
 use crate::scene::{ContactPair, Scene};
 use crate::solution::Solution;
-use crate::solve::edge_fitted;
 use crate::solve::run::{Contact, Run};
-use crate::solve::{Change, Discretisation, Formulation, Origin};
+use crate::solve::{Change, Discretisation, Formulation, Origin, edge_fitted, unbounded};
 
+/// Meshes in a row whose peak has no limit, from which on none is sought for it: on a coarse one a sharp top may look like that.
+const WITHOUT_LIMIT: usize = 2;
 /// Why no mesh meets an accuracy of a peak without a limit.
 const UNBOUNDED: &str = "the peak has no limit, so that no mesh meets an accuracy of it";
 
@@ -22,6 +24,8 @@ pub(super) struct Rung {
     pub(super) run: Run,
     /// What its bars say of the quantities asked for; empty where they were not looked at.
     pub(super) estimates: Vec<Barred>,
+    /// Largest relative bar of those that some mesh may meet; NaN where one is not known, or none was looked at.
+    pub(super) error: f64,
 }
 
 /// A search under way: what is asked, and every mesh solved.
@@ -33,6 +37,8 @@ pub(super) struct Rungs<'a> {
     pub(super) first: Option<Rung>,
     /// State of the last mesh, from which the next one starts.
     last: Option<Solution>,
+    /// Meshes in a row on which the peak of each contact had no limit.
+    without_limit: Vec<usize>,
 }
 
 impl Rung {
@@ -45,17 +51,33 @@ impl Rung {
 impl<'a> Rungs<'a> {
     /// Nothing is known yet.
     pub(super) fn new(formulation: Formulation, asked: &'a Asked) -> Self {
-        Self { formulation, asked, tried: Vec::new(), first: None, last: None }
+        Self { formulation, asked, tried: Vec::new(), first: None, last: None, without_limit: Vec::new() }
     }
 
-    /// Looks at the bars of the mesh solved last.
-    pub(super) fn look(&mut self, discretisation: &Discretisation, rung: &mut Rung) {
+    /// Looks at the bars of the mesh solved last, and at whether its peaks have a limit.
+    pub(super) fn look(&mut self, discretisation: &Discretisation, rung: &mut Rung) -> Result<(), Error> {
+        if self.asks_for_peak() && unbounded::may_be(discretisation, &rung.run) {
+            rung.run = rung.run.clone().with_limits(discretisation)?;
+        }
+        self.without_limit.resize(rung.run.contacts.len(), 0);
+        for (meshes, contact) in self.without_limit.iter_mut().zip(&rung.run.contacts) {
+            *meshes = if contact.unbounded.is_some() { *meshes + 1 } else { 0 };
+        }
         let bars = of_contacts(discretisation, &rung.run);
         rung.estimates = quoted(&bars, &rung.run, self.asked);
         if let Some(tried) = self.tried.last_mut() {
             tried.coarser = bars.dofs;
             tried.estimate = largest(&rung.estimates);
         }
+        let no_mesh =
+            |one: &Barred| one.quantity == Quantity::PeakPressure && self.without_limit[one.contact] >= WITHOUT_LIMIT;
+        let relative = rung.estimates.iter().filter(|one| !no_mesh(one)).map(Barred::relative);
+        rung.error = if rung.estimates.is_empty() { f64::NAN } else { relative.fold(0.0, larger) };
+        Ok(())
+    }
+
+    fn asks_for_peak(&self) -> bool {
+        self.asked.quantities.contains(&Quantity::PeakPressure)
     }
 
     /// Solves on a mesh from the active set of the one before.
@@ -89,7 +111,7 @@ impl<'a> Rungs<'a> {
             contacts: Tried::contacts(&scene, &run),
             estimate: f64::NAN,
         });
-        Rung { scene, resolution, run, estimates: vec![] }
+        Rung { scene, resolution, run, estimates: vec![], error: f64::NAN }
     }
 
     /// Takes a mesh on which the ends of a contact were sought into the list.
@@ -108,15 +130,15 @@ impl<'a> Rungs<'a> {
         });
     }
 
-    /// Answers with a mesh; a peak whose bar was not looked at, or did not fall, may have no limit.
+    /// Answers with a mesh; a peak that was not looked at may have no limit.
     pub(super) fn answer(self, rung: Rung, unmet: Option<String>) -> Result<Answer, Error> {
-        let Rung { scene, resolution, mut run, estimates } = rung;
-        let of_peak = self.asked.quantities.contains(&Quantity::PeakPressure);
-        if unmet.is_some() || !of_peak {
+        let Rung { scene, resolution, mut run, estimates, .. } = rung;
+        let of_peak = self.asks_for_peak();
+        if estimates.is_empty() || !of_peak {
             run = run.with_limits(&Discretisation::of(scene.clone(), resolution)?)?;
         }
         let unbounded = of_peak && run.contacts.iter().any(|contact| contact.unbounded.is_some());
-        let unmet = unmet.map(|why| if unbounded { UNBOUNDED.to_owned() } else { why });
+        let unmet = if unbounded { Some(UNBOUNDED.to_owned()) } else { unmet };
         Ok(Answer { scene, resolution, run, estimates, unmet, tried: self.tried })
     }
 }

@@ -1,6 +1,5 @@
 //! Finer and finer meshes of one family, until the error bars of one are within what is asked.
 
-use crate::accuracy::answer::largest;
 use crate::accuracy::by_order;
 use crate::accuracy::evenly::{self, Evenly};
 use crate::accuracy::fitted;
@@ -82,12 +81,12 @@ fn refine(mut layout: Layout, mut rungs: Rungs, scene: &Scene) -> Result<Answer,
         if rung.is_open() {
             return rungs.answer(rung, Some("no contact: every candidate is open".into()));
         }
-        let error = largest(&rung.estimates);
+        let error = rung.error;
         if error <= rungs.asked.relative {
             return rungs.answer(rung, None);
         }
         elements = layout.finer(elements, ratio(error / rungs.asked.relative));
-        let before = best.as_ref().map_or(f64::NAN, |best| largest(&best.estimates));
+        let before = best.as_ref().map_or(f64::NAN, |best| best.error);
         let (falls, patience) = IDLE;
         idle = if before.is_nan() || error < falls * before { 0 } else { idle + 1 };
         if before.is_nan() || error < before {
@@ -138,7 +137,7 @@ fn attempt(layout: &mut Layout, rungs: &mut Rungs, elements: usize) -> Result<At
     if layout.looks(&rung.scene, &rung.run) {
         return Ok(Attempt::Short);
     }
-    rungs.look(&discretisation, &mut rung);
+    rungs.look(&discretisation, &mut rung)?;
     Ok(Attempt::Solved(rung))
 }
 

@@ -36,7 +36,9 @@ pub(super) fn solve(scene: &Scene, formulation: &Formulation, asked: &Asked) -> 
     let discretisation = Discretisation::of(answer.scene.clone(), answer.resolution)?;
     let mut by = |part: f64| -> Result<(Run, Vec<Barred>), Error> {
         formulation.settings.tolerance = part * room;
-        let run = Run::of(&discretisation, &formulation)?;
+        let mut run = Run::of(&discretisation, &formulation)?;
+        let limits = answer.run.contacts.iter().map(|contact| contact.unbounded);
+        run.contacts.iter_mut().zip(limits).for_each(|(contact, unbounded)| contact.unbounded = unbounded);
         let estimates = quoted(&of_contacts(&discretisation, &run), &run, asked);
         Ok((run, estimates))
     };

@@ -2,14 +2,16 @@
 
 use std::f64::consts::PI;
 
-use crate::mesh::Resolution;
-use crate::mesh::outline::WIDEST;
+use crate::mesh::block::Block;
+use crate::mesh::outline::{Layout, WIDEST};
+use crate::mesh::{Order, Resolution};
 use crate::scene::{Body, ContactPair, Face, Path, Scene, Shape};
 
-/// Most cells, and most candidate elements whose nodes share one dense matrix: a solve then stays within about 4 GB.
+/// Most cells, and most candidate elements whose nodes share one dense matrix: a solve with its bars then stays within about 8 GB.
 pub const MOST: [f64; 2] = [500e3, 2e3];
-/// Bytes of a solve by the cell, and by the square of the candidate elements: four matrices of two nodes an element on each body.
-const BYTES: [f64; 2] = [4e3, 512.0];
+/// Bytes of a solve with its bars by the cell, and by the square of the candidate elements: 7e3 to 14e3 by the cell of 400 small bodies and
+/// of a large one, and four matrices of two nodes an element on each body.
+const BYTES: [f64; 2] = [12e3, 512.0];
 
 /// Retained dofs, or candidate elements, from which on those of many bodies share no dense matrix, and the part of it that their blocks
 /// fill at most.
@@ -28,19 +30,44 @@ pub fn expected(scene: &Scene, resolution: Resolution) -> [f64; 2] {
     let of_pair =
         |pair: &ContactPair| pair.bodies().map(|b| candidates(scene, resolution, b, pair)).fold(0.0, f64::max);
     let along: f64 = scene.contacts.iter().map(of_pair).sum();
-    let halved = 2.0_f64.powi(resolution.refinement as i32);
-    // Cells of order p count as the 8-node ones, two intervals wide, that have as many nodes along a side.
-    let wide = resolution.order.intervals() as f64 / 2.0;
-    [cells * (halved * wide).powi(2), along * halved * wide]
+    [cells * finer(resolution).powi(2), along * finer(resolution)]
+}
+
+/// Estimated cells up to which those of a mesh that may be too large are counted.
+const COUNTED: f64 = 2e7;
+
+/// How many cells a mesh would have: as estimated where so many are solved; else counted on the sides of its blocks, before any cell is
+/// made, since the estimate is many times too high where two contacts share a body.
+pub fn cells_of(scene: &Scene, resolution: Resolution) -> f64 {
+    let [estimated, _] = expected(scene, resolution);
+    if estimated <= MOST[0] || estimated > COUNTED || scene.validate().is_err() {
+        return estimated;
+    }
+    let plain = Resolution { refinement: 0, order: Order::Quadratic, ..resolution };
+    let counted = |body: usize| match &scene.bodies[body].shape {
+        Shape::Blocks(_) | Shape::Given(_) => cells(scene, plain, body),
+        shape => {
+            let blocks = Layout::new(scene, plain, body).blocks(shape);
+            let of = |block: &Block| block.size().map(|points| (points - 1) as f64 / 2.0).iter().product::<f64>();
+            blocks.iter().map(of).sum()
+        }
+    };
+    finer(resolution).powi(2) * (0..scene.bodies.len()).map(counted).sum::<f64>()
+}
+
+/// Elements along a side over those that the scene asks for, where cells of order p count as the 8-node ones, two intervals wide, that
+/// have as many nodes along it.
+fn finer(resolution: Resolution) -> f64 {
+    2.0_f64.powi(resolution.refinement as i32) * resolution.order.intervals() as f64 / 2.0
 }
 
 /// Candidate elements of which one dense matrix would take as much memory as what is solved: all together, or where bodies are kept apart
 /// `√Σ n²` over the n of each.
 pub fn dense(scene: &Scene, resolution: Resolution) -> f64 {
     let [_, along] = expected(scene, resolution);
-    let wide = 2.0_f64.powi(resolution.refinement as i32) * resolution.order.intervals() as f64 / 2.0;
-    let of_body =
-        |body: usize| wide * scene.contacts_of(body).map(|pair| candidates(scene, resolution, body, pair)).sum::<f64>();
+    let of_body = |body: usize| {
+        finer(resolution) * scene.contacts_of(body).map(|pair| candidates(scene, resolution, body, pair)).sum::<f64>()
+    };
     let sizes = || (0..scene.bodies.len()).map(of_body);
     if is_sparse(sizes) { sizes().map(|n| n * n).sum::<f64>().sqrt() } else { along }
 }
@@ -131,7 +158,7 @@ fn cells(scene: &Scene, resolution: Resolution, index: usize) -> f64 {
 
 /// Whether a mesh stays within [`MOST`], before anything is allocated for it; else what is wrong, and what to do.
 pub fn solvable(scene: &Scene, resolution: Resolution) -> Result<(), (String, String)> {
-    let [total, candidates] = expected(scene, resolution);
+    let (total, [_, candidates]) = (cells_of(scene, resolution), expected(scene, resolution));
     let ([most, along], dense) = (MOST, dense(scene, resolution));
     if total <= most && dense <= along {
         return Ok(());

@@ -76,6 +76,11 @@ impl Scene {
         sides
     }
 
+    /// Whether supports prescribe a displacement.
+    pub fn prescribes(&self, of: &Displaced) -> bool {
+        is_prescribed(&self.bodies[of.body], &of.at, of.component)
+    }
+
     /// By which side each elastic body of a contact is pressed along the load line, which is vertical: the only place where a
     /// load or a support acts along y.
     ///

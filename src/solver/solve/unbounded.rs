@@ -6,7 +6,7 @@ use std::f64::consts::{FRAC_1_SQRT_2, LN_2, PI};
 use crate::error::Error;
 use crate::mesh::Resolution;
 use crate::mesh::size::expected;
-use crate::scene::Profile;
+use crate::scene::{ContactPair, Profile};
 use crate::solution::EdgeState;
 use crate::solve::run::{Run, Unbounded};
 use crate::solve::{Discretisation, Element, Formulation, Iteration};
@@ -46,7 +46,7 @@ pub fn of(discretisation: &Discretisation, run: &Run) -> Result<Vec<Option<Unbou
     // A limit is a matter of the scene, whatever the contact element; this one oscillates least.
     let formulation = Formulation::new(Element::Node, Iteration::Kinematic);
     let Ok(own) = Run::of(discretisation, &formulation) else { return Ok(told) };
-    if (0..told.len()).all(|contact| steady(discretisation, &own, contact).is_none()) {
+    if (0..told.len()).all(|contact| told[contact].is_some() || steady(discretisation, &own, contact).is_none()) {
         return Ok(told);
     }
     let Some(meshes) = halved(discretisation) else { return Ok(told) };
@@ -68,6 +68,15 @@ pub fn of(discretisation: &Discretisation, run: &Run) -> Result<Vec<Option<Unbou
         told.or_else(grown)
     });
     Ok(each.collect())
+}
+
+/// Whether a peak may be one without a limit: the scene tells it, or only meshes do, or a contact goes on to where a side may end.
+pub fn may_be(discretisation: &Discretisation, run: &Run) -> bool {
+    let one = |(contact, pair): (usize, &ContactPair)| {
+        let reaches = run.contacts[contact].measures.stretches.iter().any(|one| one.reaches.contains(&true));
+        reaches || pair.profile.tips().is_none() || told(discretisation, run, contact).is_some()
+    };
+    discretisation.scene.contacts.iter().enumerate().any(one)
 }
 
 /// Three meshes, each of half the elements of the next: with the mesh at hand as the finest; of bodies whose mesh is given, which is the
