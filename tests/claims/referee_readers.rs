@@ -1,13 +1,19 @@
 //! Every reader, quantity by quantity and unit by unit, on files with two states, cells of both orientations and every column; numbers from the
 //! closed form of Hertz.
 
+use std::io::Write;
 use std::path::Path;
 
 use approx::assert_relative_eq;
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
 use contact_vv::case::library::find;
 use contact_vv::referee::export::deck;
 use contact_vv::referee::units::Role;
-use contact_vv::referee::{Answer, Asked, calculix, read};
+use contact_vv::referee::{Answer, Asked, calculix, norm, read};
+use contact_vv::solution::EdgeState;
+use flate2::Compression;
+use flate2::write::{GzEncoder, ZlibEncoder};
 
 use crate::referee_wild::{parsed, tiny, usual};
 
@@ -449,5 +455,148 @@ fn forces_of_the_last_table_of_calculix_are_read_and_those_of_a_time_that_is_nam
             assert_relative_eq!(point.value, share * (k + 1) as f64, max_relative = 1e-5);
             assert_relative_eq!(point.position, nodes[k].coordinate, max_relative = 1e-9, epsilon = 1e-12);
         }
+    }
+}
+
+/// A grid whose arrays are coded in one of VTK's ways: appended or in line, raw or in base64, compressed or not, headers of 4 or 8 bytes.
+fn coded(appended: bool, raw: bool, zlib: bool, wide: bool, ints: &str) -> Vec<u8> {
+    let (points, cells) = mesh();
+    let at = |own: fn(f64) -> f64| (0..2 * NODES).map(|k| if k < NODES { own(place(k)) } else { 0.0 }).collect();
+    let floats = |all: Vec<f64>| all.into_iter().flat_map(f64::to_le_bytes).collect::<Vec<u8>>();
+    let whole = |all: Vec<usize>| {
+        let bytes = |node: usize| match ints {
+            "UInt16" => (node as u16).to_le_bytes().to_vec(),
+            "Int16" => (node as i16).to_le_bytes().to_vec(),
+            "UInt32" => (node as u32).to_le_bytes().to_vec(),
+            "UInt64" => (node as u64).to_le_bytes().to_vec(),
+            _ => (node as i32).to_le_bytes().to_vec(),
+        };
+        all.into_iter().flat_map(bytes).collect::<Vec<u8>>()
+    };
+    let ends = (1..=cells.len()).map(|k| 4 * k).collect();
+    let arrays = [
+        ("<PointData>", "contact_pressure", "Float64", 1, floats(at(pressure))),
+        ("", "gap", "Float64", 1, floats(at(gap))),
+        (
+            "</PointData><Points>",
+            "Points",
+            "Float64",
+            3,
+            floats(points.iter().flat_map(|[x, y]| [*x, *y, 0.0]).collect()),
+        ),
+        ("</Points><Cells>", "connectivity", ints, 1, whole(cells.iter().flatten().copied().collect())),
+        ("", "offsets", ints, 1, whole(ends)),
+        ("", "types", "Int8", 1, vec![9; cells.len()]),
+    ];
+    let word =
+        |word: usize| if wide { (word as u64).to_le_bytes().to_vec() } else { (word as u32).to_le_bytes().to_vec() };
+    let code = |bytes: &[u8]| {
+        // Two blocks, of which the last is not full.
+        let size = bytes.len() / 8 / 2 * 8 + 8;
+        let packed: Vec<Vec<u8>> = bytes
+            .chunks(size)
+            .map(|block| {
+                let mut all = ZlibEncoder::new(Vec::new(), Compression::default());
+                all.write_all(block).and_then(|()| all.finish()).expect("compressed")
+            })
+            .collect();
+        let sizes: Vec<usize> = packed.iter().map(Vec::len).collect();
+        let (head, body) = match zlib {
+            true => ([vec![packed.len(), size, bytes.len() % size], sizes].concat(), packed.concat()),
+            false => (vec![bytes.len()], bytes.to_vec()),
+        };
+        let head: Vec<u8> = head.into_iter().flat_map(word).collect();
+        match (raw, zlib) {
+            (true, _) => [head, body].concat(),
+            (false, true) => (STANDARD.encode(head) + &STANDARD.encode(body)).into_bytes(),
+            (false, false) => STANDARD.encode([head, body].concat()).into_bytes(),
+        }
+    };
+    let [width, packer] =
+        [if wide { "UInt64" } else { "UInt32" }, if zlib { " compressor=\"vtkZLibDataCompressor\"" } else { "" }];
+    let mut text = format!(
+        "<VTKFile type=\"UnstructuredGrid\" byte_order=\"LittleEndian\" header_type=\"{width}\"{packer}><UnstructuredGrid>\
+         <Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">",
+        points.len(),
+        cells.len()
+    )
+    .into_bytes();
+    let mut behind = Vec::new();
+    for (before, name, kind, components, bytes) in arrays {
+        let own = code(&bytes);
+        let head = format!("{before}<DataArray type=\"{kind}\" Name=\"{name}\" NumberOfComponents=\"{components}\"");
+        match appended {
+            true => text.extend(format!("{head} format=\"appended\" offset=\"{}\"/>", behind.len()).bytes()),
+            false => text.extend([format!("{head} format=\"binary\">").as_bytes(), &own, b"</DataArray>"].concat()),
+        }
+        behind.extend(own);
+    }
+    text.extend(b"</Cells></Piece></UnstructuredGrid>");
+    if appended {
+        let encoding = if raw { "raw" } else { "base64" };
+        text.extend(
+            [format!("<AppendedData encoding=\"{encoding}\">_").as_bytes(), &behind, b"</AppendedData>"].concat(),
+        );
+    }
+    text.extend(b"</VTKFile>");
+    text
+}
+
+#[test]
+fn arrays_of_a_vtu_say_the_same_in_every_coding_and_kind_of_number() {
+    for (appended, raw) in [(false, false), (true, false), (true, true)] {
+        for (zlib, wide) in [(false, false), (false, true), (true, false), (true, true)] {
+            for ints in ["Int16", "UInt16", "Int32", "UInt32", "UInt64"] {
+                let text = coded(appended, raw, zlib, wide, ints);
+                let how = format!("appended {appended}, raw {raw}, zlib {zlib}, wide {wide}, {ints}");
+                ellipse::assert(
+                    &parsed("a.vtu", &text, &usual()).unwrap_or_else(|error| panic!("{how}: {error}")),
+                    1e-9,
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn a_compressed_answer_is_the_answer_and_one_compressed_twice_is_refused() {
+    let pack = |bytes: &[u8]| {
+        let mut all = GzEncoder::new(Vec::new(), Compression::default());
+        all.write_all(bytes).and_then(|()| all.finish()).expect("compressed")
+    };
+    let once = pack(ellipse::text().as_bytes());
+    ellipse::assert(&parsed("a.csv.gz", &once, &Asked::default()).expect("read"), 1e-9);
+    let twice = parsed("a.csv.gz.gz", pack(&once), &Asked::default()).map(|_| ()).expect_err("twice").to_string();
+    assert!(twice.contains("it is compressed twice"), "{twice}");
+}
+
+#[test]
+fn distance_of_edge_means_is_the_weighted_one_of_the_closed_form() {
+    // Means of s over [0, 1] and [1, 3] are 1/2 and 2: √((1 · 1/4 + 2 · 1)/(1 · 1/4 + 2 · 4)).
+    let edge = |ends: [f64; 2], pressure: f64| EdgeState { ends, weight: ends[1] - ends[0], pressure };
+    let found = norm::of_means(&[edge([0.0, 1.0], 1.0), edge([1.0, 3.0], 3.0)], |s| s);
+    assert_relative_eq!(found, (2.25_f64 / 8.25).sqrt(), max_relative = 1e-12);
+}
+
+#[test]
+fn pressures_of_nine_components_and_of_tensors_are_their_normal_part() {
+    let text = vtk::text(true, &|x, y| [x, y], &|s| format!("{:e}", pressure(s))).replace("contact_pressure", "other");
+    let rows: String = (0..2 * NODES)
+        .map(|k| format!("7 1 2 1 {:e} 4 2 4 5\n", if k < NODES { 0.0 - pressure(place(k)) } else { 0.0 }))
+        .collect();
+    let nine = text.replace("VECTORS moved", &format!("TENSORS sigma double\n{rows}VECTORS moved"));
+    let mut asked = usual();
+    asked.units.push((Role::Stress, "MPa".into()));
+    let naming = |role: Role, name: &str, pulled: bool| Asked {
+        columns: vec![(role, name.to_owned())],
+        tension_positive: pulled,
+        ..asked.clone()
+    };
+    for own in [
+        naming(Role::Stress, "sigma", false),
+        naming(Role::Pressure, "sigma:yy", true),
+        naming(Role::Pressure, "sigma:4", true),
+    ] {
+        ellipse::assert(&parsed("a.vtk", &nine, &own).unwrap_or_else(|error| panic!("{error}")), 1e-6);
     }
 }

@@ -63,3 +63,17 @@ fn picture_shows_what_was_handed_in_on_the_truth() {
     assert!((differences.series[0].points[0].1 - apart).abs() <= 1e-9 * peak);
     assert!(sheet.drawing().svg().expect("drawn").contains("Difference from the truth"));
 }
+
+#[test]
+fn picture_spans_what_was_handed_in_and_its_axis_what_is_drawn() {
+    let truth = Truth::of(TruncatedHertz::default().case()).expect("solved");
+    let text = "position [mm],pressure [MPa]\n-4,-1000\n0,20000\n8,0\n";
+    let answer = read::parse(Path::new("a.csv"), text.as_bytes(), &truth.case, &Asked::default()).expect("read");
+    let sheet = picture::sheet(&truth, &answer);
+    let [pressures, differences] = &sheet.charts[0][..] else { panic!("two charts") };
+    let places: Vec<f64> = [0, 100, 400].map(|k| pressures.series[1].points[k].0).into();
+    assert_eq!(places, [-4.0, -1.0, 8.0]);
+    assert!(pressures.x.label.contains("mm") && differences.x.range == Some((-4.0, 8.0)));
+    let (low, high) = pressures.y.range.expect("a range");
+    assert!((low + 1.15 * 1000.0).abs() <= 1e-9 && (high - 1.15 * 20_000.0).abs() <= 1e-9, "{low} to {high}");
+}

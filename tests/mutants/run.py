@@ -41,8 +41,9 @@ SPREAD = 1.96
 
 
 def listing(*options):
-    """Mutants as cargo-mutants lists them."""
-    told = subprocess.run(["cargo", "mutants", "--list", "--json", *options], cwd=ROOT, check=True, capture_output=True, text=True)
+    """Mutants of all crates as cargo-mutants lists them."""
+    command = ["cargo", "mutants", "--workspace", "--list", "--json", *options]
+    told = subprocess.run(command, cwd=ROOT, check=True, capture_output=True, text=True)
     return json.loads(told.stdout)
 
 
