@@ -1,12 +1,16 @@
 """Frictionless contact of one body with a rigid plane as a user of FEniCSx would write it: a penalty in UFL.
 
 F(u; v) = int sigma(u):eps(v) dx - int t.v ds + int k_n <w - g>+ w(v) |n_y| ds,  w(u) = -u_y the approach, g the gap;
-its derivative by UFL, Newton's iteration here, MUMPS. Curved quadratic triangles, made here. Units mm, N, MPa.
-dolfinx 0.5 couples no facets of two bodies: pins in holes are not served.
+its derivative by UFL, Newton's iteration here, MUMPS. Curved quadratic triangles, made here. Units mm, N, MPa. For dolfinx 0.5 to 0.11.
+Pins in holes are not served: dolfinx 0.5 couples no facets of two bodies. 0.11 does, by `dS` over given pairs of facets (cell, facet, cell,
+facet), where both have their nodes in the same order: a pin in a plate tried so had its half-width within 0.02 % of the other codes.
 """
 
 from mpi4py import MPI  # before PETSc, which would otherwise start it with fewer threads allowed
 
+import inspect
+
+import dolfinx
 import numpy as np
 import ufl
 from dolfinx import fem
@@ -20,8 +24,18 @@ KAPPA = 1e4  # k_n = KAPPA E*/a: a softer spring costs more, with a harder one N
 STEPS = 60
 SETTLED = 1e-10  # largest change of a displacement over the largest one, from which on Newton has ended
 # The same element everywhere, so that the compiled forms are found again.
-QUADRATIC = ufl.VectorElement("Lagrange", ufl.triangle, 2, variant="equispaced")
+if hasattr(ufl, "VectorElement"):
+    QUADRATIC = ufl.VectorElement("Lagrange", ufl.triangle, 2, variant="equispaced")
+else:  # dolfinx 0.7 or later
+    import basix.ufl
+
+    QUADRATIC = basix.ufl.element("Lagrange", "triangle", 2, lagrange_variant=basix.LagrangeVariant.equispaced, shape=(2,))
 CANDIDATES, FIRST, SECOND = 1, 2, 3  # tags of the boundary: contact, and the loaded sides
+
+
+def version():
+    """Of dolfinx."""
+    return dolfinx.__version__
 
 
 def solve(scene, level, method="penalty"):
@@ -44,8 +58,10 @@ class Body:
         modulus = scene["young"] / (1 - scene["poisson"] ** 2)
         load = np.pi * self.half_width**2 * modulus / (4 * self.radius)
         points, cells, sides = fan.MESHES[self.case](scene, level)
-        self.mesh = create_mesh(MPI.COMM_SELF, cells, points, ufl.Mesh(QUADRATIC))
-        self.space = fem.FunctionSpace(self.mesh, QUADRATIC)
+        # From dolfinx 0.10 on the element goes before the points.
+        order = list(inspect.signature(create_mesh).parameters)[2:4]
+        self.mesh = create_mesh(MPI.COMM_SELF, cells, *(points if name == "x" else ufl.Mesh(QUADRATIC) for name in order))
+        self.space = (fem.functionspace if hasattr(fem, "functionspace") else fem.FunctionSpace)(self.mesh, QUADRATIC)
         self.reach = scene["stretch"] * self.half_width
         found = [locate_entities_boundary(self.mesh, 1, holds) for holds in sides]
         values = np.concatenate([np.full(len(f), k + 1, np.int32) for k, f in enumerate(found)])
@@ -111,14 +127,15 @@ def newton(body):
     """Displacement where F vanishes. Started touching well beyond the contact: from u = 0 the tangent would be singular."""
     u = fem.Function(body.space)
     u.x.array[1::2] = -((1.5 * body.half_width) ** 2) / (2 * body.radius)
+    vector = u.x.petsc_vec if hasattr(u.x, "petsc_vec") else u.vector  # the latter up to dolfinx 0.8
     form = body.residual(u)
     residual, tangent = fem.form(form), fem.form(ufl.derivative(form, u))
     for _ in range(STEPS):
         matrix = petsc.assemble_matrix(tangent, body.held)
         matrix.assemble()
         force = petsc.assemble_vector(residual)
-        petsc.apply_lifting(force, [tangent], [body.held], [u.vector], -1.0)
-        petsc.set_bc(force, body.held, u.vector, -1.0)
+        petsc.apply_lifting(force, [tangent], [body.held], [vector], -1.0)
+        petsc.set_bc(force, body.held, vector, -1.0)
         change = direct(matrix, force)
         u.x.array[:] -= change
         if np.abs(change).max() <= SETTLED * np.abs(u.x.array).max():

@@ -1,6 +1,8 @@
-"""Stiffness and edge functions of dolfinx 0.5, factorised by MUMPS."""
+"""Stiffness and edge functions of dolfinx 0.5 to 0.11, factorised by MUMPS."""
 
 from mpi4py import MPI  # before PETSc, which would otherwise start it with fewer threads allowed
+
+import inspect
 
 import basix
 import numpy as np
@@ -15,14 +17,21 @@ QUADRATURE = 6
 # dolfinx: corners, then the middles opposite to corner 0, 1, 2; the mesh: middles of 01, 12, 20.
 ORDER = [0, 1, 2, 4, 5, 3]
 # the same element everywhere, so that the compiled forms are found again
-QUADRATIC = ufl.VectorElement("Lagrange", ufl.triangle, 2, variant="equispaced")
+if hasattr(ufl, "VectorElement"):
+    QUADRATIC = ufl.VectorElement("Lagrange", ufl.triangle, 2, variant="equispaced")
+else:  # dolfinx 0.7 or later
+    import basix.ufl
+
+    QUADRATIC = basix.ufl.element("Lagrange", "triangle", 2, lagrange_variant=basix.LagrangeVariant.equispaced, shape=(2,))
 
 
 def stiffness(mesh, plane_matrix):
     """Stiffness of a mesh of 6-node triangles, thickness 1 [N/mm]."""
     cells = mesh.triangles[:, ORDER].astype(np.int64)
-    solid = create_mesh(MPI.COMM_SELF, cells, mesh.points, ufl.Mesh(QUADRATIC))
-    space = fem.FunctionSpace(solid, QUADRATIC)
+    # From dolfinx 0.10 on the element goes before the points.
+    order = list(inspect.signature(create_mesh).parameters)[2:4]
+    solid = create_mesh(MPI.COMM_SELF, cells, *(mesh.points if name == "x" else ufl.Mesh(QUADRATIC) for name in order))
+    space = (fem.functionspace if hasattr(fem, "functionspace") else fem.FunctionSpace)(solid, QUADRATIC)
     material = fem.Constant(solid, plane_matrix)
     u, v = ufl.TrialFunction(space), ufl.TestFunction(space)
     dx = ufl.dx(metadata={"quadrature_degree": QUADRATURE})
@@ -31,9 +40,9 @@ def stiffness(mesh, plane_matrix):
     start, column, entry = matrix.getValuesCSR()
     found = csr_matrix((entry, column, start)).tocoo()
     # dolfinx numbers anew; cell by cell its freedoms name the nodes of its geometry, and those the given ones
-    nodes = np.asarray(solid.geometry.input_global_indices)[solid.geometry.dofmap.array]
+    geometry, dofs = (np.ravel(getattr(table, "array", table)) for table in (solid.geometry.dofmap, space.dofmap.list))
     own = np.empty(len(mesh.points), int)
-    own[space.dofmap.list.array] = nodes
+    own[dofs] = np.asarray(solid.geometry.input_global_indices)[geometry]
     freedom = (2 * own[:, None] + np.arange(2)).ravel()
     return coo_matrix((found.data, (freedom[found.row], freedom[found.col])), found.shape).tocsr()
 

@@ -6,6 +6,7 @@ flat: nodes, component, force), and contacts. A contact node has a position alon
 side) and a row (node, component, factor) whose product with the displacements is the approach w; remaining gap = gap - w.
 """
 
+import argparse
 import json
 import os
 import pathlib
@@ -20,9 +21,10 @@ START = 1e-6  # overlap to begin with at least, over the size of the scene
 PARTS = [[0, 4, 8, 7], [4, 1, 5, 8], [8, 5, 2, 6], [7, 8, 6, 3]]  # of a cell with 9 nodes
 
 
-def missing(what):
-    """Ends the process: the code is not installed."""
-    print(f"{what} is missing: bash oracles/peers/setup.sh, or bash oracles/setup.sh", file=sys.stderr)
+def missing(what, install):
+    """Ends the process: a package is not installed, which a command installs."""
+    checkout = "bash oracles/setup.sh && bash oracles/peers/setup.sh"
+    print(f"{what} is missing in {sys.executable}: {install}; or, in a checkout on Debian 12, {checkout}", file=sys.stderr)
     sys.exit(MISSING)
 
 
@@ -33,7 +35,7 @@ try:
     import numpy as np
     from scipy.sparse import bmat, coo_matrix, diags
 except ModuleNotFoundError as absent:
-    missing(absent.name)
+    missing(absent.name, "python3 -m pip install numpy scipy")
 
 
 class Problem:
@@ -260,3 +262,17 @@ def write_csv(problem, file, pressure, gap):
 def report(**told):
     """Prints what is told of a run: code, version, file, iterations, seconds."""
     print(json.dumps(told))
+
+
+def run(main, description, methods, versions):
+    """Calls `main` with the folder and the method of the command line; where a code has another interface, names the versions it shall be of."""
+    parser = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("folder", help="folder with the problem.json that `contact-vv export CASE FOLDER` writes; the answer goes there")
+    parser.add_argument("method", choices=list(methods), help="the contact, see above")
+    asked = parser.parse_args()
+    if not (pathlib.Path(asked.folder) / "problem.json").is_file():
+        parser.error(f"{asked.folder} has no problem.json: write it by `contact-vv export CASE {asked.folder}`")
+    try:
+        main(asked.folder, asked.method)
+    except (AttributeError, ImportError, TypeError) as other:
+        raise RuntimeError(f"{other}; this script is written for {versions}, and has been run with these") from other

@@ -34,7 +34,7 @@ try:
     import akantu
     import meshio
 except ModuleNotFoundError as absent:
-    exported.missing(f"Akantu ({absent.name})")
+    exported.missing(f"Akantu ({absent.name})", "python3 -m pip install akantu meshio")
 
 SETTINGS = {"contact": 400.0, "stiff-contact": 4000.0}  # epsilon_n/E [1/mm]
 STEPS, TOLERANCE = 200, 1e-8  # of the residual over the load
@@ -155,4 +155,4 @@ def main(folder, method):
 
 
 if __name__ == "__main__":
-    main(*sys.argv[1:])
+    exported.run(main, __doc__, SETTINGS, "Akantu 5.0.7")

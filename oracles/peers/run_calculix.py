@@ -9,7 +9,6 @@ import pathlib
 import re
 import shutil
 import subprocess
-import sys
 import tempfile
 import time
 
@@ -109,7 +108,7 @@ def run(text, folder, name, ending):
 def main(folder, method):
     """Solves, and keeps what ccx writes."""
     if not shutil.which("ccx"):
-        exported.missing("CalculiX")
+        exported.missing("CalculiX", "apt install calculix-ccx")
     problem = exported.Problem(folder)
     if method in STIFFNESS:
         text, ending = deck(problem, STIFFNESS[method]), "frd"
@@ -124,4 +123,4 @@ def main(folder, method):
 
 
 if __name__ == "__main__":
-    main(*sys.argv[1:])
+    exported.run(main, __doc__, [*STIFFNESS, "gaps"], "CalculiX 2.20")

@@ -4,7 +4,7 @@ dolfinx assembles the stiffness on the exported mesh (Q1, or Q2 with a node in t
 springs, or active sets with Lagrange multipliers, act on the exported rows. Solved by MUMPS.
 """
 
-import sys
+import inspect
 import time
 
 import exported  # first: one thread
@@ -22,17 +22,33 @@ try:
     from dolfinx.mesh import create_mesh
     from petsc4py import PETSc
 except ModuleNotFoundError as absent:
-    exported.missing(f"dolfinx ({absent.name})")
+    install = "python3 -m pip install dolfinx-solver-real with Python 3.12 or newer, or on Debian 12 apt install python3-dolfinx"
+    exported.missing(f"dolfinx ({absent.name})", install)
 
 # dolfinx counts the nodes of a cell corner 0 1 3 2, then the middles of 01, 03, 12, 32.
 NODES = {4: [0, 1, 3, 2], 9: [0, 1, 3, 2, 4, 7, 5, 6, 8]}
 
 
+def lagrange(degree):
+    """The element with two components on quadrilaterals: of UFL up to dolfinx 0.6, then of basix."""
+    if hasattr(ufl, "VectorElement"):
+        return ufl.VectorElement("Lagrange", ufl.quadrilateral, degree)
+    import basix.ufl
+
+    return basix.ufl.element("Lagrange", "quadrilateral", degree, shape=(2,))
+
+
+def meshed(cells, points, element):
+    """The mesh; from dolfinx 0.10 on its element goes before its points."""
+    given = [points if name == "x" else ufl.Mesh(element) for name in list(inspect.signature(create_mesh).parameters)[2:4]]
+    return create_mesh(MPI.COMM_SELF, cells, *given)
+
+
 def stiffness(points, cells, young, poisson, plane):
     """Matrix of one body per unit of thickness, dofs 2 node + component."""
-    element = ufl.VectorElement("Lagrange", ufl.quadrilateral, 2 if cells.shape[1] == 9 else 1)
-    mesh = create_mesh(MPI.COMM_SELF, cells[:, NODES[cells.shape[1]]], points, ufl.Mesh(element))
-    space = fem.FunctionSpace(mesh, element)
+    element = lagrange(2 if cells.shape[1] == 9 else 1)
+    mesh = meshed(cells[:, NODES[cells.shape[1]]], points, element)
+    space = (fem.functionspace if hasattr(fem, "functionspace") else fem.FunctionSpace)(mesh, element)
     shear, lame = young / (2 * (1 + poisson)), young * poisson / ((1 + poisson) * (1 - 2 * poisson))
     if plane == "stress":
         lame = 2 * shear * lame / (lame + 2 * shear)
@@ -84,4 +100,4 @@ def main(folder, method):
 
 
 if __name__ == "__main__":
-    main(*sys.argv[1:])
+    exported.run(main, __doc__, ["penalty", "active-set"], "dolfinx 0.5.2 and 0.11.0")

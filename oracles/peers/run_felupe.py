@@ -25,7 +25,7 @@ try:
     import felupe
     import meshio  # what FElupe writes by
 except ModuleNotFoundError as absent:
-    exported.missing(f"FElupe ({absent.name})")
+    exported.missing(f"FElupe ({absent.name})", "python3 -m pip install felupe meshio")
 
 MULTIPLIER = {"contact": 1.0, "stiff-contact": 100.0}  # over the mean nodal stiffness; 1 is FElupe's default
 LAWS = {"strain": felupe.constitution.LinearElasticPlaneStrain, "stress": felupe.LinearElasticPlaneStress}
@@ -117,4 +117,4 @@ def main(folder, method):
 
 
 if __name__ == "__main__":
-    main(*sys.argv[1:])
+    exported.run(main, __doc__, MULTIPLIER, "FElupe 11.3.0")

@@ -5,7 +5,6 @@ with a rigid obstacle, or of large sliding by rays between two meshes, whose gap
 basic: its basic contact brick on the exported rows and gaps, multiplier a nodal force. Displacements have the nodes of the exported cells. MUMPS.
 """
 
-import sys
 import time
 
 import exported  # first: one thread
@@ -16,7 +15,7 @@ from scipy.spatial import cKDTree
 try:
     import getfem as gf
 except ModuleNotFoundError:
-    exported.missing("GetFEM")
+    exported.missing("GetFEM", "apt install python3-getfem")
 
 # GetFEM counts the nodes of a cell row by row from the lower left.
 KINDS = {4: ("GT_QK(2,1)", "FEM_QK(2,1)", [0, 1, 3, 2]), 8: ("GT_Q2_INCOMPLETE(2)", "FEM_Q2_INCOMPLETE(2)", [0, 4, 1, 7, 5, 3, 6, 2])}
@@ -211,4 +210,4 @@ def basic(problem, model, bodies):
 
 
 if __name__ == "__main__":
-    main(*sys.argv[1:])
+    exported.run(main, __doc__, ["integral", "basic"], "GetFEM 5.4.2")

@@ -29,7 +29,7 @@ try:
     from KratosMultiphysics.StructuralMechanicsApplication.structural_mechanics_analysis import StructuralMechanicsAnalysis
     from KratosMultiphysics.vtu_output_process import VtuOutputProcess
 except ModuleNotFoundError as absent:
-    exported.missing(f"Kratos ({absent.name})")
+    exported.missing(f"Kratos ({absent.name})", "python3 -m pip install KratosContactStructuralMechanicsApplication KratosLinearSolversApplication")
 
 LOAD_STEPS = {"contact": 1, "contact-in-steps": 10}
 STEPS, TOLERANCE = 100, 1e-9
@@ -179,4 +179,4 @@ def write(model, place):
 
 
 if __name__ == "__main__":
-    main(*sys.argv[1:])
+    exported.run(main, __doc__, LOAD_STEPS, "Kratos 10.4.4")

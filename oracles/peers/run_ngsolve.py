@@ -24,7 +24,7 @@ try:
     import netgen.meshing as netgen
     import ngsolve as ng
 except ModuleNotFoundError as absent:
-    exported.missing(f"NGSolve ({absent.name})")
+    exported.missing(f"NGSolve ({absent.name})", "python3 -m pip install ngsolve")
 
 STIFFNESS = {"contact": 50.0, "stiff-contact": 1000.0}  # K/E [1/mm]
 STEPS, TOLERANCE = 100, 1e-9  # of the change over the displacement
@@ -235,4 +235,4 @@ def main(folder, method):
 
 
 if __name__ == "__main__":
-    main(*sys.argv[1:])
+    exported.run(main, __doc__, [*STIFFNESS, "active-set"], "NGSolve 6.2.2608")

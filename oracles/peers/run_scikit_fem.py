@@ -4,7 +4,6 @@ scikit-fem assembles the stiffness on the exported mesh (Q1, or Q2 with a node i
 own: springs, or active sets with Lagrange multipliers, act on the exported rows. Solved by SuperLU.
 """
 
-import sys
 import time
 
 import exported  # first: one thread
@@ -16,7 +15,7 @@ try:
     import skfem
     from skfem.helpers import ddot, sym_grad
 except ModuleNotFoundError:
-    exported.missing("scikit-fem")
+    exported.missing("scikit-fem", "python3 -m pip install scikit-fem")
 
 
 def stiffness(points, cells, young, poisson, plane):
@@ -64,4 +63,4 @@ def main(folder, method):
 
 
 if __name__ == "__main__":
-    main(*sys.argv[1:])
+    exported.run(main, __doc__, ["penalty", "active-set"], "scikit-fem 12.0.2")

@@ -8,7 +8,6 @@ makes Newton's method wander. Newton's method with SfePy's residuals and tangent
 of the first side over their lengths; it integrates each side for itself, so that the forces on the other one differ a little.
 """
 
-import sys
 import time
 
 import exported  # first: one thread
@@ -26,7 +25,7 @@ try:
     from sfepy.solvers.nls import Newton
     from sfepy.terms import Term
 except ModuleNotFoundError as absent:
-    exported.missing(f"SfePy ({absent.name})")
+    exported.missing(f"SfePy ({absent.name})", "python3 -m pip install sfepy")
 
 SETTINGS = {"contact": (10.0, 10), "stiff-contact": (100.0, 30)}  # K/E [1/mm], order of the quadrature along the contact
 STEPS, TOLERANCE = 200, 1e-8  # of the residual over the load
@@ -63,6 +62,8 @@ class Discretised:
         for part in self.elastic, self.contact:
             part.time_update()
             part.update_materials()
+            if hasattr(part.equations, "init_state"):  # SfePy 2022 or later keeps the unknowns there
+                part.equations.init_state()
         self.stiffness = self.elastic.get_evaluator().eval_tangent_matrix(np.zeros(scene.points.size), mtx=self.elastic.mtx_a).copy()
 
     def pressed(self, u):
@@ -108,4 +109,4 @@ def main(folder, method):
 
 
 if __name__ == "__main__":
-    main(*sys.argv[1:])
+    exported.run(main, __doc__, SETTINGS, "SfePy 2021.4 and 2026.3")

@@ -1,4 +1,6 @@
-"""The same discrete problem in dolfinx: Lagrange cells on the mesh it is given, 8-node ones inside 9-node ones."""
+"""The same discrete problem in dolfinx 0.5 to 0.11: Lagrange cells on the mesh it is given, 8-node ones inside 9-node ones."""
+import inspect
+
 from mpi4py import MPI
 
 import basix
@@ -6,8 +8,9 @@ import numpy as np
 import scipy.sparse as sparse
 import ufl
 from dolfinx import fem, mesh as meshes
-from dolfinx.cpp.mesh import entities_to_geometry
+from dolfinx.fem import petsc
 from petsc4py import PETSc
+from scipy.spatial import cKDTree
 
 import discrete
 from closed_forms import lame
@@ -28,8 +31,7 @@ def assembled(problem):
     degree = 2 if cells.shape[1] == 8 else 1
     nodes, embedding = _lagrange(points, cells)
     places = embedding @ points
-    mesh = _mesh(places, nodes, degree)
-    space = fem.VectorFunctionSpace(mesh, ("Lagrange", degree))
+    mesh, space = _mesh(places, nodes, degree)
     to_nodes = _numbering(mesh, space, nodes, 2 * len(places))
     both = sparse.kron(embedding, sparse.identity(2)).tocsr()
     chosen = to_nodes @ both
@@ -52,10 +54,23 @@ def _lagrange(points, cells):
     return np.column_stack([cells, centres])[:, ORDER[8]], sparse.vstack([sparse.identity(count), extra]).tocsr()
 
 
+# What makes a space has had another name up to dolfinx 0.6.
+_space = fem.functionspace if hasattr(fem, "functionspace") else fem.FunctionSpace
+
+
 def _mesh(places, nodes, degree):
-    # The variant is named so that every process asks for the same, cached, compiled forms.
-    element = ufl.VectorElement("Lagrange", "quadrilateral", degree, variant="equispaced")
-    return meshes.create_mesh(MPI.COMM_SELF, nodes.astype(np.int64), places, ufl.Mesh(element))
+    """The mesh, and the space of its own element; its variant is named, so that every process finds the same compiled forms."""
+    if hasattr(ufl, "VectorElement"):
+        element = ufl.VectorElement("Lagrange", "quadrilateral", degree, variant="equispaced")
+    else:  # dolfinx 0.7 or later
+        from basix.ufl import element as of
+
+        element = of("Lagrange", "quadrilateral", degree, lagrange_variant=basix.LagrangeVariant.equispaced, shape=(2,))
+    # From dolfinx 0.10 on the element goes before the places.
+    order = list(inspect.signature(meshes.create_mesh).parameters)[2:4]
+    given = (places if name == "x" else ufl.Mesh(element) for name in order)
+    mesh = meshes.create_mesh(MPI.COMM_SELF, nodes.astype(np.int64), *given)
+    return mesh, _space(mesh, element)
 
 
 def _numbering(mesh, space, nodes, size):
@@ -70,7 +85,7 @@ def _numbering(mesh, space, nodes, size):
 
 
 def _stiffness(problem, mesh, space, degree):
-    constants = fem.FunctionSpace(mesh, ("DG", 0))
+    constants = _space(mesh, ("DG", 0))
     body = problem["body"][np.asarray(mesh.topology.original_cell_index)]
     lam, mu = fem.Function(constants), fem.Function(constants)
     lam.x.array[:], mu.x.array[:] = (c[body] for c in lame(problem["young"], problem["poisson"], problem["plane"]))
@@ -79,7 +94,7 @@ def _stiffness(problem, mesh, space, degree):
     strain = ufl.sym(ufl.grad(u))
     stress = lam * ufl.tr(strain) * ufl.Identity(2) + 2 * mu * strain
     dx = ufl.dx(metadata={"quadrature_degree": 2 * degree + 1})
-    matrix = fem.petsc.assemble_matrix(fem.form(thickness * ufl.inner(stress, ufl.grad(v)) * dx))
+    matrix = petsc.assemble_matrix(fem.form(thickness * ufl.inner(stress, ufl.grad(v)) * dx))
     matrix.assemble()
     pointers, columns, values = matrix.getValuesCSR()
     return sparse.csr_matrix((values, columns, pointers), shape=matrix.size)
@@ -96,16 +111,18 @@ def _load(problem, mesh, space):
     else:
         traction = fem.Constant(mesh, PETSc.ScalarType(tuple(problem["traction"])))
     work = ufl.inner(traction, ufl.TestFunction(space))
-    return fem.petsc.assemble_vector(fem.form(thickness * work * ds(1))).array.copy()
+    return petsc.assemble_vector(fem.form(thickness * work * ds(1))).array.copy()
 
 
 def _loaded_facets(problem, mesh):
-    """Facets whose ends are those of a loaded edge, sorted, and their tag, 1."""
+    """Facets with the middle of a loaded edge, sorted, and their tag, 1."""
     mesh.topology.create_connectivity(1, 2)
     facets = meshes.exterior_facet_indices(mesh.topology)
-    ends = np.asarray(mesh.geometry.input_global_indices)[entities_to_geometry(mesh._mesh, 1, facets, False)[:, :2]]
-    wanted = {tuple(pair) for pair in np.sort(problem["load_edges"][:, :2], axis=1)}
-    chosen = facets[[tuple(pair) in wanted for pair in np.sort(ends, axis=1)]]
+    middles = problem["points"][problem["load_edges"][:, :2]].mean(axis=1)
+    away, found = cKDTree(meshes.compute_midpoints(mesh, 1, facets)[:, :2]).query(middles)
+    if (away > 1e-9 * np.ptp(problem["points"])).any():
+        raise RuntimeError("dolfinx took over another mesh than the given one")
+    chosen = np.sort(facets[found])
     return chosen, np.ones(len(chosen), dtype=np.int32)
 
 

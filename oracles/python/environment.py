@@ -30,6 +30,7 @@ def versions():
     """Versions by name; those of a results file must be those of a live run."""
     from importlib.metadata import version
 
+    import dolfinx
     import numpy
     import scipy
     from petsc4py import PETSc
@@ -39,6 +40,6 @@ def versions():
         "numpy": numpy.__version__,
         "scipy": scipy.__version__,
         "scikit-fem": version("scikit-fem"),
-        "dolfinx": version("fenics-dolfinx"),
+        "dolfinx": dolfinx.__version__,
         "petsc": ".".join(map(str, PETSc.Sys.getVersion())),
     }

@@ -1,4 +1,5 @@
 """Compiles every form of the dolfinx oracles once and says what is installed; run by the set-up script."""
+import argparse
 import pathlib
 import sys
 
@@ -37,7 +38,9 @@ def main(installed):
 
 
 if __name__ == "__main__":
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("installed", help="folder that oracles/setup.sh has filled")
     try:
-        main(sys.argv[1])
+        main(parser.parse_args().installed)
     except ModuleNotFoundError as missing:
         sys.exit(f"module `{missing.name}` is missing in {sys.executable}: run oracles/setup.sh on Debian 12")

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use contact_vv::error::{Error, Kind};
 use contact_vv::oracle::cross_code::frozen::{Frozen, script_hash};
-use contact_vv::oracle::cross_code::independent::{Asked, Independent, Script, hashes};
+use contact_vv::oracle::cross_code::independent::{Asked, Folder, Independent, Script, hashes};
 use contact_vv::oracle::cross_code::process::{Told, run};
 use contact_vv::oracle::cross_code::{Code, PhysicalAnswer, PhysicalScene};
 use contact_vv::study::cross_code::{Twin, problems};
@@ -13,9 +13,9 @@ use contact_vv::study::independent::benchmark::{LEVELS, Scene};
 use contact_vv::study::independent::run::series;
 use serde::Deserialize;
 
-use super::{LIVE, asked};
+use super::{LIVE, asked, newest};
 
-/// Asks both codes for all discrete problems, writes their files once both have answered, and tells what changed.
+/// Asks both codes for all discrete problems, dolfinx as it is today where that is installed, writes their files once both have answered, and tells what changed.
 pub fn discrete() -> Result<Vec<String>, Error> {
     let answers: Vec<(Code, Frozen)> =
         Code::ALL.into_iter().map(|code| Ok((code, ask_all(code)?))).collect::<Result<_, Error>>()?;
@@ -32,13 +32,18 @@ pub fn discrete() -> Result<Vec<String>, Error> {
 }
 
 fn ask_all(code: Code) -> Result<Frozen, Error> {
-    let mut all = Frozen { scripts: script_hash()?, versions: asked::versions()?, discrete: Default::default() };
-    for (name, order) in problems() {
-        let twin = Twin::of(name, order)?;
-        let answer = asked::discrete(code, &twin.problem)?;
-        all.discrete.insert(twin.problem.name.clone(), twin.digest_of_other(&answer));
-    }
-    Ok(all)
+    let twins: Vec<Twin> =
+        problems().into_iter().map(|(name, order)| Twin::of(name, order)).collect::<Result<_, _>>()?;
+    let (versions, answers) = match newest::python().filter(|_| code == Code::Dolfinx) {
+        Some(python) => newest::discrete(&python, &twins)?,
+        None => {
+            let answers = twins.iter().map(|twin| asked::discrete(code, &twin.problem));
+            (asked::versions()?, answers.collect::<Result<_, _>>()?)
+        }
+    };
+    let digests = twins.iter().zip(&answers);
+    let discrete = digests.map(|(twin, answer)| (twin.problem.name.clone(), twin.digest_of_other(answer))).collect();
+    Ok(Frozen { scripts: script_hash()?, versions, discrete })
 }
 
 /// What a script in a process of its own prints.
@@ -75,7 +80,7 @@ const ROUND_OFF: f64 = 1e-9;
 pub fn independent() -> Result<Vec<String>, Error> {
     let (mut scenes, mut lines) = (BTreeMap::new(), Vec::new());
     let (old, scripts) = (Independent::load().ok(), hashes()?);
-    let mut apart = BTreeMap::new();
+    let (mut versions, mut apart) = (asked::versions()?, BTreeMap::new());
     for scene in Scene::ALL {
         let (name, physical) = (scene.name(), scene.benchmark().physical);
         let known = old.as_ref().and_then(|old| old.scenes.get(name));
@@ -86,9 +91,15 @@ pub fn independent() -> Result<Vec<String>, Error> {
             let unchanged = old.as_ref().filter(|old| old.scripts.get(&folder) == scripts.get(&folder));
             let version = unchanged.and_then(|old| old.apart.get(&folder));
             let same_scene = known.is_some_and(|asked| asked.scene == physical);
-            let now = match (kept, version) {
+            let now = match (kept, version, newest::python().filter(|_| folder == Folder::Dolfinx)) {
+                (.., Some(python)) => {
+                    let (now, series) = newest::series(&python, script, &physical)?;
+                    versions.remove("dolfinx");
+                    apart.extend(now.get("dolfinx").map(|version| (folder, version.clone())));
+                    series
+                }
                 _ if folder.is_set_up() => series(&LIVE, script, &physical)?,
-                (Some(kept), Some(version)) if same_scene => {
+                (Some(kept), Some(version), _) if same_scene => {
                     apart.insert(folder, version.clone());
                     kept.clone()
                 }
@@ -106,6 +117,6 @@ pub fn independent() -> Result<Vec<String>, Error> {
         }
         scenes.insert(name.to_string(), Asked { scene: physical, series: by_script });
     }
-    Independent { scripts, versions: asked::versions()?, apart, scenes }.write()?;
+    Independent { scripts, versions, apart, scenes }.write()?;
     Ok(lines)
 }

@@ -21,7 +21,7 @@ use pyo3::{ffi, types::PyTracebackMethods};
 /// The interpreter the oracles were installed for.
 const INTERPRETER: &CStr = c"/usr/bin/python3";
 /// Ignored folder for what the set-up installs and the form compiler leaves.
-const INSTALLED: &str = "oracles/.python";
+pub const INSTALLED: &str = "oracles/.python";
 
 /// The remedy where Python runs and a script complains.
 const SCRIPTS: &str = "see the traceback: the scene or a file under oracles is at fault";

@@ -5,11 +5,13 @@
 //!
 //! * [`interpreter`] — one Python on one thread.
 //! * [`asked`] — what is handed over to a code, and what it answers.
+//! * [`newest`] — today's dolfinx, in a process of its own.
 //! * [`mod@freeze`] — asks every code for everything, and writes `oracles/frozen`.
 
 pub mod asked;
 pub mod freeze;
 pub mod interpreter;
+pub mod newest;
 
 use contact_vv::oracle::cross_code::live::Live;
 

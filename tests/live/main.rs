@@ -1,5 +1,6 @@
 //! Other programs, asked now: the codes that the suite is held against, faults in their scripts, and what reads our outputs.
 
+mod newest;
 mod planted;
 mod readers;
 #[path = "../truth.rs"]
@@ -13,7 +14,7 @@ use truth::{Findings, counted, truth};
 fn main() {
     let arguments = Arguments::from_args();
     let findings = Findings::default();
-    let mut tests = vec![planted::trial()];
+    let mut tests = vec![planted::trial(), newest::trial()];
     tests.extend(study::live(LIVE).into_iter().map(|trial| truth(trial, findings.clone())));
     tests.extend(readers::trials());
     let conclusion = libtest_mimic::run(&arguments, tests);

@@ -9,13 +9,15 @@ use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
 use contact_vv::case::Verdict;
 use contact_vv::checkout::root;
 use contact_vv::oracle::cross_code::independent::{Asked, Independent, Script};
-use contact_vv::oracle::cross_code::{PhysicalAnswer, PhysicalScene};
+use contact_vv::oracle::cross_code::{PhysicalAnswer, PhysicalScene, scripts};
 use contact_vv::study::Study;
 use contact_vv::study::answers::Answers;
 use contact_vv::study::differences::largest_change;
 use contact_vv::study::independent::benchmark::{LEVELS, Scene};
 use contact_vv::study::independent::found::Found;
 use contact_vv::study::independent::run::{Compared, compare};
+use contact_vv_live::interpreter::INSTALLED;
+use contact_vv_live::newest::Told;
 use libtest_mimic::Trial;
 use serde::Deserialize;
 use serde_json::json;
@@ -37,14 +39,6 @@ struct Fault {
 #[derive(Deserialize)]
 struct Faults {
     fault: Vec<Fault>,
-}
-
-/// What a script answers, or what it raises.
-#[derive(Deserialize)]
-#[serde(rename_all = "lowercase")]
-enum Told {
-    Answers(Vec<PhysicalAnswer>),
-    Raised(String),
 }
 
 /// All faults one after the other, as one trial: the codes that are asked live, one at a time too, take the other half of two cores.
@@ -125,15 +119,16 @@ impl Python {
     fn start() -> Self {
         let mut process = Command::new("/usr/bin/python3")
             .arg("-EsB")
-            .arg(root().join("tests/live/planted.py"))
-            .arg(root())
+            .arg(scripts().join("apart.py"))
+            .arg(root().join(INSTALLED))
             .stdin(Stdio::piped())
             .stdout(Stdio::piped())
             .stderr(Stdio::null())
             .spawn()
             .expect("Python is there");
         let requests = process.stdin.take().expect("piped");
-        let answers = BufReader::new(process.stdout.take().expect("piped"));
+        let mut answers = BufReader::new(process.stdout.take().expect("piped"));
+        answers.read_line(&mut String::new()).expect("its versions");
         Self { process, requests, answers }
     }
 

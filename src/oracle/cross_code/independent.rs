@@ -122,8 +122,8 @@ impl Script {
         matches!(self, Self::Ufl | Self::Facets)
     }
 
-    /// Whether it solves a scene: dolfinx 0.5 couples no facets of two bodies, the half-plane has no other surface, and GetFEM and
-    /// CalculiX are asked where no closed form is exact.
+    /// Whether it solves a scene: dolfinx 0.5, which the script shall run on too, couples no facets of two bodies (0.11 does), the
+    /// half-plane has no other surface, and GetFEM and CalculiX are asked where no closed form is exact.
     pub fn serves(self, scene: &PhysicalScene) -> bool {
         let cases: &[&str] = match self {
             Self::Ufl => &["cylinder", "truncated-hertz"],

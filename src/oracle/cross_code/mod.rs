@@ -106,7 +106,7 @@ pub struct DiscreteProblem {
 }
 
 /// What a code answers to a [`DiscreteProblem`]; vectors are node by node, x before y.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Deserialize)]
 pub struct DiscreteAnswer {
     /// Stiffness times each of the vectors \[N\].
     pub products: Vec<Vec<f64>>,

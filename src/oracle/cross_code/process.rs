@@ -1,7 +1,9 @@
-//! A script under `oracles/peers` in a process of its own, for codes that no test needs.
+//! A script in a process of its own: those under `oracles/peers`, for codes that no test needs, and today's dolfinx.
 
 use std::io::Write;
+use std::path::Path;
 use std::process::{Command, Stdio};
+use std::thread;
 
 use serde_json::Value;
 
@@ -22,22 +24,29 @@ pub enum Told {
 
 /// Runs a script under `oracles/peers`.
 pub fn run(script: &str, arguments: &[String], request: &str) -> Result<Told, Error> {
-    let path = root().join("oracles/peers").join(script);
-    let failed = |reason: String| Error::file(&path, reason, "run it by hand, or leave this code uninstalled");
-    let started = Command::new(PYTHON)
+    run_by(Path::new(PYTHON), &root().join("oracles/peers").join(script), arguments, request)
+}
+
+/// Runs a script by an interpreter.
+pub fn run_by(python: &Path, script: &Path, arguments: &[String], request: &str) -> Result<Told, Error> {
+    let failed = |reason: String| Error::file(script, reason, "run it by hand, or leave this code uninstalled");
+    let started = Command::new(python)
         .arg("-EsB")
-        .arg(&path)
+        .arg(script)
         .args(arguments)
         .stdin(Stdio::piped())
         .stdout(Stdio::piped())
         .stderr(Stdio::piped())
         .spawn();
-    let Ok(mut child) = started else { return Ok(Told::Absent(format!("{PYTHON} is missing"))) };
-    if let Some(mut input) = child.stdin.take() {
-        // A script that has ended already says why itself.
-        let _ = input.write_all(request.as_bytes());
-    }
-    let output = child.wait_with_output().map_err(|error| failed(error.to_string()))?;
+    let Ok(mut child) = started else { return Ok(Told::Absent(format!("{} is missing", python.display()))) };
+    let input = child.stdin.take();
+    // Written beside what is read: a script that answers line by line would wait for its answers to be read. One that has ended already
+    // says why itself.
+    let output = thread::scope(|scope| {
+        scope.spawn(move || input.is_some_and(|mut input| input.write_all(request.as_bytes()).is_ok()));
+        child.wait_with_output()
+    });
+    let output = output.map_err(|error| failed(error.to_string()))?;
     let said = String::from_utf8_lossy(&output.stderr).trim().to_owned();
     if output.status.code() == Some(MISSING) {
         return Ok(Told::Absent(said));
