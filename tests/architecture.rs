@@ -261,7 +261,7 @@ fn matrix_types_of_libraries_stay_inside_the_numerics() {
 const BUDGETS: [(&str, usize); 9] = [
     ("solver", 18_700),
     ("drawing", 3_000),
-    ("case", 7_650),
+    ("case", 7_780),
     ("oracle", 3_900),
     ("study", 15_750),
     ("referee", 5_400),

@@ -42,7 +42,7 @@ pub fn of(run: &Run, contact: usize) -> Vec<String> {
         100.0 * growth
     ));
     let remedy = match run.formulation.element {
-        Element::Node => "refine the mesh",
+        Element::Node => "quote means over edges, or refine the mesh",
         _ => "quote means over edges, or use the node element",
     };
     let rough = (rough > ROUGH).then(|| {

@@ -39,13 +39,13 @@ pub fn chosen(file: &Path, text: &str, asked: &Asked) -> Result<(PathBuf, State,
         let message = format!("it has {parts} files of time {}, and one with all bodies is judged", state.time);
         return Err(source.refused(message, "save the grid of that time in one .vtu"));
     }
-    if !own.exists() {
-        let message = format!("the file `{}` of this grid is missing", own.display());
-        return Err(source.at(entry, message, "put it where the collection names it, seen from its folder"));
-    }
     let is = |file: &Path, ending: &str| file.extension().is_some_and(|own| own.eq_ignore_ascii_case(ending));
     if is(&own, "pvd") || is(&own, "gz") && is(&own.with_extension(""), "pvd") {
         return Err(source.refused("it names another collection", ONE));
+    }
+    if !own.exists() {
+        let message = format!("the file `{}` of this grid is missing", own.display());
+        return Err(source.at(entry, message, "put it where the collection names it, seen from its folder"));
     }
     Ok((own, state, states))
 }

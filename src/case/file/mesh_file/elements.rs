@@ -71,7 +71,7 @@ pub struct Elements {
 }
 
 impl Elements {
-    /// Adds a node.
+    /// Adds a node; it must lie in the plane z = 0.
     pub fn add_node(
         &mut self,
         tag: u64,
@@ -83,8 +83,8 @@ impl Elements {
                 return Err(refused(format!("{name} is {value}"), "repair the mesh"));
             }
         }
-        if z.abs() > 1e-9 * (1.0 + x.abs().max(y.abs())) {
-            self.off.insert(tag, z);
+        if is_off([x, y, z]) {
+            return Err(refused(format!("node {} lies at z = {z}", number(tag)), PLANE));
         }
         match self.nodes.insert(tag, [x, y]) {
             Some(_) => Err(refused(format!("node {} stands twice", number(tag)), "save the mesh again")),
@@ -111,6 +111,11 @@ impl Elements {
     pub fn of<'a>(&'a self, group: &'a [Range<usize>]) -> impl Iterator<Item = &'a Piece> {
         group.iter().flat_map(|range| &self.pieces[range.clone()])
     }
+}
+
+/// Whether a node lies off the plane z = 0.
+pub fn is_off([x, y, z]: [f64; 3]) -> bool {
+    z.abs() > 1e-9 * (1.0 + x.abs().max(y.abs()))
 }
 
 /// Adds an element to a group, to its last range where it follows it.

@@ -12,7 +12,7 @@ use std::path::Path;
 use crate::case::file::source::Source;
 use crate::error::Error;
 
-use super::elements::{Elements, INSTANCE, KINDS, OPTIONS, PLANE, Piece, add_to, number};
+use super::elements::{Elements, INSTANCE, KINDS, OPTIONS, PLANE, Piece, add_to, is_off, number};
 use super::words::shown;
 
 /// What plane elements are called before the number of their nodes: plane stress and strain, and flat shells and membranes, as which
@@ -285,8 +285,12 @@ pub fn parse(file: &Path, bytes: &[u8]) -> Result<Elements, Error> {
     }
     (deck.instance, deck.placed) = (0, None);
     // The nodes of an assembly are counted anew: reference points, of which no cell is made.
-    let is_flat = instances.is_empty();
-    deck.read(&blocks, |block| is_flat || block.within == [""; 2] && !["NODE", "ELEMENT"].contains(&block.keyword))?;
+    let placed = blocks.iter().find(|block| block.keyword == "END INSTANCE");
+    let placed = placed.map_or(usize::MAX, |block| block.place.start);
+    deck.read(&blocks, |block| {
+        let is_of_assembly = block.place.start > placed && ["NODE", "ELEMENT"].contains(&block.keyword);
+        (instances.is_empty() || block.within == [""; 2]) && !is_of_assembly
+    })?;
     if deck.elements.nodes.is_empty() {
         let end = text.len();
         return Err(source.refused(end..end, "there are no nodes (*NODE)", LISTED));
@@ -357,7 +361,10 @@ impl Deck {
             for (x, word) in at.iter_mut().zip(&row[1..]) {
                 *x = block.coordinate(word)?;
             }
-            let at = self.placed.map_or(at, |placed| placed.of_point(at));
+            let mut at = self.placed.map_or(at, |placed| placed.of_point(at));
+            if is_off(at) {
+                self.elements.off.insert(tag, std::mem::take(&mut at[2]));
+            }
             self.elements.add_node(tag, at, refused)?;
             if let Some(set) = block.parameter("NSET") {
                 self.node_sets.of(self.instance, set).insert(tag);
