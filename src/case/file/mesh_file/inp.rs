@@ -413,7 +413,7 @@ impl Deck {
 
     fn read_set(&mut self, block: &Block) -> Result<(), Error> {
         let of_nodes = block.keyword == "NSET";
-        let name = block.parameter(&block.keyword).filter(|name| !name.is_empty());
+        let name = block.parameter(block.keyword).filter(|name| !name.is_empty());
         let name = name.ok_or_else(|| block.refused(format!("it has no {} = NAME", block.keyword), AGAIN))?;
         let mut found = BTreeSet::new();
         if let Some(elements) = block.parameter("ELSET").filter(|_| of_nodes) {
