@@ -2,8 +2,8 @@
 
 use crate::measure::{nodal, profile};
 use crate::solution::Unseen;
-use crate::solve::Run;
 use crate::solve::run::{Contact, INSIDE, Unbounded};
+use crate::solve::{Element, Run};
 
 /// Active points and pressed edges on a half-width from which on it is worth quoting.
 pub const RESOLVED: [usize; 2] = [4, 3];
@@ -41,10 +41,16 @@ pub fn of(run: &Run, contact: usize) -> Vec<String> {
         "the peak has grown by {:.0} % with the last halving of the elements: it has no limit, or is narrower than the mesh shows",
         100.0 * growth
     ));
-    let rough = (rough > ROUGH).then(|| format!(
-        "pressures of neighbouring points depart from one another by {:.0} % of the peak: quote means over edges, or use the node element",
-        100.0 * rough
-    ));
+    let remedy = match run.formulation.element {
+        Element::Node => "quote means over edges, or refine the mesh",
+        _ => "quote means over edges, or use the node element",
+    };
+    let rough = (rough > ROUGH).then(|| {
+        format!(
+            "pressures of neighbouring points depart from one another by {:.0} % of the peak: {remedy}",
+            100.0 * rough
+        )
+    });
     let above = (highest > ABOVE * measures.peak.pressure).then(|| format!(
         "a point carries {highest:.4} MPa, more than the peak through its neighbours: a corner, or too coarse a mesh"
     ));

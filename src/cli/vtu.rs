@@ -47,7 +47,7 @@ pub fn text(discretisation: &Discretisation, run: &Run) -> Result<String, Error>
         data: Attributes { point, cell: of_bodies(discretisation) },
     };
     let file = Vtk {
-        version: Version { major: 1, minor: 0 },
+        version: Version::new_xml(1, 0),
         title: discretisation.scene.name.clone(),
         byte_order: ByteOrder::LittleEndian,
         file_path: None,

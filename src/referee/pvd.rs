@@ -6,7 +6,7 @@ use crate::error::Error;
 use crate::referee::asked::Asked;
 use crate::referee::source::Source;
 use crate::referee::state::State;
-use crate::referee::vtu::{attribute, tag};
+use crate::referee::vtu::{attribute, tag, uncommented};
 
 /// What to do with a collection that is not read.
 const ONE: &str = "hand in the .vtu of the last time itself";
@@ -15,7 +15,8 @@ const ONE: &str = "hand in the .vtu of the last time itself";
 pub fn chosen(file: &Path, text: &str, asked: &Asked) -> Result<(PathBuf, State, Vec<State>), Error> {
     let source = Source { file, text };
     let (mut files, mut states, mut at) = (Vec::new(), Vec::new(), 0);
-    while let Some(found) = tag(text.as_bytes(), b"<DataSet", at) {
+    let plain = uncommented(text.as_bytes());
+    while let Some(found) = tag(&plain, b"<DataSet", at) {
         let entry = &text[found.begin..found.end];
         at = found.end;
         let Some(named) = attribute(entry, "file") else {
@@ -25,14 +26,14 @@ pub fn chosen(file: &Path, text: &str, asked: &Asked) -> Result<(PathBuf, State,
         let time =
             attribute(entry, "timestep").map_or(Some(states.len() as f64 + 1.0), |time| time.trim().parse().ok());
         let time = time.ok_or_else(|| source.at(entry, "its time is no number", ONE))?;
-        files.push(file.parent().unwrap_or(Path::new("")).join(named));
+        files.push((file.parent().unwrap_or(Path::new("")).join(named), entry));
         states.push(State { step: None, time });
     }
     if states.is_empty() {
         return Err(source.refused("it names no grid (<DataSet file=…>)", ONE));
     }
     let chosen = State::chosen(&source, &states, asked)?;
-    let (own, state) = (files[chosen].clone(), states[chosen]);
+    let ((own, entry), state) = (files[chosen].clone(), states[chosen]);
     let parts = states.iter().filter(|other| other.time.total_cmp(&state.time).is_eq()).count();
     if parts > 1 {
         let message = format!("it has {parts} files of time {}, and one with all bodies is judged", state.time);
@@ -41,6 +42,10 @@ pub fn chosen(file: &Path, text: &str, asked: &Asked) -> Result<(PathBuf, State,
     let is = |file: &Path, ending: &str| file.extension().is_some_and(|own| own.eq_ignore_ascii_case(ending));
     if is(&own, "pvd") || is(&own, "gz") && is(&own.with_extension(""), "pvd") {
         return Err(source.refused("it names another collection", ONE));
+    }
+    if !own.exists() {
+        let message = format!("the file `{}` of this grid is missing", own.display());
+        return Err(source.at(entry, message, "put it where the collection names it, seen from its folder"));
     }
     Ok((own, state, states))
 }

@@ -99,9 +99,9 @@ impl Role {
         }
     }
 
-    /// What a unit of it is in ours; none where that is not known. `N/mm²` and `N/mm^2` are `N/mm2`, `µm` is `um`.
+    /// What a unit of it is in ours; none where that is not known. `N/mm²` and `N / mm^2` are `N/mm2`, `µm` is `um`.
     pub fn factor(self, unit: &str) -> Option<f64> {
-        let plain = unit.trim().replace(['^', '*'], "").replace('²', "2").replace(['µ', 'μ'], "u");
+        let plain = unit.replace(['^', '*', ' '], "").replace('²', "2").replace(['µ', 'μ'], "u");
         self.units().iter().find(|(known, _)| *known == plain).map(|(_, factor)| *factor)
     }
 

@@ -1,5 +1,5 @@
-//! Files of the legacy VTK format, up to version 5.1, ASCII or binary, as ParaView, meshio, FElupe and SfePy write them. `vtkio` 0.6 and 0.7 do not
-//! know cells by `OFFSETS`, and end an ASCII array in silence where it holds `nan`.
+//! Files of the legacy VTK format, up to version 5.1, ASCII or binary, as ParaView, meshio, FElupe and SfePy write them. `vtkio` 0.7.0-rc2
+//! refuses ASCII arrays that hold `nan`, and cells by `OFFSETS` of another type than `vtktypeint64` ("Parse error: Digit" for both).
 
 use std::path::Path;
 

@@ -1,7 +1,8 @@
-//! VTU files as other programs write them: arrays as text, binary or appended, in base64 or raw, compressed by zlib or not. `vtkio` 0.6 fails at the
-//! padding that meshio and VTK put between header and data; its 0.7.0-rc2 reads no raw appended data (NGSolve, and VTK by default), takes a last
-//! block that is full for none, and panics where a file is cut.
+//! VTU files as other programs write them: arrays as text, binary or appended, in base64 or raw, compressed by zlib or not. `vtkio` 0.7.0-rc2, which
+//! writes ours, refuses raw appended data (NGSolve, and VTK by default: "unknown variant `raw`"; the feature `binary` by which it reads them is not
+//! declared), takes a last block that is full for none ("DataArraySizeMismatch { expected: 4, actual: 0 }"), and panics where a file is cut.
 
+use std::borrow::Cow;
 use std::io::Read;
 use std::path::Path;
 
@@ -35,7 +36,7 @@ pub fn parse<'a>(file: &'a Path, bytes: &[u8]) -> Result<Grid<'a>, Error> {
         return Err(refused("its numbers are big endian".into()));
     }
     let appended = tag(bytes, b"<AppendedData", 0);
-    let body = &bytes[..appended.as_ref().map_or(bytes.len(), |tag| tag.begin)];
+    let body = &uncommented(&bytes[..appended.as_ref().map_or(bytes.len(), |tag| tag.begin)])[..];
     let piece = tag(body, b"<Piece", 0).filter(|piece| tag(body, b"<Piece", piece.end).is_none());
     let piece = piece.ok_or_else(|| refused("it has not one piece".into()))?;
     let piece = String::from_utf8_lossy(&body[piece.begin..piece.end]).into_owned();
@@ -128,6 +129,16 @@ pub struct Tag {
 pub fn tag(bytes: &[u8], name: &[u8], from: usize) -> Option<Tag> {
     let begin = position(bytes, name, from)?;
     Some(Tag { begin, end: position(bytes, b">", begin)? })
+}
+
+/// The same with blanks in place of what is commented out.
+pub fn uncommented(bytes: &[u8]) -> Cow<'_, [u8]> {
+    let (mut plain, mut at) = (Cow::Borrowed(bytes), 0);
+    while let Some(begin) = position(bytes, b"<!--", at) {
+        at = position(bytes, b"-->", begin + 4).map_or(bytes.len(), |end| end + 3);
+        plain.to_mut()[begin..at].fill(b' ');
+    }
+    plain
 }
 
 fn position(bytes: &[u8], wanted: &[u8], from: usize) -> Option<usize> {

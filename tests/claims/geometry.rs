@@ -181,7 +181,12 @@ fn rings_that_do_not_touch_their_flat_are_refused_with_a_remedy() {
         ("centre = [0, 50]", "centre = [3, 50]", "does not touch at x = 0", "a centre at x = 0"),
         ("centre = [0, 50]", "centre = [0, 55]", "does not touch y = 0", "it touches at its lowest point"),
         ("contact = \"outer\"", "contact = \"inner\"", "does not touch y = 0", "one radius above"),
-        ("stretch = 3", "stretch = 3\norigin = [0, 100]", "does not touch y = 100", "it touches at its lowest point"),
+        (
+            "stretch = 3",
+            "stretch = 3\norigin = [0, 100]",
+            "does not touch y = 100: the line touches its other end",
+            "turn the whole scene upside down",
+        ),
         ("stretch = 3", "stretch = 3\nboth-sides = true", "no boundary `start`", "fix a node, as in { at = [0, 20]"),
     ] {
         let error = read(&ring().replace(was, is)).map(|_| ()).expect_err(is);

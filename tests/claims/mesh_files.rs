@@ -384,12 +384,24 @@ const MISTAKES: &[(&str, &str, &str, [&str; 2])] = &[
         ["other files are not read", "put the lines of that file here"],
     ),
     ("*MATERIAL", "*NGEN\n1, 2\n*MATERIAL", "*NGEN", ["generated or moved", "one list of nodes and elements"]),
-    ("*MATERIAL", "*INSTANCE, PART=a\n1., 0., 0.\n*MATERIAL", "*INSTANCE", ["generated or moved", "Mesh.Format = 39"]),
+    ("*MATERIAL", "*INSTANCE, PART=a\n1., 0., 0.\n*MATERIAL", "*INSTANCE", ["no part `a`", "Mesh.Format = 39"]),
+    ("*nset, nset=axis", "*nset, instance=a, nset=axis", "*nset", ["no instance `a`", "name one of *INSTANCE"]),
     ("*NODE, NSET=Nall", "*NODE, INPUT=a.txt", "*NODE, INPUT", ["in another file", "below the keyword"]),
     ("*NODE, NSET=Nall", "*NODE, SYSTEM=C", "*NODE, SYSTEM", ["not rectangular", "one list"]),
     ("*NODE, NSET=Nall\n", "*NODE\n8, 1.\n", "8, 1.", ["node 8 has no x and y", "separated by commas"]),
     ("*NODE, NSET=Nall\n", "*NODE\n8, 1., 2x\n", "8, 1., 2x", ["`2x` is not a coordinate", "separated by commas"]),
-    ("*NODE, NSET=Nall\n", "*NODE\n8, 1., 2., 3.\n", "8, 1., 2., 3.", ["node 8 lies at z = 3", "in the plane z = 0"]),
+    (
+        "\n1192, 0e0, 2.5e-1\n",
+        "\n1192, 0e0, 2.5e-1, 3.\n",
+        " 90,",
+        ["element 90 has node 1192, which lies at z = 3", "in the plane z = 0"],
+    ),
+    (
+        "*NODE, NSET=Nall\n",
+        "*NODE\n1099511627776, 1., 2.\n",
+        "1099511627776, ",
+        ["it is too large", "write the deck again"],
+    ),
     ("*NODE, NSET=Nall\n", "*NODE\n8, 1D0, inf\n", "8, 1D0, inf", ["y is inf", "repair the mesh"]),
     (
         "*NODE, NSET=Nall\n",
@@ -402,6 +414,12 @@ const MISTAKES: &[(&str, &str, &str, [&str; 2])] = &[
     ("type=cpe8R", "type=U1", "*element , type=U1", ["type U1 are not read", "Mesh.RecombineAll = 1"]),
     ("type=cpe8R, ", "", "*element , elset", ["it has no TYPE", "separated by commas"]),
     ("type=cpe8R", "type=CPS4", " 90,", ["element 90 has 6 nodes, and CPS4 has 4", "the TYPE is another one"]),
+    (
+        "** A deck",
+        "*ELEMENT, TYPE=S9R5\n1, 8, 8, 8, 8\n2, 8, 8, 8, 8\n** A deck",
+        "1, 8, 8, 8, 8",
+        ["element 1 has 4 nodes, and S9R5 has 9", "end in a comma"],
+    ),
     (" 97,", " 90,", " 90,", ["element 90 stands twice", "separated by commas"]),
     (" 97,", " 97,6,", " 97,6,", ["element 97 has 9 nodes", "the deck is cut"]),
     ("500, 505, 2", "505, 500, 2", "505, 500, 2", ["first up to last", "separated by commas"]),
@@ -425,6 +443,114 @@ const MISFITS: &[(&str, &str, [&str; 2])] = &[
     ("NAME=sole", "NAME=low", ["no surface or set `sole` bounds `body`", "known: Nall, axis, low, roof"]),
     ("NAME=sole", "NAME=contact", ["another surface or set is called `contact`", "rename"]),
 ];
+
+/// The deck as a pre-processor of Abaqus writes it: nodes and cells in a part, sides by sets of the assembly, a point of reference off the plane.
+fn assembled(body: &Body) -> String {
+    let deck = inp(body);
+    let [begin, sets] = ["*NODE", "*ELEMENT, TYPE=T3D"].map(|what| deck.find(what).expect("a block"));
+    let nodes = |k: usize| {
+        let own: Vec<String> = body.sides[k].1.concat().iter().map(u64::to_string).collect();
+        own.chunks(16).map(|line| line.join(", ") + "\n").collect::<String>()
+    };
+    format!(
+        "*Heading\n*Part, name=Part-1\n*End Part\n*Part, name=Block\n{}*Nset, nset=roof\n{}*End Part\n*Assembly, name=Assembly\n\
+         *Instance, name=Block-1, part=BLOCK\n*End Instance\n*Node\n 5, 0., 0., 9.\n*Nset, nset=point\n 5,\n\
+         *Nset, nset=axis, internal, instance=Block-1\n{}*Nset, nset=low, instance=block-1\n{}*Surface, type=NODE, name=sole, internal\n\
+         low, 1.\n*End Assembly\n*Step\n*Boundary\nBlock-1.roof, 1\n*End Step\n",
+        &deck[begin..sets],
+        nodes(1),
+        nodes(2),
+        nodes(0)
+    )
+}
+
+#[test]
+fn parts_are_read_where_their_instances_place_them_and_their_sets_by_instance() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let body = Body::of(8);
+    let answer = |deck: &str, change: &dyn Fn(String) -> String| {
+        std::fs::write(folder.path().join("a.inp"), deck).expect("written");
+        let text = change(scene("a.inp", UNIFORM, "\"axis\""));
+        pressures(&solved(
+            &Case::parse(&folder.path().join("scene.toml"), &text).unwrap_or_else(|error| panic!("{error}")),
+        ))
+    };
+    let deck = assembled(&body);
+    // Moved by (1, -3) and turned by a quarter, (x, y) comes to (3 - y, x + 1).
+    let nodes: Vec<String> = body.nodes.iter().map(|(tag, [x, y])| format!("{tag}, {x:e}, {y:e}\n")).collect();
+    let turned: Vec<String> =
+        body.nodes.iter().map(|(tag, [x, y])| format!("{tag}, {:e}, {:e}\n", y - 1.0, 3.0 - x)).collect();
+    let placed = deck
+        .replace(&nodes.concat(), &turned.concat())
+        .replace("part=BLOCK\n", "part=BLOCK\n1., -3., \n0., 0., 0., 0., 0., 1., 90.\n");
+    let twice = deck
+        .replace("*End Instance\n", "*End Instance\n*Instance, name=Other, part=Block\n50., 0., 0.\n*End Instance\n");
+    let by_name = |text: String| {
+        text.replace("\"body\", contact", "\"Block-1.body\", contact").replace("\"roof\"", "\"Block-1.roof\"")
+    };
+    for found in
+        [answer(&deck, &|text| text), answer(&placed, &|text| text), answer(&deck, &by_name), answer(&twice, &by_name)]
+    {
+        assert_eq!(found.len(), 7);
+        for [_, pressure] in found {
+            assert_relative_eq!(pressure, 5.0, max_relative = 1e-9);
+        }
+    }
+    for (was, is, parts) in [
+        ("part=BLOCK\n", "part=BLOCK\n0, 0\n0., 0., 0., 1., 0., 0., 90.\n", ["a.inp:", "not along z"]),
+        ("part=BLOCK\n", "part=BLOCK, library=a\n", ["other files are not read", "a.inp:"]),
+        ("instance=block-1", "instance=block-2", ["no instance `block-2`", "a.inp:"]),
+        ("low, 1.\n", "Block-2.low, 1.\n", ["no node or set of nodes `Block-2.low`", "a.inp:"]),
+    ] {
+        let error = read(folder.path(), "a.inp", deck.replace(was, is).as_bytes(), UNIFORM, "\"axis\"");
+        let error = error.map(|_| ()).expect_err(is).to_string();
+        parts.iter().for_each(|part| assert!(error.contains(part), "`{part}` is not in {error}"));
+    }
+}
+
+#[test]
+fn decks_may_leave_blank_what_is_zero_and_list_corners_alone() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let body = Body::of(8);
+    let wanted = inp(&body);
+    let corners: String = body.sides[0].1.iter().map(|edge| format!("{},{}\n", edge[0], edge[1])).collect();
+    let [begin, end] = ["*SURFACE", "*MATERIAL"].map(|what| wanted.find(what).expect("a block"));
+    let alone = format!("{}*NSET, NSET=sole\n{corners}{}", &wanted[..begin], &wanted[end..]);
+    for deck in [wanted.replace(", 0e0", ", "), alone] {
+        let case = read(folder.path(), "a.inp", deck.as_bytes(), UNIFORM, "\"axis\"")
+            .unwrap_or_else(|error| panic!("{error}"));
+        for [_, pressure] in pressures(&solved(&case)) {
+            assert_relative_eq!(pressure, 5.0, max_relative = 1e-11);
+        }
+    }
+    // Of no side all nodes: one middle, and the ends.
+    let edge = &body.sides[0].1;
+    let few = format!(
+        "{}*NSET, NSET=sole\n{},{},{}\n{}",
+        &wanted[..begin],
+        edge[0][0],
+        edge[0][2],
+        edge[2][1],
+        &wanted[end..]
+    );
+    // A corner in the middle of its cell.
+    let inverted = wanted.replace("\n5, 0e0, 0e0\n", "\n5, 3e-1, 3e-1\n");
+    for (deck, parts) in [
+        (few, ["the set `sole` has nodes of `body`", "or the corners alone"]),
+        (inverted, ["cell 90 of `body` is turned inside out", "a corner is not convex"]),
+    ] {
+        let error = read(folder.path(), "a.inp", deck.as_bytes(), UNIFORM, "\"axis\"")
+            .map(|_| ())
+            .expect_err(parts[0])
+            .to_string();
+        parts.iter().for_each(|part| assert!(error.contains(part), "`{part}` is not in {error}"));
+    }
+    // Megabytes of what is not read.
+    let begun = std::time::Instant::now();
+    let long = format!("{}{}", "*A\n".repeat(6_000_000), wanted);
+    read(folder.path(), "a.inp", long.as_bytes(), UNIFORM, "\"axis\"").expect("read");
+    assert!(begun.elapsed().as_secs() < 5, "{:?}", begun.elapsed());
+}
 
 #[test]
 fn every_mistake_in_a_deck_names_its_line() {

@@ -100,7 +100,7 @@ fn tables_say_the_same_whatever_their_marks_numbers_and_names() {
     let heads = [
         "x [mm],pressure [MPa]\n",
         "\u{feff}position / mm,contact pressure / MPa\n",
-        "X Location (mm),Pressure (N/mm^2)\n",
+        "X Location (mm),Pressure (N / mm^2)\n",
         "Position in mm,Contact pressure in MPa\n",
         "position,pressure\n[mm],[N/mm²]\n",
         "position,pressure\nmm,MPa\n",
@@ -300,11 +300,16 @@ fn of_a_collection_the_last_grid_is_judged_or_that_of_a_time() {
         parts.iter().for_each(|part| assert!(error.contains(part), "`{part}` is not in {error}"));
     };
     let series = entry("0.5", "first.vtu") + &entry("1", "last.vtu");
+    // What is commented out is none of them.
+    let commented = format!("{series}<!-- {}{} -->\n", entry("2", "other.vtu"), entry("1", "part.vtu"));
     let at = |time: f64| Asked { time: Some(time), ..usual() };
     let own = read::parse(&folder.path().join("last.vtu"), text.as_bytes(), &case, &usual()).expect("read");
-    for (entries, asked) in
-        [(series.clone(), usual()), (series.clone(), at(1.0)), (series.replace("timestep", "time"), usual())]
-    {
+    for (entries, asked) in [
+        (series.clone(), usual()),
+        (series.clone(), at(1.0)),
+        (series.replace("timestep", "time"), usual()),
+        (commented, usual()),
+    ] {
         let answer = read(&entries, &asked).unwrap_or_else(|error| panic!("{error}"));
         let [found, wanted] =
             [&answer, &own].map(|one| one.contacts[0].points.iter().map(|point| point.value).collect::<Vec<_>>());
@@ -314,7 +319,7 @@ fn of_a_collection_the_last_grid_is_judged_or_that_of_a_time() {
     }
     let early = read(&(series.clone() + &entry("2", "other.vtu")), &at(1.0)).expect("read");
     assert!(early.notes.iter().any(|note| note.contains("goes on to time 2")), "{:?}", early.notes);
-    refused(&series, &at(0.5), ["first.vtu", "missing"]);
+    refused(&series, &at(0.5), ["first.vtu` of this grid is missing", "series.pvd:4"]);
     refused(&series, &at(0.7), ["no results of the time", "time 0.5; time 1"]);
     refused(&(series.clone() + &entry("1", "part.vtu")), &usual(), ["2 files of time 1", "one .vtu"]);
     refused(&entry("1", "series.pvd"), &usual(), ["another collection", ".vtu"]);

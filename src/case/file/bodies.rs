@@ -6,7 +6,7 @@ use crate::case::file::form::{Form, PAIR, may, must};
 use crate::case::file::loads::LOAD;
 use crate::case::file::named::{PLACE, component, place, same_place};
 use crate::case::file::value::Value;
-use crate::case::file::{blocks, gmsh, loads};
+use crate::case::file::{blocks, loads, mesh_file};
 use crate::error::Error;
 use crate::scene::{Body, Circle, Face, Material, PlaneHypothesis, Sector, Shape, Support};
 
@@ -52,8 +52,8 @@ const SHAPE: Form = OneOf(&[
     ),
     ("blocks", List(&BLOCK)),
     // A group of cells of a mesh, and the group of sides that carries the contact.
-    (gmsh::SHAPES[0], MESH),
-    (gmsh::SHAPES[1], MESH),
+    (mesh_file::SHAPES[0], MESH),
+    (mesh_file::SHAPES[1], MESH),
 ]);
 
 const MESH: Form = Table(&[must("file", Text), must("group", Text), must("contact", Text)]);
@@ -126,7 +126,7 @@ fn shape(across: bool, given: Value) -> Result<Shape, Error> {
         "disc" => disc(across, table),
         "ring" => ring(across, table),
         "blocks" => blocks::shape(given, table),
-        name if gmsh::SHAPES.contains(&name) => gmsh::shape(table),
+        name if mesh_file::SHAPES.contains(&name) => mesh_file::shape(table),
         _ => table.unknown(),
     }
 }

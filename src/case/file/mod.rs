@@ -5,7 +5,7 @@
 //! * `value` — a value by its key, in the units of the scene; its place is looked up where something is wrong.
 //! * `source` — the text, `units` — names of units, `named` — bodies, boundaries, points and supports by their names.
 //! * `document` — the whole file.
-//! * `bodies` — `[[body]]`, with `blocks` and `gmsh` (meshes of other programs too) for its shape, `loads`.
+//! * `bodies` — `[[body]]`, with `blocks` and `mesh_file` (meshes of other programs) for its shape, `loads`.
 //! * `contact` — `[contact]`: its bodies, their sides (`side`, `curves`) and the path; `gap` — its gap, `compared` — against the
 //!   drawn one; `oracle` — its closed form, `hypotheses` — what that takes for granted.
 //! * `mesh`, `reference`, `solve`, `wanted` — `[mesh]`, `[reference]`, `[solve]`, `[[check]]`.
@@ -24,10 +24,10 @@ mod document;
 mod folder;
 mod form;
 mod gap;
-mod gmsh;
 mod hypotheses;
 mod loads;
 mod mesh;
+mod mesh_file;
 mod named;
 mod oracle;
 mod places;

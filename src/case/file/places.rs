@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use crate::case::file::source::Source;
 use crate::case::file::value::Value;
-use crate::case::file::{contact, gmsh};
+use crate::case::file::{contact, mesh_file};
 use crate::error::{Error, Located, Part, Place};
 
 /// The text of a file, in which a place is looked for when it is asked for.
@@ -21,7 +21,7 @@ impl Places {
     /// Those of a file.
     pub(super) fn of(file: Value) -> Self {
         let shapes = file.list("body").into_iter().map(|body| body.at("shape"));
-        let mesh = |shape: Value<'_>| gmsh::SHAPES.iter().find_map(|name| Some(gmsh::path(shape.get(name)?)));
+        let mesh = |shape: Value<'_>| mesh_file::SHAPES.iter().find_map(|name| Some(mesh_file::path(shape.get(name)?)));
         Self { file: file.source.file.into(), meshes: shapes.filter_map(mesh).collect(), text: file.source.text.into() }
     }
 

@@ -201,6 +201,14 @@ impl Side {
                 format!("does not touch at {line}"),
                 format!("give the body a centre at {line}, where its mesh is finest, or the contact another `origin`"),
             ),
+            (Place::Disc { height, circle }, Path::Straight(_))
+                if !wanted.near(*height, y0) && wanted.near(2.0 * circle.centre[1] - height, y0) =>
+            {
+                misfit(
+                    format!("does not touch {level}: the line touches its other end"),
+                    "give a disc the other `contact`, \"top\" or \"bottom\"; a ring has none, it touches at its lowest point: turn the whole scene upside down, with loads and supports, or give the ring as a `mesh`",
+                )
+            }
             (Place::Disc { height, .. }, Path::Straight(_)) if !wanted.near(*height, y0) => misfit(
                 format!("does not touch {level}"),
                 "the contact runs along that line: give the body a centre one radius above or below (above, of a ring: it touches at its lowest point), or the contact its `origin`",

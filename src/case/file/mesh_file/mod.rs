@@ -13,6 +13,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use crate::case::file::value::Value;
+use crate::elasticity::{element, quadrature};
 use crate::error::Error;
 use crate::scene::contact_pair::CONTACT;
 use crate::scene::{BoundaryName, GivenMesh, Shape};
@@ -48,6 +49,7 @@ pub fn shape(table: Value) -> Result<Shape, Error> {
     let mesh = if is_deck { inp::parse(&path, bytes)? } else { msh::parse(&path, bytes)? };
     let (cells, turned) = cells(group, &mesh)?;
     let sides = sides(&cells);
+    let is_of_cells: HashSet<u64> = cells.iter().flatten().copied().collect();
     let mut numbers = HashMap::new();
     let mut points = Vec::new();
     let mut number = |tag: u64| -> usize {
@@ -74,6 +76,16 @@ pub fn shape(table: Value) -> Result<Shape, Error> {
     }
     let known: Vec<&str> = boundaries.keys().map(AsRef::as_ref).collect();
     let Some(contact) = boundaries.get(side.text()) else {
+        if mesh.sets.get(side.text()).is_some_and(|nodes| nodes.iter().any(|node| is_of_cells.contains(node))) {
+            let message = format!(
+                "the set `{}` has nodes of `{}`, and all those of none of its sides",
+                side.text(),
+                group.text()
+            );
+            return Err(
+                side.refused(message, "list the corners and mid-side nodes of every side, or the corners alone")
+            );
+        }
         let message = format!("no {curves} `{}` bounds `{}`", side.text(), group.text());
         return Err(side.refused(message, known_names(&mesh, &known)));
     };
@@ -146,6 +158,22 @@ fn cells(name: Value, mesh: &Elements) -> Result<(Vec<Vec<u64>>, usize), Error> 
         true => TURNED.iter().filter_map(|&k| piece.nodes.get(k).copied()).collect(),
     };
     let cells: Vec<Vec<u64>> = pieces().map(counter_clockwise).collect();
+    let rule = quadrature::gauss_square(if first.nodes.len() == 4 { 2 } else { 3 });
+    for (piece, cell) in pieces().zip(&cells) {
+        let points: Vec<[f64; 2]> = cell.iter().filter_map(|tag| mesh.nodes.get(tag).copied()).collect();
+        let inside_out = rule.iter().find_map(|(at, _)| element::gradients(&points, *at).err());
+        if let Some(jacobian) = inside_out {
+            let message = format!(
+                "cell {} of `{}` is turned inside out: its Jacobian determinant is {jacobian:.3e} at a quadrature point",
+                piece.tag,
+                name.text()
+            );
+            return refused(
+                message,
+                "repair the mesh: a corner is not convex, or a mid-side node lies far from the middle",
+            );
+        }
+    }
     // Of two cells beside one another each runs along their common side the other way.
     let mut along = HashMap::new();
     for (piece, cell) in pieces().zip(&cells) {
@@ -195,10 +223,14 @@ fn curves<'a>(mesh: &'a Elements, sides: &'a HashMap<SideKey, Side>) -> BTreeMap
         sides.keys().for_each(|key| beginning.entry(key[0]).or_default().push(*key));
         beginning.values_mut().for_each(|keys| keys.sort_unstable());
     }
+    let middles: HashSet<u64> = sides.values().filter_map(|(side, _)| side.get(2)).copied().collect();
     for (name, nodes) in &mesh.sets {
         let own: HashSet<u64> = nodes.iter().copied().collect();
+        // A set without any mid-side node is one of corners, and so are its sides.
+        let asked = if own.is_disjoint(&middles) { 2 } else { 3 };
         let all = nodes.iter().filter_map(|node| beginning.get(node)).flatten().map(|key| &sides[key]);
-        let mut all: Vec<&Side> = all.filter(|(side, _)| side.iter().all(|node| own.contains(node))).collect();
+        let mut all: Vec<&Side> =
+            all.filter(|(side, _)| side.iter().take(asked).all(|node| own.contains(node))).collect();
         // Of a set of all nodes the outline is meant, and so it is where a body is one cell wide.
         if all.iter().any(|(_, cells)| *cells == 1) {
             all.retain(|(_, cells)| *cells == 1);

@@ -27,10 +27,18 @@ pub const KINDS: [(i64, usize, usize); 10] = [
     (10, 9, 4),
 ];
 
+/// What the numbers of the nodes and elements of the first instance of a part begin behind, those of the second behind its double.
+pub const INSTANCE: u64 = 1 << 40;
+
+/// The number of a node or element in its part.
+pub fn number(tag: u64) -> u64 {
+    tag % INSTANCE
+}
+
 /// An element.
 #[derive(Clone, Debug)]
 pub struct Piece {
-    /// Its number.
+    /// Its number in the file.
     pub tag: u64,
     /// Numbers of its nodes: corners, then mid-sides, then the middle.
     pub nodes: Vec<u64>,
@@ -46,6 +54,8 @@ pub type Groups = BTreeMap<String, Vec<Range<usize>>>;
 pub struct Elements {
     /// Position of each node by its number, in the file's unit.
     pub nodes: BTreeMap<u64, [f64; 2]>,
+    /// Nodes off the plane and their z: points of reference, and no nodes of cells.
+    pub off: BTreeMap<u64, f64>,
     /// All elements.
     pub pieces: Vec<Piece>,
     /// Groups of cells.
@@ -61,7 +71,7 @@ pub struct Elements {
 }
 
 impl Elements {
-    /// Adds a node; all must lie in one plane z = 0.
+    /// Adds a node; it must lie in the plane z = 0.
     pub fn add_node(
         &mut self,
         tag: u64,
@@ -73,20 +83,25 @@ impl Elements {
                 return Err(refused(format!("{name} is {value}"), "repair the mesh"));
             }
         }
-        if z.abs() > 1e-9 * (1.0 + x.abs().max(y.abs())) {
-            return Err(refused(format!("node {tag} lies at z = {z}"), PLANE));
+        if is_off([x, y, z]) {
+            return Err(refused(format!("node {} lies at z = {z}", number(tag)), PLANE));
         }
         match self.nodes.insert(tag, [x, y]) {
-            Some(_) => Err(refused(format!("node {tag} stands twice"), "save the mesh again")),
+            Some(_) => Err(refused(format!("node {} stands twice", number(tag)), "save the mesh again")),
             None => Ok(()),
         }
     }
 
-    /// Adds an element, whose nodes must be there; its index.
+    /// Adds an element, whose nodes must be there, and those of a cell in the plane z = 0; its index.
     pub fn add_piece(&mut self, piece: Piece, refused: impl Fn(String, &str) -> Error) -> Result<usize, Error> {
         if let Some(missing) = piece.nodes.iter().find(|node| !self.nodes.contains_key(node)) {
-            let message = format!("element {} names node {missing}, which does not exist", piece.tag);
+            let message = format!("element {} names node {}, which does not exist", piece.tag, number(*missing));
             return Err(refused(message, "save the mesh again, with its nodes first"));
+        }
+        let off = piece.nodes.iter().find_map(|node| Some((node, self.off.get(node)?)));
+        if let Some((node, z)) = off.filter(|_| piece.corners > 2) {
+            let message = format!("element {} has node {}, which lies at z = {z}", piece.tag, number(*node));
+            return Err(refused(message, PLANE));
         }
         self.pieces.push(piece);
         Ok(self.pieces.len() - 1)
@@ -96,6 +111,11 @@ impl Elements {
     pub fn of<'a>(&'a self, group: &'a [Range<usize>]) -> impl Iterator<Item = &'a Piece> {
         group.iter().flat_map(|range| &self.pieces[range.clone()])
     }
+}
+
+/// Whether a node lies off the plane z = 0.
+pub fn is_off([x, y, z]: [f64; 3]) -> bool {
+    z.abs() > 1e-9 * (1.0 + x.abs().max(y.abs()))
 }
 
 /// Adds an element to a group, to its last range where it follows it.
