@@ -32,10 +32,13 @@ pub fn say(line: impl std::fmt::Display) {
     let _ = writeln!(std::io::stdout(), "{line}");
 }
 
-/// Columns of the terminal; without one those that `COLUMNS` names, or 100, as the help has it.
+/// Columns where neither a terminal nor `COLUMNS` names them, as the help has it.
+pub const WIDTH: u16 = 100;
+
+/// Columns of the terminal; without one those that `COLUMNS` names.
 pub fn width() -> u16 {
     let named = || std::env::var("COLUMNS").ok()?.parse().ok();
-    terminal_size::terminal_size().map(|(width, _)| width.0).or_else(named).unwrap_or(100)
+    terminal_size::terminal_size().map(|(width, _)| width.0).or_else(named).unwrap_or(WIDTH)
 }
 
 /// A table no wider than the terminal.

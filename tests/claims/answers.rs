@@ -111,3 +111,32 @@ fn profile_of_several_contacts_names_the_contact_of_every_point() {
         rows.records().map(|row| row.expect("a row").get(4).expect("a name").to_string()).collect();
     assert_eq!(contacts.len(), 2, "{contacts:?}");
 }
+
+#[test]
+fn line_of_a_judged_answer_holds_its_points_on_the_truth_and_the_table_that_is_printed() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let [csv, case] = [folder.path().join("p.csv").display().to_string(), scene("roller-between-plates")];
+    assert!(contact_vv(&["solve", &case, "--no-error-bar", "--csv", &csv]).0);
+    let (_, printed, _) = contact_vv(&["judge", &case, &csv]);
+    let [judged] = &lines(&["judge", &case, &csv, "--json"])[..] else { panic!("one answer is a line") };
+    let (title, table) = printed.split_once('\n').expect("a title, and the table");
+    assert!(!title.is_empty() && judged["table"] == table.trim_end(), "{judged}");
+    let contacts = judged["contacts"].as_array().expect("contacts");
+    let names: Vec<&Value> = contacts.iter().map(|one| &one["name"]).collect();
+    assert_eq!(names, ["above", "below"]);
+    for contact in contacts {
+        let number = |of: &Value, key: &str| of[key].as_f64().unwrap_or_else(|| panic!("{key}: {of}"));
+        let checks = judged["checks"].as_array().expect("checks");
+        let peak =
+            checks.iter().find(|one| one["contact"] == contact["name"] && one["quantity"] == "peak pressure [MPa]");
+        let peak = peak.expect("judged");
+        let [reference, bar] = ["reference", "reference_bar"].map(|key| number(peak, key));
+        assert!((bar / number(peak, "reference_uncertainty") - 2.0).abs() < 1e-9, "{peak}");
+        // At the middle both profiles are at their peak, but for what elements round off.
+        let top = &contact["profile"][0];
+        assert_eq!((&contact["unit"], number(top, "position")), (&"mm".into(), 0.0));
+        for profile in ["pressure", "reference"] {
+            assert!((number(top, profile) / reference - 1.0).abs() < 1e-3, "{profile}: {top}");
+        }
+    }
+}

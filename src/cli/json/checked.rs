@@ -6,6 +6,7 @@ use serde::Serialize;
 use crate::case::{Judged, Scope, Verdict};
 use crate::error::Error;
 use crate::oracle::ReferenceKind;
+use crate::uncertainty::COVERAGE;
 
 use super::Number;
 
@@ -23,6 +24,9 @@ pub struct Line {
 /// A check; its numbers are in its unit, angles in degrees.
 #[derive(Clone, Debug, Default, Serialize, JsonSchema)]
 pub struct Checked {
+    /// The contact, of an answer that is judged.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    contact: Option<String>,
     /// What is measured, with its place and unit.
     quantity: Option<String>,
     /// Unit of value, bar, reference and uncertainties; null of a pure number.
@@ -41,6 +45,8 @@ pub struct Checked {
     reference: Number,
     /// Standard uncertainty of the reference; null where it is not known.
     reference_uncertainty: Number,
+    /// How far the reference may be off; null where that is not known.
+    reference_bar: Number,
     /// Name of the reference.
     source: Option<String>,
     /// What kind of truth the reference is.
@@ -82,6 +88,7 @@ impl Checked {
     pub fn of(judged: &Judged) -> Self {
         let Judged { check, value, uncertainty, bar, reference, error, verdict } = judged;
         Self {
+            contact: None,
             quantity: Some(check.quantity.to_string()),
             unit: check.quantity.unit(),
             requirement: judged.requirement(),
@@ -91,6 +98,7 @@ impl Checked {
             bar: (*bar).into(),
             reference: reference.value.into(),
             reference_uncertainty: reference.uncertainty.into(),
+            reference_bar: reference.uncertainty.map(|standard| COVERAGE * standard).into(),
             source: Some(reference.name.clone()),
             kind: Some(reference.kind),
             error: (*error).into(),
@@ -100,6 +108,11 @@ impl Checked {
             reason: judged.reason(),
             passed: *verdict == Verdict::Pass,
         }
+    }
+
+    /// The same, of a contact.
+    pub fn of_contact(self, name: &str) -> Self {
+        Self { contact: Some(name.into()), ..self }
     }
 
     /// What stands for the checks of a trial that broke off.

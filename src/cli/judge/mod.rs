@@ -13,7 +13,7 @@ use crate::case::Verdict;
 use crate::cli::choice;
 use crate::cli::exit::Exit;
 use crate::cli::json::{Answer, Line, Refereed};
-use crate::cli::terminal::say;
+use crate::cli::terminal::{WIDTH, say};
 use crate::error::Error;
 use crate::referee::{Truth, Verdicts, picture, read, series, verdicts};
 use crate::study::drawn;
@@ -33,7 +33,10 @@ pub fn run(arguments: &Arguments) -> Result<Exit, Error> {
     let judged = judged.collect::<Result<Vec<Verdicts>, Error>>()?;
     for one in judged.iter().filter(|_| !arguments.series || arguments.json) {
         match (arguments.json, arguments.markdown) {
-            (true, _) => say(Answer::Refereed(Refereed::of(&truth, one).into()).line()),
+            (true, _) => {
+                let table = told::verdicts(&truth, one, WIDTH);
+                say(Answer::Refereed(Refereed::of(&truth, one, table).into()).line());
+            }
             (false, true) => say(told::markdown(&truth, one)),
             (false, false) => told::print(&truth, one),
         }

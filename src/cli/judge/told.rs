@@ -1,7 +1,7 @@
 //! The verdicts on an answer, in lines and as Markdown.
 
 use crate::case::{Judged, Verdict};
-use crate::cli::terminal::{say, table};
+use crate::cli::terminal::{say, table, table_on, width};
 use crate::markdown;
 use crate::measure::order::{Observed, Why};
 use crate::referee::series::Series;
@@ -10,16 +10,21 @@ use crate::uncertainty::COVERAGE;
 
 const HEAD: [&str; 6] = ["quantity", "value", "reference ± bar", "error", "at most", "verdict"];
 
-/// Prints a table a contact, what explains what is not met, and what could not be judged.
+/// Prints what was judged, and the verdicts.
 pub fn print(truth: &Truth, found: &Verdicts) {
     say(title(truth, found));
-    for ruled in &found.ruled {
-        let mut table = table(HEAD);
+    say(verdicts(truth, found, width()));
+}
+
+/// A table a contact, no wider than so many columns, what explains what is not met, and what could not be judged.
+pub fn verdicts(truth: &Truth, found: &Verdicts, columns: u16) -> String {
+    let of = |ruled: &Ruled| {
+        let mut table = table_on(columns, HEAD);
         table.add_rows(ruled.judged.iter().map(row));
-        say(format!("contact `{}`:", truth.case.scene.contacts[ruled.contact].name));
-        say(table);
-    }
-    remarks(found).into_iter().for_each(say);
+        format!("contact `{}`:\n{table}", truth.case.scene.contacts[ruled.contact].name)
+    };
+    let tables = found.ruled.iter().map(of);
+    tables.chain(remarks(found)).collect::<Vec<_>>().join("\n")
 }
 
 /// The same as Markdown.
