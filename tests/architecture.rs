@@ -266,7 +266,7 @@ const BUDGETS: [(&str, usize); 9] = [
     ("study", 14_330),
     ("referee", 5_400),
     ("report", 3_430),
-    ("cli", 4_220),
+    ("cli", 4_410),
     ("live", 470),
 ];
 
