@@ -263,7 +263,7 @@ const BUDGETS: [(&str, usize); 9] = [
     ("drawing", 2_970),
     ("case", 7_780),
     ("oracle", 3_740),
-    ("study", 14_330),
+    ("study", 14_620),
     ("referee", 5_400),
     ("report", 3_430),
     ("cli", 4_410),
@@ -281,7 +281,7 @@ fn rooms_keep_to_their_budgets() {
 }
 
 /// Files and types that the studies may have together.
-const STUDIES: [usize; 2] = [58, 130];
+const STUDIES: [usize; 2] = [60, 132];
 
 #[test]
 fn studies_keep_to_their_files_and_types() {
