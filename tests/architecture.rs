@@ -259,12 +259,12 @@ fn matrix_types_of_libraries_stay_inside_the_numerics() {
 
 /// Lines that a room may have; raised only by a commit that says what for.
 const BUDGETS: [(&str, usize); 9] = [
-    ("solver", 18_760),
+    ("solver", 18_780),
     ("drawing", 2_970),
     ("case", 7_780),
     ("oracle", 3_740),
-    ("study", 14_620),
-    ("referee", 5_400),
+    ("study", 14_650),
+    ("referee", 5_430),
     ("report", 3_430),
     ("cli", 4_410),
     ("live", 470),

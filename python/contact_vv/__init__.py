@@ -4,7 +4,7 @@
 >>> run = contact_vv.solve("cylinder", element="line")
 >>> print(run.numbers["second-moment-width"])
 2.50061 ± 0.0035
->>> bool(contact_vv.judge("cylinder", run.s, run.p))
+>>> bool(contact_vv.judge("cylinder", run.s, run.p, area=run.contacts[0].area))
 True
 
 A scene, or case, is the name of one of the library, the path of a scene file, the text of one, or a dict with the same.
@@ -136,16 +136,26 @@ def solve(scene: Scene, **options: Option) -> Solution:
     """
     with _folder(scene) as (folder, name):
         fields = folder / "fields.vtu"
-        printed = _output("solve", name, "--json=-", f"--vtu={fields}", *_typed(options))
+        printed = _output("solve", "--json=-", f"--vtu={fields}", *_typed(options), "--", name)
         grid = ElementTree.parse(fields).getroot()
     nodes, displacement = _plane(grid, ".//Points/DataArray"), _plane(grid, ".//*[@Name='displacement']")
     return Solution(json.loads(printed), nodes, displacement)
 
 
 def judge(
-    case: Scene, s: ArrayLike, p: ArrayLike, unit: str = "MPa", length: str = "mm", **options: Option
+    case: Scene,
+    s: ArrayLike,
+    p: ArrayLike,
+    unit: str = "MPa",
+    length: str = "mm",
+    gap: ArrayLike | None = None,
+    area: ArrayLike | None = None,
+    **options: Option,
 ) -> Verdicts:
     """Judges pressures `p` in `unit` at contact coordinates `s` in `length`, which is deg or rad along an arc.
+
+    Remaining gaps in mm and the areas in mm² that pressures act on may be given too; without areas, pressures are linear
+    between the points. What is masked is not a number, and refused.
 
     >>> s = np.linspace(0, 4, 81)
     >>> p = 5769.23 * np.sqrt(np.maximum(1 - (s / 2.5) ** 2, 0))
@@ -155,16 +165,20 @@ def judge(
     True
     """
     with tempfile.TemporaryDirectory(prefix="contact-vv-") as folder:
-        answer, head = Path(folder, "answer.csv"), f"position [{length}],pressure [{unit}]"
-        table = np.column_stack([np.asarray(s, dtype=float), np.asarray(p, dtype=float)])
-        np.savetxt(answer, table, fmt="%.17g", delimiter=",", header=head, comments="", encoding="utf-8")
+        given = {f"position [{length}]": s, f"pressure [{unit}]": p, "gap [mm]": gap, "area [mm2]": area}
+        columns = {name: np.ma.filled(np.ma.asarray(of, dtype=float), np.nan) for name, of in given.items() if of is not None}
+        if len({column.shape for column in columns.values()}) > 1:
+            shapes = ", ".join(f"{name} {column.shape}" for name, column in columns.items())
+            raise Error(f"the arrays have different shapes: {shapes}\n help: give a number for every point")
+        answer, table = Path(folder, "answer.csv"), np.column_stack(list(columns.values()))
+        np.savetxt(answer, table, fmt="%.17g", delimiter=",", header=",".join(columns), comments="", encoding="utf-8")
         return judge_file(case, answer, **options)
 
 
 def judge_file(case: Scene, answer: str | os.PathLike[str], **options: Option) -> Verdicts:
     """Judges a file that the program reads: a table, a VTK grid, of CalculiX, or JSON by `contact-vv schema answer`."""
     with _folder(case) as (_, name):
-        return Verdicts(json.loads(_output("judge", name, os.fspath(answer), "--json", *_typed(options))))
+        return Verdicts(json.loads(_output("judge", "--json", *_typed(options), "--", name, os.fspath(answer))))
 
 
 def reference(case: Scene) -> dict[str, Number]:
@@ -175,7 +189,7 @@ def reference(case: Scene) -> dict[str, Number]:
     """
     with _folder(case) as (folder, name):
         own = folder / "own.csv"
-        _output("solve", name, "--no-error-bar", f"--csv={own}")
+        _output("solve", "--no-error-bar", f"--csv={own}", "--", name)
         checks = judge_file(name, own).document["checks"]
     values = [check for check in checks if check["unit"] is not None]
     return _by_name(values, ["contact", "quantity", "reference", "reference_bar"])

@@ -109,16 +109,39 @@ impl<'a> Table<'a> {
         for (k, line) in lines.iter().enumerate().skip(begin).filter(|(_, line)| comment(line).is_none()) {
             let own = fitting(line, mark, head.len());
             let is_text = own.iter().all(|cell| number(cell, mark != ',').is_none());
-            let word = own.first().and_then(|cell| cell.split_whitespace().next()).unwrap_or_default().to_lowercase();
             match first.is_some_and(|first| k < first) && is_text {
                 true if own.len() == head.len() && own.iter().all(|cell| is_unit(cell)) => {
                     head = head.iter().zip(&own).map(|(name, unit)| format!("{name} [{}]", inner(unit))).collect();
                 }
+                true if own.len() == head.len() && own.iter().any(|cell| is_known_unit(inner(cell))) => {
+                    let unknown = own.iter().find(|cell| !is_unit(cell)).map_or("", |cell| cell.as_str());
+                    let message = format!("this row of units has `{unknown}`, which is none that is known");
+                    return Err(source.at(
+                        line,
+                        message,
+                        "write units that `--help` tells, or remove the row and name them by --unit",
+                    ));
+                }
                 // The second line of a head of two.
                 true => {}
-                false if BELOW.contains(&word.as_str()) => break,
+                false if is_below(line, mark) => {
+                    let is_more = |line: &&&str| {
+                        is_data(line, mark)
+                            && !is_below(line, mark)
+                            && fitting(line, mark, head.len()).len() == head.len()
+                    };
+                    if let Some(more) = lines[k..].iter().find(is_more) {
+                        let remedy = "keep the table of the step and frame that is to be judged, and remove the others";
+                        return Err(source.at(more, "this line begins another table", remedy));
+                    }
+                    break;
+                }
                 false => rows.push((line, own)),
             }
+        }
+        // ParaView writes zeros where a line leaves the grid, and masks them.
+        if let Some(mask) = head.iter().position(|title| title.eq_ignore_ascii_case("vtkValidPointMask")) {
+            rows.retain(|(_, cells)| cells.get(mask).and_then(|cell| number(cell, false)) != Some(0.0));
         }
         let comma = mark != ',' && rows.iter().flat_map(|(_, cells)| cells).any(|cell| cell.contains(','));
         Ok(Self { head, rows, comma })
@@ -142,6 +165,13 @@ fn head(above: &[&str], mark: char, count: Option<usize>, asked: &Asked) -> Opti
     let last = || all.iter().rfind(|(k, _)| is_plain(*k)).or(all.last());
     let any = || (0..above.len()).rev().find(|k| is_plain(*k)).map(|k| (k, cells(above[k], mark)));
     known.or_else(last).cloned().or_else(any)
+}
+
+/// Whether a line stands below the numbers of a report.
+fn is_below(line: &str, mark: char) -> bool {
+    let own = cells(line, mark);
+    let word = own.first().and_then(|cell| cell.split_whitespace().next()).unwrap_or_default().to_lowercase();
+    BELOW.contains(&word.as_str())
 }
 
 /// What stands behind the mark of a comment; none of a line that is none.
@@ -225,6 +255,12 @@ fn is_known_unit(name: &str) -> bool {
     Role::ALL.iter().any(|role| role.factor(name).is_some())
 }
 
+/// Whether it is written as units are, known or not: a quotient, a power, or a known one in other letters.
+fn is_like_unit(name: &str) -> bool {
+    let mut known = Role::ALL.iter().flat_map(|role| role.units());
+    name.contains(['/', '^', '²']) || known.any(|(known, _)| known.eq_ignore_ascii_case(name))
+}
+
 /// Name and unit of a column: `pressure [MPa]`, `pressure (MPa)`, `pressure / MPa` or `pressure in MPa`.
 fn split(title: &str) -> (&str, Option<&str>) {
     let inside = |open: char, close: char| {
@@ -294,7 +330,9 @@ fn columns(source: &Source, head: &[String], scene: &Scene, asked: &Asked) -> Re
 /// One column with its unit: that of the file where it says one, else the one that is named.
 fn column(source: &Source, role: Role, index: usize, title: &str, asked: &Asked) -> Result<Column, Error> {
     let (written, named) = (split(title).1, asked.unit(role));
-    let unit = written.filter(|unit| role.factor(unit).is_some()).or(named).or(written);
+    // What brackets hold may be no unit: `pressure (nodal)`.
+    let says_unit = |unit: &&str| role.factor(unit).is_some() || title.ends_with(']') || is_like_unit(unit);
+    let unit = written.filter(says_unit).or(named).or(written);
     let factor =
         if role == Role::Contact { 1.0 } else { source.factor(role, &format!("the column `{title}`"), unit)? };
     let said = match (written, named) {

@@ -119,12 +119,13 @@ const PSI: f64 = POUND / (INCH * INCH);
 const PLACES: [(&str, f64); 8] =
     [("mm", 1.0), ("m", 1e3), ("um", 1e-3), ("cm", 10.0), ("in", INCH), ("rad", 1.0), ("deg", DEGREE), ("°", DEGREE)];
 const LENGTHS: [(&str, f64); 5] = [("mm", 1.0), ("m", 1e3), ("um", 1e-3), ("cm", 10.0), ("in", INCH)];
-const PRESSURES: [(&str, f64); 9] = [
+const PRESSURES: [(&str, f64); 10] = [
     ("MPa", 1.0),
     ("N/mm2", 1.0),
     ("kPa", 1e-3),
     ("Pa", 1e-6),
     ("GPa", 1e3),
+    ("kN/mm2", 1e3),
     ("N/m2", 1e-6),
     ("bar", 0.1),
     ("psi", PSI),
@@ -144,7 +145,7 @@ pub fn is_angle(unit: &str) -> bool {
 pub struct Units {
     /// Of positions: mm, m, um, cm or in on a straight path; deg or rad on an arc.
     pub position: Option<String>,
-    /// Of pressures: MPa, N/mm2, kPa, Pa, GPa, N/m2, bar, psi or ksi.
+    /// Of pressures: MPa, N/mm2, kPa, Pa, GPa, kN/mm2, N/m2, bar, psi or ksi.
     pub pressure: Option<String>,
     /// Of forces: N, kN or lbf.
     pub force: Option<String>,

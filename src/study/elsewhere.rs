@@ -5,7 +5,7 @@
 
 use crate::mesh::Mesh;
 use crate::referee::export::gmsh;
-use crate::scene::{Action, Body, Load, Material, Place, PlaneHypothesis, Scene};
+use crate::scene::{Action, Body, ContactPair, Load, Material, Place, PlaneHypothesis, Profile, Scene};
 use crate::study::described;
 
 /// What is typed into both codes: numbers of sides and bodies, elastic constants, supports, loads, contacts, and what is to be printed.
@@ -29,10 +29,19 @@ pub fn paragraph(name: &str, scene: &Scene, mesh: &Mesh) -> String {
         }
         false => "",
     };
+    let pressed = |pair: &ContactPair| match pair.profile {
+        Profile::Uniform(gap) if gap < 0.0 && pair.second.is_some() => Some(format!(
+            "The mesh has no interference: both sides of `{}` lie on one another, and the {} mm by which they overlap are to be given beside it, as by \
+             moving the nodes of one body. ",
+            pair.name, -gap
+        )),
+        _ => None,
+    };
+    let pressed: String = scene.contacts.iter().filter_map(pressed).collect();
     format!(
         "## In MOOSE and MFEM\n\nNo script of ours runs these two. `contact-vv export {name} DIR` writes `{name}.msh`; its physical numbers are boundaries \
          and blocks in MOOSE, attributes in MFEM: {}. Units are mm, N, MPa; loads are per thickness {}. In two dimensions both solve plane strain, {plane}. \
-         {rigid}Their contact follows the deformed surfaces, ours the undeformed path: alike where displacements are small beside radii.\n\n\
+         {rigid}{pressed}Their contact follows the deformed surfaces, ours the undeformed path: alike where displacements are small beside radii.\n\n\
          **MOOSE**: `FileMeshGenerator`, `[Physics/SolidMechanics/QuasiStatic]` with `strain = SMALL` and `add_variables = true` on these blocks, \
          `ComputeLinearElasticStress`, and\n\n```text\n{}```\n\n\
          The Lagrange multiplier is the pressure, positive in compression; with `formulation = penalty` and a `penalty` it is `contact_pressure` on the \

@@ -6,6 +6,7 @@ use serde::Serialize;
 
 use crate::case::{self, Check, Judged, Reference, Verdict};
 use crate::markdown::{self, Column, significant, to_bound};
+use crate::measure::Quantity;
 use crate::oracle::ReferenceKind;
 use crate::oracle::cross_code::independent::Script;
 
@@ -84,7 +85,7 @@ pub struct Confirmed {
     pub by: String,
     /// What it found.
     pub value: f64,
-    /// How far that may be off: two standard uncertainties of a refinement series, or our bound.
+    /// How far that may be off: three standard uncertainties of a refinement series and what springs leave, or our bound.
     pub bound: f64,
     /// What the value is confirmed to: difference and that bound, relative.
     pub to: f64,
@@ -105,13 +106,22 @@ const PENALTY: f64 = 2e-4;
 /// Standard uncertainties of another code that its value may be off: two hold for 95 of 100, and there are thirty
 /// comparisons.
 const SPREAD: f64 = 3.0;
+/// Part of the largest value of a unit that is as good as nothing.
+const SMALL: f64 = 1e-3;
+/// Relative bound within which our value tells a closed form of the very scene from one of an idealised scene.
+const TELLS: f64 = 1e-5;
 
 impl Value {
-    /// Another code within our bound and thrice its uncertainty, and what its springs leave.
-    pub fn met(&self, (script, [theirs, uncertainty]): &(Script, [f64; 2])) -> Judged {
+    /// How far the value of another code may be off: thrice its uncertainty, what its springs leave, and round-off.
+    fn bound_of((script, [theirs, uncertainty]): &(Script, [f64; 2])) -> f64 {
         let penalty = if script.has_penalty() { PENALTY * theirs.abs() } else { 0.0 };
-        let round_off = 1e-9 * theirs.abs();
-        let allowed = self.bound + SPREAD * uncertainty + penalty + round_off;
+        SPREAD * uncertainty + penalty + 1e-9 * theirs.abs()
+    }
+
+    /// Another code within our bound and its own.
+    pub fn met(&self, other: &(Script, [f64; 2])) -> Judged {
+        let (script, [theirs, _]) = other;
+        let allowed = self.bound + Self::bound_of(other);
         let reference =
             Reference { name: script.name().into(), kind: ReferenceKind::CrossCode, value: 0.0, uncertainty: None };
         let at = format!("{}, {}", self.quantity, self.of);
@@ -133,7 +143,8 @@ impl Value {
             one.confirmed_by = vec![one.confirmed(&format!("our {} cells", self.found.name()), self.value, self.bound)];
         }
         let met = self.others.iter().filter(|other| self.met(other).verdict == Verdict::Pass);
-        let theirs: Vec<_> = met.map(|(script, [x, u])| one.confirmed(script.name(), *x, 2.0 * u)).collect();
+        let theirs: Vec<_> =
+            met.map(|other| one.confirmed(other.0.name(), other.1[0], Self::bound_of(other))).collect();
         one.confirmed_by.extend(theirs);
         one.confirmed_by.retain(|confirmed| confirmed.to.is_finite());
         for Confirmed { value, bound, to, .. } in &mut one.confirmed_by {
@@ -144,9 +155,11 @@ impl Value {
         one
     }
 
-    /// Whether its closed form, where there is one, is within its bound.
+    /// Whether its closed form, where there is one, is within its bound, and that of a peak or a second-moment width narrow.
     fn holds_closed_form(&self) -> bool {
-        self.closed_form.is_none_or(|closed| (closed - self.value).abs() <= self.bound)
+        let telling = [Quantity::PeakPressure.key(), Quantity::SecondMomentWidth.key()];
+        let tells = !telling.contains(&self.quantity.as_str().into()) || self.bound <= TELLS * self.value.abs();
+        self.closed_form.is_none_or(|closed| (closed - self.value).abs() <= self.bound && tells)
     }
 }
 
@@ -174,7 +187,14 @@ impl Sheet {
     /// Its values as data.
     pub fn published(&self) -> Self {
         let is_exact = self.values.iter().all(Value::holds_closed_form);
-        Self { values: self.values.iter().map(|value| value.published(is_exact)).collect(), ..self.clone() }
+        // The place of the peak of a uniform pressure may be anywhere, and what a point force makes has no limit.
+        let says_something = |one: &&Value| {
+            let sizes = self.values.iter().filter(|other| other.unit == one.unit).map(|other| other.value.abs());
+            let largest = sizes.fold(0.0, f64::max);
+            one.bound.is_nan() || one.bound < 0.5 * one.value.abs() || one.bound <= SMALL * largest
+        };
+        let values = self.values.iter().filter(says_something);
+        Self { values: values.map(|value| value.published(is_exact)).collect(), ..self.clone() }
     }
 }
 

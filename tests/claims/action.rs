@@ -123,7 +123,13 @@ fn the_form_of_an_issue_is_read_and_nothing_else_of_it() {
     assert_eq!((code, fetched), (Some(0), 2));
     assert_eq!(output, "case=cylinder\nunits<<END\nposition=mm\npressure=MPa\nEND\n");
     let (code, output, fetched) = read("cylinder", "$(touch run)\nEND\ncase=../x y\n`touch run`", link);
-    assert_eq!((code, output.as_str(), fetched), (Some(0), "case=cylinder\nunits<<END\nEND\n", 1));
+    assert_eq!((code, output.as_str(), fetched), (Some(1), "sheet=refused.md\n", 0));
+    // Two files of one name are two; blanks beside a unit are none of it, and the field may be left empty.
+    let (code, output, fetched) =
+        read("cylinder", " position=mm \r\n\tpressure=MPa", &format!("[a]({link}) [a]({link})"));
+    assert_eq!((code, fetched), (Some(0), 2));
+    assert_eq!(output, "case=cylinder\nunits<<END\nposition=mm\npressure=MPa\nEND\n");
+    assert_eq!(read("cylinder", "_No response_", link).0, Some(0));
     for (case, answer) in [
         ("../mine.toml", link),
         ("--help", link),

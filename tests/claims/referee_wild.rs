@@ -127,6 +127,10 @@ fn tables_say_the_same_whatever_their_marks_numbers_and_names() {
     // Columns without a head by their numbers; a .dat that is no file of CalculiX.
     let numbered = naming(&[(Role::Position, "1"), (Role::Pressure, "2")]);
     ellipse::assert(&parsed("savetxt.dat", row(" ", plain), &numbered).expect("read"), 1e-5);
+    // Zeros that ParaView masks are no pressures.
+    let masked = row(",", plain).lines().map(|line| format!("{line},1\n")).collect::<String>();
+    let masked = format!("Position [mm],Pressure [MPa],vtkValidPointMask\n{masked}0.001,0,0\n");
+    ellipse::assert(&parsed("theirs.csv", masked, &Asked::default()).expect("read"), 1e-5);
     // A column that is not used needs no unit.
     let more = row(",", plain).lines().map(|line| format!("{line},7,0\n")).collect::<String>();
     let more = format!("position [mm],pressure [MPa],force,Points:1\n{more}");
@@ -140,10 +144,20 @@ fn what_is_no_number_in_a_table_is_named_with_its_line_and_what_to_change() {
         ("position [mm];pressure [MPa]\n0;3\n1.234,5;2\n2;1\n", ["theirs.csv:3", "all with a comma"]),
         ("# x [mm] p [MPa]\n0 3\n1 2x\n2 1\n", ["theirs.csv:3", "`2x`, which is no number"]),
         ("x [mm],p [torr]\n0,3\n1,2\n2,1\n", ["the unit `torr`", "bar, psi, ksi"]),
+        ("position,pressure\n[m],[torr]\n0,3\n1,2\n2,1\n", ["theirs.csv:2", "`[torr]`"]),
+        (
+            "x [mm]  p [MPa]\n0  3\n1  2\nMinimum  1  2\n At Node  3\nx [mm]  p [MPa]\n0  6\n1  5\n",
+            ["theirs.csv:7", "begins another table"],
+        ),
         ("0 3\n1 2\n2 1\n", ["holds no names", "--column position=1"]),
         ("t [mm] q [MPa]\n0 3\n1 2\n", ["no column is called `position` or `x`, but `t [mm]`, `q [MPa]`", "--column"]),
     ] {
         refused("theirs.csv", text, &Asked::default(), &parts);
+    }
+    // A unit that is written is not replaced by the one that is named, known or not.
+    let named = Asked { units: vec![(Role::Pressure, "MPa".into())], ..Asked::default() };
+    for unit in ["(kN/cm^2)", "[mPa]", "/ kN / cm^2", "[torr]"] {
+        refused("theirs.csv", format!("x [mm],p {unit}\n0,3\n1,2\n2,1\n"), &named, &["the unit"]);
     }
 }
 

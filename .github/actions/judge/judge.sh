@@ -3,6 +3,8 @@
 # Exits as `contact-vv judge` does. What is in an answer is never taken for a command of the shell or of the workflow.
 set -euo pipefail
 shopt -s nullglob
+# Bash 3 of macOS has no `**`.
+shopt -s globstar 2>/dev/null || deep=refused
 
 folder=$(mktemp -d)
 sheet=$folder/sheet.md
@@ -51,6 +53,11 @@ while IFS= read -r option; do command+=("$option"); done < <(
 )
 command+=(-- "$(input case)")
 while IFS= read -r pattern; do
+    if [[ -e $pattern ]]; then
+        command+=("$pattern")
+        continue
+    fi
+    if [[ -n ${deep:-} && $pattern == *'**'* ]]; then refuse "The shell of this runner knows no \`**\`: name the folders."; fi
     # shellcheck disable=SC2206 # A glob; a name with blanks is one name.
     IFS='' files=($pattern)
     if ((${#files[@]} == 0)); then refuse "No file matches \`$pattern\`, of the input \`files\`."; fi
@@ -60,6 +67,7 @@ done < <(input files)
 code=0
 "${command[@]}" >"$sheet" 2>"$folder/wrong" || code=$?
 if [[ -s $folder/wrong ]]; then
-    { echo '```text'; cat "$folder/wrong"; echo '```'; } >>"$sheet"
+    # An answer may be quoted: it neither ends the block nor fills the summary.
+    { echo '```text'; head -c 60000 "$folder/wrong" | tr '\140' "'"; echo; echo '```'; } >>"$sheet"
 fi
 finish "$code"

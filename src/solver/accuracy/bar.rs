@@ -13,7 +13,7 @@
 //!
 //! The parts of iteration and penalty are differences to the solution of the same discrete problem, which is exact.
 
-use crate::accuracy::family::{Family, discrete_of, is_found};
+use crate::accuracy::family::{Family, discrete_of};
 use crate::accuracy::reading::{self, Reading, of_discrete, value_of};
 use crate::accuracy::recovered::{Recovered, recovered};
 use crate::algorithm::StiffnessRule;
@@ -204,8 +204,8 @@ fn of_displacements(
     let Recovered { readings, shears } = recovered(discretisation, run, wanted)?;
     let of = |formulation: &Formulation| -> Result<Vec<Reading>, Error> {
         match Run::from_origin(Origin::From(&run.solution), discretisation, formulation, Change::NONE) {
-            Ok(other) if is_found(&other) && is_same(&other, run) => Ok(readings.clone()),
-            Ok(other) if is_found(&other) => Ok(recovered(discretisation, &other, wanted)?.readings),
+            Ok(other) if family.is_found(&other) && is_same(&other, run) => Ok(readings.clone()),
+            Ok(other) if family.is_found(&other) => Ok(recovered(discretisation, &other, wanted)?.readings),
             // Not found: its numbers are unknown.
             _ => Ok(Vec::new()),
         }

@@ -99,11 +99,12 @@ impl Family {
         let settings = Settings { tolerance: TOLERANCE.min(settings.tolerance), ..Settings::default() };
         let formulation = Formulation { layer_thickness, settings, ..Formulation::new(element, Iteration::Kinematic) };
         let (scene, resolution) = (&discretisation.scene, discretisation.resolution);
+        let on_ends = scene.contacts.iter().any(|pair| !pair.ends.places.is_empty());
         // A mesh too coarse to hold the contact says nothing.
         let said = |(scene, resolution)| {
             let coarse = Discretisation::of(scene, resolution).ok()?;
             let run = Run::of(&coarse, &formulation).ok()?;
-            said(&coarse, &run, wanted)
+            is_found(&run, on_ends).then(|| said(&coarse, &run, wanted))?
         };
         let (gentler, coarse) = rayon::join(
             || gentler(scene, resolution).map(said),
@@ -111,12 +112,16 @@ impl Family {
         );
         let (sizes, cells) = (sizes(discretisation), discretisation.mesh.cells());
         let order = discretisation.resolution.order;
-        let on_ends = discretisation.scene.contacts.iter().any(|pair| !pair.ends.places.is_empty());
         let layers = discretisation.scene.contacts.iter().map(|pair| pair.ends.layers).min().unwrap_or(0);
         let shallow = !on_ends && is_shallow(discretisation);
         let by_points = discretisation.scene.contacts.iter().any(|pair| pair.profile.is_by_points());
         let (others, corners) = (others(discretisation), corners(discretisation));
         Self { formulation, order, sizes, others, corners, cells, on_ends, layers, by_points, shallow, coarse, gentler }
+    }
+
+    /// Whether a run on the same mesh has found what its iteration ends at.
+    pub(super) fn is_found(&self, run: &Run) -> bool {
+        is_found(run, self.on_ends)
     }
 
     /// How many of them tell something.
@@ -387,14 +392,15 @@ pub(super) fn discrete_of(run: &Run, contact: usize) -> &Measures {
     }
 }
 
-/// Whether the iteration of a run has converged, though round-off may leave more of the balance of a body than a solve accepts.
-pub(super) fn is_found(run: &Run) -> bool {
+/// Whether the iteration of a run has converged, though round-off may leave more of the balance of a body than a solve accepts: on meshes
+/// fitted to the ends of a contact, since others leave more in a body that is as thin than coarser ones tell.
+fn is_found(run: &Run, on_ends: bool) -> bool {
     let (most, _) = UNBALANCED;
     let lost_forces = || run.iteration_error() <= run.formulation.settings.tolerance && run.imbalance() <= most;
-    run.solution.converged() || lost_forces()
+    run.solution.converged() || on_ends && lost_forces()
 }
 
-/// What a converged run on another mesh says.
+/// What a run on another mesh says.
 fn said(coarse: &Discretisation, run: &Run, wanted: Option<&[Displaced]>) -> Option<Other> {
     let mut readings = of_discrete(coarse, run, 1);
     if let Some(wanted) = wanted {
@@ -402,7 +408,7 @@ fn said(coarse: &Discretisation, run: &Run, wanted: Option<&[Displaced]>) -> Opt
     }
     let (cells, dofs, imbalance) = (coarse.mesh.cells(), run.dofs, run.imbalance());
     let order = coarse.resolution.order;
-    is_found(run).then(|| Other { order, sizes: sizes(coarse), cells, dofs, readings, imbalance })
+    Some(Other { order, sizes: sizes(coarse), cells, dofs, readings, imbalance })
 }
 
 /// Whether a body has no more cells than candidate edges of one of its contacts.

@@ -46,6 +46,15 @@ impl Rung {
     pub(super) fn is_open(&self) -> bool {
         self.run.is_open()
     }
+
+    /// Whether a finer mesh moves a number by more than its bar.
+    pub(super) fn is_refuted_by(&self, finer: &Self) -> bool {
+        self.estimates.iter().any(|one| {
+            let is_same = |other: &&Barred| other.contact == one.contact && other.quantity == one.quantity;
+            let moved = finer.estimates.iter().find(is_same).map(|other| (other.value - one.value).abs());
+            moved.is_some_and(|moved| moved > one.bar.total())
+        })
+    }
 }
 
 impl<'a> Rungs<'a> {

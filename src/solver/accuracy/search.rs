@@ -89,7 +89,12 @@ fn refine(mut layout: Layout, mut rungs: Rungs, scene: &Scene) -> Result<Answer,
         let before = best.as_ref().map_or(f64::NAN, |best| best.error);
         let (falls, patience) = IDLE;
         idle = if before.is_nan() || error < falls * before { 0 } else { idle + 1 };
-        if before.is_nan() || error < before {
+        // Numbers that a finer mesh moves by more than their bars, or does not know, were too coarse to tell how far they are off.
+        if before.is_nan()
+            || error.is_nan()
+            || error < before
+            || best.as_ref().is_some_and(|best| best.is_refuted_by(&rung))
+        {
             best = Some(rung);
         }
         if idle >= patience {

@@ -26,7 +26,7 @@ const NO_CELLS: [&str; 14] =
 /// What the names of shells and membranes begin with: S1 and S2 are their faces, and their edges are E1 to E4, or S3 to S6 in CalculiX.
 const SHELLS: [&str; 3] = ["S", "M3D", "R3D"];
 /// What makes nodes and elements that no line lists, or moves them.
-const GENERATED: [&str; 7] = ["NGEN", "NFILL", "NCOPY", "NMAP", "ELGEN", "ELCOPY", "SYSTEM"];
+const GENERATED: [&str; 8] = ["NGEN", "NFILL", "NCOPY", "NMAP", "ELGEN", "ELCOPY", "SYSTEM", "IMPERFECTION"];
 /// What is read, each after what it may name, whatever stands first in the deck.
 const READ: [&[&str]; 4] = [&["NODE"], &["ELEMENT"], &["NSET", "ELSET"], &["SURFACE"]];
 /// What else counts.

@@ -61,7 +61,8 @@ pub fn shape(table: Value) -> Result<Shape, Error> {
     let own = cells.iter().map(|cell| cell.iter().map(|tag| number(*tag)).collect()).collect();
     let mut boundaries: BTreeMap<BoundaryName, Vec<Vec<usize>>> = BTreeMap::new();
     let mut inner = BTreeSet::new();
-    for (name, own) in curves(&mesh, &sides) {
+    let (curves_of, partial) = curves(&mesh, &sides);
+    for (name, own) in curves_of {
         let name: BoundaryName = name.to_owned().into();
         if own.iter().any(|(_, cells)| *cells > 1) {
             inner.insert(name.clone());
@@ -85,6 +86,12 @@ pub fn shape(table: Value) -> Result<Shape, Error> {
             return Err(
                 side.refused(message, "list the corners and mid-side nodes of every side, or the corners alone")
             );
+        }
+        if let Some(node) = partial.get(side.text()) {
+            return Err(side.refused(
+                format!("the set `{}` has node {node}, but not all nodes of a side with it", side.text()),
+                "list all nodes of every side, or the corners alone, and no others of the outline",
+            ));
         }
         let message = format!("no {curves} `{}` bounds `{}`", side.text(), group.text());
         return Err(side.refused(message, known_names(&mesh, &known)));
@@ -204,8 +211,12 @@ fn key(a: u64, b: u64) -> SideKey {
     [a.min(b), a.max(b)]
 }
 
-/// The sides of cells of every curve by its name: those of its lines, or of its nodes where no lines are called so.
-fn curves<'a>(mesh: &'a Elements, sides: &'a HashMap<SideKey, Side>) -> BTreeMap<&'a str, Vec<&'a Side>> {
+/// Curves by their names.
+type Curves<'a> = BTreeMap<&'a str, Vec<&'a Side>>;
+
+/// The sides of cells of every curve by its name: those of its lines, or of its nodes where no lines are called so. Apart, sets of
+/// nodes that leave a side half told: with a node of the outline that is of no side all of whose nodes they have.
+fn curves<'a>(mesh: &'a Elements, sides: &'a HashMap<SideKey, Side>) -> (Curves<'a>, BTreeMap<&'a str, u64>) {
     let mut curves: BTreeMap<&str, Vec<&Side>> = BTreeMap::new();
     for (name, lines) in &mesh.curves {
         // The middle node of a line stands last or between its ends.
@@ -223,6 +234,9 @@ fn curves<'a>(mesh: &'a Elements, sides: &'a HashMap<SideKey, Side>) -> BTreeMap
         sides.keys().for_each(|key| beginning.entry(key[0]).or_default().push(*key));
         beginning.values_mut().for_each(|keys| keys.sort_unstable());
     }
+    let outline: HashSet<u64> =
+        sides.values().filter(|(_, cells)| *cells == 1).flat_map(|(side, _)| side).copied().collect();
+    let mut partial = BTreeMap::new();
     let middles: HashSet<u64> = sides.values().filter_map(|(side, _)| side.get(2)).copied().collect();
     for (name, nodes) in &mesh.sets {
         let own: HashSet<u64> = nodes.iter().copied().collect();
@@ -235,8 +249,15 @@ fn curves<'a>(mesh: &'a Elements, sides: &'a HashMap<SideKey, Side>) -> BTreeMap
         if all.iter().any(|(_, cells)| *cells == 1) {
             all.retain(|(_, cells)| *cells == 1);
         }
-        curves.entry(name).or_insert(all);
+        let told: HashSet<u64> = all.iter().flat_map(|(side, _)| side).copied().collect();
+        let is_left = |node: &&u64| !told.contains(node) && outline.contains(node);
+        match nodes.iter().find(is_left) {
+            Some(node) if !all.is_empty() && !curves.contains_key(name.as_str()) => {
+                partial.insert(name.as_str(), *node);
+            }
+            _ => drop(curves.entry(name).or_insert(all)),
+        }
     }
     curves.retain(|_, sides| !sides.is_empty());
-    curves
+    (curves, partial)
 }
