@@ -264,8 +264,8 @@ const BUDGETS: [(&str, usize); 9] = [
     ("case", 7_780),
     ("oracle", 3_740),
     ("study", 14_650),
-    ("referee", 5_430),
-    ("report", 3_430),
+    ("referee", 5_445),
+    ("report", 3_440),
     ("cli", 4_410),
     ("live", 470),
 ];

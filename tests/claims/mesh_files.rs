@@ -533,11 +533,11 @@ fn decks_may_leave_blank_what_is_zero_and_list_corners_alone() {
         edge[2][1],
         &wanted[end..]
     );
-    // Corners of all sides, and one middle; all nodes but one middle.
+    // Corners of all sides, and one middle; all nodes but a corner within.
     let set = |nodes: &str| format!("{}*NSET, NSET=sole\n{nodes}{}", &wanted[..begin], &wanted[end..]);
     let one_middle = set(&format!("{corners}{}\n", edge[0][2]));
     let whole: Vec<String> = edge.iter().flat_map(|side| side.iter().map(|node| node.to_string())).collect();
-    let lost = edge[1][2].to_string();
+    let lost = edge[1][1].to_string();
     let hole = set(&(whole.iter().filter(|node| **node != lost).cloned().collect::<Vec<_>>().join("\n") + "\n"));
     let half_told = ["the set `sole` has node", "but not all nodes of a side with it"];
     // A corner in the middle of its cell.

@@ -77,6 +77,12 @@ pub fn shape(table: Value) -> Result<Shape, Error> {
     }
     let known: Vec<&str> = boundaries.keys().map(AsRef::as_ref).collect();
     let Some(contact) = boundaries.get(side.text()) else {
+        if let Some(node) = partial.get(side.text()) {
+            return Err(side.refused(
+                format!("the set `{}` has node {node}, but not all nodes of a side with it", side.text()),
+                "list all nodes of every side, or the corners alone, and no others of the outline",
+            ));
+        }
         if mesh.sets.get(side.text()).is_some_and(|nodes| nodes.iter().any(|node| is_of_cells.contains(node))) {
             let message = format!(
                 "the set `{}` has nodes of `{}`, and all those of none of its sides",
@@ -86,12 +92,6 @@ pub fn shape(table: Value) -> Result<Shape, Error> {
             return Err(
                 side.refused(message, "list the corners and mid-side nodes of every side, or the corners alone")
             );
-        }
-        if let Some(node) = partial.get(side.text()) {
-            return Err(side.refused(
-                format!("the set `{}` has node {node}, but not all nodes of a side with it", side.text()),
-                "list all nodes of every side, or the corners alone, and no others of the outline",
-            ));
         }
         let message = format!("no {curves} `{}` bounds `{}`", side.text(), group.text());
         return Err(side.refused(message, known_names(&mesh, &known)));
