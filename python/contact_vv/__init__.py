@@ -166,7 +166,8 @@ def judge(
     """
     with tempfile.TemporaryDirectory(prefix="contact-vv-") as folder:
         given = {f"position [{length}]": s, f"pressure [{unit}]": p, "gap [mm]": gap, "area [mm2]": area}
-        columns = {name: np.ma.filled(np.ma.asarray(of, dtype=float), np.nan) for name, of in given.items() if of is not None}
+        there = {name: np.ma.asarray(of, dtype=float) for name, of in given.items() if of is not None}
+        columns = {name: np.ma.filled(of, np.nan) for name, of in there.items()}
         if len({column.shape for column in columns.values()}) > 1:
             shapes = ", ".join(f"{name} {column.shape}" for name, column in columns.items())
             raise Error(f"the arrays have different shapes: {shapes}\n help: give a number for every point")
