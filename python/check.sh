@@ -22,7 +22,17 @@ fi
 # What cargo has compiled is taken as it is: neither another profile nor stripped, which would compile or link anew.
 alone=$(mktemp -d)
 trap 'rm -rf "$alone"' EXIT
-"$maturin/bin/maturin" build --quiet --release --compatibility linux --out "$alone"
+# maturin would compile the package alone, with other features of its dependencies than the workspace has.
+mkdir "$alone/bin"
+cat >"$alone/bin/cargo" <<END
+#!/bin/sh
+if [ "\$1" = rustc ]; then
+    cd "$PWD/.." && exec "$(command -v cargo)" build --release --bin contact-vv --message-format json-render-diagnostics
+fi
+exec "$(command -v cargo)" "\$@"
+END
+chmod +x "$alone/bin/cargo"
+PATH=$alone/bin:$PATH "$maturin/bin/maturin" build --quiet --release --compatibility linux --out "$alone"
 examples=$PWD/examples.py
 cd "$alone"
 "$python" -m venv --without-pip here
