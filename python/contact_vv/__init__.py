@@ -163,6 +163,12 @@ def judge(
     (True, False)
     >>> bool(judge("truncated-hertz", s / 1e3, p * 1e6, unit="Pa", length="m", tolerance="0.5 %"))
     True
+    >>> run = solve("bars", element="line", no_error_bar=True)
+    >>> bool(judge("bars", run.s, run.p, gap=run.gap, area=run.contacts[0].area))
+    True
+    >>> judge("bars", np.ma.masked_greater([0, 12, 25], 20), [52.5, 52.5, 52.5])
+    Traceback (most recent call last):
+    contact_vv.Error: ...`nan`, which is no number...
     """
     with tempfile.TemporaryDirectory(prefix="contact-vv-") as folder:
         given = {f"position [{length}]": s, f"pressure [{unit}]": p, "gap [mm]": gap, "area [mm2]": area}

@@ -81,18 +81,21 @@ fn the_action_writes_summary_and_junit_and_ends_as_the_program_does() {
         ("r*.csv", "", 0, ["meets all", "| peak pressure [MPa] |"]),
         ("\n right one.csv \nwrong*.csv\n", "", 1, ["does not meet", "NOT MET"]),
         ("wrong one.csv", "--tolerance=5 %", 0, ["meets all", "✓ met"]),
+        ("**/wrong*.csv", "", 1, ["does not meet", "NOT MET"]),
         ("*.dat", "", 2, ["No file matches `*.dat`", "`files`"]),
         ("bare.csv", "", 2, ["bare.csv", "::set-env::"]),
         ("right one.csv", "--unit=furlong", 2, ["furlong", "```text"]),
     ] {
         let folder = answers();
-        fs::write(folder.path().join("bare.csv"), "position,pressure\n::set-env::,1\n").expect("written");
+        fs::write(folder.path().join("bare.csv"), "position,pressure\n::set-env::```,1\n").expect("written");
         let program = env!("CARGO_BIN_EXE_contact-vv");
         let inputs = json!({ "case": "truncated-hertz", "files": files, "units": "position=mm\npressure=MPa", "columns": "",
             "options": options, "junit": "a b.xml", "program": program });
         let (ended, log, summary) = script("judge.sh", folder.path(), &[("INPUTS", inputs.to_string())], "summary");
         assert_eq!(ended, Some(code), "{files}: {log}");
         assert!(parts.iter().all(|part| summary.contains(part)), "{files}: {summary}");
+        // What is quoted of an answer does not end its block.
+        assert!([0, 2].contains(&summary.matches("```").count()), "{files}: {summary}");
         assert_eq!(log.lines().filter(|line| line.starts_with("::")).count(), usize::from(code > 0), "{log}");
         assert_eq!(folder.path().join("a b.xml").is_file(), code < 2, "{files}");
     }
