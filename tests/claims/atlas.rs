@@ -30,19 +30,6 @@ fn flat(plane: Plane) -> Vec<Record> {
 }
 
 #[test]
-fn every_element_algorithm_and_rule_is_on_both_full_planes() {
-    for plane in [Plane::Stretch, Plane::Mesh] {
-        let rows = plane.rows();
-        assert_eq!(rows.len(), 3 * 9 * plane.ordinates().len(), "{}", plane.name());
-        let stiffnesses = Plane::stiffnesses();
-        let decades = (stiffnesses[stiffnesses.len() - 1] / stiffnesses[0]).log10();
-        assert!((decades - 12.0).abs() < 1e-9, "{decades}");
-    }
-    let stretches = Plane::Stretch.ordinates();
-    assert_eq!((stretches[0], stretches[stretches.len() - 1]), (1.0, 4.0));
-}
-
-#[test]
 fn an_incomplete_or_foreign_record_is_refused_with_the_command_that_renews_it() {
     let folder = tempfile::tempdir().expect("a folder");
     let (plane, file) = (Plane::Mesh, folder.path().join("mesh.csv"));

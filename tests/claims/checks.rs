@@ -1,8 +1,7 @@
 //! What a check is: a sentence rendered from data, an error that NaN fails, and a row on the page.
 
 use contact_vv::case::judged::requirements;
-use contact_vv::case::{Check, Judged, Quantity, Reference, Verdict};
-use contact_vv::measure::Quantity as Number;
+use contact_vv::case::{Check, Judged, Reference, Verdict};
 use contact_vv::oracle::ReferenceKind;
 use contact_vv::report::{checks, told};
 use contact_vv::study::about::complete;
@@ -111,23 +110,6 @@ fn trial_without_a_check_or_with_one_that_gives_no_reason_is_an_error() {
         let error = of(judged).expect_err(says).to_string();
         assert!(error.contains("cylinder × node") && error.contains(says), "{error}");
     }
-}
-
-#[test]
-fn quantity_names_its_place_and_unit() {
-    assert_eq!(Quantity::from(Number::PeakPressure).to_string(), "peak pressure [MPa]");
-    assert_eq!(Quantity::at("order", "4-node").to_string(), "order, 4-node");
-    for (number, told) in [
-        (Number::Centre, "centre of pressure [°]"),
-        (Number::HalfWidth, "half-angle [°]"),
-        (Number::Resultant, "contact resultant [N]"),
-    ] {
-        assert_eq!(Quantity::on_arc(number).to_string(), told);
-    }
-    assert_eq!(
-        Quantity::from(Number::HoopStress { at: std::f64::consts::PI }).to_string(),
-        "hoop stress at 180° [MPa]"
-    );
 }
 
 #[test]

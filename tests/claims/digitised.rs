@@ -80,11 +80,15 @@ fn with_line(file: &str, number: usize, replacement: &str) -> String {
     lines.join("\n")
 }
 
-fn admitted() -> DigitisedCurve {
-    match Digitised::load(&synthetic()).expect("the synthetic folder is complete") {
+fn curve_of(folder: &Path) -> DigitisedCurve {
+    match Digitised::load(folder).expect("the folder is complete") {
         Digitised::Present(mut curves) => curves.remove(0),
         Digitised::Absent(why) => panic!("{why}"),
     }
+}
+
+fn admitted() -> DigitisedCurve {
+    curve_of(&synthetic())
 }
 
 /// The semi-ellipse the synthetic points were made from, moved up by `shift`.
@@ -144,6 +148,8 @@ fn complete_folder_is_admitted_with_its_scene_and_provenance() {
 
     assert!(curve.provenance.figure.contains("synthetic") && curve.source().citation.contains("synthetic"));
     assert_eq!(curve.kind(), ReferenceKind::Measured);
+    let fem = spoiled("provenance.toml", Some(&text("provenance.toml").replace("\"measured\"", "\"fem\"")));
+    assert_eq!(curve_of(fem.path()).kind(), ReferenceKind::CrossCode);
     assert_eq!((curve.abscissa, curve.ordinate), (Abscissa::Angle, Ordinate::Pressure));
     assert_eq!(curve.points.len(), 6);
     let rod = rod(&curve);
@@ -154,60 +160,47 @@ fn complete_folder_is_admitted_with_its_scene_and_provenance() {
 }
 
 #[test]
-fn fem_curve_is_a_comparison_of_codes() {
-    let fem = text("provenance.toml").replace("\"measured\"", "\"fem\"");
-    let folder = spoiled("provenance.toml", Some(&fem));
-
-    match Digitised::load(folder.path()).expect("the folder is complete") {
-        Digitised::Present(curves) => assert_eq!(curves[0].kind(), ReferenceKind::CrossCode),
-        Digitised::Absent(why) => panic!("{why}"),
-    }
-}
-
-#[test]
-fn every_missing_key_is_named() {
-    for file in ["scene.toml", "provenance.toml"] {
+fn every_key_that_is_missing_or_out_of_range_is_named_and_shown() {
+    for (file, wrong) in [("scene.toml", &["nan", "-1.5", "inf", "\"ten\""][..]), ("provenance.toml", &["\" \"", "7"])]
+    {
         let entries = entries(file);
         assert!(entries.len() >= 8, "{file} has lost entries");
         for (number, path, _) in entries {
             let error = refusal(file, Some(&with_line(file, number, "")));
             assert_eq!(missing(&error), path, "{file} without {path}: {error}");
             assert!(error.remedy.starts_with("add it: "), "{path}: {error}");
+            let key = path.rsplit_once('.').map_or(path.as_str(), |(_, key)| key);
+            for value in wrong {
+                let line = format!("{key} = {value}");
+                let error = refusal(file, Some(&with_line(file, number, &line)));
+                let (key, found) = refused(&error);
+                assert_eq!((key, &found.to_lowercase()[..]), (&path[..], *value), "{file} with {line}: {error}");
+            }
         }
     }
 }
 
 #[test]
-fn every_value_out_of_range_is_named_and_shown() {
-    let numbers = entries("scene.toml").into_iter().flat_map(|(number, path, _)| {
-        ["nan", "-1.5", "inf", "\"ten\""].map(|value| ("scene.toml", number, path.clone(), value))
-    });
-    let texts = entries("provenance.toml")
-        .into_iter()
-        .flat_map(|(number, path, _)| ["\" \"", "7"].map(|value| ("provenance.toml", number, path.clone(), value)));
-
-    for (file, number, path, value) in numbers.chain(texts) {
-        let key = path.rsplit_once('.').map_or(path.as_str(), |(_, key)| key);
-        let line = format!("{key} = {value}");
-        let error = refusal(file, Some(&with_line(file, number, &line)));
-        let (key, found) = refused(&error);
-        assert_eq!((key, &found.to_lowercase()[..]), (&path[..], value), "{file} with {line}: {error}");
-    }
-}
-
-#[test]
-fn unknown_keys_and_kinds_are_refused_by_name() {
-    for (file, old, new, named) in [
+fn what_is_unknown_or_contradicts_itself_is_refused_by_key_or_by_line_and_column() {
+    let (csv, row) = ("semi-ellipse.csv", "10,0.5,98.6,1.0");
+    for (file, was, is, named) in [
         ("scene.toml", "thickness", "radius = 3.0\nthickness", "radius"),
         ("scene.toml", "[rod]", "[rod]\nshear = 3.0", "rod.shear"),
-        ("provenance.toml", "\"measured\"", "\"guessed\"", "curves[0].kind"),
-        ("provenance.toml", "\"first hand\"", "\"hearsay\"", "curves[0].hand"),
         ("scene.toml", "eye_outer_radius = 20.0", "eye_outer_radius = 10.0", "eye_outer_radius"),
         ("scene.toml", "shank_end = 60.0", "shank_end = 15.0", "shank_end"),
+        ("provenance.toml", "\"measured\"", "\"guessed\"", "curves[0].kind"),
+        ("provenance.toml", "\"first hand\"", "\"hearsay\"", "curves[0].hand"),
+        (csv, row, "nan,0.5,98.6,1.0", "angle_deg in line 3"),
+        (csv, row, "10,0,98.6,1.0", "angle_error_deg in line 3"),
+        (csv, row, "10,0.5,,1.0", "pressure_mpa in line 3"),
+        (csv, row, "10,0.5,98.6,-1.0", "pressure_error_mpa in line 3"),
+        (csv, row, "10,0.5,98.6,inf", "pressure_error_mpa in line 3"),
     ] {
-        let error = refusal(file, Some(&text(file).replace(old, new)));
-        assert_eq!(refused(&error).0, named, "{new}: {error}");
+        let error = refusal(file, Some(&text(file).replace(was, is)));
+        assert_eq!(refused(&error).0, named, "{is}: {error}");
     }
+    let remarked = text(csv).replace("pressure_error_mpa", "pressure_error_mpa,remark").replace(",1.0\n", ",1.0,x\n");
+    assert_eq!(refused(&refusal(csv, Some(&remarked))).0, "remark");
 }
 
 #[test]
@@ -224,25 +217,6 @@ fn every_missing_column_is_named() {
             .collect();
         let error = refusal("semi-ellipse.csv", Some(&rows.join("\n")));
         assert!(missing(&error).contains(name), "without {name}: {error}");
-    }
-}
-
-#[test]
-fn every_bad_entry_is_named_by_line_and_column() {
-    for (entry, bad, column) in [
-        ("10,0.5,98.6,1.0", "nan,0.5,98.6,1.0", "angle_deg in line 3"),
-        ("10,0.5,98.6,1.0", "10,0,98.6,1.0", "angle_error_deg in line 3"),
-        ("10,0.5,98.6,1.0", "10,0.5,,1.0", "pressure_mpa in line 3"),
-        ("10,0.5,98.6,1.0", "10,0.5,98.6,-1.0", "pressure_error_mpa in line 3"),
-        ("10,0.5,98.6,1.0", "10,0.5,98.6,inf", "pressure_error_mpa in line 3"),
-        ("pressure_error_mpa", "pressure_error_mpa,remark", "remark"),
-    ] {
-        let mut csv = text("semi-ellipse.csv").replace(entry, bad);
-        if column == "remark" {
-            csv = csv.replace(",1.0\n", ",1.0,x\n");
-        }
-        let error = refusal("semi-ellipse.csv", Some(&csv));
-        assert_eq!(refused(&error).0, column, "{bad}: {error}");
     }
 }
 

@@ -43,12 +43,6 @@ fn contrast_is_that_of_the_published_examples() {
     let (black, white, grey) = (Rgb(0, 0, 0), Rgb(255, 255, 255), Rgb(0x76, 0x76, 0x76));
     assert!((of(black, white) - 21.0).abs() < 1e-9);
     assert!((of(grey, white) - 4.54).abs() < 5e-3, "{}", of(grey, white));
-    // To deuteranopes, greys are greys, and red and green come nearer to one another.
-    let seen = |colour: Rgb| deuteranopia(linear(colour));
-    assert!(seen(grey).iter().zip(linear(grey)).all(|(seen, own)| (seen - own).abs() < 1e-5));
-    let (red, green) = (Rgb(200, 60, 60), Rgb(60, 140, 60));
-    let apart = |a: [f64; 3], b: [f64; 3]| (a[0] - b[0]).abs() + (a[1] - b[1]).abs();
-    assert!(apart(seen(red), seen(green)) < 0.5 * apart(linear(red), linear(green)));
 }
 
 #[test]

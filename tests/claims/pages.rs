@@ -3,13 +3,12 @@
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-use contact_vv::case::{Check, Judged, Reference, Verdict, library};
+use contact_vv::case::{Check, Judged, Reference, Verdict};
 use contact_vv::oracle::ReferenceKind;
 use contact_vv::report::diff::written;
 use contact_vv::report::front::{self, against, nearness, right};
 use contact_vv::report::links::PAGES;
 use contact_vv::report::{Page, case_page, difference, files, study_page, symbols, told, write};
-use contact_vv::study::cases::page;
 use contact_vv::study::{Finding, Room, Study, cases};
 
 /// Most lines of the front page.
@@ -87,16 +86,6 @@ fn every_page_is_reached_from_the_front_page() {
     for page in all_pages().into_iter().chain(sheets.flatten().map(|entry| entry.path())) {
         assert!(reached.contains(&page.canonicalize().expect("it was listed")), "nothing links {}", page.display());
     }
-}
-
-#[test]
-fn every_study_and_every_case_has_a_page() {
-    let exists = |file: String| assert!(root().join(PAGES).join(&file).is_file(), "no page {file}");
-    Room::ALL.iter().for_each(|room| exists(study_page::file(room.name)));
-    library::all().iter().for_each(|case| exists(case_page::file(&page(case))));
-    let scenes = std::fs::read_dir(root().join("tests/cases")).expect("scene files");
-    let names = scenes.flatten().map(|entry| entry.file_name().to_string_lossy().into_owned());
-    names.filter(|name| name.ends_with(".toml")).for_each(|name| exists(case_page::file(&name.replace('.', "-"))));
 }
 
 #[test]

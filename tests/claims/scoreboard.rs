@@ -1,35 +1,9 @@
 //! The scoreboard is computed from files as other codes wrote them: what is planted in them, or in the record, is found.
 
-use std::io::Read;
-use std::path::Path;
-
 use contact_vv::case::Verdict;
-use contact_vv::checkout::root;
-use contact_vv::referee::Truth;
-use contact_vv::solve::Discretisation;
 use contact_vv::study::Study;
-use contact_vv::study::scoreboard::board::{Board, Ended, FOLDER, Score, Told, scored};
+use contact_vv::study::scoreboard::board::{Board, Ended, Told};
 use contact_vv::study::scoreboard::{CASES, Numbers, named, numbers};
-use flate2::read::GzDecoder;
-
-/// A frozen file as text, and what it is called without compression.
-fn frozen(name: &str) -> (String, String) {
-    let bytes = std::fs::read(root().join(FOLDER).join(name)).expect("a frozen file");
-    let mut text = String::new();
-    match name.strip_suffix(".gz") {
-        Some(plain) => {
-            GzDecoder::new(&bytes[..]).read_to_string(&mut text).expect("compressed text");
-            (plain.into(), text)
-        }
-        None => (name.into(), String::from_utf8(bytes).expect("text")),
-    }
-}
-
-fn bench(case: &str) -> (Truth, Discretisation) {
-    let case = named(case).expect("a case");
-    let discretisation = case.meshed().expect("meshed").discretisation;
-    (Truth::of(case).expect("a truth"), discretisation)
-}
 
 fn of(case: &str, board: &Board) -> Numbers {
     numbers(case, &named(case).expect("a case"), board).expect("judged")
@@ -66,42 +40,6 @@ fn every_code_of_the_scoreboard_is_judged_from_the_file_that_it_wrote_on_at_leas
         });
         assert!(read.count() >= 5, "{code} {ending}");
     }
-}
-
-#[test]
-fn fields_and_tables_that_calculix_wrote_are_read_to_the_digits_they_have() {
-    let (truth, discretisation) = bench("cylinder");
-    for (name, most) in [("cylinder-calculix-pair.frd.gz", 1e-2), ("cylinder-calculix-gaps.dat", 1e-3)] {
-        let (plain, text) = frozen(name);
-        let peak = |text: &str| {
-            scored(&truth, &discretisation, Path::new(&plain), text.as_bytes()).map(|scored| scored.scores[0])
-        };
-        let Score { error, .. } = peak(&text).expect("read");
-        assert!(error.abs() <= most, "{name}: {error}");
-        // Cut anywhere in its last block, or with a number that is none, it is refused.
-        let lines: Vec<&str> = text.lines().collect();
-        let cut = lines[..lines.len() - 4].join("\n");
-        let half = &cut[..cut.len() - 9];
-        let last = lines.iter().rposition(|line| line.contains("E+0")).expect("a number");
-        let spoiled: Vec<String> = lines
-            .iter()
-            .enumerate()
-            .map(|(k, line)| if k == last { line.replace("E+0", "NaN") } else { (*line).to_owned() })
-            .collect();
-        assert!(peak(half).is_err(), "{name}: cut");
-        assert!(peak(&spoiled.join("\n")).is_err(), "{name}: NaN");
-    }
-}
-
-#[test]
-fn a_grid_that_getfem_wrote_is_read_though_its_types_of_cells_are_no_bytes() {
-    let (truth, discretisation) = bench("cylinder");
-    let (plain, text) = frozen("cylinder-getfem-integral.vtu.gz");
-    assert!(text.contains("type=\"Int32\" Name=\"types\""));
-    let read = scored(&truth, &discretisation, Path::new(&plain), text.as_bytes()).expect("read");
-    assert!(read.scores.iter().all(|score| score.error.abs() <= 1e-2));
-    // Its multiplier swings below zero beyond the contact.
-    assert_eq!(read.failed, ["largest tension over the largest pressure"]);
 }
 
 #[test]

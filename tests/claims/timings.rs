@@ -2,12 +2,11 @@
 
 use approx::assert_relative_eq;
 use contact_vv::case::Verdict;
-use contact_vv::checkout::root;
 use contact_vv::study::Study;
 use contact_vv::study::seconds::{Machine, Spread, quantile, ratios};
 use contact_vv::study::timings::growth::{self, Counts, Growth, exponent};
 use contact_vv::study::timings::precision::{self, LOADS, Point, Series, answered, half_widths, nominal};
-use contact_vv::study::timings::record::{Beside, FOLDER, Record};
+use contact_vv::study::timings::record::{Beside, Record};
 use contact_vv::study::timings::targets::{Target, targets};
 use contact_vv::study::timings::{Again, Numbers};
 
@@ -107,18 +106,6 @@ fn record_that_is_not_complete_or_was_not_measured_again_is_not_as_recorded() {
     let mut moved = counts.clone();
     moved[0].iterations += 1;
     assert_eq!(of_counts(&counts, &moved), Verdict::Fail);
-}
-
-#[test]
-fn record_is_written_as_it_was_read() {
-    let folder = root().join(FOLDER);
-    let Record { measured, points } = committed();
-    let json = serde_json::to_string_pretty(&measured).expect("written") + "\n";
-    assert_eq!(json, std::fs::read_to_string(folder.join("measured.json")).expect("committed"));
-    let mut csv = csv::Writer::from_writer(Vec::new());
-    points.iter().for_each(|point| csv.serialize(point).expect("written"));
-    let csv = csv.into_inner().expect("written");
-    assert_eq!(csv, std::fs::read(folder.join("precision.csv")).expect("committed"));
 }
 
 /// The row of the table whose words begin so and go on so.
