@@ -271,8 +271,7 @@ fn report_command(check: bool) -> Result<bool, Error> {
     let page = report::compose(&findings)?;
     if !check {
         report::write(&page, &root)?;
-        let [pages, charts] = [page.pages.len(), page.charts.len()];
-        say(format!("written: {}, {pages} pages and {charts} charts", report::files::PAGE));
+        say(format!("written: {} and {} files behind it", report::files::PAGE, page.len() - 1));
         return Ok(sound);
     }
     let difference = report::difference(&page, &root)?;

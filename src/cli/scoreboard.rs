@@ -1,15 +1,15 @@
-//! `scoreboard`: asks other codes for the exported cases, and keeps what they write.
+//! `scoreboard`: asks other codes for the exported cases, and keeps what they write; the page of the study tells how each run ended.
 
 use std::fs;
 
 use crate::cli::terminal::{progress, say};
 use crate::cli::writable;
 use crate::error::Error;
-use crate::study::scoreboard::board::{self, Board, Code, Scored, Setting, hashes};
-use crate::study::scoreboard::{CASES, named, numbers};
+use crate::study::scoreboard::board::{self, Board, Code, Setting, hashes};
+use crate::study::scoreboard::{CASES, named};
 use crate::study::seconds::Machine;
 
-/// Asks every installed code for every case, writes the record, and tells how each run ended.
+/// Asks every installed code for every case, and writes the record.
 pub fn run() -> Result<(), Error> {
     let folder = board::folder();
     writable::in_checkout(board::FOLDER)?;
@@ -37,21 +37,6 @@ pub fn run() -> Result<(), Error> {
         ));
     }
     fresh.write()?;
-    for name in CASES {
-        for row in numbers(name, &named(name)?, &fresh)?.rows {
-            let Setting { code, method, .. } = row.setting;
-            let told = match &row.scored {
-                Err(why) => format!("failed: {why}"),
-                Ok(Scored { scores: [peak, width], failed }) => {
-                    let [peak, width] = [peak, width].map(|score| format!("{:+.3} %", 100.0 * score.error));
-                    let failed =
-                        if failed.is_empty() { "all met".into() } else { format!("not met: {}", failed.join("; ")) };
-                    format!("p₀ {peak}, a {width}, {failed}")
-                }
-            };
-            say(format!("{name}, {}, {method}: {told}", code.name()));
-        }
-    }
     say(format!("written: {}; `cargo run --release` draws it", board::FOLDER));
     Ok(())
 }

@@ -12,7 +12,7 @@ use crate::error::Error;
 use crate::study::seconds::{Machine, Spread};
 use crate::study::timings::precision::{self, Point, Series};
 use crate::study::timings::record::{Beside, FOLDER, Measured, Record};
-use crate::study::timings::{beside, growth, targets};
+use crate::study::timings::{growth, targets};
 
 /// Repeats of the comparison of nine formulations with one.
 const REPEATS: usize = 5;
@@ -21,10 +21,6 @@ const REPEATS: usize = 5;
 pub fn run() -> Result<(), Error> {
     writable::in_checkout(FOLDER)?;
     let record = growth::on(1, measure)?;
-    for target in targets::targets(&record) {
-        let met = target.met.map_or("—", |met| if met { "✓" } else { "✗" });
-        say(format!("{met} {}: {} (asked: {})", target.what, target.measured, target.asked));
-    }
     record.measured.absent.iter().for_each(|(code, why)| say(format!("skipped: {code}: {why}")));
     written(&record)
 }
@@ -113,7 +109,6 @@ fn asked(record: &mut Record, code: Series) -> Result<Result<(), String>, Error>
 
 fn written(record: &Record) -> Result<(), Error> {
     record.write()?;
-    beside(record).into_iter().for_each(say);
     say(format!("written: {FOLDER}; `cargo run --release` draws it"));
     Ok(())
 }

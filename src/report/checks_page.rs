@@ -1,4 +1,4 @@
-//! The page of all checks: by kind of reference, by case and study, and those of every run.
+//! The page of all checks: by kind of reference and case, and those of every run.
 
 use crate::case::Judged;
 use crate::report::{checks, heading, matrix};
@@ -14,10 +14,9 @@ pub fn page(findings: &[Finding]) -> String {
         "*Verification* holds the code against closed forms and orders of accuracy (kind *analytic*); *benchmarking* holds it against \
          other codes (*cross-code*); *self-consistency* asks it the same in another way; *validation* compares with measurement. In tables, \
          value ± u: u is the standard uncertainty that the check carries for that value, half of a bound that covers about 95 %, from \
-         refinement (`contact-vv verdicts` prints every check with both).\n\n{}\n## Studies\n\n{}\n## Every run\n\n{}",
+         refinement (`contact-vv verdicts` prints every check with both).\n\n{}\n## Every run\n\n{}",
         matrix::by_kind(findings),
-        matrix::study_table(findings),
         checks::universal(all.iter().copied()),
     );
-    heading::page("All checks", "What everything is held against, by kind, by case and by study.", &all, &body)
+    heading::page("All checks", "What everything is held against, by kind and by case.", &all, &body)
 }

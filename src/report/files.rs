@@ -4,7 +4,6 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use crate::error::Error;
-use crate::report::Page;
 use crate::report::diff::{Difference, tree::Tree};
 use crate::report::links::{CHARTS, PAGES};
 use crate::study::sheet::SHEETS;
@@ -12,46 +11,32 @@ use crate::study::sheet::SHEETS;
 /// The page's file.
 pub const PAGE: &str = "VALIDATION.md";
 
-/// A folder, the extension of what is in it, and the files that a page has there.
-type Folder<'a> = (&'static str, &'static str, &'a [(String, String)]);
+/// Folders that hold nothing but what a report is made of, and the extension of that.
+const FOLDERS: [(&str, &str); 3] = [(PAGES, "md"), (CHARTS, "svg"), (SHEETS, "md")];
 
-fn folders(page: &Page) -> [Folder<'_>; 3] {
-    [(PAGES, "md", &page.pages), (CHARTS, "svg", &page.charts), (SHEETS, "md", &page.sheets)]
-}
-
-/// Everything that a page is made of: paths below the root, and texts.
-fn files(page: &Page) -> Vec<(String, String)> {
-    let mut all = vec![(PAGE.to_owned(), page.markdown.clone())];
-    all.extend(page.record.iter().cloned());
-    for (folder, _, files) in folders(page) {
-        all.extend(files.iter().map(|(name, text)| (format!("{folder}/{name}"), text.clone())));
-    }
-    all
-}
-
-/// Committed files that the page no longer has.
-fn stale(page: &Page, root: &Path) -> Vec<String> {
-    let of_folder = |(folder, extension, files): Folder| {
+/// Committed files that a report no longer has.
+fn stale(report: &[(String, String)], root: &Path) -> Vec<String> {
+    let of_folder = |(folder, extension): (&str, &str)| {
         let entries = fs::read_dir(root.join(folder)).into_iter().flatten().flatten();
         let there = entries.map(|entry| PathBuf::from(entry.file_name()));
         let own = there.filter(|name| name.extension().is_some_and(|own| own == extension));
-        let stale = own.filter(|name| !files.iter().any(|(file, _)| name.as_os_str() == file.as_str()));
-        stale.map(|name| format!("{folder}/{}", name.display())).collect::<Vec<_>>()
+        let paths = own.map(|name| format!("{folder}/{}", name.display()));
+        paths.filter(|path| !report.iter().any(|(made, _)| made == path)).collect::<Vec<_>>()
     };
-    folders(page).into_iter().flat_map(of_folder).collect()
+    FOLDERS.into_iter().flat_map(of_folder).collect()
 }
 
-/// Writes the front page, pages, charts and sheets under a root; those that the page no longer has are removed.
-pub fn write(page: &Page, root: &Path) -> Result<(), Error> {
-    for (folder, ..) in folders(page) {
+/// Writes a report, paths and texts, under a root; what its folders hold and it no longer has is removed.
+pub fn write(report: &[(String, String)], root: &Path) -> Result<(), Error> {
+    for (folder, _) in FOLDERS {
         let folder = root.join(folder);
         fs::create_dir_all(&folder).map_err(|error| Error::unwritable(&folder, error))?;
     }
-    for path in stale(page, root) {
+    for path in stale(report, root) {
         let path = root.join(path);
         fs::remove_file(&path).map_err(|error| Error::unwritable(&path, error))?;
     }
-    write_all(&files(page), root)
+    write_all(report, root)
 }
 
 /// Writes files below a root.
@@ -62,9 +47,9 @@ pub fn write_all(files: &[(String, String)], root: &Path) -> Result<(), Error> {
     })
 }
 
-/// What differs between what is committed under a root and the page, files that it no longer has included; none where nothing does.
-pub fn difference(page: &Page, root: &Path) -> Result<Option<Difference>, Error> {
+/// What differs between what is committed under a root and a report, files that it no longer has included; none where nothing does.
+pub fn difference(report: &[(String, String)], root: &Path) -> Result<Option<Difference>, Error> {
     let committed = Tree::on_disk(root)?;
-    let written = committed.with("what the code writes now", files(page), &stale(page, root));
+    let written = committed.with("what the code writes now", report.to_vec(), &stale(report, root));
     Ok((committed.files != written.files).then(|| Difference::of(&committed, &written)))
 }

@@ -1,4 +1,4 @@
-//! The verdict matrix, the other cases in short, and the tables of verdicts by kind and by study.
+//! The verdict matrix, the other cases in short, and the tables of verdicts by kind.
 
 use crate::case::judged::worst;
 use crate::case::{Judged, Verdict};
@@ -14,11 +14,6 @@ use crate::study::cases::Numbers;
 /// The run of a finding that is one.
 pub fn run(finding: &Finding) -> Option<&Run> {
     finding.numbers().map(|Numbers { run, .. }| run)
-}
-
-/// All runs of cases.
-pub fn runs(findings: &[Finding]) -> impl Iterator<Item = &Run> {
-    findings.iter().filter_map(run)
 }
 
 /// A case with its findings.
@@ -107,18 +102,6 @@ fn sign(finding: &Finding) -> String {
         Outcome::Converged => format!("{sign} {}", run.solution.work.iterations),
         other => format!("{sign} {other}"),
     }
-}
-
-/// Verdicts of the studies in Markdown.
-pub fn study_table(findings: &[Finding]) -> String {
-    let head = ["study", "checks", "verdict"].map(String::from);
-    let studies = by_case(findings.iter().filter(|finding| run(finding).is_none()));
-    let row = |(case, members): &(&str, Vec<&Finding>)| {
-        let judged = || members.iter().flat_map(|finding| &finding.judged);
-        let verdict = worst(judged()).map_or("**no check**".into(), Verdict::to_string);
-        vec![case.to_string(), told::once(judged()).len().to_string(), verdict]
-    };
-    markdown::table(&head, &studies.iter().map(row).collect::<Vec<_>>())
 }
 
 /// Checks against truths that are not ours, by kind, one table each.

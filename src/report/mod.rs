@@ -6,7 +6,7 @@
 //! * [`checks_page`] — the page on all checks.
 //! * `heading` — what every page behind the front page begins with; [`symbols`] — what letters stand for; [`links`] —
 //!   links of texts that are read elsewhere than at the root.
-//! * [`matrix`] — the verdict matrix, and verdicts by kind and by study.
+//! * [`matrix`] — the verdict matrix, and verdicts by kind.
 //! * [`checks`] — requirement by requirement; [`told`] — what became of checks, in a sentence.
 //! * [`pictures`] — the charts by name.
 //! * [`statements`] — the paper's statements, judged from the numbers of all studies: the first part of the page on the paper.
@@ -33,4 +33,4 @@ pub mod symbols;
 pub mod told;
 
 pub use files::{difference, write};
-pub use page::{Page, compose, of_study};
+pub use page::{compose, of_study};

@@ -5,27 +5,13 @@ use std::path::Path;
 use crate::drawing::schematic;
 use crate::error::Error;
 use crate::report::links::{CHARTS, PAGES};
-use crate::report::{case_page, checks_page, front, record, study_page, symbols};
+use crate::report::{case_page, checks_page, files, front, record, study_page, symbols};
 use crate::study::sheet::{self, SHEETS, Sheet};
 use crate::study::{Files, Finding, Room, drawn, references};
 
-/// The front page and all that is behind it.
-#[derive(Clone, Debug)]
-pub struct Page {
-    /// Text of `VALIDATION.md`.
-    pub markdown: String,
-    /// File names and texts of the pages behind it.
-    pub pages: Vec<(String, String)>,
-    /// File names and SVG texts of the charts.
-    pub charts: Vec<(String, String)>,
-    /// File names and texts of the benchmark sheets.
-    pub sheets: Vec<(String, String)>,
-    /// Paths and texts of the record.
-    pub record: Vec<(String, String)>,
-}
-
-/// Makes the report from the findings of the whole suite.
-pub fn compose(findings: &[Finding]) -> Result<Page, Error> {
+/// The report, made from the findings of the whole suite: paths and texts of the front page, the pages behind it, the charts, the
+/// benchmark sheets and the record.
+pub fn compose(findings: &[Finding]) -> Result<Files, Error> {
     let problem = schematic("contact problem", include_str!("pictures/contact-problem.svg"), &[]);
     let elements = schematic("contact elements", include_str!("pictures/contact-elements.svg"), &[]);
     let mut charts = drawn::written(&[
@@ -36,13 +22,16 @@ pub fn compose(findings: &[Finding]) -> Result<Page, Error> {
     for room in &Room::ALL {
         charts.extend((room.pictures)(findings)?);
     }
-    Ok(Page {
-        markdown: front::page(findings),
-        pages: pages(findings)?,
-        charts,
-        sheets: sheets(findings).map(sheet::file).collect(),
-        record: [record::files(findings)?, values(findings)?].concat(),
-    })
+    let sheets = sheets(findings).map(sheet::file).collect();
+    let behind = [(PAGES, pages(findings)?), (CHARTS, charts), (SHEETS, sheets)];
+    let behind = behind.into_iter().flat_map(|(folder, files)| within(folder, files));
+    let record = [record::files(findings)?, values(findings)?].concat();
+    Ok(std::iter::once((files::PAGE.to_owned(), front::page(findings))).chain(behind).chain(record).collect())
+}
+
+/// Files of a folder by their paths.
+fn within(folder: &'static str, files: Files) -> impl Iterator<Item = (String, String)> {
+    files.into_iter().map(move |(name, text)| (format!("{folder}/{name}"), text))
 }
 
 fn sheets(findings: &[Finding]) -> impl Iterator<Item = &Sheet> {
@@ -64,11 +53,10 @@ fn values(findings: &[Finding]) -> Result<Files, Error> {
 /// The page and the charts of one study, and its sheets with their values: paths and texts.
 pub fn of_study(room: &Room, findings: &[Finding]) -> Result<Files, Error> {
     let page = (format!("{}/{}", PAGES, study_page::file(room.name)), study_page::page(room, findings)?);
-    let charts = (room.pictures)(findings)?.into_iter().map(|(name, svg)| (format!("{CHARTS}/{name}"), svg));
-    let sheets = sheets(findings).map(sheet::file).map(|(name, text)| (format!("{SHEETS}/{name}"), text));
-    let sheets: Files = sheets.collect();
+    let sheets: Files = sheets(findings).map(sheet::file).collect();
     let values = if sheets.is_empty() { vec![] } else { values(findings)? };
-    Ok(std::iter::once(page).chain(charts).chain(sheets).chain(values).collect())
+    let charts = within(CHARTS, (room.pictures)(findings)?);
+    Ok(std::iter::once(page).chain(charts).chain(within(SHEETS, sheets)).chain(values).collect())
 }
 
 /// The pages behind the front page: a loop over the studies, of which that of the cases has a page a case.

@@ -46,7 +46,7 @@ fn of_case<'a>(findings: &'a [Finding], case: &str) -> impl Iterator<Item = &'a 
 }
 
 /// Largest error of a quantity over all runs of a case; NaN where none was judged.
-pub fn error(findings: &[Finding], case: &str, quantity: impl Into<Quantity>) -> f64 {
+fn error(findings: &[Finding], case: &str, quantity: impl Into<Quantity>) -> f64 {
     let (judged, quantity) = (of_case(findings, case).flat_map(|finding| &finding.judged), quantity.into());
     let errors = judged.filter(|judged| judged.check.quantity == quantity).map(|judged| judged.error);
     errors.reduce(larger).unwrap_or(f64::NAN)

@@ -17,22 +17,6 @@ pub enum Answers {
     Live(Live),
 }
 
-/// A live answer beside the frozen one.
-#[derive(Clone, Debug)]
-pub struct Reproduced {
-    /// Largest relative change of a number.
-    pub change: f64,
-    /// Versions that changed since.
-    pub versions: String,
-}
-
-impl Reproduced {
-    /// What changed, and the versions that changed since.
-    pub fn of(now: &Groups, kept: &Groups, versions: String) -> Self {
-        Self { change: largest_change(now, kept), versions }
-    }
-}
-
 impl Answers {
     /// What tells the trials apart: nothing for frozen answers, which the page shows.
     pub fn suffix(self) -> &'static str {
@@ -44,10 +28,10 @@ impl Answers {
 }
 
 /// A live answer is what was frozen; the versions that changed since are named.
-pub fn reproduced(name: &str, live: &Reproduced) -> Judged {
+pub fn reproduced(name: &str, now: &Groups, kept: &Groups, versions: &str) -> Judged {
     let frozen =
         Reference { name: "frozen results".into(), kind: ReferenceKind::CrossCode, value: 0.0, uncertainty: None };
-    let because = format!("solvers and libraries differ in round-off; {}", live.versions);
+    let because = format!("solvers and libraries differ in round-off; {versions}");
     let quantity = Quantity::at("largest relative change of a live answer", name);
-    Check::error(quantity, frozen, REPRODUCED, because).judge(live.change)
+    Check::error(quantity, frozen, REPRODUCED, because).judge(largest_change(now, kept))
 }

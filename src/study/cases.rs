@@ -251,8 +251,8 @@ pub fn remark(page: &str) -> &'static str {
             "A block between the closed-form tractions of Hertz's half-space and a rigid parabola: all errors are discretisation errors.\n\n"
         }
         "pin-rod" => {
-            "No closed form: the formulations are held against one another, the [refinement series](refinement.md) gives its own \
-             uncertainty, and [independent codes](independent.md) solve the same problem. A [pin in a wide plate](case-pin-plate.md) is the \
+            "No closed form: the formulations are held against one another, [reference answers](references.md) to five digits have bounds \
+             of their own, and [independent codes](independent.md) solve the same problem. A [pin in a wide plate](case-pin-plate.md) is the \
              same contact with a closed form. Stresses on the deformed shapes: [Fields](fields.md).\n\n"
         }
         _ => "",

@@ -2,18 +2,17 @@
 //! solved by another code; agreement to round-off, a code check.
 
 use crate::algorithm::StiffnessRule;
-use crate::case::{Check, Judged, Quantity, Reference, Verdict, library};
+use crate::case::{Check, Judged, Quantity, Reference, library};
 use crate::contact::Quadrature;
 use crate::elasticity::Dofs;
 use crate::error::Error;
-use crate::markdown;
 use crate::mesh::{Order, Resolution};
 use crate::oracle::ReferenceKind;
 use crate::oracle::cross_code::frozen::{Digest, Frozen, REFREEZE, file};
 use crate::oracle::cross_code::{Code, DiscreteAnswer, DiscreteProblem, SET_UP};
 use crate::solve::{Discretisation, Element, Formulation, Iteration};
 use crate::study::about::{About, Found, Planned, Study};
-use crate::study::answers::{Answers, Reproduced, reproduced};
+use crate::study::answers::{Answers, reproduced};
 use crate::study::differences::{relative_difference, worst_difference};
 use crate::study::handed_over::{self, KAPPA, not_handed_over};
 
@@ -34,7 +33,7 @@ pub struct Numbers {
     /// The code.
     pub code: Code,
     /// Whether it finds what was frozen; none where it was not asked.
-    pub reproduced: Option<Reproduced>,
+    pub reproduced: Option<Judged>,
     /// Ours against its answer.
     pub differences: Vec<Difference>,
 }
@@ -53,12 +52,16 @@ impl Study for Numbers {
     }
 
     fn judge(&self) -> Result<Vec<Judged>, Error> {
-        let live = self.reproduced.iter().map(|live| reproduced(self.code.name(), live));
-        Ok(live.chain(self.differences.iter().map(|one| assembled_alike(self.code, one))).collect())
+        Ok(self
+            .reproduced
+            .iter()
+            .cloned()
+            .chain(self.differences.iter().map(|one| assembled_alike(self.code, one)))
+            .collect())
     }
 
-    /// The verdicts, with the versions the frozen answers came from.
-    fn section(findings: &[Found<Self>]) -> Result<String, Error> {
+    /// The versions that the frozen answers came from, and who assembles what.
+    fn section(_: &[Found<Self>]) -> Result<String, Error> {
         let mut text = String::new();
         for code in Code::ALL {
             text += &frozen(code, &Frozen::read(code)?);
@@ -66,8 +69,7 @@ impl Study for Numbers {
         Ok(format!(
             "{text}\nTo ask the codes themselves, {SET_UP} and `cargo test --release --workspace`.\n\n\
              Each code takes our mesh and assembles stiffness, loads and edge functions for itself; supports and penalty line elements \
-             (two Gauss points an edge) are put together from these in Python, condensed nowhere.\n\n{}\n",
-            code_check(findings)
+             (two Gauss points an edge) are put together from these in Python, condensed nowhere.\n\n"
         ))
     }
 }
@@ -84,7 +86,7 @@ pub struct Difference {
 }
 
 /// What both codes make of the same mesh.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug)]
 pub enum Part {
     /// The stiffness.
     Stiffness,
@@ -92,11 +94,6 @@ pub enum Part {
     Loads,
     /// The contact by penalty line elements.
     Contact,
-}
-
-impl Part {
-    /// All three.
-    pub const ALL: [Self; 3] = [Self::Stiffness, Self::Loads, Self::Contact];
 }
 
 impl Difference {
@@ -147,7 +144,7 @@ impl Twin {
 }
 
 /// A code's answer to our discrete problem: in short, in full where it was asked, and whether that is what was frozen.
-type Answered = (Digest, Option<(DiscreteAnswer, Reproduced)>);
+type Answered = (Digest, Option<(DiscreteAnswer, Judged)>);
 
 fn answered(answers: Answers, code: Code, twin: &Twin) -> Result<Answered, Error> {
     let name = &twin.problem.name;
@@ -165,7 +162,7 @@ fn answered(answers: Answers, code: Code, twin: &Twin) -> Result<Answered, Error
             let answer = (live.discrete)(code, &twin.problem)?;
             let digest = twin.digest_of_other(&answer);
             let changed = frozen.changed_versions(&(live.versions)()?);
-            let reproduced = Reproduced::of(&digest.numbers(), &kept.numbers(), changed);
+            let reproduced = reproduced(code.name(), &digest.numbers(), &kept.numbers(), &changed);
             Ok((digest, Some((answer, reproduced))))
         }
     }
@@ -298,22 +295,4 @@ fn frozen(code: Code, frozen: &Frozen) -> String {
     let versions: Vec<String> = frozen.versions.iter().map(|(name, version)| format!("{name} {version}")).collect();
     let hash: String = frozen.scripts.chars().take(12).collect();
     format!("* {code}: frozen results under `oracles/frozen`, from {}; scripts {hash}….\n", versions.join(", "))
-}
-
-/// One row per problem and code: the verdict on stiffness, loads and contact, and the tolerance they meet.
-fn code_check(findings: &[Found<Numbers>]) -> String {
-    let head = ["problem, code", "stiffness", "loads", "contact"].map(String::from);
-    let row = |found: &Found<Numbers>| {
-        let parts = Part::ALL.map(|part| verdict(found.numbers, part));
-        [found.name.to_string()].into_iter().chain(parts).collect()
-    };
-    markdown::table(&head, &findings.iter().map(row).collect::<Vec<_>>())
-}
-
-fn verdict(compared: &Numbers, part: Part) -> String {
-    let own = compared.differences.iter().filter(|difference| difference.part == part);
-    let judged: Vec<_> = own.map(|difference| assembled_alike(compared.code, difference)).collect();
-    let passed = !judged.is_empty() && judged.iter().all(|one| one.verdict == Verdict::Pass);
-    let tolerance = judged.iter().map(|one| one.check.tolerance).fold(0.0, f64::max);
-    format!("{} to {tolerance:.0e}", if passed { "✓" } else { "✗" })
 }

@@ -40,10 +40,9 @@ impl Study for Numbers {
             let formulation = Formulation { stiffness: SOFT, ..Formulation::new(Element::Node, algorithm) };
             Planned::new("iteration paths, two bars", formulation.name(), move || path(&formulation))
         });
-        let fields = Shown::ALL.map(|scene| {
-            Planned::new(format!("fields, {}", scene.name()), "node.kinematic", move || {
-                field(scene).map(Numbers::Field)
-            })
+        let fields = SHOWN.map(|shown| {
+            let name = format!("fields, {}", shown.0().name);
+            Planned::new(name, "node.kinematic", move || field(shown).map(Numbers::Field))
         });
         let along = Formulation::compared().into_iter().filter(Formulation::is_in_the_paper).map(|formulation| {
             Planned::new("along pin and rod", formulation.name(), move || along(&formulation).map(Numbers::Along))
@@ -81,7 +80,7 @@ impl Study for Numbers {
         for found in findings {
             match found.numbers {
                 Numbers::Path(run) => runs.push(&**run),
-                Numbers::Field(field) => charts.push(of_field(field)),
+                Numbers::Field(field) => charts.push((format!("field-{}.svg", field.scene), field.stress.drawing())),
                 Numbers::Along(along) => alongs.push(along),
             }
         }
@@ -104,30 +103,23 @@ pub struct Along {
     pub off: f64,
 }
 
-/// A scene whose fields are shown.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Shown {
-    /// The cylinder on its plane.
-    Cylinder,
-    /// The pin in the eye of the rod.
-    PinRod,
-}
+/// A scene whose fields are shown: the case, the factor on its displacements, the largest stress that is told apart over the pressure of
+/// the scene, and the part that is enlarged over its length.
+pub type Shown = (fn() -> Case, f64, f64, [[f64; 2]; 2]);
 
-/// Stress and displacement of a scene under node elements and kinematic load.
+/// The cylinder on its plane, and the pin in the eye of the rod.
+pub const SHOWN: [Shown; 2] = [
+    (|| Cylinder::default().case(), 1.0, 1.0, [[0.0, 4.0], [-0.1, 3.9]]),
+    (|| PinRod::default().case(), 20.0, 1.5, [[0.0, 1.3], [-1.3, 0.0]]),
+];
+
+/// Stress of a scene under node elements and kinematic load, and what it carries.
 #[derive(Clone, Debug)]
 pub struct Field {
-    /// The scene.
-    pub scene: Shown,
-    /// Length \[mm\] and pressure \[MPa\] that the scene is measured by.
-    pub reference: [f64; 2],
-    /// Node positions \[mm\].
-    pub points: Vec<[f64; 2]>,
-    /// Node lists of the cells.
-    pub cells: Vec<Vec<usize>>,
-    /// σ_y at the nodes \[MPa\].
-    pub stress: Vec<f64>,
-    /// Displacements of the nodes \[mm\].
-    pub displacement: Vec<[f64; 2]>,
+    /// Name of the scene.
+    pub scene: String,
+    /// σ_y on the deformed mesh, the contact enlarged \[MPa\].
+    pub stress: drawing::Field,
     /// Load of the scene on the modelled part \[N\].
     pub load: f64,
     /// Vertical force of the recovered stresses on some lines.
@@ -156,26 +148,6 @@ pub struct Resultant {
     pub force: f64,
 }
 
-impl Shown {
-    /// Both.
-    pub const ALL: [Self; 2] = [Self::Cylinder, Self::PinRod];
-
-    fn case(self) -> Case {
-        match self {
-            Self::Cylinder => Cylinder::default().case(),
-            Self::PinRod => PinRod::default().case(),
-        }
-    }
-
-    /// Its name.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Cylinder => "cylinder",
-            Self::PinRod => "pin-rod",
-        }
-    }
-}
-
 /// The bars, pushed together by three gaps.
 pub fn bars() -> Bars {
     Bars { push: 3.0, ..Default::default() }
@@ -187,10 +159,12 @@ pub fn path(formulation: &Formulation) -> Result<Numbers, Error> {
     Ok(Numbers::Path(Box::new(Run::of(&Discretisation::of(case.scene, case.resolution)?, formulation)?)))
 }
 
-/// Vertical stress on the deformed mesh, hoop stress and normal displacement along the candidates, and what the stresses
-/// carry.
-pub fn field(scene: Shown) -> Result<Field, Error> {
-    let case = scene.case();
+/// Values are rounded to this fraction of the range, so that round-off cannot move one across the edge of a band.
+const GRAIN: f64 = 1e-6;
+
+/// Vertical stress on the deformed mesh, and what the stresses carry.
+pub fn field((case, magnification, largest, around): Shown) -> Result<Field, Error> {
+    let case = case();
     let discretisation = Discretisation::of(case.scene, case.resolution)?;
     let run = Run::of(&discretisation, &Formulation::verification())?;
     let fields = discretisation.recover(&run.solution)?;
@@ -204,21 +178,31 @@ pub fn field(scene: Shown) -> Result<Field, Error> {
     let edges = mesh.boundary(given, 0, "cut")?;
     let cut = thickness * edges.iter().map(|edge| on_edge(&mesh.points, edge, &fields)).sum::<f64>();
     let cut = Resultant { body: given.bodies[0].name.clone(), on_cut: true, force: cut.abs() };
-    Ok(Field {
-        scene,
-        reference: [given.reference.length, given.reference.pressure],
-        points: mesh.points.clone(),
+    let (largest, length) = (largest * given.reference.pressure, given.reference.length);
+    let grain = GRAIN * 2.0 * largest;
+    let [x, y] = around.map(|[from, to]| (from * length, to * length));
+    let pairs = |list: &[[f64; 2]]| list.iter().map(|&[x, y]| (x, y)).collect();
+    let stress = drawing::Field {
+        title: format!("{}: σ_y on the deformed mesh", case.name),
+        quantity: "σ_y [MPa]".into(),
+        points: pairs(&mesh.points),
         cells: (0..mesh.cells()).map(|cell| mesh.cell(cell).to_vec()).collect(),
-        stress: fields.stress.iter().map(|stress| stress[1]).collect(),
-        displacement: fields.displacement.clone(),
-        load: system.bodies.iter().map(|body| body.applied_vertical().abs()).sum(),
-        resultants: contact.chain([cut]).collect(),
-    })
+        shapes,
+        values: fields.stress.iter().map(|stress| (stress[1] / grain).round() * grain).collect(),
+        displacements: pairs(&fields.displacement),
+        magnification,
+        map: ColourMap::Diverging,
+        range: Some((-largest, largest)),
+        zoom: Some(Detail::of(Window { x, y }, magnification)),
+        notes: vec![],
+    };
+    let load = system.bodies.iter().map(|body| body.applied_vertical().abs()).sum();
+    Ok(Field { scene: case.name, stress, load, resultants: contact.chain([cut]).collect() })
 }
 
 /// Pin and rod along their contact arcs.
 pub fn along(formulation: &Formulation) -> Result<Along, Error> {
-    let case = Shown::PinRod.case();
+    let case = PinRod::default().case();
     let discretisation = Discretisation::of(case.scene, case.resolution)?;
     let by = |formulation: &Formulation| -> Result<_, Error> {
         let run = Run::of(&discretisation, formulation)?;
@@ -299,45 +283,6 @@ fn carries(field: &Field, resultant: &Resultant) -> Judged {
     };
     let load = Reference::own("load", field.load);
     Check::near(Quantity::at(name, resultant.body.clone()), load, tolerance, because).judge(resultant.force)
-}
-
-fn of_field(field: &Field) -> (String, Drawing) {
-    let [length, pressure] = field.reference;
-    let stress = match field.scene {
-        Shown::Cylinder => {
-            let window = Window { x: (0.0, 4.0 * length), y: (-0.1 * length, 3.9 * length) };
-            stress(field, 1.0, pressure, window)
-        }
-        Shown::PinRod => {
-            let window = Window { x: (0.0, 1.3 * length), y: (-1.3 * length, 0.0) };
-            stress(field, 20.0, 1.5 * pressure, window)
-        }
-    };
-    (format!("field-{}.svg", field.scene.name()), stress)
-}
-
-/// Values are rounded to this fraction of the range, so that round-off cannot move one across the edge of a band.
-const GRAIN: f64 = 1e-6;
-
-/// σ_y up to a largest size, with the contact enlarged.
-fn stress(field: &Field, magnification: f64, largest: f64, zoom: Window) -> Drawing {
-    let pairs = |list: &[[f64; 2]]| list.iter().map(|&[x, y]| (x, y)).collect();
-    let grain = GRAIN * 2.0 * largest;
-    drawing::Field {
-        title: format!("{}: σ_y on the deformed mesh", field.scene.name()),
-        quantity: "σ_y [MPa]".into(),
-        points: pairs(&field.points),
-        cells: field.cells.clone(),
-        shapes,
-        values: field.stress.iter().map(|value| (value / grain).round() * grain).collect(),
-        displacements: pairs(&field.displacement),
-        magnification,
-        map: ColourMap::Diverging,
-        range: Some((-largest, largest)),
-        zoom: Some(Detail::of(zoom, magnification)),
-        notes: vec![],
-    }
-    .drawing()
 }
 
 /// Hoop stress and normal displacement along the arcs of pin and rod, by every formulation.

@@ -3,21 +3,17 @@
 
 use rayon::prelude::*;
 
-use crate::accuracy::{self, Quantity};
 use crate::case::library::{PinPlate, TruncatedHertz};
 use crate::case::{self, Case, Check, Judged, Reference};
 use crate::checkout::root;
-use crate::drawing::palette::{self, Dash, Marker, Style};
-use crate::drawing::{Axis, Chart, Drawing, Series};
 use crate::error::Error;
 use crate::markdown::{self, Column};
-use crate::measure::larger;
-use crate::mesh::{Order, Resolution};
+use crate::measure::{Quantity, larger};
+use crate::mesh::Order;
 use crate::scene::Scene;
-use crate::solve::{Discretisation, Fitted, Formulation, Run};
+use crate::solve::{Fitted, Formulation};
 use crate::study::about::{About, Found, Planned, Study};
 use crate::study::differences::{errors, peak_and_width};
-use crate::study::drawn::picture;
 use crate::study::random::{Family, Site};
 
 /// What is asked: digits that order and layers are chosen for, relative error of peak and second-moment width, degrees
@@ -27,11 +23,6 @@ pub const ASKED: [(usize, f64, usize); 3] = [(4, 1e-4, 1000), (5, 1e-5, 1700), (
 const ASKED_ELSEWHERE: (f64, usize) = (1e-5, 3000);
 /// Fitted meshes of which nothing is asked.
 const OTHERS: [Fitted; 2] = [fitted(Order::Quartic, 1), fitted(Order::Quintic, 1)];
-/// Relative errors that `--accuracy` is asked for, and of which numbers.
-const CHOSEN: [f64; 5] = [1e-2, 1e-3, 1e-4, 1e-5, 1e-6];
-const OF: [Quantity; 2] = [Quantity::PeakPressure, Quantity::SecondMomentWidth];
-/// 8-node cells on the half-width that the block is drawn for.
-const PLAIN: [usize; 5] = [2, 4, 8, 16, 32];
 /// Half-widths of the loads over that which block and candidates are drawn for.
 pub const LOADS: [f64; 8] = [1.0, 0.97, 0.94, 0.91, 0.89, 0.88, 0.87, 0.85];
 /// Part of a number that rounding decides.
@@ -61,9 +52,7 @@ impl Study for Numbers {
     const ABOUT: About = About {
         title: "Meshes fitted to the contact",
         asked: "How many degrees of freedom an accuracy costs where cells of high order end with the contact.",
-        limits: "Order and layers of the other scenes are chosen by hand, knowing what they give. `--accuracy` has only its \
-            error bars, and is asked for both numbers of the table; alone it asks for the half-width instead of the \
-            second-moment width.",
+        limits: "Order and layers of the other scenes are chosen by hand, knowing what they give.",
     };
 
     fn plan() -> Vec<Planned<Self>> {
@@ -74,7 +63,7 @@ impl Study for Numbers {
     fn judge(&self) -> Result<Vec<Judged>, Error> {
         let own = ASKED.into_iter().flat_map(|(digits, error, dofs)| {
             let fitted = Fitted::of_digits(digits);
-            let mesh = self.meshes.iter().find(|mesh| mesh.cells == Cells::Fitted(fitted));
+            let mesh = self.meshes.iter().find(|mesh| mesh.fitted == fitted);
             let at = format!("order {}, layers {}", fitted.order.number(), fitted.layers);
             let because = "what the order and the layers are chosen for; the worst of all loads";
             let reference = Reference::analytic("Hertz", 0.0);
@@ -99,59 +88,23 @@ impl Study for Numbers {
              Gauss–Lobatto–Legendre points. `solve --fitted` lays a mesh line on the end of the contact, and layers of cells towards it, each a \
              fixed part of the one before. It knows nothing of the end: a mesh of 8-node cells finds about where it is; then all points \
              up to an expected end e are closed, the pressure at the distance d from it is p √d = A₀ + B₀ d + C₀ d², and e moves by 2 A₀/B₀ \
-             until that no longer matters. Beside them are the meshes that `--accuracy` chooses by their error bars, 8-node cells above 0.1 % and from \
-             there on fitted ones, of higher order until the bars are within what is asked; and 8-node cells that are as fine on all candidates.\n\n{}\n{}\n\
+             until that no longer matters. What such meshes take beside 8-node cells: [Speed against accuracy](timings.md); what those take that \
+             `--accuracy` chooses by their error bars: [What is promised](promised.md).\n\n{}\n\
              ## Other scenes\n\n\
              Peak and second-moment width to five digits with at most {} degrees of freedom. Rectangles have frames of ever larger cells around a contact, \
-             discs too where the contact is small, and rings rows of cells whose radii grow in geometric progression.\n\n{}",
+             discs too where the contact is small, and rings rows of cells whose radii grow in geometric progression.\n\n",
             LOADS.len(),
             markdown::columns(&MESHES, findings.iter().flat_map(|found| &found.numbers.meshes)),
-            picture(
-                FILE,
-                "Truncated Hertz: larger error of peak pressure and second-moment width, under the worst of all loads"
-            ),
             ASKED_ELSEWHERE.1,
-            markdown::columns(&SCENES, findings.iter().flat_map(|found| &found.numbers.scenes)),
         ))
-    }
-
-    /// Error over degrees of freedom: fitted cells of high order, what an accuracy chooses, and 8-node cells.
-    fn pictures(findings: &[Found<Self>]) -> Result<Vec<(String, Drawing)>, Error> {
-        let mut chart = Chart::new(
-            "Truncated Hertz: what accuracy costs",
-            Axis::log("degrees of freedom [–]"),
-            Axis::log("larger relative error of p₀ and a [–]"),
-        );
-        type Kind = (&'static str, Style, fn(&Mesh) -> bool);
-        let kinds: [Kind; 3] = [
-            ("order 4 to 8, fitted to the contact", Style::run(palette::PURPLE, Dash::Solid, Marker::Circle), |mesh| {
-                matches!(mesh.cells, Cells::Fitted(_))
-            }),
-            ("chosen by --accuracy", Style::run(palette::ORANGE, Dash::DashDot, Marker::Diamond), |mesh| {
-                matches!(mesh.cells, Cells::Chosen(..))
-            }),
-            (
-                "8-node cells, as fine on all candidates",
-                Style::run(palette::NODE, Dash::Dashed, Marker::Square),
-                |mesh| matches!(mesh.cells, Cells::Plain(_)),
-            ),
-        ];
-        for Found { numbers, .. } in findings {
-            for (label, style, is_one) in kinds {
-                let own = numbers.meshes.iter().filter(|mesh| is_one(mesh));
-                let points = own.map(|mesh| [mesh.dofs as f64, larger(mesh.errors[0], mesh.errors[1])]);
-                chart.series.push(Series::new(label, points, style));
-            }
-        }
-        Ok(vec![(FILE.into(), chart.drawing())])
     }
 }
 
 /// A mesh, and what it gives.
 #[derive(Clone, Debug)]
 pub struct Mesh {
-    /// What it is made of.
-    pub cells: Cells,
+    /// Order of its cells, and their layers.
+    pub fitted: Fitted,
     /// Degrees of freedom, the most under any load.
     pub dofs: usize,
     /// Those of all meshes that were solved on the way, with its own.
@@ -160,17 +113,6 @@ pub struct Mesh {
     pub errors: [f64; 2],
     /// Whether a closed form says so, and not the best mesh.
     pub exact: bool,
-}
-
-/// The cells of a mesh.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Cells {
-    /// Fitted to the contact.
-    Fitted(Fitted),
-    /// What an accuracy chooses by error bars: a relative error, and whether it is met.
-    Chosen(f64, bool),
-    /// 8-node cells, so many on the half-width that the block is drawn for.
-    Plain(usize),
 }
 
 /// The block and its candidates under a load of another half-width than they are drawn for.
@@ -186,57 +128,31 @@ pub fn under(factor: f64) -> TruncatedHertz {
 
 fn numbers() -> Result<Numbers, Error> {
     let asked = ASKED.map(|(digits, ..)| Fitted::of_digits(digits));
-    let of_order = OTHERS.into_iter().chain(asked).map(Cells::Fitted);
-    let chosen = CHOSEN.into_iter().map(|error| Cells::Chosen(error, true));
-    let all = of_order.chain(chosen).chain(PLAIN.into_iter().map(Cells::Plain));
-    Ok(Numbers { meshes: all.map(worst).collect::<Result<_, _>>()?, scenes: elsewhere()? })
+    let meshes = OTHERS.into_iter().chain(asked).map(worst).collect::<Result<_, _>>()?;
+    Ok(Numbers { meshes, scenes: elsewhere()? })
 }
 
 /// A mesh under the worst of all loads.
-fn worst(cells: Cells) -> Result<Mesh, Error> {
-    let all = LOADS.into_par_iter().map(|factor| solved(cells, factor)).collect::<Result<Vec<Mesh>, Error>>()?;
+fn worst(fitted: Fitted) -> Result<Mesh, Error> {
+    let all = LOADS.into_par_iter().map(|factor| solved(fitted, factor)).collect::<Result<Vec<Mesh>, Error>>()?;
     let worse = |one: Mesh, other: Mesh| Mesh {
-        cells: match (one.cells, other.cells) {
-            (Cells::Chosen(asked, met), Cells::Chosen(_, too)) => Cells::Chosen(asked, met && too),
-            (own, _) => own,
-        },
         dofs: one.dofs.max(other.dofs),
         in_all: one.in_all.max(other.in_all),
         errors: [0, 1].map(|k| larger(one.errors[k], other.errors[k])),
-        exact: true,
+        ..one
     };
     Ok(all.into_iter().reduce(worse).expect("there are loads"))
 }
 
 /// A mesh under one load.
-fn solved(cells: Cells, factor: f64) -> Result<Mesh, Error> {
-    let (numbers, formulation) = (under(factor), Formulation::verification());
+fn solved(fitted: Fitted, factor: f64) -> Result<Mesh, Error> {
+    let numbers = under(factor);
     let hertz = numbers.closed_form();
+    let answer = fitted.solve(&numbers.scene(), &Formulation::verification())?;
     let truth = [hertz.peak_pressure(), hertz.half_width()];
-    let of = |cells: Cells, run: &Run, in_all: usize| {
-        let errors = errors(run, truth).map(|error| (error / ROUND_OFF).round() * ROUND_OFF);
-        Mesh { cells, dofs: run.dofs, in_all, errors, exact: true }
-    };
-    Ok(match cells {
-        Cells::Fitted(fitted) => {
-            let answer = fitted.solve(&numbers.scene(), &formulation)?;
-            of(cells, &answer.run, answer.tried.iter().map(|one| one.dofs).sum())
-        }
-        Cells::Chosen(error, _) => {
-            let asked = accuracy::Asked { quantities: OF.into(), ..accuracy::Asked::new(error) };
-            let answer = accuracy::solve(&numbers.scene(), &formulation, &asked)?;
-            of(Cells::Chosen(error, answer.unmet.is_none()), &answer.run, answer.dofs_in_all())
-        }
-        Cells::Plain(elements) => {
-            let Case { mut scene, resolution, .. } = numbers.case();
-            // The mesh does not know the load: it is the same under all.
-            scene.grading.unit = TruncatedHertz::default().half_width();
-            scene.grading = Order::Quadratic.refined(&scene.grading, elements as f64 / resolution.elements as f64);
-            let resolution = Resolution { elements, refinement: 0, order: Order::Quadratic };
-            let run = Run::of(&Discretisation::of(scene, resolution)?, &formulation)?;
-            of(cells, &run, run.dofs)
-        }
-    })
+    let errors = errors(&answer.run, truth).map(|error| (error / ROUND_OFF).round() * ROUND_OFF);
+    let in_all = answer.tried.iter().map(|one| one.dofs).sum();
+    Ok(Mesh { fitted, dofs: answer.run.dofs, in_all, errors, exact: true })
 }
 
 /// Other scenes, each on a mesh of which five digits are asked.
@@ -249,7 +165,7 @@ fn elsewhere() -> Result<Vec<(String, Mesh)>, Error> {
     let cylinders = drawn("two-cylinders.toml")?;
     let eccentric = drawn("eccentric-to-accuracy.toml")?;
     let off_centre = Site { family: Family::Polynomial, number: OFF_CENTRE }.sample()?;
-    let truth = OF.map(|quantity| off_centre.truth(0, &quantity));
+    let truth = [Quantity::PeakPressure, Quantity::SecondMomentWidth].map(|quantity| off_centre.truth(0, &quantity));
     let peak_off = "block under a pressure with its peak off the centre";
     let all: Vec<(String, Scene, Fitted, Option<[f64; 2]>)> = vec![
         pin(30.0),
@@ -264,8 +180,7 @@ fn elsewhere() -> Result<Vec<(String, Mesh)>, Error> {
         let run = on(fitted)?.run;
         let right = truth.map_or_else(|| on(BEST).map(|best| peak_and_width(&best.run)), Ok)?;
         let errors = errors(&run, right);
-        let cells = Cells::Fitted(fitted);
-        Ok((name, Mesh { cells, dofs: run.dofs, in_all: run.dofs, errors, exact: truth.is_some() }))
+        Ok((name, Mesh { fitted, dofs: run.dofs, in_all: run.dofs, errors, exact: truth.is_some() }))
     });
     solved.collect()
 }
@@ -291,36 +206,11 @@ fn of(
     ]
 }
 
-/// File of the chart.
-const FILE: &str = "fitted.svg";
-
 /// Columns of the meshes of truncated Hertz.
 const MESHES: [Column<Mesh>; 5] = [
-    ("cells", |mesh| match mesh.cells {
-        Cells::Fitted(fitted) => format!("fitted, order {}, layers {}", fitted.order.number(), fitted.layers),
-        Cells::Chosen(asked, met) => {
-            format!("`--accuracy` {} %{}", markdown::bound(100.0 * asked), if met { "" } else { ", not met" })
-        }
-        Cells::Plain(elements) => format!("8-node, {elements} per half-width"),
-    }),
+    ("cells", |Mesh { fitted, .. }| format!("fitted, order {}, layers {}", fitted.order.number(), fitted.layers)),
     ("degrees of freedom", |mesh| mesh.dofs.to_string()),
     ("those of all meshes on the way", |mesh| mesh.in_all.to_string()),
     ("error of p₀, worst load", |mesh| markdown::error(mesh.errors[0])),
     ("error of a, worst load", |mesh| markdown::error(mesh.errors[1])),
-];
-
-/// Columns of other scenes.
-const SCENES: [Column<(String, Mesh)>; 6] = [
-    ("scene", |(scene, _)| scene.clone()),
-    ("order, layers", |(_, mesh)| match mesh.cells {
-        Cells::Fitted(fitted) => format!("{}, {}", fitted.order.number(), fitted.layers),
-        Cells::Chosen(..) | Cells::Plain(_) => "–".into(),
-    }),
-    ("degrees of freedom", |(_, mesh)| mesh.dofs.to_string()),
-    ("error of p₀", |(_, mesh)| markdown::error(mesh.errors[0])),
-    ("error of a", |(_, mesh)| markdown::error(mesh.errors[1])),
-    ("against", |(_, mesh)| match mesh.exact {
-        true => "closed form".into(),
-        false => format!("order {}, {} layers", BEST.order.number(), BEST.layers),
-    }),
 ];

@@ -8,7 +8,7 @@ use contact_vv::oracle::ReferenceKind;
 use contact_vv::report::diff::written;
 use contact_vv::report::front::{self, against, nearness, right};
 use contact_vv::report::links::PAGES;
-use contact_vv::report::{Page, case_page, difference, files, study_page, symbols, told, write};
+use contact_vv::report::{case_page, difference, files, study_page, symbols, told, write};
 use contact_vv::study::{Finding, Room, Study, cases};
 
 /// Most lines of the front page.
@@ -163,16 +163,13 @@ fn page_of_a_case_follows_its_verdicts_and_outcome() {
 #[test]
 fn pages_are_written_compared_and_removed_as_a_folder() {
     let folder = tempfile::tempdir().expect("a folder");
-    let file = |name: &str| (name.to_string(), "text\n".to_string());
-    let of = |pages: &[&str]| Page {
-        markdown: "front\n".into(),
-        pages: pages.iter().map(|name| file(name)).collect(),
-        charts: vec![file("a.svg")],
-        sheets: vec![file("s.md")],
-        record: Vec::new(),
+    let of = |pages: &[&str]| -> Files {
+        let pages = pages.iter().map(|name| format!("{PAGES}/{name}"));
+        let others = [format!("{CHARTS}/a.svg"), format!("{SHEETS}/s.md"), files::PAGE.into()];
+        pages.chain(others).map(|path| (path, "text\n".into())).collect()
     };
     let (before, after) = (of(&["one.md", "two.md"]), of(&["one.md"]));
-    let told = |page: &Page| {
+    let told = |page: &Files| {
         difference(page, folder.path()).expect("compared").map(|difference| difference.text(written::LINES))
     };
     write(&before, folder.path()).expect("written");

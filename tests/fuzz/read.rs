@@ -12,10 +12,9 @@ use contact_vv::case::library::find;
 use contact_vv::error::Error;
 use contact_vv::mesh::Mesh;
 use contact_vv::mesh::size::expected;
-use contact_vv::oracle::Quantity;
 use contact_vv::oracle::cross_code::Code;
 use contact_vv::oracle::cross_code::frozen::{Frozen, file};
-use contact_vv::oracle::digitised::Digitised;
+use contact_vv::oracle::digitised::{Digitised, OurPoint, compare};
 use contact_vv::referee::export::deck;
 use contact_vv::referee::judge::ENGINEERING;
 use contact_vv::referee::read::parse;
@@ -106,9 +105,7 @@ pub fn curve(bytes: &[u8]) -> Result<(), Error> {
         write(&folder.join(name), given.next().unwrap_or(default).as_bytes());
     }
     if let Digitised::Present(curves) = Digitised::load(&folder)? {
-        for (curve, at) in curves.iter().flat_map(|curve| [f64::NAN, 0.0, 1.0].map(|at| (curve, at))) {
-            contact_vv::oracle::Oracle::read(curve, &Quantity::Pressure { at });
-        }
+        curves.iter().for_each(|curve| drop(compare(curve, &|at| OurPoint { value: at, uncertainty: at })));
     }
     Ok(())
 }

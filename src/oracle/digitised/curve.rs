@@ -1,11 +1,13 @@
-//! A digitised curve, with all that is needed to compute its twin.
+//! A digitised curve, with all that is needed to compute its twin, and how far ours may lie from it.
 
 use std::path::Path;
 
-use super::text::text_of;
-use super::{Abscissa, CurvePoint, CurveProvenance, DigitisedScene, Hand, Kind, Ordinate, Provenance, columns};
+use super::keys::text_of;
+use super::{Abscissa, CurvePoint, CurveProvenance, DigitisedScene, Kind, Ordinate, columns};
 use crate::error::Error;
-use crate::oracle::{Oracle, Quantity, Reading, ReferenceKind, Source};
+use crate::measure::larger;
+use crate::oracle::ReferenceKind;
+use crate::uncertainty::{Comparison, combined};
 
 /// One curve with all that is needed to compute its twin.
 #[derive(Debug, Clone, PartialEq)]
@@ -16,8 +18,6 @@ pub struct DigitisedCurve {
     pub scene: DigitisedScene,
     /// Figure, calibration, kind and hand of this curve.
     pub provenance: CurveProvenance,
-    /// Publication, who digitised it, and how.
-    pub source: Source,
     /// What the abscissa is.
     pub abscissa: Abscissa,
     /// What the ordinate is.
@@ -31,12 +31,7 @@ impl DigitisedCurve {
     ///
     /// # Errors
     /// Names the column that is missing or unknown, or the line and column of a refused entry.
-    pub fn read(
-        folder: &Path,
-        entry: &CurveProvenance,
-        provenance: &Provenance,
-        scene: DigitisedScene,
-    ) -> Result<Self, Error> {
+    pub fn read(folder: &Path, entry: &CurveProvenance, scene: DigitisedScene) -> Result<Self, Error> {
         let file = folder.join(&entry.file);
         let text = text_of(&file, "add the file, or take its entry out of provenance.toml")?;
         let (abscissa, ordinate, points) = columns::read(&file, &text)?;
@@ -46,72 +41,51 @@ impl DigitisedCurve {
             return Err(Error::file(&file, message, remedy));
         }
 
-        Ok(Self {
-            file: entry.file.clone(),
-            scene,
-            provenance: entry.clone(),
-            source: source(entry, provenance),
-            abscissa,
-            ordinate,
-            points,
-        })
+        Ok(Self { file: entry.file.clone(), scene, provenance: entry.clone(), abscissa, ordinate, points })
     }
 
-    /// Ordinate between its neighbours, and its uncertainty with the abscissa error carried through their slope.
-    fn interpolate(&self, at: f64) -> Option<(f64, f64)> {
-        self.points.windows(2).find_map(|pair| {
-            let (left, right) = (pair[0], pair[1]);
-            let width = right.abscissa - left.abscissa;
-            let weight = (at - left.abscissa) / width;
-            if !(0.0..=1.0).contains(&weight) {
-                return None;
-            }
-            let between = |from: f64, to: f64| from + weight * (to - from);
-            let slope = (right.ordinate - left.ordinate) / width;
-            let across = slope * between(left.abscissa_error, right.abscissa_error);
-            let up = between(left.ordinate_error, right.ordinate_error);
-            Some((between(left.ordinate, right.ordinate), across.hypot(up)))
-        })
-    }
-}
-
-fn source(entry: &CurveProvenance, provenance: &Provenance) -> Source {
-    let hand = match entry.hand {
-        Hand::FirstHand => "first hand",
-        Hand::ReadOffEgert => "read off Egert's figures",
-    };
-    let note = format!(
-        "{hand}; digitised by {}, {}; axes: {}",
-        provenance.digitised_by, provenance.method, entry.axis_calibration
-    );
-    Source::new(&format!("{}, {}", provenance.citation, entry.figure), &note)
-}
-
-impl Oracle for DigitisedCurve {
-    fn name(&self) -> &str {
-        &self.file
-    }
-
-    fn kind(&self) -> ReferenceKind {
+    /// What its points are: measured, or another code's.
+    pub fn kind(&self) -> ReferenceKind {
         match self.provenance.kind {
             Kind::Measured => ReferenceKind::Measured,
             Kind::Fem => ReferenceKind::CrossCode,
         }
     }
+}
 
-    fn source(&self) -> Source {
-        self.source.clone()
-    }
+/// Our value at an abscissa.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct OurPoint {
+    /// The value.
+    pub value: f64,
+    /// Its own standard uncertainty, such as the discretisation error.
+    pub uncertainty: f64,
+}
 
-    fn read(&self, quantity: &Quantity) -> Reading {
-        let at = match (quantity, self.ordinate) {
-            (Quantity::Pressure { at }, Ordinate::Pressure) => at,
-            (Quantity::HoopStress { at }, Ordinate::HoopStress) => at,
-            _ => return Reading::Silent,
-        };
-        match self.interpolate(*at) {
-            Some((value, uncertainty)) => Reading::Value { value, uncertainty },
-            None => Reading::Unavailable(format!("at is {at}, outside the digitised points")),
-        }
-    }
+/// Holds our curve against a digitised one, point by point: differences, each with `√(u_dig² + u_ours²)`.
+///
+/// `ours` takes the abscissa of the curve (rad, mm or N) and is asked one abscissa error to both sides
+/// of each point too, so a symmetric curve must take negative arguments.
+pub fn compare(curve: &DigitisedCurve, ours: &dyn Fn(f64) -> OurPoint) -> Vec<Comparison> {
+    curve.points.iter().map(|point| at(point, ours)).collect()
+}
+
+/// `u_dig² = u_y² + (s u_x)²` with the slope `s` of our curve over `x ± u_x`.
+fn at(point: &CurvePoint, ours: &dyn Fn(f64) -> OurPoint) -> Comparison {
+    let (x, error) = (point.abscissa, point.abscissa_error);
+    let mine = ours(x);
+    let slope = (ours(x + error).value - ours(x - error).value) / (2.0 * error);
+    let digitising = combined([point.ordinate_error, slope * error]);
+    Comparison::of(mine.value, point.ordinate, [digitising, mine.uncertainty])
+}
+
+/// The largest difference in units of its uncertainty; NaN, which no check passes, where one is no number or there is none.
+pub fn worst(compared: &[Comparison]) -> f64 {
+    compared.iter().map(Comparison::ratio).reduce(larger).unwrap_or(f64::NAN)
+}
+
+/// What the source models and we do not, which no uncertainty covers.
+pub fn model_form(curve: &DigitisedCurve) -> Option<String> {
+    let friction = curve.scene.friction();
+    (friction > 0.0).then(|| format!("the source has a coefficient of friction of {friction}, ours has none"))
 }

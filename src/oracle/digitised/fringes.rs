@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
-use super::text::text_of;
+use super::keys::text_of;
 use crate::checkout::root;
 use crate::error::Error;
 

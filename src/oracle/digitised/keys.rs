@@ -1,5 +1,6 @@
-//! Required TOML keys, refused by name where they are missing, unknown or out of range.
+//! Files that must be there, and required TOML keys, refused by name where they are missing, unknown or out of range.
 
+use std::fs;
 use std::path::Path;
 
 use toml::{Table, Value};
@@ -116,4 +117,12 @@ fn shown(value: &Value) -> String {
 /// Names in one line, or "nothing".
 pub(super) fn listed(names: &[String]) -> String {
     if names.is_empty() { "nothing".to_owned() } else { names.join(", ") }
+}
+
+/// The text of a file that must be there.
+pub(super) fn text_of(file: &Path, remedy: &str) -> Result<String, Error> {
+    fs::read_to_string(file).map_err(|cause| match cause.kind() {
+        std::io::ErrorKind::NotFound => Error::missing_file(file, remedy),
+        _ => Error::unreadable(file, cause, remedy),
+    })
 }

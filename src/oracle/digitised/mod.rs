@@ -2,21 +2,17 @@
 //!
 //! * [`scene`]: the dimensions, materials and load of the source.
 //! * [`provenance`]: who read which figure, how, and what kind of curve it shows.
-//! * [`curve`]: the points with all that is needed to compute their twins.
+//! * [`curve`]: the points with all that is needed to compute their twins, and how far our curve may lie from them.
 //! * [`point`]: a point, with the errors of both coordinates.
-//! * [`acceptance`]: how far our curve may lie from theirs.
 //! * [`fringes`]: dark fringes of a photoelastic disc.
 //! * `columns`: the CSV file, refused by column, or by line and column.
-//! * `text`: the text of a file that must be there.
-//! * `keys`: required TOML keys, refused by name where missing or out of range.
+//! * `keys`: files that must be there, and required TOML keys, refused by name where missing or out of range.
 
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use super::{Quantity, Reading};
 use crate::error::Error;
 
-pub mod acceptance;
 mod columns;
 pub mod curve;
 pub mod fringes;
@@ -24,10 +20,8 @@ mod keys;
 pub mod point;
 pub mod provenance;
 pub mod scene;
-mod text;
 
-pub use acceptance::{OurPoint, compare, model_form, worst};
-pub use curve::DigitisedCurve;
+pub use curve::{DigitisedCurve, OurPoint, compare, model_form, worst};
 pub use point::{Abscissa, CurvePoint, Ordinate};
 pub use provenance::{CurveProvenance, Hand, Kind, Provenance};
 pub use scene::{DigitisedScene, RodScene, SheetScene};
@@ -63,20 +57,9 @@ impl Digitised {
         let curves = provenance
             .curves
             .iter()
-            .map(|entry| DigitisedCurve::read(folder, entry, &provenance, scene))
+            .map(|entry| DigitisedCurve::read(folder, entry, scene))
             .collect::<Result<_, _>>()?;
         Ok(Self::Present(curves))
-    }
-
-    /// A quantity of the curve in `file`, or why there is none.
-    pub fn read(&self, file: &str, quantity: &Quantity) -> Reading {
-        match self {
-            Self::Absent(why) => Reading::Unavailable(why.clone()),
-            Self::Present(curves) => match curves.iter().find(|curve| curve.file == file) {
-                Some(curve) => super::Oracle::read(curve, quantity),
-                None => Reading::Unavailable(format!("no curve `{file}` in the folder")),
-            },
-        }
     }
 }
 

@@ -4,8 +4,7 @@ use std::path::Path;
 
 use toml::Value;
 
-use super::keys::{self, Key, Range};
-use super::text::text_of;
+use super::keys::{self, Key, Range, text_of};
 use crate::error::Error;
 
 /// Where the curves of a folder come from.

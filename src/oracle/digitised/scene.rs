@@ -2,9 +2,8 @@
 
 use std::path::Path;
 
-use super::keys::{self, Key, Range};
+use super::keys::{self, Key, Range, text_of};
 use super::point::{Abscissa, Ordinate};
-use super::text::text_of;
 use crate::error::Error;
 use crate::scene::Material;
 

@@ -1,13 +1,11 @@
 //! Is it right, and against what?
 
 use crate::case::Verdict;
-use crate::case::library::cylinder;
 use crate::markdown;
-use crate::measure::Quantity;
 use crate::oracle::ReferenceKind;
 use crate::report::front::nearness;
 use crate::report::links::to_page as link;
-use crate::report::{checks_page, statements, told};
+use crate::report::{checks_page, told};
 use crate::study::drawn::picture;
 use crate::study::{Finding, measured, promised};
 
@@ -22,7 +20,7 @@ const SHOWS: [(ReferenceKind, &str, &str); 4] = [
 /// The share from which on a kind is called most of all.
 const MOST: f64 = 0.5;
 
-/// Whether any check fails, how near the nine formulations are to Hertz, and how many error bars hold.
+/// Whether any check fails, and how many error bars hold.
 pub fn right(findings: &[Finding]) -> String {
     let all = told::once(findings.iter().flat_map(|finding| &finding.judged));
     let [pass, fail, absent] = told::counts(all.iter().copied());
@@ -43,27 +41,12 @@ pub fn right(findings: &[Finding]) -> String {
         _ => None,
     });
     format!(
-        "{verdict}{}{}\n\n{}",
-        hertz(findings),
+        "{verdict}{}\n\n{}",
         bars.collect::<String>(),
         picture(
             "pressure-cylinder.svg",
             "Contact pressure on the cylinder by all nine formulations, and their difference to Hertz",
         )
-    )
-}
-
-/// The nine on the cylinder.
-fn hertz(findings: &[Finding]) -> String {
-    let worst = |quantity| statements::error(findings, cylinder::NINE, quantity);
-    let [peak, width] = [worst(Quantity::PeakPressure), worst(Quantity::SecondMomentWidth)];
-    if peak.is_nan() || width.is_nan() {
-        return " The nine formulations were not held against Hertz.".into();
-    }
-    format!(
-        " On the cylinder all nine formulations are within {} of Hertz in the peak p₀ and {} in the half-width a.",
-        markdown::error(peak),
-        markdown::error(width)
     )
 }
 

@@ -61,14 +61,6 @@ pub fn pairs(sizes: &[f64], errors: &[f64], floor: f64) -> Vec<Observed> {
     (0..errors.len().saturating_sub(1)).map(pair).collect()
 }
 
-/// Observed orders `log₂ (f₄ − f₂)/(f₂ − f₁)` of values on meshes that are halved, between each two successive changes; by the
-/// rules of [`pairs`].
-pub fn of_changes(values: &[f64]) -> Vec<Observed> {
-    let changes: Vec<f64> = values.windows(2).map(|two| two[1] - two[0]).collect();
-    let sizes: Vec<f64> = (0..changes.len()).map(|k| 0.5f64.powi(k as i32)).collect();
-    pairs(&sizes, &changes, 0.0)
-}
-
 /// Order of accuracy that is counted on: that of linear elements, and of a contact whose edge is found within an element.
 const FORMAL: f64 = 2.0;
 /// Orders between this and one above the formal one are taken for asymptotic.

@@ -49,17 +49,6 @@ pub fn relative_l2(points: &[PointState], reference: impl Fn(f64) -> f64, limit:
     (error / scale).sqrt()
 }
 
-/// The same norm of the difference of two profiles given by means over the same edges; NaN where their numbers differ.
-pub fn relative_l2_between(edges: &[EdgeState], reference: &[EdgeState]) -> f64 {
-    if edges.len() != reference.len() {
-        return f64::NAN;
-    }
-    let pairs = || edges.iter().zip(reference);
-    let error: f64 = pairs().map(|(p, r)| r.weight * (p.pressure - r.pressure).powi(2)).sum();
-    let scale: f64 = pairs().map(|(_, r)| r.weight * r.pressure.powi(2)).sum();
-    (error / scale).sqrt()
-}
-
 /// Share of the force that another profile has elsewhere, `½ Σ A |p̄ − p̄_ref| / Σ A p̄_ref` over the same edges; NaN
 /// where their numbers differ.
 pub fn misplaced(edges: &[EdgeState], reference: &[EdgeState]) -> f64 {

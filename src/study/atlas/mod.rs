@@ -23,11 +23,9 @@ use crate::case::Judged;
 use crate::drawing::Drawing;
 use crate::error::Error;
 use crate::markdown::{self, Column};
-use crate::solve::Ended;
 use crate::solve::{Element, Formulation, Iteration, Settings};
 use crate::study::about::{About, Found, Planned, Study};
-use crate::study::atlas::plane::{Digest, Safe, digests};
-use crate::study::atlas::plane::{STRETCH, same};
+use crate::study::atlas::plane::{Digest, STRETCH, Safe, digests};
 use crate::study::atlas::run::{ENOUGH, FACTOR, HALVINGS, agreement, charts};
 use crate::study::drawn::picture;
 use crate::study::method::Method;
@@ -70,7 +68,7 @@ impl Study for Numbers {
         );
         text += &picture("atlas-mesh.svg", "The same over initial stiffness and mesh");
         let _ = writeln!(text, "**Predictions against runs**\n\n{}\n{EXPLAINED}", predictions(&charts));
-        Ok(text + &in_the_paper(findings, &charts))
+        Ok(text + &in_the_paper(findings))
     }
 
     fn pictures(findings: &[Found<Self>]) -> Result<Vec<(String, Drawing)>, Error> {
@@ -92,22 +90,15 @@ hardly feel; the rates at the limit do not know how much of it a start raises. *
 the contact: whether a run from afar gets there is not. *Constant stiffness with secant* may pass where the whole gap of the point \
 nearest the centre, in which its instability sits, is below the tolerance: the error does not see it swing.\n\n";
 
-/// Method → where it works → how its runs end → why → which rule does better.
+/// Method → where it works → what stands in its way; the maps have how its runs end.
 fn methods(all: &[Digest]) -> String {
-    let columns: [Column<(&[Digest], Method)>; 5] = [
+    let columns: [Column<(&[Digest], Method)>; 3] = [
         ("method", |(_, method)| method.way()),
         ("every run ends right for κ₀ from … to", |(all, method)| ranges(all, *method)),
-        ("how the runs ended", |(all, method)| ends(all, *method)),
         ("what stands in its way", |(_, method)| obstacle(*method).into()),
-        ("what else of the same algorithm has a wider range", |(all, method)| wider(all, *method)),
     ];
     let rows: Vec<(&[Digest], Method)> = Method::of(Element::Node).into_iter().map(|method| (all, method)).collect();
     markdown::columns(&columns, &rows)
-}
-
-/// What is said of a method on each element.
-fn on_elements(all: &[Digest], method: Method) -> impl Iterator<Item = &Digest> {
-    all.iter().filter(move |digest| digest.method == Method { element: digest.method.element, ..method })
 }
 
 fn ranges(all: &[Digest], method: Method) -> String {
@@ -115,30 +106,8 @@ fn ranges(all: &[Digest], method: Method) -> String {
         let range = digest.safe.map_or("nowhere".into(), |Safe { from, to, .. }| format!("{from:e} … {to:e}"));
         format!("{}: {range}", digest.method.element.name())
     };
-    on_elements(all, method).map(range).collect::<Vec<_>>().join("; ")
-}
-
-/// Runs by how they ended.
-fn ends(all: &[Digest], method: Method) -> String {
-    let ended = |class: Ended| {
-        let counts = on_elements(all, method).flat_map(|digest| &digest.ends).filter(|(other, _)| *other == class);
-        (class, counts.map(|(_, count)| count).sum::<usize>())
-    };
-    let counted = Ended::ALL.map(ended).into_iter().filter(|(_, count)| *count > 0);
-    counted.map(|(class, count)| format!("{count} {}", class.name())).collect::<Vec<_>>().join(", ")
-}
-
-/// Other methods of the algorithm, with the elements on which their range is wider.
-fn wider(all: &[Digest], method: Method) -> String {
-    let others = Method::of(method.element).into_iter().filter(|other| other.algorithm == method.algorithm);
-    let told = |other: Method| {
-        let pairs = on_elements(all, other).zip(on_elements(all, method));
-        let wider = pairs.filter(|(other, own)| other.safe.is_some_and(|range| range.is_wider_than(own.safe)));
-        let elements: Vec<&str> = wider.map(|(other, _)| other.method.element.name()).collect();
-        (!elements.is_empty()).then(|| format!("`{}` ({})", other.way(), elements.join(", ")))
-    };
-    let found: Vec<String> = others.filter_map(told).collect();
-    if found.is_empty() { "–".into() } else { found.join("; ") }
+    let own = all.iter().filter(|digest| digest.method == Method { element: digest.method.element, ..method });
+    own.map(range).collect::<Vec<_>>().join("; ")
 }
 
 /// What a rule has to overcome, by its own formula.
@@ -187,8 +156,8 @@ fn predictions(charts: &[&Chart]) -> String {
     markdown::table(&head, &Method::all().into_iter().filter_map(row).collect::<Vec<Vec<String>>>())
 }
 
-/// Elements and iterations: what they are, iterations from every initial stiffness, before and after acceleration, and by every rule.
-fn in_the_paper(findings: &[Found<Numbers>], charts: &[&Chart]) -> String {
+/// Elements and iterations: what they are, iterations from every initial stiffness, before and after acceleration.
+fn in_the_paper(findings: &[Found<Numbers>]) -> String {
     let mut text = "## Elements and iterations on the scenes of the paper\n\n".to_string();
     text += &picture(
         "contact-problem.svg",
@@ -199,7 +168,7 @@ fn in_the_paper(findings: &[Found<Numbers>], charts: &[&Chart]) -> String {
         "iterations-against-stiffness.svg",
         "As Fig. 11 with all nine formulations, by the iteration error: iterations against initial stiffness, as they stand in the paper and, dash-dotted, accelerated; runs that did not converge are drawn as hollow markers above the chart",
     );
-    text + &before_and_after(findings) + &rules(charts)
+    text + &before_and_after(findings)
 }
 
 /// Iterations of the paper's formulations, and of what the program takes in their place, on both scenes.
@@ -233,34 +202,4 @@ fn before_and_after(findings: &[Found<Numbers>]) -> String {
         Settings::default().tolerance,
         markdown::table(&head.map(String::from).collect::<Vec<_>>(), &rows)
     )
-}
-
-/// Initial stiffnesses at which the rules are compared.
-const STARTS: [f64; 3] = [0.1, 1.0, 10.0];
-
-/// The plain rules on the cylinder with node elements.
-fn rules(charts: &[&Chart]) -> String {
-    let head = ["algorithm", "rule"].map(String::from).into_iter().chain(STARTS.map(|k| format!("κ₀ = {k}")));
-    let cylinder = charts.iter().filter(|chart| chart.plane == Plane::Cylinder);
-    let plain = Method::of(Element::Node).into_iter().filter(|method| !method.is_accelerated());
-    let rows = cylinder.flat_map(|chart| plain.clone().flat_map(|method| chart.of_method(method)));
-    let row = |records: &[Record]| {
-        let Method { algorithm, rule, .. } = records[0].method;
-        let at = |start| records.iter().find(|record| same(record.stiffness, start)).map_or("–".into(), told);
-        [algorithm.name(), rule.name()].map(String::from).into_iter().chain(STARTS.map(at)).collect()
-    };
-    format!(
-        "**The rules of each algorithm on the cylinder, node element; `penalty` converges to its own springs' law**\n\n{}\n",
-        markdown::table(&head.collect::<Vec<_>>(), &rows.map(row).collect::<Vec<Vec<String>>>())
-    )
-}
-
-/// How a run ended, with its iterations where it converged.
-fn told(record: &Record) -> String {
-    match record.class {
-        Ended::Converged => format!("converged, {} iterations", record.iterations),
-        Ended::Capped => "not converged".into(),
-        Ended::Beyond => "refused: contact reaches the end of the candidate surface".into(),
-        class => class.name().into(),
-    }
 }

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use crate::case::Case;
 use crate::case::library::{Cylinder, PinPlate, PinRod, TruncatedHertz};
+use crate::named::named_enum;
 use crate::oracle::cross_code::PhysicalScene;
 
 /// Meshes of each refinement series.
@@ -13,19 +14,20 @@ pub const STATIONS: usize = 40;
 /// Half-angle of the contact in the wide plate \[degrees\].
 const PLATE_ANGLE: f64 = 60.0;
 
-/// A scene that every code solves.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Scene {
-    /// The cylinder on its plane at a/R = 0.05.
-    Cylinder,
-    /// The same at a/R = 0.1.
-    WiderCylinder,
-    /// Hertz without model error.
-    TruncatedHertz,
-    /// The pin in the eye of the rod.
-    PinRod,
-    /// The pin in a wide plate.
-    PinPlate,
+named_enum! {
+    /// A scene that every code solves, by its name in the frozen files.
+    pub enum Scene {
+        /// The cylinder on its plane at a/R = 0.05.
+        Cylinder = "cylinder, a/R = 0.05",
+        /// The same at a/R = 0.1.
+        WiderCylinder = "cylinder, a/R = 0.1",
+        /// Hertz without model error.
+        TruncatedHertz = "truncated Hertz",
+        /// The pin in the eye of the rod.
+        PinRod = "pin-rod",
+        /// The pin in a wide plate.
+        PinPlate = "pin in plate",
+    }
 }
 
 /// A scene for all codes.
@@ -41,21 +43,6 @@ pub struct Benchmark {
 }
 
 impl Scene {
-    /// All.
-    pub const ALL: [Self; 5] =
-        [Self::Cylinder, Self::WiderCylinder, Self::TruncatedHertz, Self::PinRod, Self::PinPlate];
-
-    /// Name, as in the frozen files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Cylinder => "cylinder, a/R = 0.05",
-            Self::WiderCylinder => "cylinder, a/R = 0.1",
-            Self::TruncatedHertz => "truncated Hertz",
-            Self::PinRod => "pin-rod",
-            Self::PinPlate => "pin in plate",
-        }
-    }
-
     /// Whether the contact coordinate is an angle.
     pub fn is_arc(self) -> bool {
         matches!(self, Self::PinRod | Self::PinPlate)

@@ -1,4 +1,4 @@
-//! What a series of three meshes says of a scene: ours, a script's, and what the closed form says.
+//! What a series of three meshes says of a scene: ours, and a script's.
 
 use std::f64::consts::PI;
 
@@ -8,7 +8,6 @@ use crate::measure::profile;
 use crate::mesh::{Order, Resolution};
 use crate::oracle::cross_code::PhysicalAnswer;
 use crate::oracle::cross_code::frozen::REFREEZE;
-use crate::oracle::{Quantity, Reading};
 use crate::solve::{Discretisation, Formulation, Run};
 use crate::study::differences::peak_and_width;
 use crate::study::independent::benchmark::{Benchmark, LEVELS, Scene};
@@ -22,8 +21,6 @@ pub struct Found {
     pub resultant: f64,
     /// Means of the pressure over the stretches \[MPa\].
     pub profile: Vec<f64>,
-    /// Degrees of freedom.
-    pub dofs: usize,
 }
 
 /// A number on the finest of three meshes.
@@ -59,7 +56,6 @@ impl Found {
             measured: [measured(|answer| answer.peak), measured(|answer| answer.half_width)],
             resultant: fine.resultant,
             profile: fine.pressure.clone(),
-            dofs: fine.dofs,
         })
     }
 }
@@ -83,16 +79,6 @@ pub fn ours(benchmark: &Benchmark) -> Result<Vec<PhysicalAnswer>, Error> {
         })
     };
     (0..LEVELS).map(level).collect()
-}
-
-/// What the closed form says of a scene, if there is one.
-pub fn closed_form(benchmark: &Benchmark) -> Option<[f64; 2]> {
-    let oracle = benchmark.case.oracle()?;
-    let value = |quantity: Quantity| match oracle.read(&quantity) {
-        Reading::Value { value, .. } => value,
-        Reading::Silent | Reading::Unavailable(_) => f64::NAN,
-    };
-    Some([Quantity::PeakPressure, Quantity::SecondMomentWidth].map(value))
 }
 
 /// A number that is compared, in the order of what is found.

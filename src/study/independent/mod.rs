@@ -17,14 +17,12 @@ use crate::case::{Check, Judged, Quantity, Reference, covered};
 use crate::drawing::palette::{self, Dash, Marker, Style};
 use crate::drawing::{Axis, Chart, Drawing, Series, panels};
 use crate::error::Error;
-use crate::markdown::{self, Column};
 use crate::oracle::ReferenceKind;
 use crate::oracle::cross_code::independent::{Folder, Independent, Script};
 use crate::study::about::{About, Found, Planned, Study};
-use crate::study::answers::reproduced;
 use crate::study::drawn::picture;
 use crate::study::independent::benchmark::{STATIONS, Scene};
-use crate::study::independent::found::{Measured, Number};
+use crate::study::independent::found::Number;
 use crate::study::independent::run::{Compared, Other};
 use crate::uncertainty::{COVERAGE, Comparison};
 
@@ -47,8 +45,8 @@ impl Study for Compared {
         Ok(self.others.iter().flat_map(|other| of_script(self, other)).collect())
     }
 
-    /// The scripts, and their numbers beside ours.
-    fn section(findings: &[Found<Self>]) -> Result<String, Error> {
+    /// The scripts, and their profiles beside ours.
+    fn section(_: &[Found<Self>]) -> Result<String, Error> {
         let frozen = Independent::read()?;
         let mut text = String::new();
         for folder in Folder::ALL {
@@ -63,8 +61,7 @@ impl Study for Compared {
             text,
             "\nEach script has its own mesh, its own contact terms in the language of its code, its own iteration and its own measures; none imports \
              from another. They share the numbers of the scene and the names of what is asked. ± is the standard uncertainty from three meshes; \
-             |E| shall be at most {COVERAGE} u_val, of both meshes and of the script's penalty (what springs of its stiffness change on our mesh).\n\n{}\n",
-            numbers(findings)
+             |E| shall be at most {COVERAGE} u_val, of both meshes and of the script's penalty (what springs of its stiffness change on our mesh).\n\n"
         );
         text += &picture("difference-independent.svg", "Difference of the profiles of independent codes to ours");
         Ok(text)
@@ -94,7 +91,7 @@ fn of_script(compared: &Compared, other: &Other) -> Vec<Judged> {
     let theirs =
         |value: f64| Reference { name: script.name().into(), kind: ReferenceKind::CrossCode, value, uncertainty: None };
     let because = format!("at most {TIGHT} times what is found; {COVERAGE} u_val is asked beside it");
-    let mut judged: Vec<Judged> = other.reproduced.iter().map(|live| reproduced(script.name(), live)).collect();
+    let mut judged: Vec<Judged> = other.reproduced.iter().cloned().collect();
     for (number, tolerance) in Number::ALL.into_iter().zip(demanded) {
         let (name, mine, value) =
             (number.name(scene), number.of(scene, &compared.ours), number.of(scene, &other.found));
@@ -168,61 +165,6 @@ fn demanded(scene: Scene, script: Script) -> [f64; 3] {
         | (Script::HalfPlane | Script::Augmented | Script::Gaps, Scene::Cylinder | Scene::WiderCylinder)
         | (Script::Augmented | Script::Gaps, Scene::TruncatedHertz) => [f64::NAN; 3],
     }
-}
-
-/// A number of a scene by a script.
-type Line<'a> = (&'a Compared, Number, &'a Other);
-
-/// All numbers, a row a script.
-fn numbers(findings: &[Found<Compared>]) -> String {
-    let rows: Vec<Line> = findings
-        .iter()
-        .flat_map(|found| Number::ALL.map(|number| (found.numbers, number)))
-        .flat_map(|(compared, number)| compared.others.iter().map(move |other| (compared, number, other)))
-        .collect();
-    markdown::columns(&columns(), &rows)
-}
-
-fn columns<'a>() -> [Column<Line<'a>>; 10] {
-    [
-        ("case", |(compared, ..)| compared.scene.name().into()),
-        ("quantity", |(compared, number, _)| match number {
-            Number::Peak => "peak [MPa]".into(),
-            Number::Width => number.unit(compared.scene).into(),
-        }),
-        ("ours ± u", |(compared, number, _)| quoted(number.of(compared.scene, &compared.ours))),
-        ("code", |(.., other)| format!("{} ({} dofs)", other.script, other.found.dofs)),
-        ("found ± u", |line| quoted(theirs(line))),
-        ("E = ours − theirs", |line| {
-            format!("{} %", markdown::signed(100.0 * difference(line).error / theirs(line).value.abs(), 2))
-        }),
-        ("u_val", |line| percent(difference(line).uncertainty / theirs(line).value.abs())),
-        ("|E| / u_val", |line| format!("{:.2}", difference(line).ratio())),
-        ("", |line| if difference(line).ratio() <= COVERAGE { "✓" } else { "✗" }.into()),
-        ("to the closed form", |line| {
-            let (compared, number, _) = line;
-            compared.closed_form.map_or("–".into(), |exact| {
-                let exact = number.per_unit(compared.scene) * exact[*number as usize];
-                format!("{} %", markdown::signed(100.0 * (theirs(line).value / exact - 1.0), 2))
-            })
-        }),
-    ]
-}
-
-fn theirs((compared, number, other): &Line) -> Measured {
-    number.of(compared.scene, &other.found)
-}
-
-fn difference((compared, number, other): &Line) -> Comparison {
-    against(compared, other, *number)
-}
-
-fn percent(share: f64) -> String {
-    format!("{} %", markdown::significant(100.0 * share, 2))
-}
-
-fn quoted(of: Measured) -> String {
-    format!("{:.5} ± {}", of.value, percent(of.uncertainty / of.value.abs()))
 }
 
 /// Differences of the profiles to ours.

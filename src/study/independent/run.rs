@@ -1,6 +1,7 @@
 //! What every script found of a scene, beside ours.
 
 use crate::algorithm::StiffnessRule;
+use crate::case::Judged;
 use crate::error::Error;
 use crate::measure::whole;
 use crate::mesh::{Order, Resolution};
@@ -10,10 +11,10 @@ use crate::oracle::cross_code::live::Live;
 use crate::oracle::cross_code::{PhysicalAnswer, PhysicalScene};
 use crate::solve::{Discretisation, Element, Formulation, Iteration, Run};
 use crate::study::Planned;
-use crate::study::answers::{Answers, Reproduced};
+use crate::study::answers::{Answers, reproduced};
 use crate::study::differences::peak_and_width;
 use crate::study::independent::benchmark::{Benchmark, LEVELS, Scene};
-use crate::study::independent::found::{Found, closed_form, ours};
+use crate::study::independent::found::{Found, ours};
 
 /// Springs of the scripts with a penalty, `k_n = κ E*/ℓ`.
 const KAPPA: f64 = 1e4;
@@ -41,8 +42,6 @@ pub struct Compared {
     pub stations: Vec<f64>,
     /// Length \[mm\] and pressure \[MPa\] that the scene is measured by.
     pub reference: [f64; 2],
-    /// Peak pressure \[MPa\] and half-width by second moment \[mm, or rad\] of the closed form, if there is one.
-    pub closed_form: Option<[f64; 2]>,
     /// What we found.
     pub ours: Found,
     /// What the scripts found.
@@ -59,7 +58,7 @@ pub struct Other {
     /// The script.
     pub script: Script,
     /// Whether it finds what was frozen; none where it was not asked.
-    pub reproduced: Option<Reproduced>,
+    pub reproduced: Option<Judged>,
     /// Its numbers.
     pub found: Found,
 }
@@ -75,7 +74,6 @@ pub fn compare(benchmark: &Benchmark, answers: Answers) -> Result<Compared, Erro
         scene: benchmark.scene,
         stations: benchmark.physical.stations.clone(),
         reference: [reference.length, reference.pressure],
-        closed_form: closed_form(benchmark),
         ours: Found::of("ours", &ours(benchmark)?)?,
         others,
         carries: carries(benchmark),
@@ -93,7 +91,7 @@ fn carries(benchmark: &Benchmark) -> Vec<f64> {
 }
 
 /// A script, its series, and whether that is what was frozen.
-pub type Series = (Script, Vec<PhysicalAnswer>, Option<Reproduced>);
+pub type Series = (Script, Vec<PhysicalAnswer>, Option<Judged>);
 
 /// The series of every script that serves a scene.
 pub fn asked(benchmark: &Benchmark, answers: Answers) -> Result<Vec<Series>, Error> {
@@ -109,7 +107,7 @@ pub fn asked(benchmark: &Benchmark, answers: Answers) -> Result<Vec<Series>, Err
         Answers::Live(live) if script.folder().is_set_up() => {
             let now = series(&live, *script, scene)?;
             let versions = changed_versions(&frozen.versions, &(live.versions)()?);
-            let reproduced = Reproduced::of(&Asked::numbers(&now), &Asked::numbers(kept), versions);
+            let reproduced = reproduced(script.name(), &Asked::numbers(&now), &Asked::numbers(kept), &versions);
             Ok((*script, now, Some(reproduced)))
         }
         Answers::Live(_) | Answers::Frozen => Ok((*script, kept.clone(), None)),

@@ -16,11 +16,11 @@ use crate::error::Error;
 use crate::measure::order::bound_of_two;
 use crate::measure::profile;
 use crate::mesh::{Order, Resolution};
+use crate::oracle::ReferenceKind;
 use crate::oracle::digitised::{
     Abscissa, Digitised, DigitisedCurve, DigitisedScene, Ordinate, OurPoint, RodScene, SheetScene, compare, fringes,
     model_form, worst,
 };
-use crate::oracle::{Oracle, ReferenceKind};
 use crate::scene::Scene;
 use crate::solution::PointState;
 use crate::solve::{Discretisation, Formulation, Run};
@@ -92,7 +92,7 @@ impl Study for Numbers {
 
     /// Of the photograph.
     fn pictures(findings: &[Found<Self>]) -> Result<Vec<(String, Drawing)>, Error> {
-        Ok(photographs(findings).flat_map(photograph::pictures).collect())
+        Ok(photographs(findings).map(photograph::picture_of).collect())
     }
 }
 
@@ -130,7 +130,7 @@ fn compared(curve: &DigitisedCurve) -> Result<Judged, Error> {
         ours(point.abscissa)?;
     }
     let comparison = compare(curve, &|at| ours(at).unwrap_or(OurPoint { value: f64::NAN, uncertainty: f64::NAN }));
-    Ok(check(&curve.file, curve.name(), curve.kind(), model_form(curve).as_deref()).judge(worst(&comparison)))
+    Ok(check(&curve.file, &curve.file, curve.kind(), model_form(curve).as_deref()).judge(worst(&comparison)))
 }
 
 fn ours(curve: &DigitisedCurve) -> Result<Ours, Error> {

@@ -4,7 +4,7 @@
 use crate::case::library::{Cylinder, CylinderModel};
 use crate::case::{Check, Judged, Quantity, Reference};
 use crate::drawing::palette::{self, Dash, Marker, Style};
-use crate::drawing::{Axis, Chart, Direction, Drawing, Guide, Series, panels};
+use crate::drawing::{Axis, Chart, Drawing, Series, panels};
 use crate::elasticity::{point, shape_functions};
 use crate::error::Error;
 use crate::markdown::{self, Column, significant};
@@ -167,9 +167,8 @@ pub fn judge(photograph: &Photograph) -> Vec<Judged> {
     ends.chain(wrong).chain([mesh.judge(photograph.mesh[0])]).collect()
 }
 
-/// Files of the charts.
+/// File of the chart.
 const FRINGES: &str = "photoelastic-fringes.svg";
-const WIDTH: &str = "photoelastic-width.svg";
 
 /// Columns of the half-widths.
 const COLUMNS: [Column<[f64; 3]>; 3] = [
@@ -193,7 +192,7 @@ pub fn section(photograph: &Photograph) -> String {
          {} orders (root mean square), at most {}.\n\n{}\n\
          It shows the stress field near a line contact, the transfer of the load from one contact to the other, and the second moment of the \
          pressure: far-off widths fail, near ones do not. It cannot show the shape of the pressure (uniform, Hertz and punch fit alike), the law \
-         between load and width, E, ν, or anything about pins.\n\n{}{}",
+         between load and width, E, ν, or anything about pins.\n\n{}",
         significant(a, 3),
         significant(deviation, 2),
         significant(photograph.constants.edge, 2),
@@ -202,16 +201,14 @@ pub fn section(photograph: &Photograph) -> String {
         significant(photograph.mesh[1], 2),
         markdown::columns(&COLUMNS, &photograph.widths),
         picture(FRINGES, "Dark fringes near both loaded ends: read from the photograph (points) and computed (lines)"),
-        picture(WIDTH, "How sharply the photograph tells the half-width: root mean square at the bottom"),
     )
 }
 
-/// Fringes measured and computed, and the root mean square over the half-width.
-pub fn pictures(photograph: &Photograph) -> [(String, Drawing); 2] {
+/// Fringes measured and computed.
+pub fn picture_of(photograph: &Photograph) -> (String, Drawing) {
     let ends = [(End::Bottom, "bottom, fitted"), (End::Top, "top, predicted")];
     let ends = ends.map(|(end, title)| fringes(photograph, end, title));
-    let fringes = panels("Isochromatics of a disc between two plates", &ends, 2);
-    [(FRINGES.into(), fringes), (WIDTH.into(), widths(photograph))]
+    (FRINGES.into(), panels("Isochromatics of a disc between two plates", &ends, 2))
 }
 
 fn fringes(photograph: &Photograph, end: End, title: &str) -> Chart {
@@ -233,18 +230,6 @@ fn fringes(photograph: &Photograph, end: End, title: &str) -> Chart {
         draw(&line.measured, format!("{name}, read"), Dash::Absent, marker);
     }
     chart
-}
-
-fn widths(photograph: &Photograph) -> Drawing {
-    let title = "Root mean square of the fringe orders at the bottom";
-    let mut chart = Chart::new(title, Axis::linear("half-width a / R [–]"), Axis::linear("rms [fringe orders]"));
-    let kinds = [("all else held", palette::LINE, Dash::Solid, 1), ("all else fitted", palette::NODE, Dash::Dashed, 2)];
-    chart.series.extend(kinds.map(|(label, colour, dash, k)| {
-        let points = photograph.widths.iter().map(|width| [width[0], width[k]]);
-        Series::new(label, points, Style::run(colour, dash, Marker::Circle))
-    }));
-    chart.guides.push(Guide { direction: Direction::Vertical, at: photograph.half_width[0], label: "fitted".into() });
-    chart.drawing()
 }
 
 /// Elements on the half-width before they are halved.

@@ -168,7 +168,7 @@ pub fn open_points() -> String {
         ["Factorisations of constant stiffness".into(), "one a run; the paper says one an increment, whose K_c0 here stays".into(), "operations of runs in several increments".into()],
         ["Constant stiffness keeps forces".into(),
          "K_cj q in (3.10) is read as the change of the spring force p⁺ − p; the literal sum is the rule `literal`".into(),
-         "the literal sum is shown in the table of rules".into()],
+         "only where that rule is chosen; *Where methods fail* has its runs".into()],
         ["Initial stiffness κ₀ = k_n ℓ/E*".into(),
          format!("(a), (b): {soft}; (c): {hard:e} with node elements, {gauss} with line and layer elements; as the program takes them, (c) with line and layer elements by the bodies; springs within {:e} … {:e} E*/ℓ", LIMITS[0], LIMITS[1]),
          "with line and layer elements, hard springs let an alternating pressure mode grow between Gauss points that no node feels".into()],

@@ -403,30 +403,15 @@ pub(super) fn section(surveyed: &Surveyed<Record>) -> String {
          meshes: {fewest} to {most} elements on half of the contact, which ends anywhere within one of them, and enough \
          for the tip of a wedge and the thickness of a ring (what is smaller than the elements no coarser mesh sees); random growth; 4- and 8-node cells, line, layer and node \
          elements, iterations that end late, early, or with a penalty. The constants of the bars were chosen on other scenes. Where the pressure rises up \
-         to the last element of a contact, neither its peak nor the shear stress below has a bar. {}\n\n{}\n\n{}{}\n\
+         to the last element of a contact, neither its peak nor the shear stress below has a bar. {}\n\n{}{}\n\
          Errors of the peak are relative to it, of places and widths to the half-width, of forces to the force; *bar over error* leaves \
          out errors that are round-off.\n\n",
         surveyed.told(),
-        summary(recorded),
         drawn::picture(
             "coverage.svg",
             "True error against the bar claimed: in each range of bars the median, the 95th of 100 and the largest error; below the diagonal a bar holds; errors that are round-off are left out"
         ),
         markdown::columns(&COLUMNS, &rows)
-    )
-}
-
-/// How many lie where.
-fn summary(recorded: &[Record]) -> String {
-    let all = meant(recorded, |_, _| true);
-    let beyond = |bars: f64| all.iter().filter(|[error, bar]| *error > bars * bar).count();
-    format!(
-        "Of {} numbers {} are beyond their bar, {} beyond three times it, and {} have none; the median bar is {} times the error.",
-        all.len(),
-        beyond(1.0),
-        beyond(3.0),
-        unknown(&all),
-        markdown::significant(median(&all), 2)
     )
 }
 

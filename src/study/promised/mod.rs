@@ -28,7 +28,8 @@ pub enum Numbers {
     Bars(Surveyed<bars::Record>),
     /// Answers called met or not.
     Met(Surveyed<met::Record>),
-    /// How many checks have bars, and those whose error is beyond, each with the title of its trial.
+    /// How many checks have a bar beside a closed form; and those of them whose true error is beyond the bar and what the closed form
+    /// itself may be off, or whose bar is not known, each with the title of its trial.
     Checks(usize, Vec<(String, Judged)>),
 }
 
@@ -94,23 +95,16 @@ impl Study for Numbers {
 impl Numbers {
     /// Of some checks, each with the title of its trial.
     pub fn of_checks<'a>(checks: impl IntoIterator<Item = (String, &'a Judged)>) -> Self {
-        let (all, outside) = barred(checks);
-        Self::Checks(all, outside)
+        let barred = checks.into_iter().filter(|(_, one)| one.is_within_bar().is_some());
+        let mut barred: Vec<(String, Judged)> = barred.map(|(trial, one)| (trial, one.clone())).collect();
+        let all = barred.len();
+        barred.retain(|(_, one)| one.is_within_bar() == Some(false));
+        Self::Checks(all, barred)
     }
 }
 
 /// Share of the checks whose error may be beyond its bar.
 const SHARE: f64 = 0.05;
-
-/// How many of some checks, each with the title of its trial, have a bar beside a closed form; and those of them whose true error is
-/// beyond the bar and what the closed form itself may be off, or whose bar is not known.
-fn barred<'a>(checks: impl IntoIterator<Item = (String, &'a Judged)>) -> (usize, Vec<(String, Judged)>) {
-    let barred = checks.into_iter().filter(|(_, one)| one.is_within_bar().is_some());
-    let mut barred: Vec<(String, Judged)> = barred.map(|(trial, one)| (trial, one.clone())).collect();
-    let all = barred.len();
-    barred.retain(|(_, one)| one.is_within_bar() == Some(false));
-    (all, barred)
-}
 
 /// The check; it fails where there is nothing to judge.
 fn judge_checks(all: usize, outside: &[(String, Judged)]) -> Vec<Judged> {

@@ -2,8 +2,6 @@
 
 use crate::case::library::PinRod;
 use crate::case::{Check, Judged, Quantity, Reference};
-use crate::drawing::palette::{self, Dash, Marker, Style};
-use crate::drawing::{Axis, Chart, Drawing, Series, panels};
 use crate::error::Error;
 use crate::markdown;
 use crate::mesh::{Order, Resolution};
@@ -12,7 +10,6 @@ use crate::oracle::analytic::persson::PinInHole;
 use crate::scene::Material;
 use crate::solve::Ended;
 use crate::solve::{Discretisation, Formulation, Run};
-use crate::study::drawn::picture;
 
 /// Values of `E t c / F`.
 pub const CLEARANCES: [f64; 8] = [0.0, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0];
@@ -31,14 +28,8 @@ const DEFAULT: [f64; 3] = [5.0, 2.0, 1.0];
 /// [`Ended::Beyond`] says that the contact reaches beyond the quarter of the pin that is modelled.
 pub type Placed = Result<[f64; 2], Ended>;
 
-/// An eye or a shank.
-#[derive(Clone, Debug)]
-pub struct Curve {
-    /// Radius of the eye over that of the pin, or width of the shank over the diameter of the pin.
-    pub name: String,
-    /// By clearance.
-    pub placed: Vec<Placed>,
-}
+/// An eye or a shank by its radius over that of the pin, or its width over the diameter of the pin: what was found at each clearance.
+pub type Curve = (String, Vec<Placed>);
 
 /// A pin–rod of the proportions of another at a place of the family.
 fn at(base: &PinRod, [clearance, eye, shank]: [f64; 3]) -> PinRod {
@@ -77,7 +68,7 @@ pub fn curves() -> Result<Vec<Curve>, Error> {
     let shanks = SHANKS.map(|shank| (format!("shank {shank} · 2R"), [eye, shank]));
     let curve = |(name, [eye, shank]): (String, [f64; 2])| {
         let placed = CLEARANCES.map(|clearance| solve(&at(&PinRod::default(), [clearance, eye, shank])));
-        Ok(Curve { name, placed: placed.into_iter().collect::<Result<_, _>>()? })
+        Ok((name, placed.into_iter().collect::<Result<_, Error>>()?))
     };
     eyes.into_iter().chain(shanks).map(curve).collect()
 }
@@ -110,14 +101,14 @@ pub fn in_wide_plate() -> f64 {
 
 /// No scene is lost, an eye embraces the pin, and three numbers place a pin.
 pub fn judge(curves: &[Curve], [first, other]: &[[f64; 2]; 2], wide_plate: f64) -> Vec<Judged> {
-    let all = || curves.iter().flat_map(|curve| &curve.placed);
+    let all = || curves.iter().flat_map(|(_, placed)| placed);
     let lost = all().filter(|placed| placed.is_err_and(|class| class != Ended::Beyond)).count();
     let lost = Check::none(
         Quantity::at("scene of the family whose iteration does not converge", format!("of {}", all().count())),
         "a contact is found, or refused because it reaches beyond the quarter",
     )
     .judge(lost as f64);
-    let at_last = |curve: &Curve| curve.placed.last().map_or(f64::NAN, |placed| numbers(*placed)[1]);
+    let at_last = |(_, placed): &Curve| placed.last().map_or(f64::NAN, |placed| numbers(*placed)[1]);
     let smallest = curves.iter().map(at_last).reduce(smaller).unwrap_or(f64::NAN);
     let embraced = Check::at_least(
         "smallest contact angle of all eyes at the largest clearance [°]",
@@ -142,14 +133,8 @@ fn smaller(a: f64, b: f64) -> f64 {
     if a.is_nan() || b.is_nan() { f64::NAN } else { a.min(b) }
 }
 
-/// File of the chart.
-pub const FILE: &str = "family-pin-rod.svg";
-
-/// What the family is, and its chart.
-pub fn introduction() -> String {
-    let chart = picture(FILE, "Peak pressure and second-moment angle against dimensionless clearance");
-    format!("Three dimensionless numbers place any published figure of a pin in an eye.\n\n{chart}")
-}
+/// What the family is.
+pub const INTRODUCTION: &str = "Three dimensionless numbers place any published figure of a pin in an eye.";
 
 /// Pressure and angle over the clearance.
 pub fn table_of_curves(curves: &[Curve]) -> String {
@@ -160,43 +145,7 @@ pub fn table_of_curves(curves: &[Curve]) -> String {
         Err(Ended::Beyond) => "beyond the quarter".into(),
         Err(_) => "not converged".into(),
     };
-    let row = |curve: &Curve| [curve.name.clone()].into_iter().chain(curve.placed.iter().map(cell)).collect();
+    let row = |(name, placed): &Curve| [name.clone()].into_iter().chain(placed.iter().map(cell)).collect();
     let table = markdown::table(&head, &curves.iter().map(row).collect::<Vec<_>>());
     format!("**Pin–rod: pressure and second-moment angle by dimensionless clearance**\n\n{table}\n")
-}
-
-/// Ends of the axis of clearances; what has none stands on its left end.
-const ENDS: [f64; 2] = [0.25, 60.0];
-
-/// Pressure and angle over the clearance.
-pub fn chart(all: &[&[Curve]]) -> Drawing {
-    let chart = |title: &str, axis: &str, of: fn([f64; 2]) -> f64| {
-        let clearance = Axis::log("clearance E t c / F [–]").over(ENDS[0], ENDS[1]);
-        let mut chart = Chart::new(title, clearance, Axis::linear(axis));
-        for (curve, style) in all.iter().flat_map(|curves| curves.iter().zip(styles())) {
-            let points = || CLEARANCES.into_iter().zip(&curve.placed);
-            // A contact beyond the quarter is refused, and no point of the family.
-            let is_lost = |placed: &Placed| placed.is_err_and(|class| class != Ended::Beyond);
-            let found = points().map(|(clearance, placed)| [clearance, of(numbers(*placed))]);
-            let hollow = points().filter(|(_, placed)| is_lost(placed)).map(|(clearance, _)| clearance).collect();
-            chart.series.push(Series { hollow, ..Series::new(&*curve.name, found, style) });
-        }
-        let mut points = chart.series.iter().flat_map(|series| &series.points);
-        if points.any(|(clearance, value)| *clearance <= 0.0 && value.is_finite()) {
-            chart.notes.push("The points on the left rim have no clearance.".into());
-        }
-        chart
-    };
-    let charts = [
-        chart("family: pressure", "peak pressure R t p_max / F [–]", |[pressure, _]| pressure),
-        chart("family: angle", "angle 2 √(∫pθ²/∫p) [°]", |[_, angle]| angle.to_degrees()),
-    ];
-    panels("Pin–rod: the dimensionless family", &charts, 2)
-}
-
-/// Eyes solid, shanks dashed.
-fn styles() -> impl Iterator<Item = Style> {
-    [(Dash::Solid, Marker::Circle), (Dash::Dashed, Marker::Square)].into_iter().flat_map(|(dash, marker)| {
-        [palette::LINE, palette::NODE, palette::LAYER].map(|colour| Style::run(colour, dash, marker))
-    })
 }

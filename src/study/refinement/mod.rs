@@ -1,7 +1,7 @@
-//! Refinement: observed orders pair by pair, the cylinder against Hertz and against the whole of it, the pin–rod's own
-//! uncertainty and its dimensionless family. Four questions of one page; those of nested meshes and of the family are files of their own:
+//! Refinement: observed orders pair by pair, the cylinder against Hertz and against the whole of it, and the pin–rod's dimensionless
+//! family. Three questions of one page; those of nested meshes and of the family are files of their own:
 //!
-//! * [`nested`] — truncated Hertz and the pin–rod on nested meshes.
+//! * [`nested`] — truncated Hertz on nested meshes.
 //! * [`family`] — the pin–rod by three dimensionless numbers.
 //!
 //! Below are the page, and the quarter cylinder under uniform load: how far it is from Hertz, and from the half cylinder.
@@ -38,13 +38,6 @@ pub enum Numbers {
     },
     /// The cylinder beside Hertz, from the smallest contact to the largest.
     ModelError([Ratio; 4]),
-    /// The pin–rod.
-    PinRod {
-        /// By 4-node cells, and by 8-node cells.
-        series: [Series; 2],
-        /// Difference of their profiles on the finest mesh, relative in L2.
-        difference: f64,
-    },
     /// The half cylinder against the quarter, from the smallest contact to the largest.
     Quarter(Vec<Change>),
     /// The family over the clearance.
@@ -79,9 +72,6 @@ impl Study for Numbers {
         });
         let others = [
             Planned::new("model error, cylinder", "node.kinematic", || model_error().map(Numbers::ModelError)),
-            Planned::new("refinement, pin-rod", "4-node and 8-node", || {
-                nested::pin_rod().map(|(series, difference)| Numbers::PinRod { series, difference })
-            }),
             Planned::new("half cylinder against quarter", "node.kinematic", || changes().map(Numbers::Quarter)),
             Planned::new("dimensionless family, pin-rod", "clearance and thickness", || {
                 let [first, other] = family::same_place()?;
@@ -96,7 +86,6 @@ impl Study for Numbers {
         Ok(match self {
             Numbers::Orders { series, load } => nested::judge_orders(series, *load),
             Numbers::ModelError(ratios) => judge_model_error(ratios),
-            Numbers::PinRod { series, difference } => nested::judge_pin_rod(series, *difference),
             Numbers::Quarter(changes) => changes.iter().flat_map(judge_change).collect(),
             Numbers::Family { curves, same_place, wide_plate } => family::judge(curves, same_place, *wide_plate),
         })
@@ -107,13 +96,12 @@ impl Study for Numbers {
         let [mut refinement, mut quarter, mut family] = [
             picture(nested::FILE, "Observed orders of accuracy") + nested::INTRODUCTION,
             "## Half cylinder against quarter\n\n".to_owned(),
-            "## The dimensionless family of the pin–rod\n\n".to_owned() + &family::introduction(),
+            format!("## The dimensionless family of the pin–rod\n\n{}\n\n", family::INTRODUCTION),
         ];
         for found in findings {
             match found.numbers {
                 Numbers::Orders { series, load } => refinement += &nested::table_of_orders(series, *load),
                 Numbers::ModelError(ratios) => refinement += &table_of_ratios(ratios),
-                Numbers::PinRod { series, .. } => refinement += &nested::table_of_pin_rod(series),
                 Numbers::Quarter(changes) => quarter += &table_of_changes(changes),
                 Numbers::Family { curves, .. } => family += &family::table_of_curves(curves),
             }
@@ -121,16 +109,13 @@ impl Study for Numbers {
         Ok(refinement + &quarter + &family)
     }
 
-    /// Errors over the mesh size, and the family over the clearance.
+    /// Errors over the mesh size.
     fn pictures(findings: &[Found<Self>]) -> Result<Vec<(String, Drawing)>, Error> {
-        let numbers = || findings.iter().map(|found| found.numbers);
-        let orders: Vec<&Series> = numbers()
-            .filter_map(|one| if let Numbers::Orders { series, .. } = one { Some(series) } else { None })
-            .collect();
-        let curves: Vec<&[Curve]> = numbers()
-            .filter_map(|one| if let Numbers::Family { curves, .. } = one { Some(curves.as_slice()) } else { None })
-            .collect();
-        Ok(vec![(nested::FILE.into(), nested::chart(&orders)), (family::FILE.into(), family::chart(&curves))])
+        let series = findings.iter().filter_map(|found| match found.numbers {
+            Numbers::Orders { series, .. } => Some(series),
+            _ => None,
+        });
+        Ok(vec![(nested::FILE.into(), nested::chart(&series.collect::<Vec<_>>()))])
     }
 }
 

@@ -1,7 +1,7 @@
 //! Predicted against measured, one iteration at a time; in a folder, since its four predictions have little in common.
 //!
 //! * `rates` — asymptotic rates of constant and varying stiffness, a posteriori and by Hertz's closed form alone.
-//! * `springs` — constant stiffness towards given springs, varying stiffness near and far.
+//! * `springs` — constant stiffness towards given springs, varying stiffness next to the contact.
 //!
 //! Below is the page. Each prediction is made and measured by a function, judged by `judge_…` and shown by `table_of_…`. Rules that fail,
 //! and the halving law of kinematic load, are those of the atlas.
@@ -56,7 +56,7 @@ impl Study for Numbers {
         trials.extend(by_element("constant stiffness, fixed target springs", |e| {
             springs::towards(e).map(Numbers::Towards)
         }));
-        trials.extend(by_element("varying stiffness with correction, near and far", |e| {
+        trials.extend(by_element("varying stiffness with correction, next to the contact", |e| {
             springs::basin(e).map(Numbers::Basin)
         }));
         trials
@@ -125,4 +125,4 @@ contact, which only the solved contact tells.\n\n";
 
 const BASIN: &str = "\n## Varying stiffness with `correction`\n\n\
 *A posteriori.* Next to the contact it is stable while 2 (S + K*) − max(K*, K₀) is positive definite on the closed points: near the edge, where \
-k* → 0, κ₀ must remain below about twice the stiffness of the bodies. From equal springs, farther away, that is no promise.\n\n";
+k* → 0, κ₀ must remain below about twice the stiffness of the bodies. From equal springs, farther away, that is no promise: *Where methods fail* has how such runs end.\n\n";

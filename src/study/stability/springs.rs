@@ -2,7 +2,7 @@
 
 use crate::algorithm::{Algorithm, ContactProblem, Springs, StiffnessRule, Varying};
 use crate::case::{Check, Judged, Quantity, Reference};
-use crate::error::{Error, Kind};
+use crate::error::Error;
 use crate::markdown::{self, Column};
 use crate::measure::larger;
 use crate::solution::{Outcome, Work};
@@ -179,7 +179,7 @@ const NUDGE: f64 = 1e-3;
 const STEPS: usize = 3000;
 const LEFT: f64 = 1e-2;
 
-/// Varying stiffness with `correction`, started next to the contact and from afar.
+/// Varying stiffness with `correction`, started next to the contact.
 #[derive(Clone, Copy, Debug)]
 pub struct Basin {
     /// Initial stiffness κ₀.
@@ -188,10 +188,6 @@ pub struct Basin {
     pub predicted: f64,
     /// Whether it stays when started next to the contact.
     pub stays: bool,
-    /// How it ends from equal springs; none where no spring is left.
-    pub far: Option<Outcome>,
-    /// Iterations from equal springs.
-    pub iterations: usize,
 }
 
 /// Every start with an element.
@@ -203,13 +199,8 @@ pub fn basin(element: Element) -> Result<Vec<Basin>, Error> {
         let points = discretisation.points(&formulation);
         let problem = discretisation.problem(&formulation, &points);
         let limit = limit(&problem)?;
-        let (far, iterations) = match discretisation.solve(&formulation) {
-            Ok(solution) => (Some(solution.outcome), solution.work.iterations),
-            Err(Error { kind: Kind::NoSpringLeft { iterations }, .. }) => (None, iterations),
-            Err(error) => return Err(error),
-        };
         let predicted = rate::varying_correction(&problem, &limit).unwrap_or(f64::NAN);
-        Ok(Basin { stiffness, predicted, stays: stays(&problem, &limit), far, iterations })
+        Ok(Basin { stiffness, predicted, stays: stays(&problem, &limit) })
     };
     AROUND.into_iter().map(start).collect()
 }
@@ -244,17 +235,13 @@ pub fn judge_basin(starts: &[Basin]) -> Judged {
     .judge(count(starts.iter().filter(is_wrong).count(), starts.len()))
 }
 
-/// Every start with the name of its element, next to the contact and from afar.
+/// Every start with the name of its element.
 pub(super) fn table_of_basin(starts: &[(&str, &Basin)]) -> String {
-    let columns: [Column<(&str, &Basin)>; 5] = [
+    let columns: [Column<(&str, &Basin)>; 4] = [
         ("element", |(element, _)| element.to_string()),
         ("κ₀", |(_, start)| start.stiffness.to_string()),
         ("predicted ρ", |(_, start)| format!("{:.3}", start.predicted)),
         ("next to the contact", |(_, start)| if start.stays { "stays" } else { "leaves" }.into()),
-        ("from equal springs", |(_, start)| {
-            let end = start.far.map_or("no spring left".into(), |outcome| outcome.to_string());
-            format!("{end} after {}", start.iterations)
-        }),
     ];
     markdown::columns(&columns, starts)
 }

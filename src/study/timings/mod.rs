@@ -7,7 +7,7 @@
 //! * `record` — what is kept under `snapshots/timings`, measured on demand by the command `timings`, and what of it is cheapest.
 //! * `targets` — what was asked for, and what was measured.
 //!
-//! Below are the trials, the page with the sentences that its chart and the front page share with it, and its chart: the worst error of
+//! Below are the trials, the page, the sentence of the front page, and its chart: the worst error of
 //! p₀ and a under all loads against seconds and counted work.
 
 pub mod growth;
@@ -292,7 +292,6 @@ pub fn chart(record: &Record) -> Drawing {
         curve(chart, label, style, record.of(Series::Fitted).collect(), SECONDS, measure);
         others(chart, record, measure);
     }
-    charts[0].notes.extend(std::iter::once(conclusion(record)).chain(beside(record)));
     panels(&format!("What accuracy costs: truncated Hertz, worst error under {LOADS} loads"), &charts, 2)
 }
 
