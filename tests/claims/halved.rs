@@ -57,7 +57,14 @@ fn outline_on_a_circle_is_seen_and_nothing_else_is() {
     // The corners of a square lie on a circle.
     let points = vec![[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
     let boundaries = [("contact".into(), vec![vec![0, 1]])].into();
-    let square = GivenMesh { points, cells: vec![vec![0, 1, 2, 3]], boundaries, inner: Default::default(), turned: 0 };
+    let square = GivenMesh {
+        points,
+        cells: vec![vec![0, 1, 2, 3]],
+        boundaries,
+        half_told: Default::default(),
+        inner: Default::default(),
+        turned: 0,
+    };
     assert!(square.arcs().is_empty());
 }
 
