@@ -212,7 +212,7 @@ fn matrix_types_of_libraries_stay_inside_the_numerics() {
 
 /// Lines that a room may have; raised only by a commit that says what for.
 const BUDGETS: [(&str, usize); 9] = [
-    ("solver", 18_780),
+    ("solver", 18_785),
     ("drawing", 2_970),
     ("case", 7_780),
     ("oracle", 3_650),

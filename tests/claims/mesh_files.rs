@@ -383,6 +383,7 @@ const MISTAKES: &[(&str, &str, &str, [&str; 2])] = &[
         "*INCLUDE",
         ["other files are not read", "put the lines of that file here"],
     ),
+    ("*MATERIAL", "*PARAMETER\nL = 2.\n*MATERIAL", "*PARAMETER", ["by their names", "write the numbers there"]),
     ("*MATERIAL", "*NGEN\n1, 2\n*MATERIAL", "*NGEN", ["generated or moved", "one list of nodes and elements"]),
     ("*MATERIAL", "*INSTANCE, PART=a\n1., 0., 0.\n*MATERIAL", "*INSTANCE", ["no part `a`", "Mesh.Format = 39"]),
     ("*nset, nset=axis", "*nset, instance=a, nset=axis", "*nset", ["no instance `a`", "name one of *INSTANCE"]),
@@ -501,6 +502,12 @@ fn parts_are_read_where_their_instances_place_them_and_their_sets_by_instance() 
         ("part=BLOCK\n", "part=BLOCK, library=a\n", ["other files are not read", "a.inp:"]),
         ("instance=block-1", "instance=block-2", ["no instance `block-2`", "a.inp:"]),
         ("low, 1.\n", "Block-2.low, 1.\n", ["no node or set of nodes `Block-2.low`", "a.inp:"]),
+        // Nodes have the numbers of their part.
+        (
+            "*Nset, nset=low, instance=block-1\n5, ",
+            "*Nset, nset=low, instance=block-1\n",
+            ["has node 56, but not all", "scene.toml:7"],
+        ),
     ] {
         let error = read(folder.path(), "a.inp", deck.replace(was, is).as_bytes(), UNIFORM, "\"axis\"");
         let error = error.map(|_| ()).expect_err(is).to_string();
@@ -543,7 +550,7 @@ fn decks_may_leave_blank_what_is_zero_and_list_corners_alone() {
     // A corner in the middle of its cell.
     let inverted = wanted.replace("\n5, 0e0, 0e0\n", "\n5, 3e-1, 3e-1\n");
     for (deck, parts) in [
-        (few, ["the set `sole` has nodes of `body`", "or the corners alone"]),
+        (few, ["the set `sole` has node 5, but not all nodes", "or the corners alone"]),
         (one_middle, half_told),
         (hole, half_told),
         (inverted, ["cell 90 of `body` is turned inside out", "a corner is not convex"]),
@@ -557,6 +564,70 @@ fn decks_may_leave_blank_what_is_zero_and_list_corners_alone() {
     // Megabytes of what is not read.
     let long = format!("{}{}", "*A\n".repeat(6_000_000), wanted);
     read(folder.path(), "a.inp", long.as_bytes(), UNIFORM, "\"axis\"").expect("read");
+}
+
+/// A deck of a strip of 4-node cells on 0 … 2 × 0 … 1: node 10 i + j + 1 is the j-th of column i. Sets of nodes as they are given.
+fn strip(columns: usize, sets: &[(&str, Vec<usize>)]) -> String {
+    let tag = |i: usize, j: usize| 10 * i + j + 1;
+    let nodes = (0..=columns).flat_map(|i| (0..2).map(move |j| (i, j)));
+    let nodes: String =
+        nodes.map(|(i, j)| format!("{}, {}, {j}\n", tag(i, j), 2.0 * i as f64 / columns as f64)).collect();
+    let cell = |i: usize| format!("{}, {}, {}, {}, {}\n", i + 1, tag(i, 0), tag(i + 1, 0), tag(i + 1, 1), tag(i, 1));
+    let cells: String = (0..columns).map(cell).collect();
+    let list = |own: &[usize]| own.iter().map(|node| format!("{node},\n")).collect::<String>();
+    let sets: String = sets.iter().map(|(name, own)| format!("*NSET, NSET={name}\n{}", list(own))).collect();
+    format!("*NODE\n{nodes}*ELEMENT, TYPE=CPE4, ELSET=body\n{cells}{sets}")
+}
+
+#[test]
+fn a_set_with_a_hole_of_one_node_is_refused_with_its_number_whatever_it_is_used_for() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let row = |columns: usize, j: usize| (0..=columns).map(|i| 10 * i + j + 1).collect::<Vec<usize>>();
+    let without = |own: Vec<usize>, lost: &[usize]| own.into_iter().filter(|node| !lost.contains(node)).collect();
+    let usual = |sole: Vec<usize>, roof: Vec<usize>, axis: Vec<usize>| {
+        strip(6, &[("sole", sole), ("roof", roof), ("axis", axis)])
+    };
+    let told = |deck: &str| read(folder.path(), "a.inp", deck.as_bytes(), UNIFORM, "\"axis\"");
+    let plain = usual(row(6, 0), row(6, 1), vec![1, 2]);
+    for [_, pressure] in pressures(&solved(&told(&plain).expect("read"))) {
+        assert_relative_eq!(pressure, 5.0, max_relative = 1e-11);
+    }
+    let lacks = |name: &str, node: usize| {
+        [format!("the set `{name}` lacks node {node}, between two of its sides"), "list that node too".into()]
+    };
+    let has = |name: &str, node: usize| {
+        [format!("the set `{name}` has node {node}, but not all nodes of a side"), "all nodes of every side".into()]
+    };
+    let eight = {
+        let body = Body::of(8);
+        let deck = inp(&body);
+        let [begin, end] = ["*SURFACE", "*MATERIAL"].map(|what| deck.find(what).expect("a block"));
+        let lost = body.sides[0].1[1][2];
+        let nodes = body.sides[0].1.iter().flatten().filter(|node| **node != lost);
+        let nodes: String = nodes.map(|node| format!("{node},\n")).collect();
+        (format!("{}*NSET, NSET=sole\n{nodes}{}", &deck[..begin], &deck[end..]), lacks("sole", lost as usize))
+    };
+    for (deck, parts) in [
+        (usual(without(row(6, 0), &[31]), row(6, 1), vec![1, 2]), lacks("sole", 31)),
+        (usual(row(6, 0), without(row(6, 1), &[22]), vec![1, 2]), lacks("roof", 22)),
+        (usual(row(6, 0), without(row(6, 1), &[52]), vec![1, 2]), has("roof", 62)),
+        (usual(row(6, 0), row(6, 1), vec![2]), has("axis", 2)),
+        eight,
+    ] {
+        let error = told(&deck).map(|_| ()).expect_err(&parts[0]).to_string();
+        parts.iter().for_each(|part| assert!(error.contains(part), "`{part}` is not in {error}"));
+        assert!(error.contains("scene.toml:"), "{error}");
+    }
+    // Two nodes are a part that is left out, and so is what lies between two sides that turn.
+    for deck in [
+        usual(row(6, 0), without(row(6, 1), &[32, 42]), vec![1, 2]),
+        strip(2, &[("sole", row(2, 0)), ("roof", row(2, 1)), ("axis", vec![1, 2]), ("ends", vec![1, 2, 21, 22])]),
+    ] {
+        let case = told(&deck).unwrap_or_else(|error| panic!("{error}"));
+        let Shape::Given(mesh) = &case.scene.bodies[0].shape else { panic!("no mesh") };
+        let sides = |name: &str| mesh.boundaries[name].len();
+        assert!(if mesh.cells.len() == 2 { sides("ends") == 2 } else { sides("roof") == 3 }, "{:?}", mesh.boundaries);
+    }
 }
 
 #[test]

@@ -190,6 +190,7 @@ fn way(table: Value) -> Result<(Path, f64), Error> {
 /// The side of a body that is named, `contact` where none is.
 fn named_side(body: &Body, (name, boundary): (Value, Option<Value>), path: &Path, stretch: f64) -> Result<Side, Error> {
     let wanted = boundary.map_or(CONTACT, Value::text);
+    boundary.map_or(Ok(()), |boundary| named::refuse_half_told(&body.shape, boundary))?;
     Side::of(&body.shape, wanted, path, stretch).ok_or_else(|| {
         let names = body.shape.boundaries().into_iter();
         let able = names.filter(|other| Side::of(&body.shape, other, path, stretch).is_some());

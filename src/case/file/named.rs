@@ -2,6 +2,7 @@
 
 use crate::case::file::form::Form::{Own, Table, Text};
 use crate::case::file::form::{Form, PAIR, must};
+use crate::case::file::mesh_file;
 use crate::case::file::value::Value;
 use crate::error::Error;
 use crate::measure::Quantity;
@@ -52,9 +53,16 @@ fn numbers(at: Value) -> Vec<f64> {
 /// A boundary that the shape has.
 pub(super) fn boundary(shape: &Shape, name: Value) -> Result<BoundaryName, Error> {
     refuse_axis(shape, name)?;
+    refuse_half_told(shape, name)?;
     let boundaries = shape.boundaries();
     let known: Vec<_> = boundaries.iter().enumerate().map(|(k, name)| (name.as_ref(), k)).collect();
     Ok(boundaries[name.choice("boundary", &known)?].clone())
+}
+
+/// Refuses a set of nodes that is no boundary, as it leaves a side half told.
+pub(super) fn refuse_half_told(shape: &Shape, name: Value) -> Result<(), Error> {
+    let Shape::Given(mesh) = shape else { return Ok(()) };
+    mesh_file::refuse_half_told(&mesh.half_told, name)
 }
 
 /// Refuses the axis of a disc, or the beginning of a ring, on both sides of it, where it is no boundary.

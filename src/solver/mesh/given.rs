@@ -53,6 +53,7 @@ impl Mesh {
             boundaries: all
                 .map(|(name, edges)| (name.clone(), edges.iter().map(|edge| shifted(edge)).collect()))
                 .collect(),
+            half_told: Default::default(),
             inner: own.lines.keys().cloned().collect(),
             turned: 0,
         }

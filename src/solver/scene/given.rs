@@ -13,10 +13,21 @@ pub struct GivenMesh {
     pub cells: Vec<Vec<usize>>,
     /// Edges by boundary: first node, last node and, for 8-node cells, the mid-side node; the body lies to their left.
     pub boundaries: BTreeMap<BoundaryName, Vec<Vec<usize>>>,
-    /// Those of them that run inside the body: no side of them is the outer one.
+    /// Sets of nodes that are no boundary, as they leave a side half told.
+    pub half_told: BTreeMap<BoundaryName, HalfTold>,
+    /// Boundaries that run inside the body: no side of them is the outer one.
     pub inner: BTreeSet<BoundaryName>,
     /// Cells that were listed clockwise where they were made, and have been turned.
     pub turned: usize,
+}
+
+/// What a set of nodes lacks to be a boundary; nodes by their numbers in the file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum HalfTold {
+    /// It has this node, but not all nodes of a side with it.
+    Alone(u64),
+    /// It lacks this node, between two of its sides that lie along one line.
+    Hole(u64),
 }
 
 /// Largest turn from one chord of an arc to the next: the corners of a square lie on a circle too \[rad\].

@@ -48,7 +48,7 @@ pub use circle::Circle;
 pub use contact_pair::{ContactPair, Profile};
 pub use drawn::{Curve, DrawnGap};
 pub use ends::Ends;
-pub use given::GivenMesh;
+pub use given::{GivenMesh, HalfTold};
 pub use load::{Action, Load, StressField, Support, TractionField};
 pub use material::{LARGEST_POISSON, Material, PlaneHypothesis};
 pub use path::{Line, Path};

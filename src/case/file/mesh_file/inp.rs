@@ -25,8 +25,9 @@ const NO_CELLS: [&str; 14] =
     ["T2D", "T3D", "B2", "B3", "R2D", "GAP", "SPRING", "DASHPOT", "MASS", "ROTARY", "CONN", "DCOUP", "RB", "SFM"];
 /// What the names of shells and membranes begin with: S1 and S2 are their faces, and their edges are E1 to E4, or S3 to S6 in CalculiX.
 const SHELLS: [&str; 3] = ["S", "M3D", "R3D"];
-/// What makes nodes and elements that no line lists, or moves them.
-const GENERATED: [&str; 8] = ["NGEN", "NFILL", "NCOPY", "NMAP", "ELGEN", "ELCOPY", "SYSTEM", "IMPERFECTION"];
+/// What makes nodes and elements that no line lists, moves them, or puts numbers into their lines.
+const GENERATED: [&str; 9] =
+    ["NGEN", "NFILL", "NCOPY", "NMAP", "ELGEN", "ELCOPY", "SYSTEM", "IMPERFECTION", "PARAMETER"];
 /// What is read, each after what it may name, whatever stands first in the deck.
 const READ: [&[&str]; 4] = [&["NODE"], &["ELEMENT"], &["NSET", "ELSET"], &["SURFACE"]];
 /// What else counts.
@@ -303,6 +304,9 @@ fn refuse_generated(blocks: &[Block]) -> Result<(), Error> {
     for block in blocks {
         if block.keyword == "INCLUDE" || block.keyword == "INSTANCE" && block.parameter("LIBRARY").is_some() {
             return Err(block.refused("other files are not read", "put the lines of that file here"));
+        }
+        if block.keyword == "PARAMETER" {
+            return Err(block.refused("its values stand in other lines by their names", "write the numbers there"));
         }
         if GENERATED.contains(&block.keyword) {
             return Err(block.refused("nodes or elements are generated or moved", LISTED));

@@ -16,9 +16,9 @@ use crate::case::file::value::Value;
 use crate::elasticity::{element, quadrature};
 use crate::error::Error;
 use crate::scene::contact_pair::CONTACT;
-use crate::scene::{BoundaryName, GivenMesh, Shape};
+use crate::scene::{BoundaryName, GivenMesh, HalfTold, Shape};
 
-use elements::{Elements, OPTIONS, Piece, SUBDIVISION};
+use elements::{Elements, OPTIONS, Piece, SUBDIVISION, number};
 
 /// Names of the shapes of meshes in files: `gmsh` is the older one, and any format is read by both.
 pub const SHAPES: [&str; 2] = ["mesh", "gmsh"];
@@ -49,7 +49,6 @@ pub fn shape(table: Value) -> Result<Shape, Error> {
     let mesh = if is_deck { inp::parse(&path, bytes)? } else { msh::parse(&path, bytes)? };
     let (cells, turned) = cells(group, &mesh)?;
     let sides = sides(&cells);
-    let is_of_cells: HashSet<u64> = cells.iter().flatten().copied().collect();
     let mut numbers = HashMap::new();
     let mut points = Vec::new();
     let mut number = |tag: u64| -> usize {
@@ -61,7 +60,8 @@ pub fn shape(table: Value) -> Result<Shape, Error> {
     let own = cells.iter().map(|cell| cell.iter().map(|tag| number(*tag)).collect()).collect();
     let mut boundaries: BTreeMap<BoundaryName, Vec<Vec<usize>>> = BTreeMap::new();
     let mut inner = BTreeSet::new();
-    let (curves_of, partial) = curves(&mesh, &sides);
+    let (curves_of, half_told) = curves(&mesh, &sides);
+    let half_told = half_told.into_iter().map(|(name, how)| (name.to_owned().into(), how)).collect();
     for (name, own) in curves_of {
         let name: BoundaryName = name.to_owned().into();
         if own.iter().any(|(_, cells)| *cells > 1) {
@@ -77,22 +77,7 @@ pub fn shape(table: Value) -> Result<Shape, Error> {
     }
     let known: Vec<&str> = boundaries.keys().map(AsRef::as_ref).collect();
     let Some(contact) = boundaries.get(side.text()) else {
-        if let Some(node) = partial.get(side.text()) {
-            return Err(side.refused(
-                format!("the set `{}` has node {node}, but not all nodes of a side with it", side.text()),
-                "list all nodes of every side, or the corners alone, and no others of the outline",
-            ));
-        }
-        if mesh.sets.get(side.text()).is_some_and(|nodes| nodes.iter().any(|node| is_of_cells.contains(node))) {
-            let message = format!(
-                "the set `{}` has nodes of `{}`, and all those of none of its sides",
-                side.text(),
-                group.text()
-            );
-            return Err(
-                side.refused(message, "list the corners and mid-side nodes of every side, or the corners alone")
-            );
-        }
+        refuse_half_told(&half_told, side)?;
         let message = format!("no {curves} `{}` bounds `{}`", side.text(), group.text());
         return Err(side.refused(message, known_names(&mesh, &known)));
     };
@@ -102,7 +87,23 @@ pub fn shape(table: Value) -> Result<Shape, Error> {
     }
     let contact = contact.clone();
     boundaries.insert(CONTACT.into(), contact);
-    Ok(Shape::Given(Arc::new(GivenMesh { points, cells: own, boundaries, inner, turned })))
+    Ok(Shape::Given(Arc::new(GivenMesh { points, cells: own, boundaries, half_told, inner, turned })))
+}
+
+/// Refuses a boundary that is given by a set of nodes which leaves a side half told.
+pub fn refuse_half_told(known: &BTreeMap<BoundaryName, HalfTold>, name: Value) -> Result<(), Error> {
+    let called = name.text();
+    Err(match known.get(called) {
+        None => return Ok(()),
+        Some(HalfTold::Alone(node)) => name.refused(
+            format!("the set `{called}` has node {node}, but not all nodes of a side with it"),
+            "list all nodes of every side, or the corners alone, and no others of the outline",
+        ),
+        Some(HalfTold::Hole(node)) => name.refused(
+            format!("the set `{called}` lacks node {node}, between two of its sides that lie along one line"),
+            "list that node too; where a part of the line is meant to be left out, name the sides, by a *SURFACE or a group of lines",
+        ),
+    })
 }
 
 /// The names there are, or what to do where there are none.
@@ -214,9 +215,12 @@ fn key(a: u64, b: u64) -> SideKey {
 /// Curves by their names.
 type Curves<'a> = BTreeMap<&'a str, Vec<&'a Side>>;
 
+/// Sets of nodes that leave a side half told, by their names.
+type HalfToldSets<'a> = BTreeMap<&'a str, HalfTold>;
+
 /// The sides of cells of every curve by its name: those of its lines, or of its nodes where no lines are called so. Apart, sets of
-/// nodes that leave a side half told: with a node of the outline that is of no side all of whose nodes they have.
-fn curves<'a>(mesh: &'a Elements, sides: &'a HashMap<SideKey, Side>) -> (Curves<'a>, BTreeMap<&'a str, u64>) {
+/// nodes that leave a side half told.
+fn curves<'a>(mesh: &'a Elements, sides: &'a HashMap<SideKey, Side>) -> (Curves<'a>, HalfToldSets<'a>) {
     let mut curves: BTreeMap<&str, Vec<&Side>> = BTreeMap::new();
     for (name, lines) in &mesh.curves {
         // The middle node of a line stands last or between its ends.
@@ -229,35 +233,106 @@ fn curves<'a>(mesh: &'a Elements, sides: &'a HashMap<SideKey, Side>) -> (Curves<
         let own = mesh.of(lines).filter_map(side).filter(|(key, _)| listed.insert(**key));
         curves.insert(name, own.map(|(_, side)| side).collect());
     }
-    let mut beginning: HashMap<u64, Vec<SideKey>> = HashMap::new();
+    let mut half_told = BTreeMap::new();
     if !mesh.sets.is_empty() {
-        sides.keys().for_each(|key| beginning.entry(key[0]).or_default().push(*key));
-        beginning.values_mut().for_each(|keys| keys.sort_unstable());
+        let known = Known::of(mesh, sides);
+        for (name, nodes) in mesh.sets.iter().filter(|(name, _)| !mesh.curves.contains_key(*name)) {
+            let all = known.sides_of(nodes);
+            match known.half_told(nodes, &all) {
+                Some(how) => drop(half_told.insert(name.as_str(), how)),
+                None => drop(curves.insert(name, all)),
+            }
+        }
     }
-    let outline: HashSet<u64> =
-        sides.values().filter(|(_, cells)| *cells == 1).flat_map(|(side, _)| side).copied().collect();
-    let mut partial = BTreeMap::new();
-    let middles: HashSet<u64> = sides.values().filter_map(|(side, _)| side.get(2)).copied().collect();
-    for (name, nodes) in &mesh.sets {
+    curves.retain(|_, sides| !sides.is_empty());
+    (curves, half_told)
+}
+
+/// Sides of cells, by which those of sets of nodes are found.
+struct Known<'a> {
+    mesh: &'a Elements,
+    /// Sides by the smaller number of their ends.
+    beginning: HashMap<u64, Vec<&'a Side>>,
+    /// Sides of the outline by their first node; the body lies to their left.
+    next: HashMap<u64, &'a Side>,
+    /// Nodes of the cells, and of them those of the outline and those at the middle of sides.
+    all: HashSet<u64>,
+    outline: HashSet<u64>,
+    middles: HashSet<u64>,
+}
+
+/// Cosine of the turn between two sides up to which they lie along one line.
+const ALONG: f64 = 0.5;
+
+impl<'a> Known<'a> {
+    fn of(mesh: &'a Elements, sides: &'a HashMap<SideKey, Side>) -> Self {
+        let mut beginning: HashMap<u64, Vec<&Side>> = HashMap::new();
+        for (key, side) in sides {
+            beginning.entry(key[0]).or_default().push(side);
+        }
+        beginning.values_mut().for_each(|sides| sides.sort_unstable());
+        let outer = || sides.values().filter(|(_, cells)| *cells == 1);
+        Self {
+            mesh,
+            beginning,
+            next: outer().map(|side| (side.0[0], side)).collect(),
+            all: sides.values().flat_map(|(side, _)| side).copied().collect(),
+            outline: outer().flat_map(|(side, _)| side).copied().collect(),
+            middles: sides.values().filter_map(|(side, _)| side.get(2)).copied().collect(),
+        }
+    }
+
+    /// The sides all of whose nodes are in a set.
+    fn sides_of(&self, nodes: &[u64]) -> Vec<&'a Side> {
         let own: HashSet<u64> = nodes.iter().copied().collect();
         // A set without any mid-side node is one of corners, and so are its sides.
-        let asked = if own.is_disjoint(&middles) { 2 } else { 3 };
-        let all = nodes.iter().filter_map(|node| beginning.get(node)).flatten().map(|key| &sides[key]);
+        let asked = if own.is_disjoint(&self.middles) { 2 } else { 3 };
+        let all = nodes.iter().filter_map(|node| self.beginning.get(node)).flatten().copied();
         let mut all: Vec<&Side> =
             all.filter(|(side, _)| side.iter().take(asked).all(|node| own.contains(node))).collect();
         // Of a set of all nodes the outline is meant, and so it is where a body is one cell wide.
         if all.iter().any(|(_, cells)| *cells == 1) {
             all.retain(|(_, cells)| *cells == 1);
         }
-        let told: HashSet<u64> = all.iter().flat_map(|(side, _)| side).copied().collect();
-        let is_left = |node: &&u64| !told.contains(node) && outline.contains(node);
-        match nodes.iter().find(is_left) {
-            Some(node) if !all.is_empty() && !curves.contains_key(name.as_str()) => {
-                partial.insert(name.as_str(), *node);
-            }
-            _ => drop(curves.entry(name).or_insert(all)),
-        }
+        all
     }
-    curves.retain(|_, sides| !sides.is_empty());
-    (curves, partial)
+
+    /// What a set lacks: it has a node of the outline, but no side with it, or no side at all, or a hole of one node.
+    fn half_told(&self, nodes: &[u64], sides: &[&'a Side]) -> Option<HalfTold> {
+        let told: HashSet<u64> = sides.iter().flat_map(|(side, _)| side).copied().collect();
+        let of = if sides.is_empty() { &self.all } else { &self.outline };
+        let alone = nodes.iter().find(|node| !told.contains(node) && of.contains(node));
+        let hole = || self.hole(sides).map(|node| HalfTold::Hole(number(node)));
+        alone.map(|node| HalfTold::Alone(number(*node))).or_else(hole)
+    }
+
+    /// The node that is missing between two sides of the outline which lie along one line: the middle one of a side between them, or the corner of
+    /// two.
+    fn hole(&self, sides: &[&'a Side]) -> Option<u64> {
+        let keys: HashSet<SideKey> = sides.iter().map(|(side, _)| key(side[0], side[1])).collect();
+        let is_told = |(side, _): &&Side| keys.contains(&key(side[0], side[1]));
+        let next = |(side, _): &Side| self.next.get(&side[1]).copied();
+        let direction = |(side, _): &Side| {
+            let [from, to] =
+                [side[0], side[1]].map(|node| self.mesh.nodes.get(&node).copied().unwrap_or([f64::NAN; 2]));
+            [to[0] - from[0], to[1] - from[1]]
+        };
+        let goes_on = |pair: &[&Side]| {
+            let [[ax, ay], [bx, by]] = [direction(pair[0]), direction(pair[1])];
+            ax * bx + ay * by > ALONG * ax.hypot(ay) * bx.hypot(by)
+        };
+        let missing = |first: &&'a Side| -> Option<u64> {
+            let second = next(first).filter(|second| !is_told(second))?;
+            let third = next(second)?;
+            // Of one side the middle node is missing, of two the corner between them.
+            let (line, node) = if is_told(&third) {
+                (vec![*first, second, third], second.0.get(2))
+            } else {
+                let fourth = next(third).filter(is_told)?;
+                (vec![*first, second, third, fourth], second.0.get(1))
+            };
+            node.copied().filter(|_| line.windows(2).all(goes_on))
+        };
+        sides.iter().filter(|(_, cells)| *cells == 1).find_map(missing)
+    }
 }
