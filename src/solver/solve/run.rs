@@ -3,7 +3,7 @@
 use crate::algorithm::StiffnessRule;
 use crate::clock::{Clock, Seconds, Stage};
 use crate::contact::Interface;
-use crate::error::Error;
+use crate::error::{Coordinate, Error};
 use crate::measure::{Measures, larger, whole};
 use crate::solution::{Outcome, Solution, States};
 use crate::solve::{Change, Discretisation, Equilibrium, Formulation, Origin, edge_fitted};
@@ -37,10 +37,13 @@ pub struct Contact {
 /// A peak that grows with every halving of the elements.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
 pub struct Unbounded {
-    /// Contact coordinate \[mm, or rad on an arc\].
-    pub position: f64,
+    /// Where.
+    #[serde(skip)]
+    pub position: Coordinate,
     /// Growth at the last halving, over the peak.
     pub growth: f64,
+    /// 1 − λ of `p ∝ r^(λ−1)` at a corner; none elsewhere.
+    pub exponent: Option<f64>,
 }
 
 /// Relative errors, with sign.

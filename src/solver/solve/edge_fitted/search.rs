@@ -68,6 +68,8 @@ const HALVED: u32 = 5;
 const COARSE: Fitted = Fitted { order: Order::Quartic, layers: 1 };
 /// Move of an end, over the half-width, from which on the last mesh is worth while.
 const NEAR: f64 = 2e-2;
+/// Distance of the ends of two contacts of one body that share a mesh line, over the half-width and what an end may be off.
+const TOGETHER: f64 = 0.25;
 /// Most meshes of each kind.
 const MESHES: usize = 5;
 
@@ -116,6 +118,7 @@ impl Fitted {
         for (mesh, enough) in [(COARSE, NEAR), (self, at_rest)] {
             let last = mesh == self;
             for _ in 0..MESHES {
+                ends.join(scene, TOGETHER * enough);
                 let discretisation = ends.discretised(scene, mesh)?;
                 let moves = ends.moves(&discretisation)?;
                 let moved = moves.iter().flatten().flatten().fold(0.0_f64, |most, one| most.max(one.by.abs()));
