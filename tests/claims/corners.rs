@@ -41,7 +41,7 @@ fn exponents_at_corners_are_the_known_ones() {
     assert_abs_diff_eq!(of(&[FREE, plane]).expect("a block"), 0.7740, epsilon = 1e-4);
     // On a half-plane stiffer by a hundred 1 − λ goes with 4/π² of the ratio.
     let stiff = of(&[FREE, Wedge::half_plane(100.0)]).expect("a stiff body");
-    assert_abs_diff_eq!(1.0 - stiff, 0.04 / (PI * PI), epsilon = 3e-5);
+    assert_abs_diff_eq!(1.0 - stiff, 0.04 / (PI * PI), epsilon = 5e-5);
     // Symmetry lines and corners of the same right angle leave a uniform pressure.
     let rollers = Wedge { held: Some([0.0, 1.0]), ..FREE };
     let other = Wedge { modulus: 70.0, ..FREE };
@@ -83,8 +83,8 @@ fn peak_under_a_corner_on_a_far_stiffer_body_has_no_limit_whatever_the_mesh_show
         let run = run.with_limits(&discretisation).expect("told");
         let found = run.contacts[0].unbounded.expect("no limit");
         assert_abs_diff_eq!(found.position.value(), 10.0, epsilon = 1e-9);
-        assert_abs_diff_eq!(found.exponent.expect("a corner"), 0.00406, epsilon = 2e-5);
-        assert!(notes::of(&run, 0).iter().any(|note| note.contains("r^-0.0041")), "{:?}", notes::of(&run, 0));
+        assert_abs_diff_eq!(found.exponent.expect("a corner"), 0.004024, epsilon = 1e-6);
+        assert!(notes::of(&run, 0).iter().any(|note| note.contains("r^-0.0040")), "{:?}", notes::of(&run, 0));
         let answer = accuracy::solve(&case.scene, &kinematic(), &Asked::new(3e-3)).expect("solved");
         assert!(answer.unmet.is_some_and(|why| why.contains("no limit")));
     }
@@ -92,7 +92,7 @@ fn peak_under_a_corner_on_a_far_stiffer_body_has_no_limit_whatever_the_mesh_show
 
 #[test]
 fn pressure_towards_a_corner_grows_on_meshes_as_its_exponent_says() {
-    for (young, lambda) in [("young = 1000", 0.7740), ("young = 100", 0.54)] {
+    for (young, lambda) in [("young = 1000", 0.7740), ("young = 100", 0.5557)] {
         let at = |elements| {
             let (discretisation, run) = solved(&corner(&rectangles(elements), young), &kinematic());
             let run = run.with_limits(&discretisation).expect("told");
@@ -100,10 +100,10 @@ fn pressure_towards_a_corner_grows_on_meshes_as_its_exponent_says() {
             let last = run.solution.edges_of(0).last().expect("edges").pressure;
             (last, exponent)
         };
-        let (coarse, _) = at("stretch = 10\n[mesh]\nelements = 64\nper = 10");
-        let (fine, exponent) = at("stretch = 10\n[mesh]\nelements = 128\nper = 10");
-        assert_abs_diff_eq!(1.0 - exponent, lambda, epsilon = 0.01);
-        assert_abs_diff_eq!((fine / coarse).log2(), exponent, epsilon = 0.02);
+        let (coarse, _) = at("stretch = 10\n[mesh]\nelements = 128\nper = 10");
+        let (fine, exponent) = at("stretch = 10\n[mesh]\nelements = 256\nper = 10");
+        assert_abs_diff_eq!(1.0 - exponent, lambda, epsilon = 1e-4);
+        assert_abs_diff_eq!((fine / coarse).log2(), exponent, epsilon = 0.05);
     }
 }
 

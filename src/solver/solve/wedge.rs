@@ -89,6 +89,6 @@ pub fn exponent(wedges: &[Wedge]) -> Option<f64> {
         }
         // Where a wedge alone has an exponent of its own, the sum leaps from one infinity to the other.
         let root = 0.5 * (low + high);
-        (compliance(root).abs() <= below.abs().min(above.abs())).then_some(root)
+        (compliance(root).abs() <= below.abs().max(above.abs())).then_some(root)
     })
 }
