@@ -8,8 +8,8 @@ use crate::measure::{Measures, larger, whole};
 use crate::solution::{Outcome, Solution, States};
 use crate::solve::{Change, Discretisation, Equilibrium, Formulation, Origin, edge_fitted};
 
-/// Imbalance of a body that the round-off of its stiffness may leave, whatever the tolerance.
-pub const BALANCED: f64 = 1e-7;
+/// Imbalance of a body that the round-off of its stiffness may leave, whatever the tolerance: 2e-7 of a ring fifty times as large as thick.
+pub const BALANCED: f64 = 1e-6;
 
 /// Part of the contact in which oscillation is looked for: nearer its end a smooth pressure bends as strongly.
 pub const INSIDE: f64 = 0.8;
