@@ -1,5 +1,6 @@
 //! What a user must know before quoting a contact, in words. What of it is hardly meant is told by `plausible`.
 
+use crate::markdown;
 use crate::measure::{nodal, profile};
 use crate::solution::Unseen;
 use crate::solve::run::{Contact, INSIDE, Unbounded};
@@ -37,10 +38,18 @@ pub fn of(run: &Run, contact: usize) -> Vec<String> {
         let [peak, half_width] = [errors.peak, errors.half_width].map(|error| 100.0 * error);
         format!("the springs of the penalty cost {peak:+.2} % of the peak and {half_width:+.2} % of the half-width")
     });
-    let unbounded = unbounded.map(|Unbounded { growth, .. }| format!(
-        "the peak has grown by {:.0} % with the last halving of the elements: it has no limit, or is narrower than the mesh shows",
-        100.0 * growth
-    ));
+    let unbounded = unbounded.map(|Unbounded { position, growth, exponent }| {
+        let percent = markdown::significant(100.0 * growth, 2);
+        match exponent {
+            Some(exponent) => format!(
+                "a corner is pressed at s = {position}: the pressure grows as r^-{} towards it, by {percent} % with every halving of the elements, and has no limit",
+                markdown::significant(exponent, 2)
+            ),
+            None => format!(
+                "the peak grows by {percent} % with a halving of the elements: it has no limit, or is narrower than the mesh shows"
+            ),
+        }
+    });
     let remedy = match run.formulation.element {
         Element::Node => "quote means over edges, or refine the mesh",
         _ => "quote means over edges, or use the node element",

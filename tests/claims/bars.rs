@@ -1,5 +1,6 @@
 //! Error bars against scenes of closed form, and that narrower ones would be seen.
 
+use std::f64::consts::PI;
 use std::path::Path;
 
 use contact_vv::accuracy::{self, Asked, Barred, Bars, Quantity, bars};
@@ -383,4 +384,31 @@ fn swings_that_a_coarse_soft_second_body_leaves_are_in_the_bars() {
             );
         }
     }
+}
+
+#[test]
+fn thin_ring_between_plates_is_pushed_together_as_a_curved_beam_is() {
+    // Half of `P R³/EI (π/4 − 2/π)` (Timoshenko); what it leaves out is of the order of (t/R)².
+    let case = crate::balance::scene("thin-ring", &[]);
+    let (radius, thickness, load) = (49.5_f64, 1.0_f64, 20.0);
+    let bending = 210e3 * thickness.powi(3) / 12.0;
+    let pushed = 0.5 * load * radius.powi(3) / bending * (PI / 4.0 - 2.0 / PI);
+    for order in [Order::Linear, Order::Quadratic] {
+        let resolution = Resolution { order, ..case.resolution };
+        let made = Discretisation::of(case.scene.clone(), resolution).expect("meshed");
+        let run = Run::of(&made, &Formulation::verification()).expect("solved");
+        let bars = accuracy::bars(&made, &run, &[]).expect("bars");
+        let found = bars.of(0, &Quantity::Approach).expect("a bar");
+        let (value, bar) =
+            (bars.all.iter().find(|one| one.quantity == Quantity::Approach).expect("one").value, found.total());
+        assert!(
+            (value - pushed).abs() <= bar + 2e-3 * pushed && bar <= 0.3 * pushed,
+            "{order:?}: {value} ± {bar}, {pushed}"
+        );
+    }
+    let answer = accuracy::solve(&case.scene, &Formulation::verification(), &Asked::new(1e-2)).expect("solved");
+    let made = Discretisation::of(answer.scene.clone(), answer.resolution).expect("meshed");
+    let displaced = made.displacement(&answer.run.solution);
+    let found = made.approach(&displaced, 0).expect("an approach").expect("both sides are pressed");
+    assert!((found - pushed).abs() <= 1e-2 * pushed, "{found}, {pushed}");
 }

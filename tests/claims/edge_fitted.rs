@@ -285,3 +285,17 @@ fn pressure_between_nodes_is_the_polynomial_of_the_cell_and_the_bar_of_a_force_o
     }
     assert!(bars.of(0, &Quantity::HalfWidth).expect("barred").total() <= 2e-4 * answer.run.measures().half_width());
 }
+
+#[test]
+fn chain_of_bodies_whose_contacts_end_alike_is_fitted() {
+    let case = crate::balance::scene("chain", &[]);
+    let answer = solved(Fitted { order: Order::Sextic, layers: 2 }, &case.scene);
+    let material = Material::STEEL.plane_modulus(case.scene.plane);
+    let expected = [(10.0, material), (5.0, 0.5 * material), (5.0, 0.5 * material)];
+    for (contact, (radius, modulus)) in answer.run.contacts.iter().zip(expected) {
+        let hertz = Hertz { load: 1000.0, radius, modulus };
+        // Discs are no half-planes: (a/R)² is 5e-4.
+        let error = relative_error(contact.measures.peak.pressure, hertz.peak_pressure());
+        assert!(error <= 1e-3, "{error}");
+    }
+}

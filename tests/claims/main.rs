@@ -31,6 +31,7 @@ mod condensation;
 mod condensed;
 mod contact;
 mod converged;
+mod corners;
 mod corpus;
 mod cross_code;
 mod curve;

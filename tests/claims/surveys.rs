@@ -118,7 +118,7 @@ fn survey_that_was_broken_off_goes_on_where_it_stopped() {
 
 #[test]
 fn series_without_a_limit_grows_and_one_with_a_limit_does_not() {
-    let at = |of: &dyn Fn(f64) -> f64| unbounded::grows([4.0, 2.0, 1.0].map(of), unbounded::STEADY);
+    let at = |of: &dyn Fn(f64) -> f64| unbounded::grows([4.0, 2.0, 1.0].map(of));
     assert!(at(&|h| 100.0 - 10.0 * h.ln()).is_some(), "a logarithm");
     assert!(at(&|h| 100.0 * h.powf(-0.3)).is_some(), "a corner");
     // What it has grown by with the last halving, over the peak: h^−α by 1 − 2^−α.

@@ -119,7 +119,7 @@ fn peak_under_a_corner_has_no_limit_whatever_meshes_the_bodies() {
         let (discretisation, run) = solved(&case, &kinematic());
         let run = run.with_limits(&discretisation).expect("finer meshes");
         let corner = run.contacts[0].unbounded.expect("no limit");
-        assert!((corner.position - 10.0).abs() < 1e-9 && corner.growth > 0.05, "{corner:?}");
+        assert!((corner.position.value() - 10.0).abs() < 1e-9 && corner.growth > 0.05, "{corner:?}");
         let answer = accuracy::solve(&case.scene, &kinematic(), &Asked::new(1e-2)).expect("solved");
         assert!(answer.run.contacts[0].unbounded.is_some());
         // Known after a few cheap meshes, one of which meets what is asked of the half-width.

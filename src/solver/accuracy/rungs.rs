@@ -10,7 +10,7 @@ use crate::mesh::Resolution;
 use crate::scene::{ContactPair, Scene};
 use crate::solution::Solution;
 use crate::solve::run::{Contact, Run};
-use crate::solve::{Change, Discretisation, Formulation, Origin, edge_fitted, unbounded};
+use crate::solve::{Change, Discretisation, Formulation, Origin, edge_fitted};
 
 /// Meshes in a row whose peak has no limit, from which on none is sought for it: on a coarse one a sharp top may look like that.
 const WITHOUT_LIMIT: usize = 2;
@@ -65,7 +65,7 @@ impl<'a> Rungs<'a> {
 
     /// Looks at the bars of the mesh solved last, and at whether its peaks have a limit.
     pub(super) fn look(&mut self, discretisation: &Discretisation, rung: &mut Rung) -> Result<(), Error> {
-        if self.asks_for_peak() && unbounded::may_be(discretisation, &rung.run) {
+        if self.asks_for_peak() {
             rung.run = rung.run.clone().with_limits(discretisation)?;
         }
         self.without_limit.resize(rung.run.contacts.len(), 0);

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use crate::mesh::block::Block;
-use crate::mesh::outline::{Layout, WIDEST};
+use crate::mesh::outline::{Layout, widest};
 use crate::mesh::{Order, Resolution};
 use crate::scene::{Body, ContactPair, Face, Path, Scene, Shape};
 
@@ -130,7 +130,7 @@ fn cells(scene: &Scene, resolution: Resolution, index: usize) -> f64 {
     let arc = |[size, step]: [f64; 2], radius: f64, deep: f64| {
         let angle = if matches!(pair.path, Path::Arc(_)) { step } else { size / radius };
         let first = angle * radius * grading.first;
-        let along = counted(PI, angle, grading.along, WIDEST * grading.coarsest);
+        let along = counted(PI, angle, grading.along, widest(&body.shape, grading, resolution.order));
         [along, counted(deep, first, grading.depth, grading.coarsest * deep)]
     };
     let structured = || {

@@ -22,6 +22,8 @@
 //! * [`run`] — one scene solved by one formulation, measured.
 //! * [`ended`] — how that ended.
 //! * [`unbounded`] — peaks without a limit.
+//! * `corner` — those at a corner that is pressed.
+//! * [`wedge`] — how the pressure grows towards it.
 //!
 //! ```
 //! use signorini::scene::{Material, Scene};
@@ -39,6 +41,7 @@
 mod active_set;
 pub mod candidate_end;
 pub mod change;
+mod corner;
 pub mod curve;
 pub mod discretisation;
 pub mod displaced;
@@ -59,6 +62,7 @@ pub mod unbounded;
 mod uncondensed;
 mod unheld;
 mod validity;
+pub mod wedge;
 
 pub use crate::algorithm::problem::LIMITS;
 pub use crate::algorithm::{Iteration, Settings};

@@ -3,13 +3,13 @@
 use crate::algorithm::StiffnessRule;
 use crate::clock::{Clock, Seconds, Stage};
 use crate::contact::Interface;
-use crate::error::Error;
+use crate::error::{Coordinate, Error};
 use crate::measure::{Measures, larger, whole};
 use crate::solution::{Outcome, Solution, States};
 use crate::solve::{Change, Discretisation, Equilibrium, Formulation, Origin, edge_fitted};
 
-/// Imbalance of a body that the round-off of its stiffness may leave, whatever the tolerance.
-pub const BALANCED: f64 = 1e-7;
+/// Imbalance of a body that the round-off of its stiffness may leave, whatever the tolerance: 2e-7 of a ring fifty times as large as thick.
+pub const BALANCED: f64 = 1e-6;
 
 /// Part of the contact in which oscillation is looked for: nearer its end a smooth pressure bends as strongly.
 pub const INSIDE: f64 = 0.8;
@@ -37,10 +37,13 @@ pub struct Contact {
 /// A peak that grows with every halving of the elements.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
 pub struct Unbounded {
-    /// Contact coordinate \[mm, or rad on an arc\].
-    pub position: f64,
+    /// Where.
+    #[serde(skip)]
+    pub position: Coordinate,
     /// Growth at the last halving, over the peak.
     pub growth: f64,
+    /// 1 − λ of `p ∝ r^(λ−1)` at a corner; none elsewhere.
+    pub exponent: Option<f64>,
 }
 
 /// Relative errors, with sign.

@@ -23,7 +23,7 @@ pub(super) fn blocks(layout: &Layout, shape: &Shape) -> Vec<Block> {
     let [before, last] = last_two(&surface);
     let grading = layout.grading;
     let fine = CORNER * hole.radius * (surface[1] - surface[0]);
-    let (along, coarsest) = (grading.along, layout.widest());
+    let (along, coarsest) = (grading.along, layout.widest);
     let next = ((last - before) * along).min(coarsest);
     let towards = spacing::growing_from_both(last, corner, [next, fine / outer_radius], along, coarsest);
     let angles = spacing::joined(&[surface, towards]);

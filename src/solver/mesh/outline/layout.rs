@@ -8,7 +8,26 @@ use crate::scene::contact_pair::CONTACT;
 use crate::scene::{Body, ContactPair, Grading, Load, Path, Place, Scene, Shape};
 
 /// Angle of the widest cell on an arc over the coarsest element's part of the body \[rad\].
-pub(crate) const WIDEST: f64 = 1.6;
+const WIDEST: f64 = 1.6;
+/// Thickness of a ring over its radius from which on it bends no more like a curved beam.
+const THIN: f64 = 0.25;
+/// The same of a thinner ring over the root of that: a cell whose length squared is not small against thickness times radius stretches
+/// where it shall bend (membrane locking).
+const CURVED: f64 = 3.0;
+/// The same of 4-node cells over it: those longer than thick shear where they shall bend (shear locking).
+const SHEARED: f64 = 1.5;
+
+/// Angle of the widest cell on an arc of a shape \[rad\].
+pub(crate) fn widest(shape: &Shape, grading: &Grading, order: Order) -> f64 {
+    let part = match shape {
+        Shape::Ring { inner, outer, .. } if inner.radius > (1.0 - THIN) * outer.radius => {
+            let thin = 1.0 - inner.radius / outer.radius;
+            if order == Order::Linear { SHEARED * thin } else { CURVED * thin.sqrt() }
+        }
+        _ => WIDEST,
+    };
+    part * grading.coarsest
+}
 
 /// What the outlines need to know of the scene: where the candidates end and how fine they are.
 pub(crate) struct Layout<'a> {
@@ -32,6 +51,8 @@ pub(crate) struct Layout<'a> {
     pub refinement: u32,
     /// Element order.
     pub order: Order,
+    /// Widest cell on an arc beyond the candidates \[rad\].
+    pub widest: f64,
 }
 
 impl<'a> Layout<'a> {
@@ -55,6 +76,7 @@ impl<'a> Layout<'a> {
             elements,
             refinement: resolution.refinement,
             order: resolution.order,
+            widest: widest(&scene.bodies[body].shape, &scene.grading, resolution.order),
         }
     }
 
@@ -89,17 +111,12 @@ impl<'a> Layout<'a> {
             if end > last + 1e-9 {
                 let next = (last - before) * self.grading.along;
                 // Where a body bends around its contact.
-                let first = if self.path.is_straight() { next } else { next.min(self.widest()) };
-                let more = spacing::growing(last, end, first, self.grading.along, self.widest());
+                let first = if self.path.is_straight() { next } else { next.min(self.widest) };
+                let more = spacing::growing(last, end, first, self.grading.along, self.widest);
                 angles = spacing::joined(&[angles, more]);
             }
         }
         angles
-    }
-
-    /// Widest cell on an arc beyond the candidates \[rad\].
-    pub fn widest(&self) -> f64 {
-        WIDEST * self.grading.coarsest
     }
 
     /// Angles of the candidates of all contacts on an arc: every stretch ends on one, and elements are as fine as each asks.
@@ -109,7 +126,7 @@ impl<'a> Layout<'a> {
         let fine: Vec<[f64; 3]> =
             pieces.map(|(one, from, to)| [angle(one, from), angle(one, to), angle(one, one.size)]).collect();
         let end = fine.iter().map(|one| one[1]).fold(0.0, f64::max);
-        spacing::fine_within([0.0, end], &fine, self.grading.along, self.grading.coarsest)
+        spacing::fine_within([0.0, end], &fine, self.grading.along, self.grading.coarsest.min(self.widest))
     }
 
     /// Depth positions from 0 (surface) to `depth`, starting near the size `surface` of the elements along the surface.

@@ -18,7 +18,7 @@ mod ring;
 use crate::mesh::block::Block;
 use crate::scene::{Face, Shape};
 
-pub(crate) use layout::{Layout, WIDEST};
+pub(crate) use layout::{Layout, widest};
 
 impl Layout<'_> {
     /// Blocks of a shape.

@@ -44,6 +44,33 @@ impl Closed {
         Ok(())
     }
 
+    /// Lays ends of two contacts of one body on one line that lie within so many half-widths of one another: a body through which one force
+    /// goes has ends that differ by what the mesh leaves, and cells between two lines for them would be as narrow.
+    pub(super) fn join(&mut self, scene: &Scene, near: f64) {
+        let pairs = &scene.contacts;
+        for later in 1..pairs.len() {
+            let (known, own) = self.stretches.split_at_mut(later);
+            let share = |earlier: &usize| {
+                let common = pairs[*earlier].bodies().any(|body| pairs[later].bodies().any(|other| other == body));
+                common && pairs[*earlier].path.is_straight() && pairs[later].path.is_straight()
+            };
+            let places: Vec<f64> = (0..later)
+                .filter(share)
+                .flat_map(|earlier| {
+                    let apart = pairs[earlier].path.origin()[0] - pairs[later].path.origin()[0];
+                    places(&known[earlier]).into_iter().map(move |place| place + apart)
+                })
+                .collect();
+            for one in &mut own[0] {
+                let within = near * half_width(one);
+                for (end, is_fixed) in [(&mut one.begin, one.reaches[0]), (&mut one.end, one.reaches[1])] {
+                    let place = places.iter().find(|place| (**place - *end).abs() <= within);
+                    *end = place.copied().filter(|_| !is_fixed).unwrap_or(*end);
+                }
+            }
+        }
+    }
+
     /// The scene with mesh lines on the ends, on a mesh that grows fast away from them.
     pub(super) fn discretised(&self, scene: &Scene, mesh: Fitted) -> Result<Discretisation, Error> {
         let mut scene = scene.clone();

@@ -68,6 +68,9 @@ const HALVED: u32 = 5;
 const COARSE: Fitted = Fitted { order: Order::Quartic, layers: 1 };
 /// Move of an end, over the half-width, from which on the last mesh is worth while.
 const NEAR: f64 = 2e-2;
+/// Farthest that the ends of two contacts of one body may be from one another and share a mesh line, over the half-width: on the last of the
+/// meshes no farther than an end may be off.
+const TOGETHER: f64 = 0.1;
 /// Most meshes of each kind.
 const MESHES: usize = 5;
 
@@ -115,7 +118,8 @@ impl Fitted {
         ends.refuse(scene)?;
         for (mesh, enough) in [(COARSE, NEAR), (self, at_rest)] {
             let last = mesh == self;
-            for _ in 0..MESHES {
+            for left in (0..MESHES).rev() {
+                ends.join(scene, (enough * 2f64.powi(left as i32)).min(TOGETHER));
                 let discretisation = ends.discretised(scene, mesh)?;
                 let moves = ends.moves(&discretisation)?;
                 let moved = moves.iter().flatten().flatten().fold(0.0_f64, |most, one| most.max(one.by.abs()));

@@ -1,0 +1,121 @@
+//! Corners that are pressed: the exponent of the pressure by contact mechanics, and on meshes.
+
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use approx::assert_abs_diff_eq;
+use contact_vv::accuracy::{self, Asked};
+use contact_vv::case::{Case, notes};
+use contact_vv::solve::wedge::{Wedge, exponent};
+use contact_vv::solve::{Element, Formulation, Iteration};
+
+use crate::balance::{scene, solved};
+
+const FREE: Wedge = Wedge { angle: FRAC_PI_2, modulus: 1.0, held: None };
+
+fn kinematic() -> Formulation {
+    Formulation::new(Element::Node, Iteration::Kinematic)
+}
+
+#[test]
+fn compliance_of_wedges_is_the_closed_form() {
+    for (angle, lambda) in [(PI, 0.3_f64), (FRAC_PI_2, 0.6), (2.0, 0.45), (1.0, 0.9)] {
+        let (double, single) = ((2.0 * lambda * angle).sin(), (lambda * angle).sin());
+        let below = lambda * (single.powi(2) - (lambda * f64::sin(angle)).powi(2));
+        let closed = -(double + lambda * f64::sin(2.0 * angle)) / below;
+        assert_abs_diff_eq!(Wedge { angle, ..FREE }.compliance(lambda), closed, epsilon = 1e-10 * closed.abs());
+        // A face on rollers is the line of symmetry of a wedge of twice the angle, pressed on both faces.
+        let closed = 2.0 / lambda * (f64::cos(2.0 * angle) - f64::cos(2.0 * lambda * angle))
+            / (double + lambda * f64::sin(2.0 * angle));
+        let rollers = Wedge { angle, held: Some([0.0, 1.0]), ..FREE };
+        assert_abs_diff_eq!(rollers.compliance(lambda), closed, epsilon = 1e-10 * closed.abs());
+    }
+}
+
+#[test]
+fn exponents_at_corners_are_the_known_ones() {
+    let plane = Wedge::half_plane(1.0);
+    let of = |wedges: &[Wedge]| exponent(wedges);
+    assert_abs_diff_eq!(of(&[plane]).expect("a rigid punch"), 0.5, epsilon = 1e-12);
+    assert_abs_diff_eq!(of(&[plane, Wedge::half_plane(70.0)]).expect("any moduli"), 0.5, epsilon = 1e-12);
+    // A right angle on a half-plane of the same modulus (Dundurs & Lee 1972).
+    assert_abs_diff_eq!(of(&[FREE, plane]).expect("a block"), 0.7740, epsilon = 1e-4);
+    // On a half-plane stiffer by a hundred 1 − λ goes with 4/π² of the ratio.
+    let stiff = of(&[FREE, Wedge::half_plane(100.0)]).expect("a stiff body");
+    assert_abs_diff_eq!(1.0 - stiff, 0.04 / (PI * PI), epsilon = 5e-5);
+    // Symmetry lines and corners of the same right angle leave a uniform pressure.
+    let rollers = Wedge { held: Some([0.0, 1.0]), ..FREE };
+    let other = Wedge { modulus: 70.0, ..FREE };
+    for finite in [vec![FREE], vec![FREE, other], vec![rollers], vec![rollers, rollers]] {
+        assert!(of(&finite).is_none(), "{finite:?}");
+    }
+    // On a rigid plane more than a right angle sticks out.
+    assert!(of(&[Wedge { angle: 1.6, ..FREE }]).is_some() && of(&[Wedge { angle: 1.5, ..FREE }]).is_none());
+    assert!(of(&[Wedge { modulus: f64::NAN, ..FREE }]).is_none() && of(&[Wedge { angle: f64::NAN, ..FREE }]).is_none());
+}
+
+/// `corner.toml` with other shapes and with a lower body of another modulus.
+fn corner(shapes: &[[&str; 2]], young: &str) -> Case {
+    scene("corner", &[&[["young = 2000", young]], shapes].concat())
+}
+
+/// The two blocks as rectangles, with so many elements on the contact.
+fn rectangles(elements: &'static str) -> Vec<[&'static str; 2]> {
+    vec![
+        [UPPER, r#"{ rectangle = { x = [0, 10], y = [0, 10], contact = "bottom" } }"#],
+        [LOWER, r#"{ rectangle = { x = [0, 20], y = [-10, 0], contact = "top" } }"#],
+        ["\"sym-u\"", "\"left\""],
+        ["\"load\"", "\"far\""],
+        ["\"sym-l\"", "\"left\""],
+        ["\"fix\"", "\"far\""],
+        ["stretch = 10", elements],
+    ]
+}
+
+const UPPER: &str = r#"{ gmsh = { file = "corner.msh", group = "upper", contact = "cu" } }"#;
+const LOWER: &str = r#"{ gmsh = { file = "corner.msh", group = "lower", contact = "cl" } }"#;
+
+#[test]
+fn peak_under_a_corner_on_a_far_stiffer_body_has_no_limit_whatever_the_mesh_shows() {
+    let on_rectangles = rectangles("stretch = 10\n[mesh]\nelements = 16\nper = 10");
+    for shapes in [&[][..], &on_rectangles] {
+        let case = corner(shapes, "young = 100000");
+        let (discretisation, run) = solved(&case, &kinematic());
+        let run = run.with_limits(&discretisation).expect("told");
+        let found = run.contacts[0].unbounded.expect("no limit");
+        assert_abs_diff_eq!(found.position.value(), 10.0, epsilon = 1e-9);
+        assert_abs_diff_eq!(found.exponent.expect("a corner"), 0.004024, epsilon = 1e-6);
+        assert!(notes::of(&run, 0).iter().any(|note| note.contains("r^-0.0040")), "{:?}", notes::of(&run, 0));
+        let answer = accuracy::solve(&case.scene, &kinematic(), &Asked::new(3e-3)).expect("solved");
+        assert!(answer.unmet.is_some_and(|why| why.contains("no limit")));
+    }
+}
+
+#[test]
+fn pressure_towards_a_corner_grows_on_meshes_as_its_exponent_says() {
+    for (young, lambda) in [("young = 1000", 0.7740), ("young = 100", 0.5557)] {
+        let at = |elements| {
+            let (discretisation, run) = solved(&corner(&rectangles(elements), young), &kinematic());
+            let run = run.with_limits(&discretisation).expect("told");
+            let exponent = run.contacts[0].unbounded.and_then(|one| one.exponent).expect("a corner");
+            let last = run.solution.edges_of(0).last().expect("edges").pressure;
+            (last, exponent)
+        };
+        let (coarse, _) = at("stretch = 10\n[mesh]\nelements = 128\nper = 10");
+        let (fine, exponent) = at("stretch = 10\n[mesh]\nelements = 256\nper = 10");
+        assert_abs_diff_eq!(1.0 - exponent, lambda, epsilon = 1e-4);
+        assert_abs_diff_eq!((fine / coarse).log2(), exponent, epsilon = 0.05);
+    }
+}
+
+#[test]
+fn corner_that_is_not_pressed_leaves_a_peak_its_limit() {
+    // A crowned top touches inside its corners.
+    let crowned = [["gap = { uniform = 0 }", "gap = { parabola = 20 }"]];
+    let on_rectangles = rectangles("stretch = 10\n[mesh]\nelements = 32\nper = 10");
+    for shapes in [crowned.to_vec(), [&crowned[..], &on_rectangles].concat()] {
+        let (discretisation, run) = solved(&corner(&shapes, "young = 2000"), &kinematic());
+        assert!(run.measures().edge() < 9.0, "{}", run.measures().edge());
+        let run = run.with_limits(&discretisation).expect("told");
+        assert!(run.contacts[0].unbounded.is_none());
+    }
+}
