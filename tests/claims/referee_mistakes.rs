@@ -215,8 +215,9 @@ fn every_number_that_is_judged_has_the_value_of_its_closed_form() {
         let left = half.iter().skip(1).rev().map(|[s, p]| [-s, on(sides[0], *p)]);
         left.chain(half.iter().map(|[s, p]| [*s, on(sides[1], *p)])).collect()
     };
-    let scaled =
-        |[place, pressure]: [f64; 2]| sides(&RIGHT, [true; 2]).iter().map(|[s, p]| [s + place, p * pressure]).collect();
+    let scaled = |[place, pressure]: [f64; 2]| -> Vec<[f64; 2]> {
+        sides(&RIGHT, [true; 2]).iter().map(|[s, p]| [s + place, p * pressure]).collect()
+    };
     let pulled = |by: f64| -> Vec<[f64; 2]> {
         let own = sides(&RIGHT, [true; 2]);
         own.iter()
@@ -226,15 +227,13 @@ fn every_number_that_is_judged_has_the_value_of_its_closed_form() {
     };
     // What a force of its own makes of the approach, F/E*t.
     let approach = |own: &Hertz, force: f64| force / (own.modulus * own.thickness);
-    let none = |_: f64| 0.0;
-    let deep = |_: f64| -1e-3;
-    let open = |_: f64| 1e-3;
-    let rows: [(&str, &Truth, Vec<[f64; 2]>, &dyn Fn(f64) -> f64, Vec<(&str, f64)>); 9] = [
+    let (none, deep, open) = (0.0, -1e-3, 1e-3);
+    let rows = [
         (
             "right",
             &thin,
             scaled([0.0, 1.0]),
-            &none,
+            none,
             vec![
                 ("second-moment width", a),
                 ("peak pressure", 2.0 * force / (std::f64::consts::PI * a)),
@@ -249,12 +248,12 @@ fn every_number_that_is_judged_has_the_value_of_its_closed_form() {
                 ("gap under pressure", 0.0),
             ],
         ),
-        ("stronger", &thin, scaled([0.0, 1.03]), &none, vec![("error of the mean", 0.03), ("resultant", 1.03 * force)]),
+        ("stronger", &thin, scaled([0.0, 1.03]), none, vec![("error of the mean", 0.03), ("resultant", 1.03 * force)]),
         (
             "moved",
             &thin,
             scaled([0.4, 1.0]),
-            &none,
+            none,
             vec![("moment of the pressures", 0.4 / a), ("begin", 0.4 - a), ("end of the contact", 0.4 + a)],
         ),
         // The centre of half an ellipse lies at 4a/3π.
@@ -262,18 +261,18 @@ fn every_number_that_is_judged_has_the_value_of_its_closed_form() {
             "right half",
             &thin,
             sides(&RIGHT, [false, true]),
-            &none,
+            none,
             vec![
                 ("moment of the pressures", 4.0 / (3.0 * std::f64::consts::PI)),
                 ("difference of both halves", 2f64.sqrt()),
             ],
         ),
-        ("pulled", &thin, pulled(0.05), &none, vec![("largest tension", 0.05)]),
+        ("pulled", &thin, pulled(0.05), none, vec![("largest tension", 0.05)]),
         (
             "deep",
             &thin,
             scaled([0.0, 1.0]),
-            &deep,
+            deep,
             vec![
                 ("largest penetration", 1e-3 / approach(&RIGHT, force)),
                 ("gap under", 1e-3 / approach(&RIGHT, force)),
@@ -283,14 +282,14 @@ fn every_number_that_is_judged_has_the_value_of_its_closed_form() {
             "open",
             &thin,
             scaled([0.0, 1.0]),
-            &open,
+            open,
             vec![("largest penetration", 0.0), ("gap under", 1e-3 / approach(&RIGHT, force))],
         ),
         (
             "deep and thick",
             &thick,
             sides(&thicker, [true; 2]),
-            &deep,
+            deep,
             vec![
                 ("largest penetration", 1e-3 / approach(&thicker, force)),
                 ("resultant", force),
@@ -301,13 +300,13 @@ fn every_number_that_is_judged_has_the_value_of_its_closed_form() {
             "one half, deep",
             &thin,
             RIGHT.profile([1.0, 1.0]),
-            &deep,
+            deep,
             vec![("largest penetration", 1e-3 / approach(&RIGHT, 0.5 * force)), ("resultant", force)],
         ),
     ];
     let mut wrong = Vec::new();
     for (of, truth, rows, gap, wanted) in rows {
-        let rows: String = rows.iter().map(|[s, p]| format!("{s:e},{p:e},{:e}\n", gap(*s))).collect();
+        let rows: String = rows.iter().map(|[s, p]| format!("{s:e},{p:e},{:e}\n", gap)).collect();
         let text = format!("position [mm],pressure [MPa],gap [mm]\n{rows}");
         let answer =
             read::parse(Path::new("theirs.csv"), text.as_bytes(), &truth.case, &Asked::default()).expect("read");
