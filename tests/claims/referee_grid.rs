@@ -120,3 +120,52 @@ fn fields_are_known_by_their_names_in_any_case_and_by_the_very_name_first() {
     );
     assert_eq!(values(&format!("{before}{other}<DataArray{field}")), own);
 }
+
+#[test]
+fn stresses_on_a_slanted_side_are_taken_along_its_normal_in_every_unit() {
+    // A quarter of a ring of 40 mm: σ = −p n⊗n + 20 t⊗t + 10 (n⊗t + t⊗n) with p = 60 + 30 sin 2φ.
+    let case = find("press-fit", None).expect("a case");
+    let angle = |k: usize| 5.0 * (k as f64).to_radians();
+    let pressure = |angle: f64| 60.0 + 30.0 * (2.0 * angle).sin();
+    let nodes = || [40.0, 35.0].into_iter().flat_map(|radius| (0..19).map(move |k| (radius, angle(k))));
+    let stress = |angle: f64| {
+        // Angles begin at the load line, which points down.
+        let (n, t) = ([angle.sin(), -angle.cos()], [angle.cos(), angle.sin()]);
+        let p = pressure(angle);
+        let at = |i: usize, j: usize| 20.0 * t[i] * t[j] - p * n[i] * n[j] + 10.0 * (n[i] * t[j] + t[i] * n[j]);
+        [at(0, 0), at(1, 1), at(0, 1)]
+    };
+    let cells: String = (0..18).map(|k| format!("4 {k} {} {} {}\n", k + 1, k + 20, k + 19)).collect();
+    for (position, length, unit, size) in
+        [("mm", 1.0, "MPa", 1.0), ("m", 1e-3, "Pa", 1e6), ("in", 1.0 / 25.4, "bar", 10.0)]
+    {
+        let points: String =
+            nodes().map(|(r, a)| format!("{:e} {:e} 0\n", length * r * a.sin(), -length * r * a.cos())).collect();
+        for components in [6, 9] {
+            let row = |(_, a): (f64, f64)| {
+                let [x, y, xy] = stress(a).map(|own| size * own);
+                if components == 6 {
+                    format!("{x:e} {y:e} 7 {xy:e} 8 9\n")
+                } else {
+                    format!("{x:e} {xy:e} 7 {xy:e} {y:e} 8 7 8 9\n")
+                }
+            };
+            let rows: String = nodes().map(row).collect();
+            let text = format!(
+                "# vtk DataFile Version 3.0\nring\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 38 double\n{points}CELLS 18 90\n{cells}\
+                 CELL_TYPES 18\n{}POINT_DATA 38\nFIELD FieldData 1\nstress {components} 38 double\n{rows}",
+                "9\n".repeat(18)
+            );
+            let units = [(Role::Position, position), (Role::Stress, unit)].map(|(role, unit)| (role, unit.to_owned()));
+            let asked = Asked { units: units.into(), ..Asked::default() };
+            let answer = read::parse(Path::new("ring.vtk"), text.as_bytes(), &case, &asked).expect("read");
+            let points = &answer.contacts[0].points;
+            assert_eq!(points.len(), 19);
+            for (k, point) in points.iter().enumerate() {
+                let same =
+                    (point.position - angle(k)).abs() <= 1e-9 && (point.value - pressure(angle(k))).abs() <= 1e-6;
+                assert!(same, "{position}, {unit}, {components} components, {k}: {point:?}");
+            }
+        }
+    }
+}

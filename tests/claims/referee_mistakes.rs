@@ -1,0 +1,326 @@
+//! Every usual mistake, made in a closed form, is named as what it is.
+
+use std::path::Path;
+
+use contact_vv::case::Case;
+use contact_vv::case::library::find;
+use contact_vv::mesh::Order;
+use contact_vv::referee::judge::ENGINEERING;
+use contact_vv::referee::{Asked, Truth, read, verdicts};
+
+/// The scene `tiny`, in another plane hypothesis and thickness.
+fn scene(plane: &str, thickness: f64) -> Truth {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/wild/tiny.toml");
+    let text = std::fs::read_to_string(&path).expect("a scene");
+    let text = text.replace("\"strain\"", &format!("\"{plane}\""));
+    let text = text.replace("thickness = 1.0", &format!("thickness = {thickness:?}"));
+    Truth::of(Case::parse(&path, &text).expect("a case")).expect("solved")
+}
+
+/// Hertz's contact of cylinders as somebody computed it: force \[N\], radius \[mm\], E* \[MPa\], thickness \[mm\].
+#[derive(Clone, Copy)]
+struct Hertz {
+    force: f64,
+    radius: f64,
+    modulus: f64,
+    thickness: f64,
+}
+
+/// That of `tiny`, which is in plane strain.
+const RIGHT: Hertz = Hertz { force: 314.1593, radius: 1000.0, modulus: 91000.0 / 0.91, thickness: 1.0 };
+/// E of the same material.
+const STRESS: Hertz = Hertz { modulus: 91000.0, ..RIGHT };
+
+impl Hertz {
+    /// `a = √(4FR/πE*t)` \[mm\].
+    fn half_width(&self) -> f64 {
+        (4.0 * self.force * self.radius / (std::f64::consts::PI * self.modulus * self.thickness)).sqrt()
+    }
+
+    /// Places up to 1.3 a and the pressures there, `2F/πat √(1 − s²/a²)`, times a factor each.
+    fn profile(&self, [place, pressure]: [f64; 2]) -> Vec<[f64; 2]> {
+        let a = self.half_width();
+        let peak = 2.0 * self.force / (std::f64::consts::PI * a * self.thickness);
+        let at = |x: f64| [place * a * x, pressure * peak * (1.0 - x * x).max(0.0).sqrt()];
+        (0..=52).map(|k| at(0.025 * f64::from(k))).collect()
+    }
+}
+
+fn named(truth: &Truth, column: &str, rows: &[[f64; 2]], asked: &Asked) -> Vec<String> {
+    let rows: String = rows.iter().map(|[s, value]| format!("{s:e},{value:e}\n")).collect();
+    let text = format!("position [mm],{column}\n{rows}");
+    let answer = read::parse(Path::new("theirs.csv"), text.as_bytes(), &truth.case, asked).expect("read");
+    let found = verdicts(truth, answer, ENGINEERING).expect("judged");
+    assert_eq!(found.met(), found.mistakes.is_empty(), "{text}");
+    found.mistakes
+}
+
+/// That the mistakes named begin with these words, one each.
+fn assert_named(found: &[String], wanted: &[&str], of: &str) {
+    let same = found.len() == wanted.len() && found.iter().zip(wanted).all(|(own, part)| own.starts_with(part));
+    assert!(same, "{of}: {found:#?} for {wanted:?}");
+}
+
+const RADIUS: &str = "the radius is twice the scene's";
+const FLATTER: &str = "the radius is half of the scene's";
+
+#[test]
+fn every_wrong_input_of_hertz_is_named_by_what_it_does_to_width_and_pressure() {
+    let [strain, stress] = ["strain", "stress"].map(|plane| scene(plane, 1.0));
+    let half = "the load is half of the scene's";
+    let twice = "the load is twice the scene's";
+    let mut table: Vec<(&Truth, Hertz, [f64; 2], Vec<String>)> = vec![
+        (&strain, RIGHT, [1.0, 1.0], vec![]),
+        (&stress, STRESS, [1.0, 1.0], vec![]),
+        (&strain, RIGHT, [1.0, -1.0], vec!["pressures are negative in compression".into()]),
+        (&strain, Hertz { force: 0.5 * RIGHT.force, ..RIGHT }, [1.0, 1.0], vec![half.into()]),
+        (&strain, Hertz { force: 2.0 * RIGHT.force, ..RIGHT }, [1.0, 1.0], vec![twice.into()]),
+        (&strain, RIGHT, [1.0, 0.5], vec![half.into()]),
+        (&strain, RIGHT, [1.0, 2.0], vec![twice.into()]),
+        (&strain, Hertz { radius: 2.0 * RIGHT.radius, ..RIGHT }, [1.0, 1.0], vec![RADIUS.into()]),
+        (&strain, Hertz { radius: 0.5 * RIGHT.radius, ..RIGHT }, [1.0, 1.0], vec![FLATTER.into()]),
+        (&strain, Hertz { modulus: 0.5 * RIGHT.modulus, ..RIGHT }, [1.0, 1.0], vec![RADIUS.into()]),
+        (&strain, RIGHT, [2.0, 1.0], vec!["positions are doubled".into()]),
+        (&strain, RIGHT, [0.5, 1.0], vec!["positions are halved".into()]),
+        (&strain, STRESS, [1.0, 1.0], vec!["plane stress was solved".into()]),
+        (&stress, RIGHT, [1.0, 1.0], vec!["plane strain was solved".into()]),
+        // Where the width is that of the scene, pressures alone are in proportion to E*.
+        (&strain, RIGHT, [1.0, 0.91], vec!["plane stress was solved".into()]),
+        (&stress, STRESS, [1.0, 1.0 / 0.91], vec!["plane strain was solved".into()]),
+    ];
+    let places = [("", 1.0), ("positions in m are called mm", 1e-3), ("positions in mm are called m", 1e3)];
+    let pressures = [
+        ("", 1.0),
+        ("pressures in Pa are called MPa", 1e6),
+        ("pressures in MPa are called Pa", 1e-6),
+        ("pressures in kPa are called MPa", 1e3),
+        ("pressures in GPa are called MPa", 1e-3),
+    ];
+    for (place, by) in places {
+        for (pressure, times) in
+            pressures.into_iter().filter(|(pressure, _)| !(place.is_empty() && pressure.is_empty()))
+        {
+            let both = [place, pressure].into_iter().filter(|text| !text.is_empty()).collect::<Vec<_>>().join(", ");
+            table.push((&strain, RIGHT, [by, times], vec![format!("units: {both}")]));
+        }
+    }
+    for (k, (truth, wrong, factors, wanted)) in table.iter().enumerate() {
+        let found = named(truth, "pressure [MPa]", &wrong.profile(*factors), &Asked::default());
+        let wanted: Vec<&str> = wanted.iter().map(String::as_str).collect();
+        assert_named(&found, &wanted, &format!("row {k}"));
+    }
+}
+
+/// Forces of nodes: pressures times what of two edges belongs to each, by 1/2, 1/2, or by 1/6, 4/6, 1/6.
+fn forces(profile: &[[f64; 2]], shares: &[f64], thickness: f64) -> Vec<[f64; 2]> {
+    let mut forces: Vec<[f64; 2]> = profile.iter().map(|[s, _]| [*s, 0.0]).collect();
+    let steps = shares.len() - 1;
+    for first in (0..profile.len() - 1).step_by(steps) {
+        let length = profile[first + steps][0] - profile[first][0];
+        for (k, share) in shares.iter().enumerate() {
+            forces[first + k][1] += share * length * thickness * profile[first + k][1];
+        }
+    }
+    forces
+}
+
+#[test]
+fn forces_of_another_thickness_are_named_and_those_of_every_order_are_right() {
+    let (thin, thick) = (scene("strain", 1.0), scene("strain", 2.0));
+    let [linear, quadratic]: [&[f64]; 2] = [&[0.5, 0.5], &[1.0 / 6.0, 4.0 / 6.0, 1.0 / 6.0]];
+    let [of_two, of_three] =
+        [Order::Linear, Order::Quadratic].map(|order| Asked { order: Some(order), ..Asked::default() });
+    let thicker = Hertz { thickness: 2.0, ..RIGHT };
+    let [one, two] = [RIGHT, thicker].map(|own| own.profile([1.0, 1.0]));
+    for (truth, rows, asked, wanted) in [
+        (&thin, forces(&one, linear, 1.0), &of_two, vec![]),
+        (&thin, forces(&one, quadratic, 1.0), &of_three, vec![]),
+        (&thick, forces(&two, linear, 2.0), &of_two, vec![]),
+        (
+            &thick,
+            forces(&two, linear, 1.0),
+            &of_two,
+            vec!["the load is half", "forces are per unit thickness, but the scene is 2 mm thick"],
+        ),
+    ] {
+        let found = named(truth, "force [N]", &rows, asked);
+        assert_named(&found, &wanted, &format!("{wanted:?}"));
+    }
+}
+
+#[test]
+fn profiles_that_are_moved_or_of_which_half_is_missing_are_named_with_the_way() {
+    let truth = scene("strain", 1.0);
+    let right = RIGHT.profile([1.0, 1.0]);
+    let whole: Vec<[f64; 2]> = right.iter().skip(1).rev().map(|[s, p]| [-s, *p]).chain(right.iter().copied()).collect();
+    let shifted = |rows: &[[f64; 2]], by: usize| -> Vec<[f64; 2]> {
+        let coarse: Vec<[f64; 2]> = rows.iter().step_by(2).copied().collect();
+        let value = |k: usize| coarse[(k + by).saturating_sub(1).min(coarse.len() - 1)][1];
+        coarse.iter().enumerate().map(|(k, [s, _])| [*s, value(k)]).collect()
+    };
+    let sign = |right: bool| if right { 1.0 } else { -1.0 };
+    let moved = |by: f64| whole.iter().map(|[s, p]| [s + by, *p]).collect::<Vec<_>>();
+    let one_half = |right: bool| {
+        whole.iter().map(|[s, p]| [*s, if sign(right) * *s >= 0.0 { *p } else { 0.0 }]).collect::<Vec<_>>()
+    };
+    for (rows, wanted) in [
+        (whole.clone(), vec![]),
+        (shifted(&right, 0), vec!["pressures are shifted by one node: each belongs to the node before"]),
+        (shifted(&right, 2), vec!["pressures are shifted by one node: each belongs to the node behind"]),
+        (moved(0.4), vec!["all positions are off by about 0.4"]),
+        (moved(-0.3), vec!["all positions are off by about -0.3"]),
+        (one_half(true), vec!["the left half of the profile is missing"]),
+        (one_half(false), vec!["the right half of the profile is missing"]),
+    ] {
+        let found = named(&truth, "pressure [MPa]", &rows, &Asked::default());
+        assert_named(&found, &wanted, &format!("{wanted:?}"));
+    }
+}
+
+#[test]
+fn angles_and_pressures_of_a_press_fit_in_other_units_are_named() {
+    let truth = Truth::of(find("press-fit", None).expect("a case")).expect("solved");
+    let pressure = truth.pressure(0, 0.5);
+    let rows = |place: f64, times: f64| -> Vec<[f64; 2]> {
+        (0..=18).map(|k| [place * 5.0 * f64::from(k), times * pressure]).collect()
+    };
+    let degrees = std::f64::consts::PI / 180.0;
+    for (rows, wanted) in [
+        (rows(1.0, 1.0), ""),
+        (rows(1.0, 1e6), "units: pressures in Pa are called MPa"),
+        (rows(degrees, 1.0), "units: angles in rad are called degrees"),
+        (rows(1.0 / degrees, 1.0), "units: angles in degrees are called rad"),
+    ] {
+        let rows: String = rows.iter().map(|[s, value]| format!("{s:e},{value:e}\n")).collect();
+        let text = format!("position [deg],pressure [MPa]\n{rows}");
+        let answer =
+            read::parse(Path::new("theirs.csv"), text.as_bytes(), &truth.case, &Asked::default()).expect("read");
+        // What ends under pressure is refused, with what explains it.
+        let named = match verdicts(&truth, answer, ENGINEERING) {
+            Ok(found) => found.mistakes.join("; "),
+            Err(error) => error.to_string(),
+        };
+        assert!(if wanted.is_empty() { named.is_empty() } else { named.contains(wanted) }, "{wanted}: {named}");
+    }
+}
+
+#[test]
+fn every_number_that_is_judged_has_the_value_of_its_closed_form() {
+    let (thin, thick) = (scene("strain", 1.0), scene("strain", 2.0));
+    let thicker = Hertz { thickness: 2.0, ..RIGHT };
+    let (a, force) = (RIGHT.half_width(), RIGHT.force);
+    let sides = |own: &Hertz, sides: [bool; 2]| -> Vec<[f64; 2]> {
+        let half = own.profile([1.0, 1.0]);
+        let on = |side: bool, p: f64| if side { p } else { 0.0 };
+        let left = half.iter().skip(1).rev().map(|[s, p]| [-s, on(sides[0], *p)]);
+        left.chain(half.iter().map(|[s, p]| [*s, on(sides[1], *p)])).collect()
+    };
+    let scaled = |[place, pressure]: [f64; 2]| -> Vec<[f64; 2]> {
+        sides(&RIGHT, [true; 2]).iter().map(|[s, p]| [s + place, p * pressure]).collect()
+    };
+    let pulled = |by: f64| -> Vec<[f64; 2]> {
+        let own = sides(&RIGHT, [true; 2]);
+        own.iter()
+            .enumerate()
+            .map(|(k, [s, p])| [*s, if k == 2 { -by * RIGHT.profile([1.0, 1.0])[0][1] } else { *p }])
+            .collect()
+    };
+    // What a force of its own makes of the approach, F/E*t.
+    let approach = |own: &Hertz, force: f64| force / (own.modulus * own.thickness);
+    let (none, deep, open) = (0.0, -1e-3, 1e-3);
+    let rows = [
+        (
+            "right",
+            &thin,
+            scaled([0.0, 1.0]),
+            none,
+            vec![
+                ("second-moment width", a),
+                ("peak pressure", 2.0 * force / (std::f64::consts::PI * a)),
+                ("error of the mean pressures", 0.0),
+                ("begin of the contact", -a),
+                ("end of the contact", a),
+                ("resultant", force),
+                ("largest tension", 0.0),
+                ("moment of the pressures", 0.0),
+                ("difference of both halves", 0.0),
+                ("largest penetration", 0.0),
+                ("gap under pressure", 0.0),
+            ],
+        ),
+        ("stronger", &thin, scaled([0.0, 1.03]), none, vec![("error of the mean", 0.03), ("resultant", 1.03 * force)]),
+        (
+            "moved",
+            &thin,
+            scaled([0.4, 1.0]),
+            none,
+            vec![("moment of the pressures", 0.4 / a), ("begin", 0.4 - a), ("end of the contact", 0.4 + a)],
+        ),
+        // The centre of half an ellipse lies at 4a/3π.
+        (
+            "right half",
+            &thin,
+            sides(&RIGHT, [false, true]),
+            none,
+            vec![
+                ("moment of the pressures", 4.0 / (3.0 * std::f64::consts::PI)),
+                ("difference of both halves", 2f64.sqrt()),
+            ],
+        ),
+        ("pulled", &thin, pulled(0.05), none, vec![("largest tension", 0.05)]),
+        (
+            "deep",
+            &thin,
+            scaled([0.0, 1.0]),
+            deep,
+            vec![
+                ("largest penetration", 1e-3 / approach(&RIGHT, force)),
+                ("gap under", 1e-3 / approach(&RIGHT, force)),
+            ],
+        ),
+        (
+            "open",
+            &thin,
+            scaled([0.0, 1.0]),
+            open,
+            vec![("largest penetration", 0.0), ("gap under", 1e-3 / approach(&RIGHT, force))],
+        ),
+        (
+            "deep and thick",
+            &thick,
+            sides(&thicker, [true; 2]),
+            deep,
+            vec![
+                ("largest penetration", 1e-3 / approach(&thicker, force)),
+                ("resultant", force),
+                ("second-moment", thicker.half_width()),
+            ],
+        ),
+        (
+            "one half, deep",
+            &thin,
+            RIGHT.profile([1.0, 1.0]),
+            deep,
+            vec![("largest penetration", 1e-3 / approach(&RIGHT, 0.5 * force)), ("resultant", force)],
+        ),
+    ];
+    let mut wrong = Vec::new();
+    for (of, truth, rows, gap, wanted) in rows {
+        let rows: String = rows.iter().map(|[s, p]| format!("{s:e},{p:e},{:e}\n", gap)).collect();
+        let text = format!("position [mm],pressure [MPa],gap [mm]\n{rows}");
+        let answer =
+            read::parse(Path::new("theirs.csv"), text.as_bytes(), &truth.case, &Asked::default()).expect("read");
+        let found = verdicts(truth, answer, ENGINEERING).expect("judged");
+        for (name, value) in wanted {
+            let judged = &found.ruled[0].judged;
+            let own = judged.iter().find(|one| one.check.quantity.to_string().contains(name));
+            let own = own.unwrap_or_else(|| panic!("{of}: no {name}")).value;
+            // Straight lines between 41 points of a half ellipse, which end within an edge of 0.025 a.
+            if (own - value).abs() <= 2e-2 * value.abs().max(1.0) {
+                continue;
+            }
+            wrong.push(format!("{of}, {name}: {own} for {value}"));
+        }
+    }
+    assert!(wrong.is_empty(), "{wrong:#?}");
+}
