@@ -1,5 +1,6 @@
 # Installs the Debian packages named in `packages` that are missing; sourced by the set-ups, which define `fail`.
 # Serves Debian 12 (bookworm).
+# shellcheck shell=bash disable=SC2154 # `packages` is theirs.
 missing=()
 for package in "${packages[@]}"; do
     dpkg-query --show --showformat='${Status}' "$package" 2>/dev/null | grep -q 'ok installed' || missing+=("$package")

@@ -28,6 +28,7 @@ for code in "${@:-${!method[@]}}"; do
             continue
         fi
         echo "$case: $told"
+        # shellcheck disable=SC2001 # A pattern that no expansion has.
         file=$folder/$(sed 's/.*"file": "\([^"]*\)".*/\1/' <<<"$told")
         "$program" judge "$case" "$file" --order 2 --unit position=mm --unit pressure=MPa --unit displacement=mm >"$file.txt" ||
             { cat "$file.txt" && failed+=("$code, $case: not met"); }

@@ -72,7 +72,7 @@ class Scene:
         others = np.unique(contact["opposite_edges"])
         away = np.linalg.norm(places[:, None] - self.points[others], axis=2)
         if away.min(axis=1).max() > FACING * np.linalg.norm(np.diff(places, axis=0), axis=1).min():
-            raise ValueError("FElupe's planes move with one point: nodes that face edges of another body are not set up")
+            sys.exit("FElupe's planes move with one point: a case whose nodes face edges of another body is not set up")
         return others[away.argmin(axis=1)]
 
     def added(self, place):

@@ -14,6 +14,7 @@ fail() {
     exit 1
 }
 
+# shellcheck source=SCRIPTDIR/../debian.sh
 source "$(dirname "$0")/../debian.sh"
 
 "$python" -EsBc "import getfem" || fail "GetFEM does not run in $python."
@@ -25,7 +26,8 @@ bash "$(dirname "$0")/../setup.sh"
 
 # Wheels of PyPI into a folder of oracles/.python; what they depend on must be named; moved into place when complete.
 laid() {
-    local folder=$PWD/$(dirname "$0")/../.python/$1 how=$2
+    local folder how=$2
+    folder=$PWD/$(dirname "$0")/../.python/$1
     shift 2
     [[ $(cat "$folder/requirements.txt" 2>/dev/null) == "$*" ]] && return
     rm -rf "$folder" "$folder.new"

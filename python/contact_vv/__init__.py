@@ -31,7 +31,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from importlib.metadata import version
 from pathlib import Path
-from typing import Any, Union
+from typing import Any, ClassVar, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -99,11 +99,16 @@ class Verdicts:
     `document` is all that the program prints, by `contact-vv schema`: checks, usual mistakes, what is missing.
     """
 
+    refused: ClassVar[Verdicts | None] = None
+    """Those that were asked last, where they are not true: what a failed `assert all(…)` of a test is about."""
+
     def __init__(self, document: dict[str, Any]) -> None:
         self.document = document
 
     def __bool__(self) -> bool:
-        return bool(self.document["met"])
+        met = bool(self.document["met"])
+        Verdicts.refused = None if met else self
+        return met
 
     def __repr__(self) -> str:
         return f"{self.document['case']}: {'met' if self else 'NOT MET'}\n{self.document['table']}"
@@ -133,13 +138,17 @@ def solve(scene: Scene, **options: Option) -> Solution:
     Traceback (most recent call last):
     contact_vv.Error: solve: there is no case `cilinder`
      help: did you mean `cylinder`? choose one of ...
+    >>> solve("bars", help=True)
+    Traceback (most recent call last):
+    contact_vv.Error: solve: an option makes it print `...…`, not an answer
+     help: leave it out
     """
     with _folder(scene) as (folder, name):
         fields = folder / "fields.vtu"
-        printed = _output("solve", "--json=-", f"--vtu={fields}", *_typed(options), "--", name)
+        document = _document("solve", "--json=-", f"--vtu={fields}", *_typed(options), "--", name)
         grid = ElementTree.parse(fields).getroot()
     nodes, displacement = _plane(grid, ".//Points/DataArray"), _plane(grid, ".//*[@Name='displacement']")
-    return Solution(json.loads(printed), nodes, displacement)
+    return Solution(document, nodes, displacement)
 
 
 def judge(
@@ -185,7 +194,7 @@ def judge(
 def judge_file(case: Scene, answer: str | os.PathLike[str], **options: Option) -> Verdicts:
     """Judges a file that the program reads: a table, a VTK grid, of CalculiX, or JSON by `contact-vv schema answer`."""
     with _folder(case) as (_, name):
-        return Verdicts(json.loads(_output("judge", "--json", *_typed(options), "--", name, os.fspath(answer))))
+        return Verdicts(_document("judge", "--json", *_typed(options), "--", name, os.fspath(answer)))
 
 
 def reference(case: Scene) -> dict[str, Number]:
@@ -208,7 +217,7 @@ def cases() -> dict[str, str]:
     >>> cases()["bars"]
     'two bars in line closing a gap'
     """
-    return {case["name"]: case["title"] for case in json.loads(_output("list", "--json"))}
+    return {case["name"]: case["title"] for case in _document("list", "--json")}
 
 
 def program() -> str:
@@ -224,11 +233,25 @@ def program() -> str:
 
 def _output(*arguments: str) -> str:
     """What the program prints, also where a check fails (1) or a run does not converge (3); else it refuses."""
-    ended = subprocess.run([program(), *arguments], stdin=subprocess.DEVNULL, capture_output=True, encoding="utf-8")
+    command = [program(), *arguments]
+    try:
+        ended = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, encoding="utf-8")
+    except (OSError, ValueError) as refused:
+        raise Error(f"{command[0]} cannot be started with {arguments}: {refused}") from None
     if ended.returncode not in (0, 1, 3):
         told = ended.stderr.strip() or f"the program ended with {ended.returncode}"
         raise Error(told[len("error: ") :] if told.startswith("error: ") else told)
     return ended.stdout
+
+
+def _document(*arguments: str) -> Any:
+    """What the program prints as JSON; refused where an option makes it print something else, as `help=True` does."""
+    printed = _output(*arguments)
+    try:
+        return json.loads(printed)
+    except ValueError:
+        told = printed.strip().partition("\n")[0]
+        raise Error(f"{arguments[0]}: an option makes it print `{told}…`, not an answer\n help: leave it out") from None
 
 
 @contextmanager

@@ -70,6 +70,8 @@ fn ask_apart(script: Script, scene: &PhysicalScene) -> Result<Apart, Error> {
 
 /// What asks a code in a process of its own.
 const ASK: &str = "ask.py";
+/// What installs today's dolfinx.
+const NEWER: &str = "run `NEWER_PYTHON=/path/to/python3.12 bash oracles/setup.sh`";
 /// What installs these codes.
 const PEERS: &str = "run `bash oracles/peers/setup.sh`";
 /// A relative change that is no news.
@@ -98,10 +100,14 @@ pub fn independent() -> Result<Vec<String>, Error> {
                     apart.extend(now.get("dolfinx").map(|version| (folder, version.clone())));
                     series
                 }
-                _ if folder.is_set_up() => series(&LIVE, script, &physical)?,
+                _ if script.is_set_up() => series(&LIVE, script, &physical)?,
                 (Some(kept), Some(version), _) if same_scene => {
                     apart.insert(folder, version.clone());
                     kept.clone()
+                }
+                _ if folder == Folder::Dolfinx => {
+                    let missing = format!("{script} needs dolfinx 0.11, which is not installed");
+                    return Err(Error::file(&folder.path(), missing, NEWER));
                 }
                 _ => {
                     let told = ask_apart(script, &physical)?;

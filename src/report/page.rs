@@ -44,8 +44,8 @@ fn sheets(findings: &[Finding]) -> impl Iterator<Item = &Sheet> {
 /// The values of all sheets as data: paths and texts.
 fn values(findings: &[Finding]) -> Result<Files, Error> {
     let sheets: Vec<Sheet> = sheets(findings).map(Sheet::published).collect();
-    let rows = sheets.iter().flat_map(|one| one.values.iter().map(|value| (one.name.clone(), value.clone())));
-    let cells = record::cells(&sheet::COLUMNS, &rows.collect::<Vec<_>>());
+    let rows = sheets.iter().flat_map(|one| one.values.iter().map(move |value| (one, value)));
+    let cells = record::cells(&sheet::columns(), &rows.collect::<Vec<_>>());
     let table = record::text(Path::new(sheet::CSV), &cells)?;
     Ok(vec![(sheet::JSON.into(), sheet::json(&sheets)), (sheet::CSV.into(), table)])
 }

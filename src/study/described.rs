@@ -188,6 +188,7 @@ pub fn equations(plane: PlaneHypothesis) -> String {
     format!(
         "## Equations\n\nSmall strain: ε = sym ∇u, σ = λ tr ε I + 2μ ε with {lame} and μ = E/(2(1+ν)), div σ + b = 0. On the contact, with n the outward \
          normal of the first body on its undeformed path and w = (u₁ − u₂)·n (u₂ = 0 where the other side is rigid): g = g₀ − w ≥ 0, p = −n·σn ≥ 0, p g = 0, \
-         no shear. p is per area of the undeformed path. Half-width means 2 √(∫p s²/∫p) about the centre of pressure; on an arc the same of the angle."
+         no shear. p is per area of the undeformed path. The second-moment width is 2 √(∫p s²/∫p) about the centre of pressure, on an arc the same of the \
+         angle; the half-width is half of what lies between the ends of the contact."
     )
 }

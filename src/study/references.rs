@@ -18,7 +18,7 @@ use crate::oracle::cross_code::independent::Independent;
 use crate::scene::ContactPair;
 use crate::solve::{Discretisation, Formulation, Run};
 use crate::study::about::{About, Found, Planned, Study};
-use crate::study::sheet::{FoundBy, SHEETS, Sheet, Value, bounded};
+use crate::study::sheet::{FoundBy, SHEETS, Sheet, Value, bounded, definition};
 use crate::study::{described, elsewhere};
 
 /// Cases of the library with an answer, beside the cylinder with a contact twice as wide.
@@ -179,6 +179,7 @@ pub fn sheet(case: &Case, discretisation: &Discretisation, run: &Run, barred: &[
             of,
             quantity,
             unit,
+            definition: definition(&one.quantity, &case.scene.contacts[one.contact]),
             value,
             bound,
             found: FoundBy::EightNodeCells,
@@ -199,6 +200,9 @@ pub fn sheet(case: &Case, discretisation: &Discretisation, run: &Run, barred: &[
         title: case.title.clone(),
         scene,
         sources: own.chain(of_oracle).collect(),
+        plane: described::plane(case.scene.plane),
+        thickness: case.scene.thickness,
+        half_of_symmetric: case.scene.contacts.iter().any(|pair| pair.symmetric),
         dofs: run.dofs,
         values: barred.iter().map(value).collect(),
     };
@@ -239,7 +243,9 @@ impl Sheet {
                 let (of, quantity) = (pair.name.clone(), quantity.into_owned());
                 let others = Vec::new();
                 let (found, confirmed_by) = (FoundBy::FittedCells, Vec::new());
-                let row = Value { of, quantity, unit, value, bound, found, closed_form: None, others, confirmed_by };
+                let (definition, closed_form) = (definition(&known.quantity, pair), None);
+                let row =
+                    Value { of, quantity, unit, definition, value, bound, found, closed_form, others, confirmed_by };
                 self.values.insert(place, row);
             }
             None => {}

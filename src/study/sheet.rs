@@ -9,6 +9,7 @@ use crate::markdown::{self, Column, significant, to_bound};
 use crate::measure::Quantity;
 use crate::oracle::ReferenceKind;
 use crate::oracle::cross_code::independent::Script;
+use crate::scene::ContactPair;
 
 /// The folder of the sheets.
 pub const SHEETS: &str = "snapshots/sheets";
@@ -34,6 +35,12 @@ pub struct Sheet {
     pub scene: Vec<String>,
     /// Where scene and closed form come from.
     pub sources: Vec<String>,
+    /// Plane `strain` or `stress`.
+    pub plane: &'static str,
+    /// Thickness \[mm\]: forces are of all of it.
+    pub thickness: f64,
+    /// Whether the scene is one half of a symmetric one: resultants are of the whole, loads and reactions of that half.
+    pub half_of_symmetric: bool,
     /// Degrees of freedom of the mesh of 8-node cells.
     pub dofs: usize,
     /// The values.
@@ -49,6 +56,8 @@ pub struct Value {
     pub quantity: String,
     /// Unit.
     pub unit: &'static str,
+    /// What is meant by it, with its sign.
+    pub definition: &'static str,
     /// The value; null of a peak without a limit.
     #[schemars(with = "Option<f64>")]
     pub value: f64,
@@ -212,21 +221,58 @@ pub fn schema() -> String {
     serde_json::to_string_pretty(&schema).expect("a schema can be written as JSON")
 }
 
-/// Columns of [`CSV`]: a row a value, behind the name of its case.
-pub const COLUMNS: [Column<(String, Value)>; 9] = [
-    ("case", |(case, _)| case.clone()),
-    ("of", |(_, one)| one.of.clone()),
-    ("quantity", |(_, one)| one.quantity.clone()),
-    ("unit", |(_, one)| one.unit.into()),
-    ("value", |(_, one)| number(one.value)),
-    ("bound", |(_, one)| number(one.bound)),
-    ("found by", |(_, one)| one.found.name().into()),
-    ("closed form", |(_, one)| number(one.closed_form.unwrap_or(f64::NAN))),
-    ("confirmed by", |(_, one)| {
-        let confirmed = one.confirmed_by.iter().map(|own| format!("{} to {}", own.by, significant(own.to, 2)));
-        confirmed.collect::<Vec<_>>().join("; ")
-    }),
-];
+/// Columns of [`CSV`]: a row a value, behind what its case is.
+pub fn columns<'a>() -> [Column<(&'a Sheet, &'a Value)>; 13] {
+    [
+        ("case", |(sheet, _)| sheet.name.clone()),
+        ("plane", |(sheet, _)| sheet.plane.into()),
+        ("thickness [mm]", |(sheet, _)| sheet.thickness.to_string()),
+        ("half of symmetric", |(sheet, _)| sheet.half_of_symmetric.to_string()),
+        ("of", |(_, one)| one.of.clone()),
+        ("quantity", |(_, one)| one.quantity.clone()),
+        ("unit", |(_, one)| one.unit.into()),
+        ("value", |(_, one)| number(one.value)),
+        ("bound", |(_, one)| number(one.bound)),
+        ("found by", |(_, one)| one.found.name().into()),
+        ("closed form", |(_, one)| number(one.closed_form.unwrap_or(f64::NAN))),
+        ("confirmed by", |(_, one)| {
+            let confirmed = one.confirmed_by.iter().map(|own| format!("{} to {}", own.by, significant(own.to, 2)));
+            confirmed.collect::<Vec<_>>().join("; ")
+        }),
+        ("definition", |(_, one)| one.definition.into()),
+    ]
+}
+
+/// What is meant by a number of a contact.
+pub fn definition(quantity: &Quantity, pair: &ContactPair) -> &'static str {
+    match quantity {
+        Quantity::PeakPressure => "largest pressure, positive in compression, per area of the undeformed path",
+        Quantity::Pressure { .. } => {
+            "pressure at a contact coordinate, positive in compression, per area of the undeformed path"
+        }
+        Quantity::PeakPlace => "contact coordinate of the largest pressure",
+        Quantity::HalfWidth => "half of what lies between the ends of the contact",
+        Quantity::SecondMomentWidth => "2 √(∫p (s − c)² ds / ∫p ds) about the centre of pressure c",
+        Quantity::Centre => "centre of pressure c = ∫p s ds / ∫p ds",
+        Quantity::Begin(_) => "contact coordinate at which the contact begins",
+        Quantity::End(_) => "contact coordinate at which the contact ends",
+        Quantity::Resultant if pair.symmetric => {
+            "force on both halves of the contact along the load line, positive in compression"
+        }
+        Quantity::Resultant => "force on the contact along the load line, positive in compression",
+        Quantity::Moment => "moment of the pressures about s = 0",
+        Quantity::Across => "force of one half of the contact on the second body across the load line, towards s > 0",
+        Quantity::HoopStress { .. } | Quantity::PinHoopStress { .. } => "circumferential stress, positive in tension",
+        Quantity::Reaction { .. } if pair.symmetric => {
+            "force of the support on the half that is modelled, positive along the axis"
+        }
+        Quantity::Reaction { .. } => "force of the support on the body, positive along the axis",
+        Quantity::Displacement(_) => "mean displacement of the side, or that of the point, positive along the axis",
+        Quantity::Approach => "approach of the bodies, positive where they have come nearer",
+        Quantity::Shear { .. } => "largest in-plane shear stress (σ₁ − σ₂)/2 below the contact",
+        Quantity::ShearDepth { .. } => "depth of the largest shear stress below the surface",
+    }
+}
 
 fn number(number: f64) -> String {
     if number.is_nan() { String::new() } else { number.to_string() }
@@ -262,7 +308,7 @@ fn quoted(value: f64, bound: f64) -> String {
 
 /// Name of the file of a sheet, and its text.
 pub fn file(sheet: &Sheet) -> (String, String) {
-    let Sheet { name, title, scene, sources, dofs, values } = sheet;
+    let Sheet { name, title, scene, sources, dofs, values, .. } = sheet;
     let sources = if sources.is_empty() { "none but this sheet".into() } else { sources.join("\n* ") };
     let text = format!(
         "# {name}: {title}\n\nLengths in mm, forces in N, stresses in MPa. Generated; do not edit. `contact-vv solve {name}` solves it.\n\n\

@@ -77,6 +77,17 @@ fn program_prints_the_reference_values_of_every_case_and_their_schema() {
     assert!(citation.contains(concat!("\nversion: ", env!("CARGO_PKG_VERSION"), "\n")), "{citation}");
     let schema: Value = serde_json::from_str(&schema()).expect("JSON");
     assert!(schema["$id"].as_str().is_some_and(|id| id.starts_with("urn:contact-vv:references:")));
+    let half = |case: &Value| case["half_of_symmetric"].as_bool().expect("said");
+    let conventions = |case: &Value| [&case["plane"], &case["thickness"]].map(Value::to_string).join(", thickness ");
+    for (case, (name, _)) in cases.iter().zip(NAMES) {
+        let sheet = std::fs::read_to_string(root().join(format!("snapshots/sheets/{name}.md"))).expect("a sheet");
+        let told = conventions(case).replace('"', "").replace(".0", "");
+        assert!(sheet.contains(&format!("Plane {told}.")), "{name}: {told}");
+        assert_eq!(sheet.contains("one half of a symmetric one"), half(case), "{name}");
+        let mut defined = case["values"].as_array().expect("values").iter().map(|value| (half(case), value));
+        assert!(defined.all(|(half, value)| value["quantity"] != "resultant"
+            || value["definition"].as_str().expect("defined").contains("both halves") == half));
+    }
     for value in cases.iter().flat_map(|one| one["values"].as_array().expect("values")) {
         let names = |object: &Value| object.as_object().expect("an object").keys().cloned().collect::<Vec<_>>();
         assert_eq!(names(value), names(&schema["definitions"]["Value"]["properties"]), "{value}");

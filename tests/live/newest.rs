@@ -5,7 +5,7 @@ use std::path::Path;
 use contact_vv::error::Error;
 use contact_vv::oracle::cross_code::Code;
 use contact_vv::oracle::cross_code::frozen::Frozen;
-use contact_vv::oracle::cross_code::independent::{Asked, Independent, Script};
+use contact_vv::oracle::cross_code::independent::{Asked, Folder, Independent};
 use contact_vv::study::cross_code::{Twin, problems};
 use contact_vv::study::differences::largest_change;
 use contact_vv_live::newest;
@@ -35,9 +35,10 @@ fn answers(python: &Path) -> Result<Completion, Error> {
         same(largest_change(&digest.numbers(), &frozen.discrete[name].numbers()), name);
     }
     for (name, Asked { scene, series }) in &Independent::read()?.scenes {
-        let Some(kept) = series.get(&Script::Ufl) else { continue };
-        let (_, found) = newest::series(python, Script::Ufl, scene)?;
-        same(largest_change(&Asked::numbers(&found), &Asked::numbers(kept)), name);
+        for (script, kept) in series.iter().filter(|(script, _)| script.folder() == Folder::Dolfinx) {
+            let (_, found) = newest::series(python, *script, scene)?;
+            same(largest_change(&Asked::numbers(&found), &Asked::numbers(kept)), name);
+        }
     }
     Ok(Completion::Completed)
 }

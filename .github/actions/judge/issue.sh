@@ -17,6 +17,7 @@ if [[ -z $name ]]; then refuse 'No case is named: open an issue by the form *Jud
 links=$(field Answer 'https://github\.com/([A-Za-z0-9._-]+/)?[A-Za-z0-9._-]+/files/[0-9]+/[A-Za-z0-9][A-Za-z0-9._-]*' | head -n 5)
 if [[ -z $links ]]; then refuse 'No file is attached: drag one into *Answer*, packed by gzip where GitHub does not take it.'; fi
 wrong=$(field Units '.+' | grep -vE '^([a-z]+=[^[:space:]]+|_No response_)$' | head -n 1 || true)
+# shellcheck disable=SC2016 # Markdown.
 if [[ -n $wrong ]]; then refuse 'A line of *Units* is not of the form `quantity=unit`, as `pressure=MPa`: edit it.'; fi
 mkdir answers
 number=0

@@ -67,6 +67,8 @@ impl Folder {
 pub enum Script {
     /// dolfinx: a penalty written in UFL.
     Ufl,
+    /// dolfinx 0.11: the same between two bodies, on pairs of facets.
+    Pairs,
     /// scikit-fem: a penalty in facet forms.
     Facets,
     /// scikit-fem: Nitsche's method, without penalty.
@@ -81,12 +83,13 @@ pub enum Script {
 
 impl Script {
     /// All.
-    pub const ALL: [Self; 6] = [Self::Ufl, Self::Facets, Self::Nitsche, Self::HalfPlane, Self::Augmented, Self::Gaps];
+    pub const ALL: [Self; 7] =
+        [Self::Ufl, Self::Pairs, Self::Facets, Self::Nitsche, Self::HalfPlane, Self::Augmented, Self::Gaps];
 
     /// Its folder.
     pub fn folder(self) -> Folder {
         match self {
-            Self::Ufl => Folder::Dolfinx,
+            Self::Ufl | Self::Pairs => Folder::Dolfinx,
             Self::Facets | Self::Nitsche => Folder::ScikitFem,
             Self::HalfPlane => Folder::Boundary,
             Self::Augmented => Folder::Getfem,
@@ -98,6 +101,7 @@ impl Script {
     pub fn name(self) -> &'static str {
         match self {
             Self::Ufl => "dolfinx, UFL penalty",
+            Self::Pairs => "dolfinx, UFL penalty on facet pairs",
             Self::Facets => "scikit-fem, facet penalty",
             Self::Nitsche => "scikit-fem, Nitsche",
             Self::HalfPlane => "half-plane, boundary method",
@@ -110,6 +114,7 @@ impl Script {
     pub fn method(self) -> &'static str {
         match self {
             Self::Ufl | Self::Facets => "penalty",
+            Self::Pairs => "pairs",
             Self::Nitsche => "nitsche",
             Self::HalfPlane => "boundary",
             Self::Augmented => "augmented",
@@ -119,17 +124,22 @@ impl Script {
 
     /// Whether its springs are of a finite stiffness that is felt.
     pub fn has_penalty(self) -> bool {
-        matches!(self, Self::Ufl | Self::Facets)
+        matches!(self, Self::Ufl | Self::Pairs | Self::Facets)
     }
 
-    /// Whether it solves a scene: dolfinx 0.5, which the script shall run on too, couples no facets of two bodies (0.11 does), the
-    /// half-plane has no other surface, and GetFEM and CalculiX are asked where no closed form is exact.
+    /// Whether the set-up of the tests installs what it runs on everywhere: Debian's dolfinx 0.5.2 couples no facets of two bodies.
+    pub fn is_set_up(self) -> bool {
+        self.folder().is_set_up() && self != Self::Pairs
+    }
+
+    /// Whether it solves a scene: a script of one body solves no pin, the half-plane has no other surface, and GetFEM and CalculiX are
+    /// asked where no closed form is exact.
     pub fn serves(self, scene: &PhysicalScene) -> bool {
         let cases: &[&str] = match self {
             Self::Ufl => &["cylinder", "truncated-hertz"],
             Self::Facets | Self::Nitsche => &["cylinder", "truncated-hertz", "pin-rod", "pin-plate"],
             Self::HalfPlane => &["truncated-hertz"],
-            Self::Augmented | Self::Gaps => &["pin-rod", "pin-plate"],
+            Self::Pairs | Self::Augmented | Self::Gaps => &["pin-rod", "pin-plate"],
         };
         cases.contains(&scene.case.as_str())
     }
@@ -138,6 +148,7 @@ impl Script {
     pub fn module(self) -> &'static str {
         match self {
             Self::Ufl => "ufl_penalty",
+            Self::Pairs => "facet_pairs",
             Self::Facets | Self::Nitsche => "facet_forms",
             Self::HalfPlane => "half_plane",
             Self::Augmented => "augmented",

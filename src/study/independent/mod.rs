@@ -23,7 +23,7 @@ use crate::study::about::{About, Found, Planned, Study};
 use crate::study::drawn::picture;
 use crate::study::independent::benchmark::{STATIONS, Scene};
 use crate::study::independent::found::Number;
-use crate::study::independent::run::{Compared, Other};
+use crate::study::independent::run::{Compared, KAPPA, Other};
 use crate::uncertainty::{COVERAGE, Comparison};
 
 pub use run::Compared as Numbers;
@@ -57,11 +57,18 @@ impl Study for Compared {
             let _ =
                 writeln!(text, "* {} {}: script {hash}…, {live}.", folder.name(), version.map_or("", String::as_str));
         }
+        let entered = |found: &Found<Self>| {
+            let of = found.numbers;
+            format!("{} ({})", markdown::significant(of.ours.measured[0].value / of.spring, 2), found.name)
+        };
+        let entered: Vec<String> = findings.iter().map(entered).collect();
         let _ = write!(
             text,
             "\nEach script has its own mesh, its own contact terms in the language of its code, its own iteration and its own measures; none imports \
              from another. They share the numbers of the scene and the names of what is asked. ± is the standard uncertainty from three meshes; \
-             |E| shall be at most {COVERAGE} u_val, of both meshes and of the script's penalty (what springs of its stiffness change on our mesh).\n\n"
+             |E| shall be at most {COVERAGE} u_val, of both meshes and of the script's penalty (what springs of its stiffness change on our mesh). Springs are k_n = κ E*/ℓ with κ = {KAPPA:e}, so that bodies enter one another by \
+             p₀/k_n [mm]: {}.\n\n",
+             entered.join(", ")
         );
         text += &picture("difference-independent.svg", "Difference of the profiles of independent codes to ours");
         Ok(text)
@@ -145,6 +152,8 @@ fn demanded(scene: Scene, script: Script) -> [f64; 3] {
         // Springs soften the cylinders by 1e-4; the square-root edge lies within one stretch of the profile.
         (Script::Ufl, Scene::Cylinder | Scene::WiderCylinder | Scene::TruncatedHertz) => [2.5e-4, 1.7e-4, 1e-2],
         (Script::Facets, Scene::Cylinder | Scene::WiderCylinder | Scene::TruncatedHertz) => [1.8e-4, 1.6e-4, 4.5e-3],
+        (Script::Pairs, Scene::PinRod) => [1.2e-4, 8e-5, 5e-3],
+        (Script::Pairs, Scene::PinPlate) => [2e-5, 2.5e-5, 2.8e-3],
         (Script::Facets, Scene::PinRod) => [9e-5, 1.3e-4, 5e-3],
         (Script::Facets, Scene::PinPlate) => [1.3e-5, 6e-5, 5e-3],
         // Nitsche's method has no springs: only meshes differ.
@@ -162,8 +171,11 @@ fn demanded(scene: Scene, script: Script) -> [f64; 3] {
         (Script::Gaps, Scene::PinPlate) => [8e-5, 1.5e-5, 3e-3],
         // Not served.
         (Script::Ufl | Script::HalfPlane, Scene::PinRod | Scene::PinPlate)
-        | (Script::HalfPlane | Script::Augmented | Script::Gaps, Scene::Cylinder | Scene::WiderCylinder)
-        | (Script::Augmented | Script::Gaps, Scene::TruncatedHertz) => [f64::NAN; 3],
+        | (Script::HalfPlane, Scene::Cylinder | Scene::WiderCylinder)
+        | (
+            Script::Pairs | Script::Augmented | Script::Gaps,
+            Scene::Cylinder | Scene::WiderCylinder | Scene::TruncatedHertz,
+        ) => [f64::NAN; 3],
     }
 }
 
@@ -203,7 +215,7 @@ fn points(compared: &Compared, differences: &[f64]) -> Vec<[f64; 2]> {
 
 fn style(script: Script) -> Style {
     match script {
-        Script::Ufl => Style::run(palette::LAYER, Dash::Dotted, Marker::Square),
+        Script::Ufl | Script::Pairs => Style::run(palette::LAYER, Dash::Dotted, Marker::Square),
         Script::Facets => Style::run(palette::LINE, Dash::Dashed, Marker::Circle),
         Script::Nitsche => Style::run(palette::PURPLE, Dash::DashDot, Marker::Diamond),
         Script::HalfPlane => Style::run(palette::NODE, Dash::Solid, Marker::Triangle),

@@ -17,7 +17,7 @@ use crate::study::independent::benchmark::{Benchmark, LEVELS, Scene};
 use crate::study::independent::found::{Found, ours};
 
 /// Springs of the scripts with a penalty, `k_n = κ E*/ℓ`.
-const KAPPA: f64 = 1e4;
+pub const KAPPA: f64 = 1e4;
 
 /// All scenes, against frozen answers.
 pub fn plan() -> Vec<Planned<Compared>> {
@@ -50,6 +50,8 @@ pub struct Compared {
     pub carries: Vec<f64>,
     /// What springs of their stiffness change of peak \[MPa\] and width \[mm, or rad\] on our mesh.
     pub penalty: [f64; 2],
+    /// That stiffness \[MPa/mm\]: bodies enter one another by the pressure over it.
+    pub spring: f64,
 }
 
 /// What a script found.
@@ -65,7 +67,7 @@ pub struct Other {
 
 /// A scene by every script.
 pub fn compare(benchmark: &Benchmark, answers: Answers) -> Result<Compared, Error> {
-    let reference = &benchmark.case.scene.reference;
+    let (scene, reference) = (&benchmark.case.scene, &benchmark.case.scene.reference);
     let mut others = Vec::new();
     for (script, series, reproduced) in asked(benchmark, answers)? {
         others.push(Other { script, reproduced, found: Found::of(script.name(), &series)? });
@@ -78,6 +80,7 @@ pub fn compare(benchmark: &Benchmark, answers: Answers) -> Result<Compared, Erro
         others,
         carries: carries(benchmark),
         penalty: penalty(benchmark)?,
+        spring: KAPPA * scene.contact_modulus() / reference.length,
     })
 }
 
@@ -104,7 +107,7 @@ pub fn asked(benchmark: &Benchmark, answers: Answers) -> Result<Vec<Series>, Err
         return Err(Error::refused(&file(), &format!("{name}: {key}"), found, REFREEZE));
     }
     let all = kept.series.iter().map(|(script, kept)| match answers {
-        Answers::Live(live) if script.folder().is_set_up() => {
+        Answers::Live(live) if script.is_set_up() => {
             let now = series(&live, *script, scene)?;
             let versions = changed_versions(&frozen.versions, &(live.versions)()?);
             let reproduced = reproduced(script.name(), &Asked::numbers(&now), &Asked::numbers(kept), &versions);
