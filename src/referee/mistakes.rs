@@ -134,6 +134,7 @@ fn scaled(handed: &Handed, pressure: f64, place: f64) -> Handed {
         ends: edge.ends.map(|end| place * end),
         weight: place * edge.weight,
         pressure: pressure * edge.pressure,
+        is_ring: edge.is_ring,
     };
     Handed {
         points: handed.points.iter().map(point).collect(),
