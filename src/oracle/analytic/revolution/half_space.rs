@@ -9,8 +9,6 @@
 //!
 //! The potentials are imaginary parts of functions of `ζ = z + ia` and `ρ = √(r² + ζ²)`: a punch, moved by ia along the axis.
 
-use std::ops::{Add, Mul};
-
 use nalgebra::Complex;
 
 use crate::scene::Material;
@@ -29,6 +27,11 @@ pub struct Stress {
 }
 
 impl Stress {
+    /// `[σ_r, σ_z, τ_rz]` \[MPa\], as a [`crate::scene::StressField`] has them.
+    pub fn in_plane(&self) -> [f64; 3] {
+        [self.radial, self.axial, self.shear]
+    }
+
     /// Largest shear stress in the plane of r and z, `√((σ_r − σ_z)²/4 + τ_rz²)` \[MPa\].
     pub fn largest_shear(&self) -> f64 {
         (0.5 * (self.radial - self.axial)).hypot(self.shear)
@@ -75,6 +78,16 @@ impl Potential {
         Self { r, z, parts }
     }
 
+    /// So many times this one.
+    pub fn times(self, factor: f64) -> Self {
+        Self { parts: self.parts.map(|part| factor * part), ..self }
+    }
+
+    /// Both together, at the same place.
+    pub fn with(self, other: Self) -> Self {
+        Self { parts: std::array::from_fn(|k| self.parts[k] + other.parts[k]), ..self }
+    }
+
     /// The stresses.
     pub fn stress(&self, poisson: f64) -> Stress {
         let z = self.z;
@@ -93,23 +106,6 @@ impl Potential {
         let along = self.r * ((1.0 - 2.0 * poisson) * inner - self.z * outward);
         let into = 2.0 * (1.0 - poisson) * own - self.z * down;
         [along, into].map(|twice| twice * (1.0 + poisson) / young)
-    }
-}
-
-impl Add for Potential {
-    type Output = Self;
-
-    /// Both at the same place.
-    fn add(self, other: Self) -> Self {
-        Self { parts: std::array::from_fn(|k| self.parts[k] + other.parts[k]), ..self }
-    }
-}
-
-impl Mul<f64> for Potential {
-    type Output = Self;
-
-    fn mul(self, factor: f64) -> Self {
-        Self { parts: self.parts.map(|part| factor * part), ..self }
     }
 }
 

@@ -70,10 +70,11 @@ impl Indentation {
         2.0 * self.modulus * (self.radius * self.beyond + terms.sum::<f64>())
     }
 
-    /// Mean of `r²` under the pressure, `∫p r² dA/F = (4E*/3F) [a³e + Σ b n aⁿ⁺³/(n + 3)]` \[mm²\].
-    pub fn mean_square(&self) -> f64 {
+    /// Radius by second moment, `√(5/2 ∫p r² dA/F)` with `∫p r² dA = (4E*/3) [a³e + Σ b n aⁿ⁺³/(n + 3)]`; a paraboloid's is a \[mm\].
+    pub fn second_moment_radius(&self) -> f64 {
         let terms = self.transformed().map(|[b, n]| b * n / (n + 3.0) * self.radius.powf(n + 3.0));
-        4.0 / 3.0 * self.modulus * (self.radius.powi(3) * self.beyond + terms.sum::<f64>()) / self.load()
+        let moment = 4.0 / 3.0 * self.modulus * (self.radius.powi(3) * self.beyond + terms.sum::<f64>());
+        (2.5 * moment / self.load()).sqrt()
     }
 
     /// Pressure at `r` \[MPa\], zero outside the contact; infinite at a sharp edge, and at the tip where an n is at most 1.
@@ -97,16 +98,20 @@ impl Indentation {
 
     /// The potential below the contact, `(E*/π) [∫₀ᵃ w'(t) f_t dt + e f_a]` with that of flat punches of radius t; `z > 0` \[mm\].
     pub fn potential(&self, r: f64, z: f64) -> Potential {
-        let mut points = vec![];
-        // With t = a sin θ. The potentials have a pole at t = r + iz, and w' may be no power series about zero.
+        let terms: Vec<[f64; 2]> = self.transformed().collect();
+        // With t = a sin θ. The potentials have a pole at t = r + iz, and w' of a broken power one at zero.
         let pole = Complex::new(r / self.radius, z / self.radius).asin();
-        panels([0.0, 0.25 * TAU], &[[pole.re, pole.im], [0.0, 0.0]], &mut points);
-        let sum = points.iter().fold(Potential::flat(self.radius, r, z) * self.beyond, |sum, [angle, weight]| {
+        let tip = terms.iter().any(|[_, n]| n.fract() > 0.0).then_some([0.0, 0.0]);
+        let poles: Vec<[f64; 2]> = [[pole.re, pole.im]].into_iter().chain(tip).collect();
+        let mut points = vec![];
+        panels([0.0, 0.25 * TAU], &poles, &mut points);
+        let edge = Potential::flat(self.radius, r, z).times(self.beyond);
+        let sum = points.iter().fold(edge, |sum, [angle, weight]| {
             let t = self.radius * angle.sin();
-            let slope: f64 = self.transformed().map(|[b, n]| b * n * t.powf(n - 1.0)).sum();
-            sum + Potential::flat(t, r, z) * (slope * self.radius * angle.cos() * weight)
+            let slope: f64 = terms.iter().map(|[b, n]| b * n * t.powf(n - 1.0)).sum();
+            sum.with(Potential::flat(t, r, z).times(slope * self.radius * angle.cos() * weight))
         });
-        sum * (self.modulus / PI)
+        sum.times(self.modulus / PI)
     }
 }
 
@@ -174,6 +179,7 @@ impl Oracle for Indentation {
         }
         let value = match quantity {
             Quantity::HalfWidth => self.radius,
+            Quantity::SecondMomentWidth => self.second_moment_radius(),
             Quantity::PeakPressure if self.peak_pressure() == f64::INFINITY => return Reading::Silent,
             Quantity::PeakPressure => self.peak_pressure(),
             Quantity::Resultant => self.load(),

@@ -50,7 +50,7 @@ impl Sphere {
     /// The potential below the contact, which stresses and displacements follow from; `z ≥ 0` into the body \[mm\].
     pub fn potential(&self, r: f64, z: f64) -> Potential {
         let a = self.contact_radius();
-        Potential::hertz(a, r, z) * (self.peak_pressure() / a)
+        Potential::hertz(a, r, z).times(self.peak_pressure() / a)
     }
 
     /// `[σ_z, σ_r]` on the axis \[MPa\]; there `σ_θ = σ_r` (Johnson 1985, eq. 3.45).
@@ -71,7 +71,6 @@ impl Sphere {
             let [axial, radial] = self.on_axis(z, poisson);
             0.5 * (radial - axial)
         };
-        // Even about the surface in no sense, but smallest there.
         let depth = largest([2.0 * self.contact_radius(), 0.0], |z| shear(z.abs()));
         [depth, shear(depth)]
     }
@@ -97,7 +96,7 @@ impl Oracle for Sphere {
         let mut parameters =
             vec![positive("load", self.load), positive("radius", self.radius), positive("modulus", self.modulus)];
         let value = match quantity {
-            Quantity::HalfWidth => self.contact_radius(),
+            Quantity::HalfWidth | Quantity::SecondMomentWidth => self.contact_radius(),
             Quantity::PeakPressure => self.peak_pressure(),
             Quantity::Resultant => self.load,
             Quantity::Approach => self.approach(),
