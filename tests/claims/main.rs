@@ -79,6 +79,7 @@ mod referee_refusals;
 mod referee_series;
 mod referee_wild;
 mod references;
+mod revolution;
 mod rigid_pin;
 mod rooms;
 mod scene;
