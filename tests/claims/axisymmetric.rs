@@ -129,19 +129,18 @@ fn hertz_sphere_by_all_nine() {
     let scene = Scene::sphere_on_plane(radius, Material::STEEL, a);
     let modulus = scene.contact_modulus();
     let hertz = Sphere { load: Sphere::load_for(a, radius, modulus), radius, modulus };
-    for order in [Order::Linear, Order::Quadratic] {
-        let resolution = Resolution { elements: 12, refinement: 0, order };
-        let discretisation = Discretisation::of(scene.clone(), resolution).unwrap();
-        for formulation in Formulation::compared() {
-            let run = Run::of(&discretisation, &formulation).unwrap();
-            assert!(run.solution.converged(), "{}", formulation.name());
-            let measures = run.measures();
-            assert_relative_eq!(run.transmitted(), hertz.load, max_relative = 5e-3);
-            assert_relative_eq!(measures.peak.pressure, hertz.peak_pressure(), max_relative = 5e-3);
-            assert_relative_eq!(measures.second_moment_width, a, max_relative = 5e-3);
-            let approach = discretisation.number(&run, 0, &Quantity::Approach).unwrap();
-            assert_relative_eq!(approach, hertz.approach(), max_relative = 5e-2);
-        }
+    let resolution = Resolution { elements: 12, refinement: 0, order: Order::Quadratic };
+    let discretisation = Discretisation::of(scene, resolution).unwrap();
+    for formulation in Formulation::compared() {
+        let run = Run::of(&discretisation, &formulation).unwrap();
+        assert!(run.solution.converged(), "{}", formulation.name());
+        let measures = run.measures();
+        assert_relative_eq!(run.transmitted(), hertz.load, max_relative = 1e-9);
+        // At a/R = 0.05: line and layer within 5.0e-3, node within 2.1e-3, second moments within 9e-4.
+        assert_relative_eq!(measures.peak.pressure, hertz.peak_pressure(), max_relative = 7e-3);
+        assert_relative_eq!(measures.second_moment_width, a, max_relative = 2e-3);
+        let approach = discretisation.number(&run, 0, &Quantity::Approach).unwrap();
+        assert_relative_eq!(approach, hertz.approach(), max_relative = 2e-2);
     }
 }
 
