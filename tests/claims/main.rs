@@ -20,6 +20,7 @@ mod apart;
 #[path = "../architecture.rs"]
 mod architecture;
 mod atlas;
+mod axisymmetric;
 mod balance;
 mod barred;
 mod bars;
@@ -81,6 +82,7 @@ mod referee_refusals;
 mod referee_series;
 mod referee_wild;
 mod references;
+mod revolution;
 mod rigid_pin;
 mod rooms;
 mod scene;

@@ -6,18 +6,11 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use super::{answer, finite, positive};
+use super::{answer, finite, grown_to, largest, positive};
 use crate::oracle::{Oracle, Quantity, Reading, ReferenceKind, Source};
 
-/// Places of the coarse search for the peak on half of the contact.
-const PLACES: usize = 720;
-/// Iterations of the golden section that follows.
-const SECTIONS: usize = 60;
 /// Terms of the potentials below this part of the first one are left out.
 const ROUNDING: f64 = 1e-18;
-
-/// Halvings that leave nothing of an interval of any width.
-const HALVINGS: usize = 200;
 
 /// Contact of an even gap on a half-plane.
 #[derive(Clone, Debug)]
@@ -60,13 +53,9 @@ impl EvenGap {
 
     /// The contact that a load per unit length makes \[N/mm\], given that of every half-width, which it grows with.
     ///
-    /// By bisection in the logarithm of the half-width between `low` and `high` \[mm\].
-    pub fn of_load(load: f64, [mut low, mut high]: [f64; 2], of: impl Fn(f64) -> Self) -> Self {
-        for _ in 0..HALVINGS {
-            let middle = (low * high).sqrt();
-            *if of(middle).load() < load { &mut low } else { &mut high } = middle;
-        }
-        of((low * high).sqrt())
+    /// The half-width lies between two \[mm\].
+    pub fn of_load(load: f64, between: [f64; 2], of: impl Fn(f64) -> Self) -> Self {
+        of(grown_to(load, between, |half_width| of(half_width).load()))
     }
 
     /// `n` and `b_n`.
@@ -89,20 +78,9 @@ impl EvenGap {
         self.pressure(self.peak_place())
     }
 
-    /// φ of the largest pressure, `x = a cos φ`, on the half x ≥ 0: the best of many places, then a golden section.
+    /// φ of the largest pressure, `x = a cos φ`, on the half x ≥ 0.
     pub fn peak_place(&self) -> f64 {
-        let place = |k: usize| FRAC_PI_2 * k as f64 / PLACES as f64;
-        let best = (1..=PLACES).max_by(|&k, &l| self.pressure(place(k)).total_cmp(&self.pressure(place(l))));
-        let best = best.unwrap_or(PLACES);
-        let (mut low, mut high) = (place(best - 1), place(best + 1));
-        let golden = 0.5 * (5_f64.sqrt() - 1.0);
-        for _ in 0..SECTIONS {
-            let [left, right] = [high - golden * (high - low), low + golden * (high - low)];
-            *if self.pressure(left) < self.pressure(right) { &mut low } else { &mut high } =
-                if self.pressure(left) < self.pressure(right) { left } else { right };
-        }
-        let inside = 0.5 * (low + high);
-        if self.pressure(inside) > self.pressure(FRAC_PI_2) { inside } else { FRAC_PI_2 }
+        largest([0.0, FRAC_PI_2], |phi| self.pressure(phi))
     }
 
     /// Half-width by second moment `2 √(∫p x²/∫p) = a √(1 + b₃/b₁)` \[mm\].

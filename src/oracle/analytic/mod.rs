@@ -7,6 +7,7 @@
 //! * [`lame`]: press fit of two rings.
 //! * [`bars`]: two bars closing a gap.
 //! * [`punch`]: a rigid flat punch on a half-plane.
+//! * [`revolution`]: bodies of revolution on a half-space, and thick shells.
 //! * [`uniform`]: a patch under uniform pressure.
 //! * [`waves`]: a sinusoidal gap on a half-plane.
 //! * [`weight`]: a block under its own weight.
@@ -20,11 +21,19 @@ pub mod lame;
 pub mod on_arc;
 pub mod persson;
 pub mod punch;
+pub mod revolution;
 pub mod uniform;
 pub mod waves;
 pub mod weight;
 
 pub use crate::scene::PlaneHypothesis as Plane;
+
+/// Places of the coarse search for a largest value.
+const PLACES: usize = 720;
+/// Iterations of the golden section that follows.
+const SECTIONS: usize = 60;
+/// Halvings that leave nothing of an interval of any width.
+const HALVINGS: usize = 200;
 
 /// A parameter of a closed form and whether it may hold the value it has.
 struct Parameter {
@@ -76,4 +85,27 @@ fn uniform_answer(mut parameters: Vec<Parameter>, quantity: &Quantity, pressure:
         _ => return Reading::Silent,
     };
     answer(&parameters, value)
+}
+
+/// Where a function is largest between two places, about the second of which it is even: the best of many, then a golden section.
+fn largest([from, to]: [f64; 2], of: impl Fn(f64) -> f64) -> f64 {
+    let place = |k: usize| from + (to - from) * k as f64 / PLACES as f64;
+    let best = (1..=PLACES).max_by(|&k, &l| of(place(k)).total_cmp(&of(place(l)))).unwrap_or(PLACES);
+    let (mut low, mut high) = (place(best - 1), place(best + 1));
+    let golden = 0.5 * (5_f64.sqrt() - 1.0);
+    for _ in 0..SECTIONS {
+        let [left, right] = [high - golden * (high - low), low + golden * (high - low)];
+        *if of(left) < of(right) { &mut low } else { &mut high } = if of(left) < of(right) { left } else { right };
+    }
+    let inside = 0.5 * (low + high);
+    if of(inside) > of(to) { inside } else { to }
+}
+
+/// The positive place between `low` and `high` where a function that grows has a value; by bisection in the logarithm.
+fn grown_to(value: f64, [mut low, mut high]: [f64; 2], of: impl Fn(f64) -> f64) -> f64 {
+    for _ in 0..HALVINGS {
+        let middle = (low * high).sqrt();
+        *if of(middle) < value { &mut low } else { &mut high } = middle;
+    }
+    (low * high).sqrt()
 }

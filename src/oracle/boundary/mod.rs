@@ -12,7 +12,7 @@ pub mod elements;
 pub mod ends;
 mod gap;
 pub mod half_plane;
-mod quadrature;
+pub(super) mod quadrature;
 pub mod ring;
 pub mod strip;
 

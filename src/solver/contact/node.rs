@@ -1,5 +1,6 @@
 //! Node contact element: one spring between a node and what lies opposite.
 
+use crate::contact::interface::ContactNode;
 use crate::contact::{ContactElement, ContactPoint, Interface};
 use crate::elasticity::quadrature;
 
@@ -11,6 +12,9 @@ use crate::elasticity::quadrature;
 #[derive(Clone, Copy, Debug)]
 pub struct Node;
 
+/// Radius up to which a node is on the axis \[mm\]: what rounding leaves.
+const ON_AXIS: f64 = 1e-9;
+
 impl ContactElement for Node {
     fn points(&self, interface: &Interface) -> Vec<ContactPoint> {
         let mut shares: Vec<Vec<(usize, f64)>> = vec![Vec::new(); interface.nodes.len()];
@@ -19,8 +23,13 @@ impl ContactElement for Node {
                 shares[a].push((index, tributary_area(interface, edge, k)));
             }
         }
+        // On the axis of revolution the node of an edge of order 2 or more has no area, `∫ N r dr = 0` but for what a curved
+        // edge adds, and carries nothing.
+        let is_high = interface.edges.iter().any(|edge| edge.len() > 2);
+        let has_area = |node: &ContactNode| !(interface.is_of_revolution && is_high && node.coordinate <= ON_AXIS);
         let nodes = interface.nodes.iter().zip(shares);
         nodes
+            .filter(|(node, _)| has_area(node))
             .map(|(node, shares)| ContactPoint {
                 contact: interface.contact,
                 row: node.row().collect(),
@@ -34,12 +43,12 @@ impl ContactElement for Node {
     }
 }
 
-/// `∫ N_k (n·n_k) ds · thickness` over one edge \[mm²\].
+/// `∫ N_k (n·n_k) ds · thickness`, of bodies of revolution `∫ N_k 2πr ds`, over one edge \[mm²\].
 fn tributary_area(interface: &Interface, edge: &[usize], k: usize) -> f64 {
     let own = interface.nodes[edge[k]].coordinate;
     let terms = quadrature::gauss(edge.len().max(3)).into_iter().map(|(xi, weight)| {
         let (shapes, position, length) = interface.at(edge, xi);
-        shapes[k] * interface.pair.path.alignment(position, own) * weight * length
+        shapes[k] * interface.pair.path.alignment(position, own) * weight * length * interface.circumference(position)
     });
     terms.sum::<f64>() * interface.thickness
 }

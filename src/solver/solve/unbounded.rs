@@ -1,7 +1,7 @@
 //! Peaks without a limit: at a corner, under the tip of a wedge. The scene tells them by where they lie; the growth with refinement is
 //! looked at where only meshes tell the gap, since a sharp but finite top grows alike until the mesh resolves it.
 
-use std::f64::consts::{LN_2, PI};
+use std::f64::consts::{FRAC_PI_2, LN_2, PI};
 
 use crate::error::Error;
 use crate::mesh::Resolution;
@@ -85,8 +85,12 @@ fn told(discretisation: &Discretisation, run: &Run, contact: usize) -> Result<Op
     let holds = |s: f64| measures.stretches.iter().any(|one| one.begin <= s && s < one.end);
     let per_halving = scene.modulus_of(pair) * LN_2 / (2.0 * PI * pair.path.metric() * measures.peak.pressure);
     let tips = pair.profile.tips().unwrap_or_default().into_iter().filter(|[s, _]| holds(*s));
-    let tip =
-        |[s, leap]: [f64; 2]| Unbounded { position: pair.path.reported(s), growth: per_halving * leap, exponent: None };
+    // A cone, `p = ½ E* tan β arcosh a/r`, adds `E* Δ ln 2/4`; an edge around the axis is as good as straight.
+    let is_cone = |s: f64| scene.is_of_revolution() && s.abs() <= 0.0;
+    let tip = |[s, leap]: [f64; 2]| {
+        let growth = per_halving * leap * if is_cone(s) { FRAC_PI_2 } else { 1.0 };
+        Unbounded { position: pair.path.reported(s), growth, exponent: None }
+    };
     let pressed = tips.map(tip).filter(|tip| tip.growth > SMALL);
     let corner = corner::strongest(discretisation, run, contact)?;
     Ok(pressed.chain(corner).max_by(|a, b| a.growth.total_cmp(&b.growth)))
