@@ -80,6 +80,7 @@ mod referee_series;
 mod referee_wild;
 mod references;
 mod revolution;
+mod revolution_scripts;
 mod rigid_pin;
 mod rooms;
 mod scene;
