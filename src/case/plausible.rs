@@ -1,5 +1,7 @@
 //! What of a result is hardly meant: strains of order one, bodies of very different size, moduli in another unit.
 
+use std::f64::consts::PI;
+
 use crate::measure::whole;
 use crate::mesh::Mesh;
 use crate::scene::{ContactPair, Scene, Shape};
@@ -100,8 +102,11 @@ fn strained(scene: &Scene, pair: &ContactPair, contact: &Contact) -> Option<Stri
     question.map(|question| format!("the {what} pressure is only {} of the contact modulus: {question}", shown(strain)))
 }
 
-/// Mean pressure of a contact that transmits a force, both halves, over a width \[MPa\].
+/// Mean pressure of a contact that transmits a force, both halves, over a width, or around the axis over a circle \[MPa\].
 fn mean(scene: &Scene, pair: &ContactPair, transmitted: f64, width: f64) -> f64 {
+    if scene.is_of_revolution() {
+        return transmitted.abs() / (PI * width * width);
+    }
     transmitted.abs() / (whole(pair) * scene.thickness * width * pair.path.metric())
 }
 

@@ -232,6 +232,7 @@ fn edges_of(reader: &Reader) -> Result<Vec<EdgeState>, Error> {
         ends: [place * edge.from, place * edge.to],
         weight: area * edge.area,
         pressure: reader.asked.sign() * pressure * edge.pressure,
+        is_ring: false,
     };
     let mut edges: Vec<EdgeState> = edges.iter().map(state).collect();
     edges.sort_by(|a, b| a.ends[0].total_cmp(&b.ends[0]));

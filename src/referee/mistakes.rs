@@ -74,12 +74,12 @@ fn scales(truth: &Truth, handed: &Handed) -> Vec<(String, [f64; 2])> {
         "p₀ = 3F/2πa² is that of a sphere, whose a = ∛(3FR/4E*): of a cylinder p₀ = 2F/πat and a = √(4FR/πE*t)";
     all.extend(of_spheres(truth, handed).map(|factors| (say(sphere), factors)));
     let other = match scene.plane {
-        PlaneHypothesis::Strain => Scene { plane: PlaneHypothesis::Stress, ..scene.clone() },
+        PlaneHypothesis::Strain | PlaneHypothesis::Axisymmetric => Scene { plane: PlaneHypothesis::Stress, ..scene.clone() },
         PlaneHypothesis::Stress => Scene { plane: PlaneHypothesis::Strain, ..scene.clone() },
     };
     let root = (other.modulus_of(pair) / scene.modulus_of(pair)).sqrt();
     let plane = match scene.plane {
-        PlaneHypothesis::Strain => "plane stress was solved, but the scene is in plane strain: E for E/(1−ν²)",
+        PlaneHypothesis::Strain | PlaneHypothesis::Axisymmetric => "plane stress was solved, but the scene is in plane strain: E for E/(1−ν²)",
         PlaneHypothesis::Stress => "plane strain was solved, but the scene is in plane stress: E/(1−ν²) for E",
     };
     all.extend([(say(plane), [1.0 / root, root]), (say(plane), [1.0 / (root * root), 1.0])]);
@@ -134,6 +134,7 @@ fn scaled(handed: &Handed, pressure: f64, place: f64) -> Handed {
         ends: edge.ends.map(|end| place * end),
         weight: place * edge.weight,
         pressure: pressure * edge.pressure,
+        is_ring: edge.is_ring,
     };
     Handed {
         points: handed.points.iter().map(point).collect(),

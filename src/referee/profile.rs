@@ -133,7 +133,7 @@ fn means(points: &[PointState], order: Order, across: f64) -> Vec<EdgeState> {
         let own = &points[first..=first + steps];
         let ends = [own[0].position, own[steps].position];
         let pressure = own.iter().zip(&shares).map(|(point, share)| share * point.pressure).sum();
-        EdgeState { ends, weight: (ends[1] - ends[0]) * across, pressure }
+        EdgeState { ends, weight: (ends[1] - ends[0]) * across, pressure, is_ring: false }
     };
     (0..points.len() - 1).step_by(steps).map(mean).collect()
 }

@@ -70,7 +70,7 @@ fn problem(shared: &Shared, case: &Case, has_sheet: bool) -> String {
         ),
         None => described::scene(&case.scene).join("\n\n") + "\n\n",
     };
-    let plane = format!("Plane {}, thickness {} mm.\n\n", described::plane(case.scene.plane), case.scene.thickness);
+    let plane = described::hypothesis(&case.scene, " mm") + "\n\n";
     format!("## Problem\n\n{plane}{}{}{input}", remark(name), sketch(name).unwrap_or_default())
 }
 

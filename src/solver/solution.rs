@@ -158,9 +158,17 @@ pub struct EdgeState {
     pub weight: f64,
     /// Mean contact pressure \[MPa\].
     pub pressure: f64,
+    /// Whether it is a ring of a body of revolution: its mean is `∫p r dr / ∫r dr`.
+    #[serde(skip)]
+    pub is_ring: bool,
 }
 
 impl EdgeState {
+    /// What its mean is taken over: its area of a body of revolution, else its length.
+    pub fn measure(&self) -> f64 {
+        if self.is_ring { self.weight } else { self.length() }
+    }
+
     /// Length along the contact coordinate.
     pub fn length(&self) -> f64 {
         self.ends[1] - self.ends[0]

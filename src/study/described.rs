@@ -8,11 +8,19 @@ use crate::scene::{
 
 /// Geometry, materials, supports, loads, contacts and equations.
 pub fn scene(scene: &Scene) -> Vec<String> {
-    let mut text = vec![format!("## Scene\n\nPlane {}, thickness {}.", plane(scene.plane), scene.thickness)];
+    let mut text = vec![format!("## Scene\n\n{}", hypothesis(scene, ""))];
     text.extend(scene.bodies.iter().map(body));
     text.extend(scene.contacts.iter().map(|pair| contact(scene, pair)));
     text.push(equations(scene.plane));
     text
+}
+
+/// What the two coordinates stand for, with the thickness in a unit.
+pub fn hypothesis(scene: &Scene, unit: &str) -> String {
+    match scene.is_of_revolution() {
+        true => "Bodies of revolution about x = 0: x is the radius, loads and resultants are whole forces.".into(),
+        false => format!("Plane {}, thickness {}{unit}.", plane(scene.plane), scene.thickness),
+    }
 }
 
 /// The hypothesis in a word.
@@ -20,6 +28,7 @@ pub fn plane(plane: PlaneHypothesis) -> &'static str {
     match plane {
         PlaneHypothesis::Strain => "strain",
         PlaneHypothesis::Stress => "stress",
+        PlaneHypothesis::Axisymmetric => "axisymmetric",
     }
 }
 
@@ -182,7 +191,7 @@ fn gap(profile: &Profile) -> String {
 /// What is solved.
 pub fn equations(plane: PlaneHypothesis) -> String {
     let lame = match plane {
-        PlaneHypothesis::Strain => "λ = Eν/((1+ν)(1−2ν))",
+        PlaneHypothesis::Strain | PlaneHypothesis::Axisymmetric => "λ = Eν/((1+ν)(1−2ν))",
         PlaneHypothesis::Stress => "λ = Eν/(1−ν²)",
     };
     format!(

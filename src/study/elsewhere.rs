@@ -19,6 +19,7 @@ pub fn paragraph(name: &str, scene: &Scene, mesh: &Mesh) -> String {
     };
     let plane = match scene.plane {
         PlaneHypothesis::Strain => "as the scene is",
+        PlaneHypothesis::Axisymmetric => "and the bodies of revolution of the scene in coordinates RZ",
         PlaneHypothesis::Stress => {
             "which E' = E (1 + 2ν)/(1 + ν)² and ν' = ν/(1 + ν), as below, make the plane stress of the scene"
         }
@@ -61,7 +62,7 @@ pub fn paragraph(name: &str, scene: &Scene, mesh: &Mesh) -> String {
 fn in_plane_strain(material: Material, plane: PlaneHypothesis) -> Material {
     let Material { young, poisson } = material;
     match plane {
-        PlaneHypothesis::Strain => material,
+        PlaneHypothesis::Strain | PlaneHypothesis::Axisymmetric => material,
         PlaneHypothesis::Stress => Material {
             young: young * (1.0 + 2.0 * poisson) / (1.0 + poisson).powi(2),
             poisson: poisson / (1.0 + poisson),

@@ -17,7 +17,11 @@ pub fn problem(discretisation: &Discretisation, vectors: Vec<Vec<f64>>) -> Resul
     let (profile, radius, clearance) = profile(scene)?;
     let mut problem = DiscreteProblem {
         name: format!("{}, {}-node", scene.name, mesh.order.nodes_per_cell()),
-        plane: if scene.plane == PlaneHypothesis::Strain { "strain" } else { "stress" },
+        plane: match scene.plane {
+            PlaneHypothesis::Strain => "strain",
+            PlaneHypothesis::Stress => "stress",
+            PlaneHypothesis::Axisymmetric => "axisymmetric",
+        },
         thickness: scene.thickness,
         points: mesh.points.clone(),
         cells: (0..mesh.cells()).map(|cell| mesh.cell(cell).to_vec()).collect(),

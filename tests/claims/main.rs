@@ -20,6 +20,7 @@ mod apart;
 #[path = "../architecture.rs"]
 mod architecture;
 mod atlas;
+mod axisymmetric;
 mod balance;
 mod barred;
 mod bars;

@@ -30,7 +30,7 @@ fn edges(from: f64, end: f64, n: usize, force: impl Fn(f64) -> f64) -> Vec<EdgeS
     (0..n)
         .map(|i| {
             let ends = [from + h * i as f64, from + h * (i as f64 + 1.0)];
-            EdgeState { ends, weight: h, pressure: (force(ends[1]) - force(ends[0])) / h }
+            EdgeState { ends, weight: h, pressure: (force(ends[1]) - force(ends[0])) / h, is_ring: false }
         })
         .collect()
 }
@@ -126,7 +126,7 @@ fn peak_of_few_edges_is_a_parabola_or_their_mean_and_that_of_nan_none() {
     // Four edges make three pairs: the parabola that they hold.
     let parabola = edges(-2.0, 2.0, 4, |s: f64| 9.0 * s - 2.0 / 3.0 * s.powi(3));
     assert_relative_eq!(peak::of(&parabola, 0.0).pressure, 9.0, max_relative = 1e-12);
-    let one = [EdgeState { ends: [1.0, 2.0], weight: 1.0, pressure: 4.0 }];
+    let one = [EdgeState { ends: [1.0, 2.0], weight: 1.0, pressure: 4.0, is_ring: false }];
     assert_relative_eq!(peak::of(&one, 1.5).pressure, 4.0);
     for lost in [0, 7, 23] {
         let mut edges = edges(-1.5, 1.5, 24, force_of_semi_ellipse(5.0, 1.0));

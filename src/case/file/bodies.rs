@@ -63,12 +63,16 @@ pub fn body(plane: PlaneHypothesis, across: bool, table: Value) -> Result<Body, 
     let shape = shape(across, table.at("shape"))?;
     let [supports, loads] = ["supports", "loads"].map(|key| table.list(key));
     refuse_fixed_twice(&supports, &loads)?;
+    let material = material(plane, table)?;
     Ok(Body {
         name: table.at("name").text().into(),
-        material: material(plane, table)?,
+        material,
         density: density(table)?,
         supports: supports.into_iter().map(|table| support(&shape, table)).collect::<Result<_, _>>()?,
-        loads: loads.into_iter().map(|table| loads::load(&shape, table)).collect::<Result<_, _>>()?,
+        loads: loads
+            .into_iter()
+            .map(|table| loads::load((plane, material), &shape, table))
+            .collect::<Result<_, _>>()?,
         shape,
     })
 }

@@ -19,7 +19,7 @@ use crate::case::file::units::{FORCES, LENGTHS, STRESSES, Units};
 use crate::case::file::unsupported::Unsupported;
 use crate::case::file::value::Value;
 use crate::case::file::wanted::CHECK;
-use crate::case::file::{bodies, contact, hypotheses, oracle, reference, solve, wanted};
+use crate::case::file::{bodies, contact, hypotheses, oracle, reference, revolution, solve, wanted};
 use crate::error::Error;
 use crate::mesh::size::solvable;
 use crate::scene::{Body, PlaneHypothesis, ReferenceValues, Scene};
@@ -31,7 +31,8 @@ const DOCUMENT: Form = Table(&[
     may("title", Text),
     may("source", Text),
     must("plane", Text),
-    must("thickness", Number),
+    // Not of bodies of revolution, which have none.
+    may("thickness", Number),
     may("units", Table(&[may("length", Text), may("force", Text), may("stress", Text)])),
     must("body", List(&BODY)),
     must("contact", CONTACTS),
@@ -140,16 +141,25 @@ fn case(file: Value, name: String) -> Result<Case, Error> {
 
 /// The scene in mm, N, MPa and radians.
 fn scene(file: Value, name: &str, tables: &[Value], contacts: &[Value]) -> Result<Scene, Error> {
-    let known = [("strain", PlaneHypothesis::Strain), ("stress", PlaneHypothesis::Stress)];
+    let known = [
+        ("strain", PlaneHypothesis::Strain),
+        ("stress", PlaneHypothesis::Stress),
+        ("axisymmetric", PlaneHypothesis::Axisymmetric),
+    ];
     let plane = file.at("plane").choice("plane hypothesis", &known)?;
+    let thickness = revolution::thickness(file, plane)?;
+    if plane.is_of_revolution() {
+        revolution::refuse_other_contacts(contacts)?;
+    }
     let body = |table: &Value| bodies::body(plane, contact::is_across(contacts, table.at("name").text()), *table);
     let bodies = tables.iter().map(body).collect::<Result<Vec<Body>, Error>>()?;
     bodies::refuse_equal_names(tables)?;
+    let pairs = contact::pairs(tables, &bodies, contacts)?;
     let mut scene = Scene {
         name: name.into(),
         plane,
-        contacts: contact::pairs(tables, &bodies, contacts)?,
-        thickness: file.at("thickness").length()?,
+        contacts: if plane.is_of_revolution() { revolution::whole(pairs) } else { pairs },
+        thickness,
         bodies,
         reference: ReferenceValues { length: 1.0, pressure: 1.0, gap: 1.0 },
         grading: MeshTable::of(file).grading(contacts[0].at("stretch"))?,

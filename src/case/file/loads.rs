@@ -9,7 +9,8 @@ use crate::case::file::named::{boundary, component, refuse_inside};
 use crate::case::file::value::Value;
 use crate::error::Error;
 use crate::oracle::analytic::hertz::Hertz;
-use crate::scene::{Action, Along, Load, Shape, SidePart, StressField, TractionField};
+use crate::oracle::analytic::revolution::half_space::Potential;
+use crate::scene::{Action, Along, Load, Material, PlaneHypothesis, Shape, SidePart, StressField, TractionField};
 
 /// One load.
 pub(super) const LOAD: Form = OneOf(&[
@@ -29,7 +30,7 @@ pub(super) const LOAD: Form = OneOf(&[
     ("pressure", Table(&[must("at", Text), may("part", PART), must("law", LAW)])),
     // A couple on what is modelled, counter-clockwise.
     ("moment", Table(&[must("at", Text), may("part", PART), must("value", Number)])),
-    // The stresses of a half-plane under Hertz's pressure, so that a truncated body has no model error; `centre` is the middle of
+    // The stresses of a half-plane, or half-space, under Hertz's pressure, so that a truncated body has no model error; `centre` is the middle of
     // the contact.
     (
         "hertz",
@@ -55,8 +56,8 @@ const LAW: Form = OneOf(&[
     ("cosine", Table(&[must("centre", PAIR), must("coefficients", List(&Number))])),
 ]);
 
-/// A load on a body of a shape.
-pub(super) fn load(shape: &Shape, given: Value) -> Result<Load, Error> {
+/// A load on a body of a shape and a material.
+pub(super) fn load(of: (PlaneHypothesis, Material), shape: &Shape, given: Value) -> Result<Load, Error> {
     let units = given.units;
     let (name, table) = given.only();
     let boundary = || boundary(shape, table.at("at"));
@@ -77,7 +78,7 @@ pub(super) fn load(shape: &Shape, given: Value) -> Result<Load, Error> {
         },
         "hertz" => {
             refuse_inside(shape, table.at("at"))?;
-            Load::Stress { boundary: boundary()?, field: hertz(table)? }
+            Load::Stress { boundary: boundary()?, field: hertz(of, table)? }
         }
         "body-force" => Load::BodyForce(table.pair()?.map(|f| units.specific_weight() * f)),
         "force" => {
@@ -158,10 +159,23 @@ fn pressure(given: Value) -> Result<StressField, Error> {
 }
 
 /// The stresses under `p = p₀ √(1 − (x/a)²)` on a half-plane above or below the contact \[MPa\].
-fn hertz(table: Value) -> Result<StressField, Error> {
+///
+/// Of bodies of revolution those below `p = p₀ √(1 − (r/a)²)` on a half-space, which depend on Poisson's ratio too.
+fn hertz((plane, material): (PlaneHypothesis, Material), table: Value) -> Result<StressField, Error> {
     let peak = table.units.stress * table.at("peak-pressure").positive()?;
     let a = table.at("half-width").length()?;
     let [x0, y0] = table.get("centre").map_or(Ok([0.0; 2]), Value::point)?;
+    if plane.is_of_revolution() {
+        if let Some(centre) = table.get("centre").filter(|_| x0.abs() > 0.0) {
+            let message = "the middle of a contact of bodies of revolution lies on their axis";
+            return Err(centre.refused(message, "give a `centre` at x = 0"));
+        }
+        return Ok(StressField(Arc::new(move |[r, y]| {
+            let below = Potential::hertz(a, r, (y - y0).abs()).times(peak / a).stress(material.poisson);
+            let [radial, axial, shear] = below.in_plane();
+            [radial, axial, shear * (y - y0).signum()]
+        })));
+    }
     // Stresses depend on P and a alone: a² = 4PR/πE* holds with E* = 1.
     let load = 0.5 * PI * a * peak;
     let hertz = Hertz { load, radius: PI * a * a / (4.0 * load), modulus: 1.0 };

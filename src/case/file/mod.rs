@@ -8,6 +8,7 @@
 //! * `bodies` — `[[body]]`, with `blocks` and `mesh_file` (meshes of other programs) for its shape, `loads`.
 //! * `contact` — `[contact]`: its bodies, their sides (`side`, `curves`) and the path; `gap` — its gap, `compared` — against the
 //!   drawn one; `oracle` — its closed form, `hypotheses` — what that takes for granted.
+//! * `revolution` — what bodies of revolution have otherwise.
 //! * `mesh`, `reference`, `solve`, `wanted` — `[mesh]`, `[reference]`, `[solve]`, `[[check]]`.
 //! * `places` — where things are in the file, for mistakes that show later.
 //! * `unsupported` — physics that is not done here.
@@ -32,6 +33,7 @@ mod named;
 mod oracle;
 mod places;
 mod reference;
+mod revolution;
 mod side;
 mod solve;
 mod source;

@@ -15,6 +15,7 @@ use crate::oracle::analytic::lame::PressFit;
 use crate::oracle::analytic::on_arc::OnArc;
 use crate::oracle::analytic::persson::PinInHole;
 use crate::oracle::analytic::punch::FlatPunch;
+use crate::oracle::analytic::revolution::sphere::Sphere;
 use crate::oracle::analytic::uniform::Uniform;
 use crate::oracle::analytic::waves::Waves;
 use crate::oracle::analytic::{bars, weight};
@@ -27,7 +28,7 @@ const HALF_WIDTHS: [f64; 2] = [1e-9, 1e9];
 
 /// A closed form by its name.
 pub(super) const ORACLE: Form = OneOf(&[
-    // Hertz's line contact; on truncated bodies too.
+    // Hertz's line contact, or the point contact of bodies of revolution; on truncated bodies too.
     ("hertz", Table(&[must("load", Number), must("radius", Number)])),
     // A pin in a hole with clearance.
     ("persson", Table(&[must("load", Number), must("radius", Number), must("clearance", Number)])),
@@ -60,6 +61,15 @@ pub(super) fn read(given: Value, scene: &Scene, contact: usize) -> Result<Shared
     // Force per thickness [N/mm].
     let load = || Ok::<f64, Error>(units.force * t.at("load").positive()? / scene.thickness);
     let modulus = scene.modulus_of(pair);
+    if scene.is_of_revolution() {
+        return match name {
+            "hertz" => Ok(Arc::new(Sphere { load: load()?, radius: length("radius")?, modulus })),
+            _ => {
+                let message = format!("`{name}` is a closed form of plane scenes, not of bodies of revolution");
+                Err(given.refused(message, "use `hertz` for spheres, or leave `oracle` out and give checks a `value`"))
+            }
+        };
+    }
     let closed: SharedOracle = match name {
         "hertz" => Arc::new(Hertz { load: load()?, radius: length("radius")?, modulus }),
         "persson" => {

@@ -25,13 +25,13 @@ const UNSUPPORTED: [Unsupported; 11] = [
     },
     Unsupported {
         words: &["dimension", "dimensions", "3d", "z", "solid", "shell"],
-        holds: "scenes are plane: every point and vector has two components",
+        holds: "scenes have two coordinates: every point and vector has two components",
         instead: "leave it out, and give `thickness`; solids are for CalculiX or code_aster",
     },
     Unsupported {
-        words: &["axisymmetric", "axisymmetry", "revolution"],
-        holds: "scenes are in plane strain or plane stress, not of revolution",
-        instead: "use CalculiX or code_aster",
+        words: &["axisymmetric", "axisymmetry", "axisym", "revolution"],
+        holds: "bodies of revolution are asked for as a plane hypothesis",
+        instead: "give `plane = \"axisymmetric\"`, and leave `thickness` out",
     },
     Unsupported {
         words: &["periodic", "periodicity", "cyclic"],

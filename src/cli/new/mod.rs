@@ -8,6 +8,8 @@ named_enum! {
     pub enum Template {
         /// A cylinder on a rigid plane.
         Cylinder = "cylinder",
+        /// A sphere on a rigid plane: bodies of revolution.
+        Sphere = "sphere",
         /// Two cylinders of different radii and materials.
         TwoCylinders = "two-cylinders",
         /// A cylinder on an elastic block, to an accuracy instead of a mesh.
@@ -38,6 +40,7 @@ impl Template {
     pub fn text(self) -> &'static str {
         match self {
             Self::Cylinder => include_str!("cylinder.toml"),
+            Self::Sphere => include_str!("sphere.toml"),
             Self::TwoCylinders => include_str!("two-cylinders.toml"),
             Self::CylinderOnBlock => include_str!("cylinder-on-block.toml"),
             Self::Punch => include_str!("punch.toml"),

@@ -15,6 +15,10 @@ use crate::solve::run::{Contact, Run};
 /// A reaction below this part of the largest force, or a place below this part of the half-width, is round-off, told as 0.
 const ROUND_OFF: f64 = 1e-9;
 
+/// What is said of the width of a contact, and of that by its second moment: of strips, and of bodies of revolution.
+const OF_STRIP: [&str; 2] = ["half-width", "second-moment width"];
+const OF_CIRCLE: [&str; 2] = ["contact radius", "second-moment radius"];
+
 /// Prints what was solved, how it ended, what was measured, and how far that is from the oracle.
 pub fn print(found: &Found) {
     let Found { problem, run, reactions, checks, .. } = found;
@@ -25,7 +29,8 @@ pub fn print(found: &Found) {
         if several {
             say(format!("contact `{}`:", pair.name));
         }
-        print_contact(pair, &run.contacts[index], &found.notes_of(index), if several { "  " } else { "" });
+        let widths = if problem.scene.is_of_revolution() { OF_CIRCLE } else { OF_STRIP };
+        print_contact((pair, widths), &run.contacts[index], &found.notes_of(index), if several { "  " } else { "" });
     }
     print_reactions(run, reactions);
     bars::print(found);
@@ -72,12 +77,12 @@ fn print_reactions(run: &Run, reactions: &[ReactionReading]) {
 }
 
 /// What was measured of one contact.
-fn print_contact(pair: &ContactPair, found: &Contact, notes: &[String], indent: &str) {
+fn print_contact((pair, [own, moment]): (&ContactPair, [&str; 2]), found: &Contact, notes: &[String], indent: &str) {
     let factor = display_factor(&pair.path);
     let unit = if factor > 1.0 { "°" } else { "mm" };
     let measures = &found.measures;
     say(format!(
-        "{indent}half-width {} {unit}, second-moment width {} {unit}, by counting {} {unit}",
+        "{indent}{own} {} {unit}, {moment} {} {unit}, by counting {} {unit}",
         markdown::value(factor * measures.half_width()),
         markdown::value(factor * measures.second_moment_width),
         markdown::value(factor * measures.half_width_nodes)

@@ -54,6 +54,10 @@ pub(super) fn kind(discretisation: &Discretisation) -> Result<&'static str, Erro
         (PlaneHypothesis::Strain, Order::Quadratic) => "CPE8",
         (PlaneHypothesis::Stress, Order::Linear) => "CPS4",
         (PlaneHypothesis::Stress, Order::Quadratic) => "CPS8",
+        (PlaneHypothesis::Axisymmetric, _) => {
+            let message = "no decks are written of bodies of revolution yet";
+            return Err(Error::at("export", message, "use `contact-vv solve`"));
+        }
         (_, order) => {
             let message =
                 format!("its cells have {} nodes, and other codes read those of 4 and 8", order.nodes_per_cell());

@@ -100,7 +100,11 @@ pub fn text(name: &str, discretisation: &Discretisation) -> Result<String, Error
     kind(discretisation)?;
     let mut problem = Problem {
         case: name.into(),
-        plane: if scene.plane == PlaneHypothesis::Strain { "strain" } else { "stress" },
+        plane: match scene.plane {
+            PlaneHypothesis::Strain => "strain",
+            PlaneHypothesis::Stress => "stress",
+            PlaneHypothesis::Axisymmetric => "axisymmetric",
+        },
         thickness: scene.thickness,
         order: mesh.order.number(),
         points: mesh.points.clone(),

@@ -13,7 +13,8 @@ const FEWEST: usize = 4;
 /// For each node the primary dofs with `(1/D_a) ∫ φ_a N_b ds`, `D_a = ∫ N_a ds`.
 ///
 /// The dual shape functions `φ = D M⁻¹ N`, `M_ac = ∫ N_a N_c ds` edge by edge, satisfy `∫ φ_a N_c ds = δ_ac D_a` and
-/// `Σ φ_a = 1` (Wohlmuth 2000). Where every node faces a node this is that node alone; elsewhere equal pressures at the
+/// `Σ φ_a = 1` (Wohlmuth 2000); lengths of bodies of revolution are times `2πr`, and a node on the axis, which may have none,
+/// meets what is there. Where every node faces a node this is that node alone; elsewhere equal pressures at the
 /// nodes are a uniform pressure on both sides, and the patch test holds.
 pub(super) fn rows(interface: &Interface, primary: &PrimarySurface) -> Vec<Vec<(usize, f64)>> {
     let nodes = interface.nodes.len();
@@ -25,7 +26,11 @@ pub(super) fn rows(interface: &Interface, primary: &PrimarySurface) -> Vec<Vec<(
     for edge in &interface.edges {
         let n = edge.len();
         let points = interface.on_pieces(edge, &quadrature::gauss(n.max(FEWEST)));
-        let at: Vec<_> = points.iter().map(|&(xi, weight)| (interface.at(edge, xi), weight)).collect();
+        let at = points.iter().map(|&(xi, weight)| {
+            let (shapes, position, length) = interface.at(edge, xi);
+            ((shapes, position, length * interface.circumference(position)), weight)
+        });
+        let at: Vec<_> = at.collect();
         let mut mass = DMatrix::<f64>::zeros(n, n);
         for ((shapes, _, length), weight) in &at {
             for (a, c) in (0..n).flat_map(|a| (0..n).map(move |c| (a, c))) {
@@ -43,8 +48,12 @@ pub(super) fn rows(interface: &Interface, primary: &PrimarySurface) -> Vec<Vec<(
         }
         edge.iter().zip(own).for_each(|(&node, area)| areas[node] += area);
     }
-    let each = rows.into_iter().zip(areas);
-    each.map(|(row, area)| {
+    let each = rows.into_iter().zip(areas).zip(&interface.nodes);
+    each.map(|((row, area), node)| {
+        if interface.is_of_revolution && node.coordinate <= primary.same {
+            let nodes = primary.at(node.coordinate).into_iter().flatten();
+            return nodes.map(|(node, value)| (node.dof, value)).collect();
+        }
         let mean = super::interface::summed(row).into_iter().map(|(dof, value)| (dof, value / area));
         mean.collect()
     })

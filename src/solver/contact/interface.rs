@@ -1,5 +1,7 @@
 //! Nodes and edges of the candidate stretch, and what they face.
 
+use std::f64::consts::TAU;
+
 use crate::condensation::Condensed;
 use crate::contact::point::ContactEdge;
 use crate::contact::primary::{PrimarySurface, natural};
@@ -21,8 +23,10 @@ pub struct Interface {
     pub contact: usize,
     /// Path, gap and symmetry of the contact.
     pub pair: ContactPair,
-    /// Thickness \[mm\].
+    /// Thickness \[mm\]; 1 of bodies of revolution.
     pub thickness: f64,
+    /// Whether the bodies are of revolution; the contact coordinate is then the radius.
+    pub is_of_revolution: bool,
 }
 
 /// A node of the first body and, unless the other side is rigid, what it faces on the second.
@@ -94,15 +98,23 @@ impl Interface {
             .filter_map(|edge| edge.iter().map(|&n| index(n)).collect())
             .collect();
         edges.sort_by_key(|edge| edge[0].min(edge[1]));
-        Ok(Self { nodes, edges, primary, contact, pair: pair.clone(), thickness: scene.thickness })
+        let (thickness, is_of_revolution) = (scene.thickness, scene.is_of_revolution());
+        Ok(Self { nodes, edges, primary, contact, pair: pair.clone(), thickness, is_of_revolution })
     }
 
     /// Where the candidate edges begin and end.
     pub fn contact_edges(&self) -> impl Iterator<Item = ContactEdge> + '_ {
         self.edges.iter().map(|edge| {
             let [a, b] = [edge[0], edge[1]].map(|node| self.nodes[node].coordinate);
-            ContactEdge { contact: self.contact, ends: [a.min(b), a.max(b)], nodes: edge.len() }
+            let ends = [a.min(b), a.max(b)];
+            ContactEdge { contact: self.contact, ends, nodes: edge.len(), is_ring: self.is_of_revolution }
         })
+    }
+
+    /// The circumference `2πr` at a contact coordinate of bodies of revolution \[mm\]; 1 in the plane, where the thickness
+    /// stands for it.
+    pub fn circumference(&self, position: f64) -> f64 {
+        if self.is_of_revolution { TAU * position } else { 1.0 }
     }
 
     /// At a natural coordinate of an edge: shape functions `N_a`, contact coordinate `s`, and length per ξ \[mm\].

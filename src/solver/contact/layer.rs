@@ -29,7 +29,7 @@ impl ContactElement for Layer {
                 let (shapes, position, length) = interface.at(edge, xi);
                 let gap = interface.gap(edge, &shapes, position);
                 let t = t0 + gap.max(0.0);
-                let area = weight * length * interface.thickness;
+                let area = weight * length * interface.thickness * interface.circumference(position);
                 points.push(ContactPoint {
                     contact: interface.contact,
                     row: normal_row(interface, edge, t0, (&shapes, position)),

@@ -2,7 +2,8 @@
 
 use crate::contact::{ContactElement, ContactPoint, Interface, Quadrature};
 
-/// Contact points are the quadrature points of the edge; `b` holds the edge's shape functions, `A = |ds/dξ| w · thickness`.
+/// Contact points are the quadrature points of the edge; `b` holds the edge's shape functions, `A = |ds/dξ| w · thickness`, times
+/// 2πr of bodies of revolution.
 #[derive(Clone, Copy, Debug)]
 pub struct Line {
     /// Quadrature on the edge.
@@ -15,7 +16,7 @@ impl ContactElement for Line {
         for (index, edge) in interface.edges.iter().enumerate() {
             for (xi, weight) in interface.on_pieces(edge, &self.quadrature.rule(edge.len())) {
                 let (shapes, position, length) = interface.at(edge, xi);
-                let area = weight * length * interface.thickness;
+                let area = weight * length * interface.thickness * interface.circumference(position);
                 points.push(ContactPoint {
                     contact: interface.contact,
                     row: interface.terms(edge, &shapes, position).iter().map(|t| (t.dof, t.value)).collect(),

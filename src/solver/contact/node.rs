@@ -11,6 +11,9 @@ use crate::elasticity::quadrature;
 #[derive(Clone, Copy, Debug)]
 pub struct Node;
 
+/// Area of a node, over that of all, which is round-off.
+const NO_AREA: f64 = 1e-12;
+
 impl ContactElement for Node {
     fn points(&self, interface: &Interface) -> Vec<ContactPoint> {
         let mut shares: Vec<Vec<(usize, f64)>> = vec![Vec::new(); interface.nodes.len()];
@@ -19,8 +22,14 @@ impl ContactElement for Node {
                 shares[a].push((index, tributary_area(interface, edge, k)));
             }
         }
+        // On the axis of revolution nodes of edges of order 2 and more have no area, `∫ N r dr = 0`, and carry nothing.
+        let whole: f64 = shares.iter().flatten().map(|(_, area)| area).sum();
+        let has_area = |shares: &[(usize, f64)]| {
+            !interface.is_of_revolution || shares.iter().map(|(_, area)| area).sum::<f64>() > NO_AREA * whole
+        };
         let nodes = interface.nodes.iter().zip(shares);
         nodes
+            .filter(|(_, shares)| has_area(shares))
             .map(|(node, shares)| ContactPoint {
                 contact: interface.contact,
                 row: node.row().collect(),
@@ -34,12 +43,12 @@ impl ContactElement for Node {
     }
 }
 
-/// `∫ N_k (n·n_k) ds · thickness` over one edge \[mm²\].
+/// `∫ N_k (n·n_k) ds · thickness`, of bodies of revolution `∫ N_k 2πr ds`, over one edge \[mm²\].
 fn tributary_area(interface: &Interface, edge: &[usize], k: usize) -> f64 {
     let own = interface.nodes[edge[k]].coordinate;
     let terms = quadrature::gauss(edge.len().max(3)).into_iter().map(|(xi, weight)| {
         let (shapes, position, length) = interface.at(edge, xi);
-        shapes[k] * interface.pair.path.alignment(position, own) * weight * length
+        shapes[k] * interface.pair.path.alignment(position, own) * weight * length * interface.circumference(position)
     });
     terms.sum::<f64>() * interface.thickness
 }

@@ -10,6 +10,8 @@
 //! where θ̄ is the least-squares fit to θ over the cell by a constant (4 nodes) or by 1, x, y (8 nodes). Uniform strains
 //! are their own fit, so that patch tests hold, and D₀ under full integration leaves no motion but the rigid ones free.
 //!
+//! Bodies of revolution have `θ = ε_r + ε_z + ε_θ`, m has a one for the hoop stress too, and t is `2πr`.
+//!
 //! Splitting λ as Arnold & Brezzi (1993) split the shear of plates makes the cells of ordinary materials the plain ones,
 //! and the answer a continuous function of ν: no threshold at which the cell changes.
 //!
@@ -40,7 +42,7 @@ impl Split {
         let mut plain = material.stiffness(plane);
         let ordinary = plain[2][2] * 2.0 * ORDINARY / (1.0 - 2.0 * ORDINARY);
         let excess = match plane {
-            PlaneHypothesis::Strain => (plain[0][1] - ordinary).max(0.0),
+            PlaneHypothesis::Strain | PlaneHypothesis::Axisymmetric => (plain[0][1] - ordinary).max(0.0),
             PlaneHypothesis::Stress => 0.0,
         };
         plain[..2].iter_mut().flat_map(|row| &mut row[..2]).for_each(|entry| *entry -= excess);
@@ -51,7 +53,7 @@ impl Split {
 /// A Gauss point of a cell.
 #[derive(Clone, Copy, Debug)]
 pub struct Sample<const N: usize> {
-    /// `N_a,x` and `N_a,y`.
+    /// `N_a,x` and `N_a,y`; for dilatations of bodies of revolution `N_a,r + N_a/r` and `N_a,z`.
     pub gradients: [[f64; N]; 2],
     /// `t w det J`.
     pub area: f64,

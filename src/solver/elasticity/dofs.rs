@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use crate::elasticity::NodeGraph;
+use crate::elasticity::{NodeGraph, axis};
 use crate::error::Error;
 use crate::mesh::Mesh;
 use crate::scene::{Component, Load, Place, Scene};
@@ -169,6 +169,11 @@ impl Dofs {
 fn marks(scene: &Scene, mesh: &Mesh, body: usize, axes: &[[f64; 2]]) -> Result<Vec<[Mark; 2]>, Error> {
     let first = mesh.bodies[body].nodes.start;
     let mut marks = vec![[Mark::Free; 2]; axes.len()];
+    let on_axis = axis::holds(scene, mesh, body);
+    for node in mesh.bodies[body].nodes.clone().filter(|&node| on_axis(node)) {
+        let (axis, _) = aligned(axes[node - first], Component::X).ok_or_else(|| oblique(scene, body, node, "x"))?;
+        marks[node - first][axis] = Mark::Prescribed(0.0);
+    }
     let mut set = |at: &Place, component: Component, mark: Mark| -> Result<(), Error> {
         for node in mesh.nodes_at(scene, body, at)? {
             let (axis, sign) = aligned(axes[node - first], component)

@@ -1,5 +1,7 @@
 //! Element stiffness of the isoparametric quadrilaterals.
 
+use std::f64::consts::TAU;
+
 use nalgebra::Matrix2;
 
 use crate::elasticity::dilatation::{Modes, Sample, Split};
@@ -19,7 +21,9 @@ pub struct CellStiffness {
     /// Values `N_a` there.
     shapes: Vec<Vec<f64>>,
     split: Split,
+    /// Thickness, or the circumference per radius of a body of revolution.
     thickness: f64,
+    is_of_revolution: bool,
     order: Order,
     processor: pulp::Arch,
 }
@@ -32,9 +36,13 @@ impl CellStiffness {
 
     /// For cells of an order and a material, whose dilatation is smoothed where it is nearly incompressible and cells could lock.
     pub fn of(order: Order, material: &Material, plane: PlaneHypothesis, thickness: f64) -> Self {
-        match order.is_high() {
+        let plane_kernel = match order.is_high() {
             true => Self::new(order, &material.stiffness(plane), thickness),
             false => Self::tabulated(order, Split::of(material, plane), thickness),
+        };
+        match plane.is_of_revolution() {
+            true => Self { is_of_revolution: true, thickness: TAU, ..plane_kernel },
+            false => plane_kernel,
         }
     }
 
@@ -48,6 +56,7 @@ impl CellStiffness {
             rule: rule.iter().map(|&(at, weight)| (slopes(nodes, at), weight)).collect(),
             split,
             thickness,
+            is_of_revolution: false,
             order,
             processor: pulp::Arch::new(),
         }
@@ -88,6 +97,58 @@ impl CellStiffness {
             self.modes(points, &samples).add(self.split.excess, pairs);
         }
         Ok(())
+    }
+
+    /// The same of a body of revolution, with strains `(N_a,r, 0, N_a,z, N_a/r)` of a displacement along r and `t = 2πr`.
+    ///
+    /// The hoop strain depends on the place, so that a stress of node a meets the strains of node b at each Gauss point.
+    #[inline(always)]
+    fn add_pairs_of_revolution<const N: usize, const G: usize>(
+        &self,
+        points: &[[f64; 2]; N],
+        pairs: &mut [[[[f64; N]; 2]; 2]; N],
+    ) -> Result<(), f64> {
+        // `λ + 2μ`, `λ` and `μ`.
+        let [[direct, across, _], _, [_, _, shear]] = self.split.plain;
+        let mut samples = [Sample::EMPTY; G];
+        self.sample(points, &mut samples)?;
+        let hoops = self.revolve(points, &mut samples);
+        for (a, pair) in pairs.iter_mut().enumerate() {
+            let [[rr, rz], [zr, zz]] = pair;
+            for (Sample { gradients: [along_r, along_z], area }, hoop) in samples.iter().zip(&hoops) {
+                let [r, z, h] = [along_r[a], along_z[a], hoop[a]].map(|strain| area * strain);
+                add_scaled(rr, direct * r + across * h, along_r);
+                add_scaled(rr, across * r + direct * h, hoop);
+                add_scaled(rr, shear * z, along_z);
+                add_scaled(rz, across * (r + h), along_z);
+                add_scaled(rz, shear * z, along_r);
+                add_scaled(zr, across * z, along_r);
+                add_scaled(zr, across * z, hoop);
+                add_scaled(zr, shear * r, along_z);
+                add_scaled(zz, direct * z, along_z);
+                add_scaled(zz, shear * r, along_r);
+            }
+        }
+        if self.split.excess > 0.0 {
+            self.modes(points, &dilating(samples, &hoops)).add(self.split.excess, pairs);
+        }
+        Ok(())
+    }
+
+    /// Multiplies the areas by the radius, and returns `N_a/r`, at each Gauss point; none of them lies on the axis.
+    #[inline(always)]
+    fn revolve<const N: usize, const G: usize>(
+        &self,
+        points: &[[f64; 2]; N],
+        samples: &mut [Sample<N>; G],
+    ) -> [[f64; N]; G] {
+        let mut hoops = [[0.0; N]; G];
+        for ((sample, shapes), hoop) in samples.iter_mut().zip(&self.shapes).zip(&mut hoops) {
+            let [radius, _] = place(shapes, points);
+            sample.area *= radius;
+            hoop.iter_mut().zip(shapes).for_each(|(hoop, value)| *hoop = value / radius);
+        }
+        hoops
     }
 
     /// Writes what the sums need at each Gauss point.
@@ -154,6 +215,12 @@ impl CellStiffness {
             }
             let d = &self.split.plain;
             *stress = std::array::from_fn(|i| (0..3).map(|j| d[i][j] * strain[j]).sum());
+            if self.is_of_revolution {
+                let shapes = shape_functions::values(points.len(), at);
+                let [[radius, _], [outwards, _]] = [place(&shapes, points), place(&shapes, displacements)];
+                let hoop = hoop_strain(radius, outwards, strain[0]);
+                stress[..2].iter_mut().for_each(|stress| *stress += d[0][1] * hoop);
+            }
             stress[..2].iter_mut().for_each(|stress| *stress += mean);
         }
         Ok(stresses)
@@ -170,6 +237,10 @@ impl CellStiffness {
             [points, displacements].map(|all| std::array::from_fn(|a| all.get(a).copied().unwrap_or([f64::NAN; 2])));
         let mut samples = [Sample::EMPTY; G];
         self.sample(&points, &mut samples)?;
+        if self.is_of_revolution {
+            let hoops = self.revolve(&points, &mut samples);
+            samples = dilating(samples, &hoops);
+        }
         let modes = self.modes::<N, G>(&points, &samples);
         let places = at.iter().map(|&at| place(&shape_functions::values(N, at), &points));
         Ok(modes.dilatation(&displacements, places).map(|theta| self.split.excess * theta).collect())
@@ -183,7 +254,12 @@ impl CellStiffness {
     ) -> Result<(), f64> {
         let points: [[f64; 2]; N] = std::array::from_fn(|_| points.next().unwrap_or([f64::NAN; 2]));
         let mut pairs = [[[[0.0; N]; 2]; 2]; N];
-        self.processor.dispatch(AddPairs::<N, G> { kernel: self, points: &points, pairs: &mut pairs })?;
+        if self.is_of_revolution {
+            let sums = AddPairsOfRevolution::<N, G> { kernel: self, points: &points, pairs: &mut pairs };
+            self.processor.dispatch(sums)?;
+        } else {
+            self.processor.dispatch(AddPairs::<N, G> { kernel: self, points: &points, pairs: &mut pairs })?;
+        }
         for (row, pair) in k.chunks_exact_mut(2 * N).zip(pairs.as_flattened()) {
             for (entries, b) in row.chunks_exact_mut(2).zip(0..N) {
                 (entries[0], entries[1]) = (pair[0][b], pair[1][b]);
@@ -218,6 +294,35 @@ impl<const N: usize, const G: usize> pulp::WithSimd for AddPairs<'_, N, G> {
     fn with_simd<S: pulp::Simd>(self, _: S) -> Self::Output {
         self.kernel.add_pairs::<N, G>(self.points, self.pairs)
     }
+}
+
+/// The same of a body of revolution.
+struct AddPairsOfRevolution<'a, const N: usize, const G: usize> {
+    kernel: &'a CellStiffness,
+    points: &'a [[f64; 2]; N],
+    pairs: &'a mut [[[[f64; N]; 2]; 2]; N],
+}
+
+impl<const N: usize, const G: usize> pulp::WithSimd for AddPairsOfRevolution<'_, N, G> {
+    type Output = Result<(), f64>;
+
+    #[inline(always)]
+    fn with_simd<S: pulp::Simd>(self, _: S) -> Self::Output {
+        self.kernel.add_pairs_of_revolution::<N, G>(self.points, self.pairs)
+    }
+}
+
+/// Samples whose gradients are those of the dilatation, `N_a,r + N_a/r` and `N_a,z`.
+fn dilating<const N: usize, const G: usize>(mut samples: [Sample<N>; G], hoops: &[[f64; N]; G]) -> [Sample<N>; G] {
+    for (sample, hoop) in samples.iter_mut().zip(hoops) {
+        sample.gradients[0].iter_mut().zip(hoop).for_each(|(radial, hoop)| *radial += hoop);
+    }
+    samples
+}
+
+/// Hoop strain `u_r/r`, which on the axis tends to the radial one, `∂u_r/∂r`.
+pub fn hoop_strain(radius: f64, outwards: f64, radial: f64) -> f64 {
+    if radius > 0.0 { outwards / radius } else { radial }
 }
 
 /// `z ← z + a x`.

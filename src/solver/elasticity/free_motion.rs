@@ -127,9 +127,12 @@ impl Frame {
     }
 }
 
-/// What the supports and the rigid faces of a body stop.
+/// What the supports and the rigid faces of a body stop, and the axis of a body of revolution.
 fn supported(scene: &Scene, mesh: &Mesh, body: usize, dofs: &Dofs, frame: Frame) -> Result<Vec<[f64; 3]>, Error> {
     let mut rows = Vec::new();
+    if scene.is_of_revolution() {
+        rows.extend([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0]]);
+    }
     for node in mesh.bodies[body].nodes.clone() {
         let components = dofs.of_node(node).into_iter().zip(dofs.frame(node));
         let fixed = components.filter(|(dof, _)| dof.equation().is_none());

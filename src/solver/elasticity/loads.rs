@@ -76,8 +76,10 @@ fn body_force(scene: &Scene, mesh: &Mesh, body: usize, density: [f64; 2], take: 
         for &(at, weight) in &rule {
             let (_, determinant) =
                 element::gradients(&points, at).map_err(|jacobian| degenerate(scene, body, cell, jacobian))?;
-            let volume = weight * determinant * scene.thickness;
-            for (&node, (value, _)) in nodes.iter().zip(shape_functions::cell(points.len(), at)) {
+            let shapes = shape_functions::cell(points.len(), at);
+            let radius = shapes.iter().zip(&points).map(|((value, _), point)| value * point[0]).sum();
+            let volume = weight * determinant * scene.depth(radius);
+            for (&node, (value, _)) in nodes.iter().zip(shapes) {
                 take(node, density.map(|b| b * value * volume));
             }
         }

@@ -12,6 +12,7 @@
 //! * [`rigid_motion`] — refuses bodies that are free to move.
 //! * [`free_motion`] — motions that no support stops.
 //! * [`stress`] — nodal stresses.
+//! * [`axis`] — the axis of bodies of revolution.
 //! * [`reactions`] — what supports exert.
 //!
 //! ```
@@ -30,6 +31,7 @@
 //! ```
 
 pub mod assembly;
+pub mod axis;
 mod degenerate;
 pub mod dilatation;
 pub mod dofs;
@@ -89,6 +91,7 @@ impl Numbering {
     pub fn of(scene: &Scene, mesh: &Mesh) -> Result<Self, Error> {
         let number = |body: usize| {
             let graph = NodeGraph::of(mesh, body);
+            axis::refuse(scene, mesh, body)?;
             let dofs = Dofs::number(scene, mesh, body, &graph)?;
             rigid_motion::refuse_free(scene, mesh, body, &dofs)?;
             Ok((graph, dofs))

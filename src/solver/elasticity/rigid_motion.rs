@@ -21,7 +21,8 @@ pub const STOPPED_BY: [&str; 3] = [
 
 /// The interior stiffness is positive definite ⇔ no rigid motion `(a, b, ω)` leaves every fixed component at rest.
 ///
-/// Fixed are prescribed components, the normals of contact candidates, and the rotation of rigid faces.
+/// Fixed are prescribed components, the normals of contact candidates, and the rotation of rigid faces. A body of revolution
+/// can slide along its axis only.
 pub fn refuse_free(scene: &Scene, mesh: &Mesh, body: usize, dofs: &Dofs) -> Result<(), Error> {
     let nodes = mesh.bodies[body].nodes.clone();
     let count = nodes.len() as f64;
@@ -48,6 +49,9 @@ pub fn refuse_free(scene: &Scene, mesh: &Mesh, body: usize, dofs: &Dofs) -> Resu
             let edge = &mesh.boundary(scene, body, boundary)?[0];
             hold(held(edge[0], axis) - held(edge[1], axis));
         }
+    }
+    if scene.is_of_revolution() {
+        [Vector3::x(), Vector3::z()].into_iter().for_each(&mut hold);
     }
     let eigen = SymmetricEigen::new(gram);
     let weakest = eigen.eigenvalues.imin();

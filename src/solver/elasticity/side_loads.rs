@@ -17,9 +17,9 @@ pub type Taker<'a> = &'a mut dyn FnMut(usize, [f64; 2]);
 
 /// The edges that carry a load, each with the stretch of its natural coordinate that does.
 pub struct LoadedSide<'a> {
+    scene: &'a Scene,
     mesh: &'a Mesh,
     pieces: Vec<(&'a Edge, [f64; 2])>,
-    thickness: f64,
     rule: Vec<(f64, f64)>,
 }
 
@@ -35,7 +35,7 @@ struct Sample<'a> {
 impl<'a> LoadedSide<'a> {
     /// All of a side, or the part of it that is named; a part that goes on where the side has ended is refused.
     pub fn of(
-        scene: &Scene,
+        scene: &'a Scene,
         mesh: &'a Mesh,
         (body, load): (usize, usize),
         boundary: &str,
@@ -43,12 +43,8 @@ impl<'a> LoadedSide<'a> {
     ) -> Result<Self, Error> {
         let edges = mesh.boundary(scene, body, boundary)?;
         let whole = |edge: &'a Edge| (edge, [-1.0, 1.0]);
-        let mut side = Self {
-            mesh,
-            pieces: edges.iter().map(whole).collect(),
-            thickness: scene.thickness,
-            rule: quadrature::gauss(EDGE_POINTS),
-        };
+        let pieces = edges.iter().map(whole).collect();
+        let mut side = Self { scene, mesh, pieces, rule: quadrature::gauss(EDGE_POINTS) };
         if let Some(part) = part {
             side.refuse_beyond(part, boundary).map_err(|error| error_at(scene, body, load, error))?;
             side.pieces = edges.iter().flat_map(|edge| side.within(edge, part)).collect();
@@ -56,7 +52,7 @@ impl<'a> LoadedSide<'a> {
         Ok(side)
     }
 
-    /// Hands the consistent forces `f_a = ∫ N_a t ds · thickness` of what acts to the nodes.
+    /// Hands the consistent forces `f_a = ∫ N_a t ds · thickness`, `∫ N_a t 2πr ds` on a body of revolution, of what acts to the nodes.
     pub fn hand_out(&self, action: &Action, take: Taker) {
         match action {
             Action::Uniform(traction) => self.integrate(&|_, _, length| traction.map(|t| t * length), take),
@@ -69,14 +65,14 @@ impl<'a> LoadedSide<'a> {
                 self.integrate(&stress, take);
             }
             Action::Total(force) => {
-                let area = self.thickness * self.integral(|_| 1.0);
+                let area = self.area();
                 self.integrate(&|_, _, length| force.map(|f| f * length / area), take);
             }
             Action::Moment(moment) => {
                 let length = self.integral(|_| 1.0);
                 let [x, y] = [0, 1].map(|k| self.integral(|point| point[k]) / length);
                 let second = self.integral(|point| (point[0] - x).powi(2) + (point[1] - y).powi(2));
-                let turn = moment / (second * self.thickness);
+                let turn = moment / (second * self.scene.thickness);
                 self.integrate(&|point, _, length| [-(point[1] - y), point[0] - x].map(|r| r * turn * length), take);
             }
         }
@@ -86,9 +82,18 @@ impl<'a> LoadedSide<'a> {
     fn integrate(&self, traction: &dyn Fn([f64; 2], [f64; 2], f64) -> [f64; 2], take: Taker) {
         for Sample { edge, shapes, point, slope, weight } in self.samples() {
             let t = traction(point, [slope[1], -slope[0]], slope[0].hypot(slope[1]));
+            let depth = self.scene.depth(point[0]);
             for (&node, (value, _)) in edge.iter().zip(&shapes) {
-                take(node, t.map(|t| t * value * weight * self.thickness));
+                take(node, t.map(|t| t * value * weight * depth));
             }
+        }
+    }
+
+    /// Area of the side \[mm²\].
+    fn area(&self) -> f64 {
+        match self.scene.is_of_revolution() {
+            true => self.integral(|point| self.scene.depth(point[0])),
+            false => self.scene.thickness * self.integral(|_| 1.0),
         }
     }
 

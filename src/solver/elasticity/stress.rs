@@ -5,7 +5,7 @@ use crate::elasticity::element::CellStiffness;
 use crate::elasticity::{quadrature, shape_functions};
 use crate::error::Error;
 use crate::mesh::{Mesh, Order, lobatto};
-use crate::scene::{PlaneHypothesis, Scene};
+use crate::scene::{Material, PlaneHypothesis, Scene};
 
 /// Mean over the adjoining cells of `σ = D B q`, taken at the p × p Gauss points of order p, 2 × 2 at least (where it is most
 /// accurate; Barlow 1976), and extrapolated to the nodes: `[σ_x, σ_y, τ_xy]` at every node \[MPa\], tension positive.
@@ -72,11 +72,13 @@ fn extrapolation(order: Order) -> (Vec<[f64; 2]>, Vec<Vec<f64>>) {
     (points, order.places().into_iter().map(of_node).collect())
 }
 
-/// Stress across the plane σ_z \[MPa\] of `[σ_x, σ_y, τ]`: 0 in plane stress, `ν (σ_x + σ_y)` in plane strain.
-pub fn across([x, y, _]: [f64; 3], plane: PlaneHypothesis, poisson: f64) -> f64 {
+/// Stress across the plane σ_z \[MPa\] of `[σ_x, σ_y, τ]`: 0 in plane stress, `ν (σ_x + σ_y)` in plane strain, and in bodies
+/// of revolution, where it is the hoop stress, `ν (σ_r + σ_z) + E ε_θ` with a hoop strain that plane scenes have not.
+pub fn across([x, y, _]: [f64; 3], plane: PlaneHypothesis, material: &Material, hoop_strain: f64) -> f64 {
     match plane {
         PlaneHypothesis::Stress => 0.0,
-        PlaneHypothesis::Strain => poisson * (x + y),
+        PlaneHypothesis::Strain => material.poisson * (x + y),
+        PlaneHypothesis::Axisymmetric => material.poisson * (x + y) + material.young * hoop_strain,
     }
 }
 
@@ -88,11 +90,10 @@ pub fn principal([x, y, shear]: [f64; 3], z: f64) -> [f64; 3] {
     all
 }
 
-/// Von Mises stress `√(½ ((σ_x − σ_y)² + (σ_y − σ_z)² + (σ_z − σ_x)²) + 3 τ²)` \[MPa\] of `[σ_x, σ_y, τ]`, with `σ_z = 0` in
-/// plane stress and `ν (σ_x + σ_y)` in plane strain.
+/// Von Mises stress `√(½ ((σ_x − σ_y)² + (σ_y − σ_z)² + (σ_z − σ_x)²) + 3 τ²)` \[MPa\] of `[σ_x, σ_y, τ]` and the stress
+/// [`across`] them.
 ///
 /// In a cell of smoothed dilatation this σ_z is off by `2νμ (λ₁/λ)(θ̄ − θ)`, which has no mean over the cell.
-pub fn von_mises(stress: [f64; 3], plane: PlaneHypothesis, poisson: f64) -> f64 {
-    let ([x, y, shear], z) = (stress, across(stress, plane, poisson));
+pub fn von_mises([x, y, shear]: [f64; 3], z: f64) -> f64 {
     (0.5 * ((x - y).powi(2) + (y - z).powi(2) + (z - x).powi(2)) + 3.0 * shear * shear).sqrt()
 }

@@ -1,7 +1,7 @@
 //! Polynomials of any degree through pressures, by least squares: over the means of pairs of edges, or over points.
 //!
 //! A mean is taken for what it is: `c_k` of `Σ c_k s^k` contributes the mean of `s^k` over both edges, not its value in the
-//! middle.
+//! middle; over rings of a body of revolution weighted by the radius.
 
 use std::ops::RangeInclusive;
 
@@ -45,7 +45,11 @@ impl Fit {
         let scaled = |s: f64| (s - centre) / width;
         let row_of = |pair: &EdgeState| {
             let [a, b] = pair.ends.map(scaled);
-            (b - a, powers(count, |k| mean_of_power(a, b, k)), pair.pressure)
+            let mean = |k: i32| match pair.is_ring {
+                true => mean_of_power_over_ring([a, b], scaled(0.0), k),
+                false => mean_of_power(a, b, k),
+            };
+            (b - a, powers(count, mean), pair.pressure)
         };
         let (coefficients, misfit) = least_squares(count, taken.iter().map(row_of));
         let [first, last] = [taken[0].position(), taken[taken.len() - 1].position()].map(scaled);
@@ -145,4 +149,15 @@ fn powers(count: usize, of: impl Fn(i32) -> f64) -> [f64; MOST] {
 /// Mean of `x^k` over an interval.
 fn mean_of_power(a: f64, b: f64, k: i32) -> f64 {
     (b.powi(k + 1) - a.powi(k + 1)) / (f64::from(k + 1) * (b - a))
+}
+
+/// Mean `∫ x^k |x − c| dx / ∫ |x − c| dx` over an interval, c the place of the axis.
+fn mean_of_power_over_ring([a, b]: [f64; 2], axis: f64, k: i32) -> f64 {
+    let outwards = |from: f64, to: f64, k: i32| {
+        let term = |k: i32| (to.powi(k + 1) - from.powi(k + 1)) / f64::from(k + 1);
+        term(k + 1) - axis * term(k)
+    };
+    let split = axis.clamp(a, b);
+    let integral = |k: i32| outwards(split, b, k) - outwards(a, split, k);
+    integral(k) / integral(0)
 }

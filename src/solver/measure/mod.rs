@@ -30,6 +30,8 @@ pub mod profile;
 pub mod quantity;
 pub mod stretch;
 
+use std::f64::consts::PI;
+
 use crate::scene::{ContactPair, Path, Scene};
 use crate::solution::Part;
 
@@ -43,11 +45,12 @@ pub use stretch::Stretch;
 #[derive(Clone, Debug, serde::Serialize)]
 pub struct Measures {
     /// Second-moment width about the centre, `2 √(∫p (s − c)² / ∫p)` \[mm\]: that of a semi-ellipse is its half-width; on arcs the
-    /// same functional of the angle \[rad\].
+    /// same functional of the angle \[rad\]. On bodies of revolution `√(5/2 ∫p r² dA / ∫p dA)`, the radius of a semi-ellipsoid.
     pub second_moment_width: f64,
     /// Centre of pressure `∫p s / ∫p` of a contact on both sides of s = 0; 0 where it begins there \[mm\].
     pub centre: f64,
-    /// Half-width by counting active points: `Σ A / thickness` over them, half of it on both sides \[mm, or rad\].
+    /// Half-width by counting active points: `Σ A / thickness` over them, half of it on both sides \[mm, or rad\]; on bodies of
+    /// revolution the radius of the circle of that area.
     pub half_width_nodes: f64,
     /// Active points: with a pressure above [`ACTIVE`] times the largest.
     pub active: usize,
@@ -76,6 +79,9 @@ pub struct Measures {
     pub(crate) across: bool,
 }
 
+/// Radius of a semi-ellipsoid of pressures over twice its `√(∫p r² dA / ∫p dA)`, `½ √(5/2)`.
+const OF_ELLIPSOID: f64 = 0.790_569_415_042_094_8;
+
 /// Pressure over the largest of its contact from which on a point, or an edge, counts as pressed.
 pub const ACTIVE: f64 = 1e-3;
 
@@ -84,7 +90,7 @@ impl Measures {
     pub fn of(scene: &Scene, contact: usize, part: Part) -> Self {
         let Part { points, edges, .. } = part;
         let pair = &scene.contacts[contact];
-        let across = pair.path.has_both_sides();
+        let (across, revolves) = (pair.path.has_both_sides(), scene.is_of_revolution());
         let centre = if across { profile::centre(points) } else { 0.0 };
         let largest = points.iter().max_by(|a, b| a.pressure.total_cmp(&b.pressure));
         let largest = largest.map_or(f64::NAN, |point| point.pressure);
@@ -99,9 +105,13 @@ impl Measures {
         };
         let nodal::Reading { peak, through_points, at_origin } = nodal::read(part, centre).unwrap_or_else(in_pairs);
         Self {
-            second_moment_width: profile::second_moment_width(points, centre),
+            second_moment_width: profile::second_moment_width(points, centre)
+                * if revolves { OF_ELLIPSOID } else { 1.0 },
             centre,
-            half_width_nodes: active().map(|p| p.weight).sum::<f64>() / (sides * scene.thickness * pair.path.metric()),
+            half_width_nodes: match (active().map(|p| p.weight).sum::<f64>(), revolves) {
+                (area, true) => (area / PI).sqrt(),
+                (area, false) => area / (sides * scene.thickness * pair.path.metric()),
+            },
             active: active().count(),
             pressed_edges: edges.iter().filter(|edge| edge.pressure > floor).count(),
             stretches: stretch::closed(pair, part, floor),
@@ -150,6 +160,6 @@ pub fn relative_error(value: f64, reference: f64) -> f64 {
 pub fn display_factor(path: &Path) -> f64 {
     match path {
         Path::Straight(_) => 1.0,
-        Path::Arc(_) => 180.0 / std::f64::consts::PI,
+        Path::Arc(_) => 180.0 / PI,
     }
 }

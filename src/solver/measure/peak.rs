@@ -94,7 +94,7 @@ fn pairs(edges: &[EdgeState]) -> Vec<EdgeState> {
     let joined = |two: &[EdgeState]| {
         let weight = two[0].weight + two[1].weight;
         let force = two[0].weight * two[0].pressure + two[1].weight * two[1].pressure;
-        EdgeState { ends: [two[0].ends[0], two[1].ends[1]], weight, pressure: force / weight }
+        EdgeState { ends: [two[0].ends[0], two[1].ends[1]], weight, pressure: force / weight, is_ring: two[0].is_ring }
     };
     if all.len() < 2 { all } else { all.windows(2).map(joined).collect() }
 }
@@ -185,7 +185,15 @@ pub fn drawn(edges: &[EdgeState], floor: f64) -> Drawn {
     if pairs[first].pressure <= 0.0 {
         return Drawn::default();
     }
-    let mean = |k: isize| usize::try_from(k).ok().and_then(|k| pairs.get(k)).map_or(0.0, |pair| pair.pressure);
+    let pressure = |k: usize| pairs.get(k).map_or(0.0, |pair| pair.pressure);
+    // The mean of a parabola over a circle is above that over the strip which the means over rings continue, by a sixth of
+    // what the rings fall from the first to the second.
+    let above_strip = |k: usize| {
+        let is_circle = pairs[k].is_ring && pairs[k].ends[0] < 0.0 && pairs[k].ends[1] > 0.0;
+        if is_circle { (pressure(k + 1) - pressure(k + 2)) / 6.0 } else { 0.0 }
+    };
+    let within = |k: isize| usize::try_from(k).ok().filter(|&k| k < pairs.len());
+    let mean = |k: isize| within(k).map_or(0.0, |k| pressure(k) - above_strip(k));
     let difference = |k: isize| 6.0 * mean(k) - 4.0 * (mean(k - 1) + mean(k + 1)) + mean(k - 2) + mean(k + 2);
     let around = first as isize - 1..=last as isize + 1;
     let rough = around.map(|k| difference(k).abs()).fold(0.0, larger) / pairs[first].pressure;

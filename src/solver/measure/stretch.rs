@@ -71,7 +71,7 @@ fn one(pair: &ContactPair, part: Part, floor: f64, [from, to]: [usize; 2]) -> St
 /// has felt the end most and is left out where there are enough others.
 pub fn end(edges: &[EdgeState]) -> f64 {
     let Some(last) = edges.len().checked_sub(1) else { return f64::NAN };
-    let beyond = |from: usize| -> f64 { edges[from..].iter().map(|edge| edge.length() * edge.pressure).sum() };
+    let beyond = |from: usize| -> f64 { edges[from..].iter().map(|edge| edge.measure() * edge.pressure).sum() };
     let newest = if last >= 3 { last - 1 } else { last };
     let nodes: Vec<[f64; 2]> =
         (newest.saturating_sub(2)..=newest).map(|k| [beyond(k).powf(2.0 / 3.0), edges[k].ends[0]]).collect();

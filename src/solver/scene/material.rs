@@ -1,18 +1,20 @@
-//! Elastic constants and the plane hypothesis.
+//! Elastic constants, and what a scene in two coordinates stands for.
 
 use crate::error::{self, Error};
 use crate::scene::range::positive;
 
-/// Plane strain or plane stress.
+/// Plane strain, plane stress, or bodies of revolution.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PlaneHypothesis {
     /// `ε_z = 0`.
     Strain,
     /// `σ_z = 0`.
     Stress,
+    /// Bodies of revolution about x = 0: x is the radius r, y the axial coordinate, and `ε_θ = u_r/r`.
+    Axisymmetric,
 }
 
-/// Largest Poisson's ratio in plane strain.
+/// Largest Poisson's ratio in plane strain and of bodies of revolution.
 ///
 /// At 0.5 a body keeps its volume, `λ = 2μν/(1 − 2ν)` is infinite and displacements alone no longer give the pressure. At
 /// 0.4999 `λ = 4999 μ`, and round-off in the stiffness takes four digits.
@@ -22,16 +24,22 @@ impl PlaneHypothesis {
     /// Whether bodies may have a Poisson's ratio.
     pub fn takes(self, poisson: f64) -> bool {
         match self {
-            Self::Strain => poisson > -1.0 && poisson <= LARGEST_POISSON,
+            Self::Strain | Self::Axisymmetric => poisson > -1.0 && poisson <= LARGEST_POISSON,
             Self::Stress => poisson > -1.0 && poisson < 1.0,
         }
     }
 
-    /// Kolosov's constant `κ'`: `(3−ν)/(1+ν)` in plane stress, `3−4ν` in plane strain.
+    /// Whether the bodies are of revolution.
+    pub fn is_of_revolution(self) -> bool {
+        self == Self::Axisymmetric
+    }
+
+    /// Kolosov's constant `κ'`: `(3−ν)/(1+ν)` in plane stress, `3−4ν` in plane strain, and near a circular edge of a body of
+    /// revolution, where it is as good as plane.
     pub fn kolosov(self, poisson: f64) -> f64 {
         match self {
             Self::Stress => (3.0 - poisson) / (1.0 + poisson),
-            Self::Strain => 3.0 - 4.0 * poisson,
+            Self::Strain | Self::Axisymmetric => 3.0 - 4.0 * poisson,
         }
     }
 
@@ -40,6 +48,9 @@ impl PlaneHypothesis {
         match self {
             Self::Strain => format!(
                 "above -1 and at most {LARGEST_POISSON} in plane strain, which serves for bodies that keep their volume"
+            ),
+            Self::Axisymmetric => format!(
+                "above -1 and at most {LARGEST_POISSON} in bodies of revolution, which serves for those that keep their volume"
             ),
             Self::Stress => "between -1 and 1, both excluded".into(),
         }
@@ -60,21 +71,24 @@ impl Material {
     /// Steel as the examples have it: 210 GPa, 0.3.
     pub const STEEL: Self = Self { young: 210e3, poisson: 0.3 };
 
-    /// Plane modulus `E/(1−ν²)` in plane strain, `E` in plane stress \[MPa\].
+    /// Plane modulus `E/(1−ν²)` in plane strain and of bodies of revolution, `E` in plane stress \[MPa\].
     pub fn plane_modulus(&self, plane: PlaneHypothesis) -> f64 {
         match plane {
-            PlaneHypothesis::Strain => self.young / (1.0 - self.poisson * self.poisson),
+            PlaneHypothesis::Strain | PlaneHypothesis::Axisymmetric => self.young / (1.0 - self.poisson * self.poisson),
             PlaneHypothesis::Stress => self.young,
         }
     }
 
     /// Elasticity matrix `D` with `[σ_x, σ_y, τ_xy] = D [ε_x, ε_y, γ_xy]` \[MPa\].
     ///
-    /// Plane stress with `E`, `ν`; plane strain is the same with `E/(1−ν²)`, `ν/(1−ν)`.
+    /// Plane stress with `E`, `ν`; plane strain is the same with `E/(1−ν²)`, `ν/(1−ν)`. Of bodies of revolution it is that of
+    /// plane strain, to which the hoop strain adds `σ_r += D₁₂ ε_θ`, `σ_z += D₁₂ ε_θ`; `σ_θ = D₁₂ (ε_r + ε_z) + D₁₁ ε_θ`.
     pub fn stiffness(&self, plane: PlaneHypothesis) -> [[f64; 3]; 3] {
         let (e, nu) = match plane {
             PlaneHypothesis::Stress => (self.young, self.poisson),
-            PlaneHypothesis::Strain => (self.plane_modulus(plane), self.poisson / (1.0 - self.poisson)),
+            PlaneHypothesis::Strain | PlaneHypothesis::Axisymmetric => {
+                (self.plane_modulus(plane), self.poisson / (1.0 - self.poisson))
+            }
         };
         let c = e / (1.0 - nu * nu);
         [[c, c * nu, 0.0], [c * nu, c, 0.0], [0.0, 0.0, c * (1.0 - nu) / 2.0]]
@@ -88,8 +102,8 @@ impl Material {
         }
         let expected = format!("it must lie {}", plane.poisson_range());
         let remedy = match plane {
-            PlaneHypothesis::Strain => format!("use for instance 0.3, or {LARGEST_POISSON}"),
             PlaneHypothesis::Stress => "use for instance 0.3".into(),
+            _ => format!("use for instance 0.3, or {LARGEST_POISSON}"),
         };
         Err(Error::value(place, "poisson", self.poisson, expected, remedy))
     }

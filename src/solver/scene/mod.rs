@@ -13,6 +13,7 @@
 //! * [`spline`] — a monotone cubic through points.
 //! * [`given`] — a mesh made elsewhere.
 //! * `range` — what a number must be.
+//! * `revolution` — what bodies of revolution cannot have.
 //! * [`variant`] — the same scene in other units, mirrored, or with its bodies swapped.
 //!
 //! Units are millimetre, newton and megapascal throughout.
@@ -37,10 +38,13 @@ pub mod material;
 pub mod path;
 pub mod place;
 mod range;
+mod revolution;
 pub mod shape;
 pub mod side_part;
 pub mod spline;
 pub mod variant;
+
+use std::f64::consts::TAU;
 
 use crate::error::{self, Error, Part};
 
@@ -63,9 +67,9 @@ pub use spline::MonotoneCubic;
 pub struct Scene {
     /// Name, as used on the command line and in snapshots.
     pub name: String,
-    /// Plane strain or plane stress.
+    /// Plane strain, plane stress, or bodies of revolution.
     pub plane: PlaneHypothesis,
-    /// Thickness of all bodies \[mm\].
+    /// Thickness of all bodies \[mm\]; 1 where they are of revolution.
     pub thickness: f64,
     /// The elastic bodies.
     pub bodies: Vec<Body>,
@@ -112,13 +116,24 @@ impl Scene {
         self.bodies.iter().any(|body| body.shape.bends())
     }
 
+    /// Whether the bodies are of revolution.
+    pub fn is_of_revolution(&self) -> bool {
+        self.plane.is_of_revolution()
+    }
+
+    /// What the model stands for across its plane at a distance from the axis: the thickness, or the circumference `2πr` of a
+    /// body of revolution \[mm\].
+    pub fn depth(&self, radius: f64) -> f64 {
+        if self.is_of_revolution() { TAU * radius } else { self.thickness }
+    }
+
     /// The first contact, which is the only one of most scenes.
     pub fn contact(&self) -> &ContactPair {
         &self.contacts[0]
     }
 
-    /// Contact modulus `1/E* = Σ 1/E'` over the elastic bodies of a contact, `E' = E/(1−ν²)` in plane strain, `E` in plane
-    /// stress; the largest where there are several contacts \[MPa\].
+    /// Contact modulus `1/E* = Σ 1/E'` over the elastic bodies of a contact, `E' = E/(1−ν²)` in plane strain and of
+    /// bodies of revolution, `E` in plane stress; the largest where there are several contacts \[MPa\].
     pub fn contact_modulus(&self) -> f64 {
         self.contacts.iter().map(|pair| self.modulus_of(pair)).fold(0.0, f64::max)
     }
@@ -173,6 +188,7 @@ impl Scene {
         positive(&scene, "reference length", self.reference.length)?;
         positive(&scene, "reference pressure", self.reference.pressure)?;
         positive(&scene, "reference gap", self.reference.gap)?;
+        self.refuse_beside_revolution()?;
         if self.contacts.is_empty() {
             return Err(Error::value(scene, "contacts", 0, "at least one is needed", "add one"));
         }

@@ -98,8 +98,12 @@ impl Discretisation {
             n => formulation.stiffness_pattern[i % n],
         };
         let scale = Scale { gap: reference.gap, stiffness: unit };
-        let compliance =
-            self.scene.contacts.iter().map(|pair| 1.0 / (self.scene.modulus_of(pair) * self.scene.thickness));
+        // Of a body of revolution a flat punch as wide as the candidates, `δ = F/(2E*a)`.
+        let across = |pair: &ContactPair| match self.scene.is_of_revolution() {
+            true => 2.0 * pair.stretch,
+            false => self.scene.thickness,
+        };
+        let compliance = self.scene.contacts.iter().map(|pair| 1.0 / (self.scene.modulus_of(pair) * across(pair)));
         let mut problem = ContactProblem {
             stiffness: &self.condensed.stiffness,
             load,

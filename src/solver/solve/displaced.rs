@@ -13,7 +13,7 @@ const EDGE_POINTS: usize = 8;
 type Weights = Vec<(usize, f64)>;
 
 impl Discretisation {
-    /// Mean `∫ u ds / ∫ ds` over a side, or `Σ N_a u_a` at a point \[mm\], of the displacement of every node.
+    /// Mean `∫ u t ds / ∫ t ds` over a side, t the thickness or 2πr, or `Σ N_a u_a` at a point \[mm\], of the displacement of every node.
     pub fn displaced(&self, displacement: &[[f64; 2]], of: &Displaced) -> Result<f64, Error> {
         let weights = match &of.at {
             Place::Boundary(name) => self.mean_over(self.mesh.boundary(&self.scene, of.body, name)?),
@@ -23,10 +23,12 @@ impl Discretisation {
         Ok(weights.iter().map(|&(node, weight)| weight * displacement[node][component]).sum())
     }
 
-    /// `∫ N_a ds / ∫ ds`, edge by edge.
+    /// `∫ N_a t ds / ∫ t ds`, edge by edge; on the axis of a body of revolution that of lengths.
     fn mean_over(&self, edges: &[Edge]) -> Weights {
         let rule = quadrature::gauss(EDGE_POINTS);
         let mut weights = Weights::new();
+        let radius = |node: usize| self.mesh.points[node][0].abs();
+        let revolves = self.scene.is_of_revolution() && edges.iter().flatten().any(|&node| radius(node) > 0.0);
         for edge in edges {
             for &(xi, weight) in &rule {
                 let shapes = shape_functions::edge(edge.len(), xi);
@@ -34,7 +36,11 @@ impl Discretisation {
                     let slopes = edge.iter().zip(&shapes);
                     slopes.map(|(&node, (_, derivative))| derivative * self.mesh.points[node][k]).sum::<f64>()
                 };
-                let length = weight * slope(0).hypot(slope(1));
+                let around = match revolves {
+                    true => edge.iter().zip(&shapes).map(|(&node, (value, _))| value * radius(node)).sum(),
+                    false => 1.0,
+                };
+                let length = weight * slope(0).hypot(slope(1)) * around;
                 weights.extend(edge.iter().zip(&shapes).map(|(&node, (value, _))| (node, value * length)));
             }
         }

@@ -71,17 +71,23 @@ impl Discretisation {
         let part = &mesh.bodies[body];
         let points = &mesh.points[part.nodes.clone()];
         let middle = [0, 1].map(|k| points.iter().map(|point| point[k]).sum::<f64>() / points.len() as f64);
-        let arm = |node: usize| [mesh.points[node][0] - middle[0], mesh.points[node][1] - middle[1]];
+        // Around a body of revolution radial forces and moments cancel, whatever they are.
+        let revolves = scene.is_of_revolution();
+        let kept = |force: [f64; 2]| if revolves { [0.0, force[1]] } else { force };
+        let arm = |node: usize| match revolves {
+            true => [0.0; 2],
+            false => [mesh.points[node][0] - middle[0], mesh.points[node][1] - middle[1]],
+        };
 
         let loads = loads::at_nodes(scene, mesh, body)?;
         let mut applied = Sum::default();
         for (node, force) in part.nodes.clone().zip(&loads) {
-            applied.add(arm(node), force.map(|f| share * f));
+            applied.add(arm(node), kept(force.map(|f| share * f)));
         }
         let mut contacts = vec![Sum::default(); scene.contacts.len()];
         for (index, candidate) in part.candidates.iter().enumerate() {
             let force = solution.contact_force[self.condensed.offsets[body] + index];
-            contacts[candidate.contact].add(arm(candidate.node), candidate.normal.map(|n| n * force));
+            contacts[candidate.contact].add(arm(candidate.node), kept(candidate.normal.map(|n| n * force)));
         }
         let mut all = vec![applied];
         all.extend(contacts);
@@ -97,7 +103,7 @@ impl Discretisation {
                 let mut force = [0.0; 2];
                 force[k] = internal[node - first][k] - share * loads[node - first][k];
                 passed[k] += force[k];
-                held.add(arm(node), force);
+                held.add(arm(node), kept(force));
             }
             // A rigid face passes on to its nodes what keeps them in line; that shall add up to the force on it.
             if let Some((k, force)) = given {

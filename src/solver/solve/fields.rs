@@ -1,6 +1,6 @@
 //! Fields on the whole mesh, recovered from the condensed solution.
 
-use crate::elasticity::stress;
+use crate::elasticity::{axis, stress};
 use crate::error::Error;
 use crate::scene::contact_pair::CONTACT;
 use crate::solution::Solution;
@@ -54,12 +54,19 @@ impl Discretisation {
         Ok(along)
     }
 
-    /// Stress across the plane at every node of recovered fields \[MPa\].
+    /// Stress across the plane at every node of recovered fields, of bodies of revolution the hoop stress \[MPa\].
+    ///
+    /// A hoop strain is `u_r/r` of the node, as accurate as displacements; on the axis `σ_θ = σ_r`.
     pub fn stress_across(&self, fields: &Fields) -> Vec<f64> {
         let mut across = vec![0.0; fields.stress.len()];
-        for (body, part) in self.scene.bodies.iter().zip(&self.mesh.bodies) {
+        for (index, (body, part)) in self.scene.bodies.iter().zip(&self.mesh.bodies).enumerate() {
+            let on_axis = axis::holds(&self.scene, &self.mesh, index);
             for node in part.nodes.clone() {
-                across[node] = stress::across(fields.stress[node], self.scene.plane, body.material.poisson);
+                let hoop_strain = fields.displacement[node][0] / self.mesh.points[node][0];
+                across[node] = match on_axis(node) {
+                    true => fields.stress[node][0],
+                    false => stress::across(fields.stress[node], self.scene.plane, &body.material, hoop_strain),
+                };
             }
         }
         across
@@ -67,12 +74,7 @@ impl Discretisation {
 
     /// Von Mises stress at every node of recovered fields \[MPa\].
     pub fn von_mises(&self, fields: &Fields) -> Vec<f64> {
-        let mut equivalent = vec![0.0; fields.stress.len()];
-        for (body, part) in self.scene.bodies.iter().zip(&self.mesh.bodies) {
-            for node in part.nodes.clone() {
-                equivalent[node] = stress::von_mises(fields.stress[node], self.scene.plane, body.material.poisson);
-            }
-        }
-        equivalent
+        let across = self.stress_across(fields);
+        fields.stress.iter().zip(across).map(|(stress, across)| stress::von_mises(*stress, across)).collect()
     }
 }

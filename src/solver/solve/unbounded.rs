@@ -1,7 +1,7 @@
 //! Peaks without a limit: under the corner of a punch, the tip of a wedge. They are known by where they lie, and by how they grow with
 //! refinement: the growth of a sharp but finite top alone does not tell it from one without a limit until the mesh resolves it.
 
-use std::f64::consts::{FRAC_1_SQRT_2, LN_2, PI};
+use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, LN_2, PI};
 
 use crate::error::Error;
 use crate::mesh::Resolution;
@@ -101,7 +101,10 @@ fn told(discretisation: &Discretisation, run: &Run, contact: usize) -> Option<Un
     let holds = |s: f64| measures.stretches.iter().any(|one| one.begin <= s && s < one.end);
     let per_halving = scene.modulus_of(pair) * LN_2 / (2.0 * PI * pair.path.metric() * measures.peak.pressure);
     let tips = pair.profile.tips().unwrap_or_default().into_iter();
-    let tips = tips.map(|[position, leap]| Unbounded { position, growth: per_halving * leap });
+    // A cone, `p = ½ E* tan β arcosh a/r`, adds `E* Δ ln 2/4`; an edge around the axis is as good as straight.
+    let is_cone = |position: f64| scene.is_of_revolution() && position.abs() <= 0.0;
+    let growth = |position: f64, leap: f64| per_halving * leap * if is_cone(position) { FRAC_PI_2 } else { 1.0 };
+    let tips = tips.map(|[position, leap]| Unbounded { position, growth: growth(position, leap) });
     let sharpest = tips.filter(|tip| holds(tip.position)).max_by(|a, b| a.growth.total_cmp(&b.growth));
     if let Some(tip) = sharpest.filter(|tip| tip.growth > SMALL) {
         return Some(tip);

@@ -1,0 +1,179 @@
+//! Bodies of revolution: uniform stresses exact to round-off, Hertz's sphere by all nine, refusals.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use approx::assert_relative_eq;
+use contact_vv::algorithm::Iteration;
+use contact_vv::case::Case;
+use contact_vv::cli::new::Template;
+use contact_vv::contact::Element;
+use contact_vv::measure::Quantity;
+use contact_vv::mesh::{Order, Resolution};
+use contact_vv::oracle::analytic::revolution::sphere::Sphere;
+use contact_vv::scene::{
+    BlockShape, Body, Component, ContactPair, Face, Grading, Load, Material, Path as Way, Place, PlaneHypothesis,
+    Profile, ReferenceValues, Scene, Shape, StressField, Support,
+};
+use contact_vv::solve::{Discretisation, Formulation, Run};
+
+const ORDERS: [Order; 7] =
+    [Order::Linear, Order::Quadratic, Order::Quartic, Order::Quintic, Order::Sextic, Order::Septic, Order::Octic];
+
+/// A body from x to 3 mm, 0 to 2 mm high, of the given shape, on a rigid plane under the traction of a stress.
+fn block(shape: Shape, poisson: f64, stress: [f64; 3], loaded: &[&'static str]) -> Scene {
+    let load =
+        |name: &&'static str| Load::Stress { boundary: (*name).into(), field: StressField(Arc::new(move |_| stress)) };
+    let material = Material { young: 1000.0, poisson };
+    let body = Body {
+        name: "block".into(),
+        shape,
+        material,
+        density: 1.0,
+        supports: vec![],
+        loads: loaded.iter().map(load).collect(),
+    };
+    let mut pair = ContactPair::new(None, Way::HORIZONTAL, Profile::Uniform(0.0), 3.0);
+    pair.symmetric = false;
+    Scene {
+        name: "block".into(),
+        plane: PlaneHypothesis::Axisymmetric,
+        thickness: 1.0,
+        bodies: vec![body],
+        contacts: vec![pair],
+        reference: ReferenceValues { length: 1.0, pressure: 1.0, gap: 1e-3 },
+        grading: Grading { unit: 3.0, along: 1.0, depth: 1.0, first: 1.0, coarsest: 1.0, end: 1.0 },
+    }
+}
+
+fn rectangle(inner: f64) -> Shape {
+    Shape::Rectangle { x: [inner, 3.0], y: [0.0, 2.0], contact: Face::Bottom }
+}
+
+/// Four skewed blocks about a point that is no centre.
+fn skewed() -> Shape {
+    let [a, b, c, d] = [[0.0, 0.0], [3.0, 0.0], [3.0, 2.0], [0.0, 2.0]];
+    let [south, east, north, west, middle] = [[1.2, 0.0], [3.0, 0.9], [1.8, 2.0], [0.0, 1.2], [1.4, 0.8]];
+    let block = |corners: [[f64; 2]; 4], names: [Option<&'static str>; 4]| BlockShape {
+        corners,
+        arcs: [None; 4],
+        names: names.map(|name| name.map(Into::into)),
+        elements: [2, 2],
+        growth: [1.0; 2],
+    };
+    Shape::Blocks(vec![
+        block([a, south, middle, west], [Some("contact"), None, None, None]),
+        block([south, b, east, middle], [Some("contact"), Some("right"), None, None]),
+        block([middle, east, c, north], [None, Some("right"), Some("far"), None]),
+        block([west, middle, north, d], [None, None, Some("far"), None]),
+    ])
+}
+
+#[test]
+fn uniform_stresses_of_bodies_of_revolution_are_exact() {
+    for (name, stress, loaded) in
+        [("axial", [0.0, -7.0, 0.0], &["far"][..]), ("hydrostatic", [-7.0, -7.0, 0.0], &["far", "right"])]
+    {
+        for (poisson, order) in ORDERS.into_iter().flat_map(|order| [(0.3, order), (0.499, order)]) {
+            for shape in [rectangle(0.0), skewed()] {
+                let scene = block(shape, poisson, stress, loaded);
+                let resolution = Resolution { elements: 2, refinement: 0, order };
+                let discretisation = Discretisation::of(scene, resolution).unwrap();
+                let run = Run::of(&discretisation, &Formulation::new(Element::Line, Iteration::Kinematic)).unwrap();
+                let fields = discretisation.recover(&run.solution).unwrap();
+                let hoop = discretisation.stress_across(&fields);
+                let case = format!("{name}, ν = {poisson}, {order:?}");
+                for (found, hoop) in fields.stress.iter().zip(hoop) {
+                    for (found, wanted) in found.iter().chain([&hoop]).zip([stress[0], stress[1], 0.0, stress[0]]) {
+                        assert!(
+                            (found - wanted).abs() <= 1e-9 * 7.0 / (1.0 - 2.0 * poisson),
+                            "{case}: {found} {wanted}"
+                        );
+                    }
+                }
+                for point in &run.solution.points {
+                    assert_relative_eq!(point.pressure, 7.0, max_relative = 1e-9);
+                }
+                let whole = std::f64::consts::PI * 9.0 * 7.0;
+                assert_relative_eq!(run.transmitted(), whole, max_relative = 1e-9);
+                assert!(run.imbalance() <= 1e-9, "{case}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_thick_cylinder_under_inner_pressure_is_lames() {
+    // σ_r = A − B/r², σ_θ = A + B/r², A = p a²/(b² − a²), B = A b², and σ_z = 0 at the free ends.
+    let (inner, outer, pressure): (f64, f64, f64) = (1.5, 3.0, 10.0);
+    let mut scene = block(rectangle(inner), 0.3, [-pressure, 0.0, 0.0], &["left"]);
+    scene.bodies[0].supports = vec![Support { at: Place::Boundary("far".into()), component: Component::Y, value: 0.0 }];
+    scene.contacts[0].profile = Profile::Uniform(1.0);
+    let discretisation =
+        Discretisation::of(scene, Resolution { elements: 4, refinement: 0, order: Order::Octic }).unwrap();
+    let run = Run::of(&discretisation, &Formulation::new(Element::Line, Iteration::Kinematic)).unwrap();
+    let fields = discretisation.recover(&run.solution).unwrap();
+    let hoop = discretisation.stress_across(&fields);
+    let mean = pressure * inner * inner / (outer * outer - inner * inner);
+    for ((point, stress), hoop) in discretisation.mesh.points.iter().zip(&fields.stress).zip(hoop) {
+        let varying = mean * (outer / point[0]).powi(2);
+        assert!((stress[0] - (mean - varying)).abs() <= 1e-5 * pressure, "{point:?} {stress:?}");
+        assert!((hoop - (mean + varying)).abs() <= 1e-5 * pressure, "{point:?} {hoop}");
+        assert!(stress[1].abs() <= 1e-5 * pressure);
+    }
+}
+
+#[test]
+fn hertz_sphere_by_all_nine() {
+    let (radius, a) = (50.0, 0.25);
+    let scene = Scene::sphere_on_plane(radius, Material::STEEL, a);
+    let modulus = scene.contact_modulus();
+    let hertz = Sphere { load: Sphere::load_for(a, radius, modulus), radius, modulus };
+    for order in [Order::Linear, Order::Quadratic] {
+        let resolution = Resolution { elements: 12, refinement: 0, order };
+        let discretisation = Discretisation::of(scene.clone(), resolution).unwrap();
+        for formulation in Formulation::compared() {
+            let run = Run::of(&discretisation, &formulation).unwrap();
+            assert!(run.solution.converged(), "{}", formulation.name());
+            let measures = run.measures();
+            assert_relative_eq!(run.transmitted(), hertz.load, max_relative = 5e-3);
+            assert_relative_eq!(measures.peak.pressure, hertz.peak_pressure(), max_relative = 5e-3);
+            assert_relative_eq!(measures.second_moment_width, a, max_relative = 5e-3);
+            let approach = discretisation.number(&run, 0, &Quantity::Approach).unwrap();
+            assert_relative_eq!(approach, hertz.approach(), max_relative = 5e-2);
+        }
+    }
+}
+
+/// What is said of a scene file of a sphere in which something is replaced.
+fn refused(what: &str, by: &str) -> String {
+    let text = Template::Sphere.text();
+    assert!(text.contains(what), "{what}");
+    let case = Case::parse(Path::new("sphere.toml"), &text.replacen(what, by, 1));
+    match case.and_then(|case| case.solve().map(|_| ())) {
+        Ok(()) => String::new(),
+        Err(error) => error.to_string(),
+    }
+}
+
+#[test]
+fn what_bodies_of_revolution_cannot_have_is_refused() {
+    let loads = "loads = [{ traction = { at = \"cut\", force = [0, -750] } }]";
+    let plane = "plane = \"axisymmetric\"";
+    for (what, by, said) in [
+        (plane, "plane = \"axisymmetric\"\nthickness = 1.0", "have no thickness"),
+        (plane, "plane = \"strain\"", "missing field `thickness`"),
+        ("stretch = 1.0", "stretch = 1.0\nboth-sides = true", "one side of their axis"),
+        ("stretch = 1.0", "stretch = 1.0\nsymmetric = true", "modelled whole"),
+        ("stretch = 1.0", "stretch = 1.0\norigin = [1, 0]", "is the radius"),
+        ("centre = [0, 50]", "centre = [-1, 50]", "x ≥ 0"),
+        ("force = [0, -750]", "force = [1, -750]", "radial forces"),
+        (loads, "loads = [{ moment = { at = \"cut\", value = 5 } }]", "moment"),
+        (loads, "loads = [{ pressure = { at = \"axis\", law = { uniform = 5 } } }]", "no area"),
+        (loads, "supports = [{ at = \"axis\", component = \"x\", value = 0.1 }]", "stays there"),
+        ("{ hertz = { load = 750, radius = 50 } }", "{ flat-punch = { load = 750, half-width = 1 } }", "plane scenes"),
+    ] {
+        let found = refused(what, by);
+        assert!(found.contains(said), "{by}: {found}");
+    }
+}
