@@ -262,7 +262,7 @@ const BUDGETS: [(&str, usize); 9] = [
     ("solver", 18_780),
     ("drawing", 2_970),
     ("case", 7_780),
-    ("oracle", 3_740),
+    ("oracle", 4_270),
     ("study", 14_650),
     ("referee", 5_445),
     ("report", 3_440),

@@ -82,6 +82,7 @@ mod referee_wild;
 mod references;
 mod revolution;
 mod revolution_scripts;
+mod revolution_solved;
 mod rigid_pin;
 mod rooms;
 mod scene;
