@@ -1,6 +1,7 @@
-"""Asks the scripts beside this one for their scenes, and writes what they answer: freeze.py > ../frozen/revolution.json.
+"""Asks the scripts beside this one for their scenes, and writes what they answer to ../frozen/revolution.json.
 
-Needs ../setup.sh and setup.sh. Every script runs in a process of its own, of the newest dolfinx where that is installed.
+Needs ../setup.sh and setup.sh. Every script runs in a process of its own, of the newest dolfinx where that is installed; answers to the
+same scene of the same script are kept.
 """
 
 import hashlib
@@ -11,6 +12,7 @@ import subprocess
 import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
+FROZEN = HERE.parent / "frozen/revolution.json"
 INSTALLED = HERE.parent / ".python"
 LEVELS = 3
 RADIUS, A_OVER_R = 50.0, 0.05
@@ -28,9 +30,8 @@ SCRIPTS = {  # module: method, scenes
 }
 
 
-def digest():
-    """SHA-256 of the scripts of this folder, names and lengths included."""
-    files = sorted(HERE.glob("*.py"))
+def digest(files):
+    """SHA-256 of files, names and lengths included."""
     return hashlib.sha256(b"".join(f"{f.name}\0{f.stat().st_size}\0".encode() + f.read_bytes() for f in files)).hexdigest()
 
 
@@ -47,19 +48,23 @@ def asked(module, method, scene):
 
 
 def main():
-    """Prints the answers of all."""
+    """Asks what is not known, and writes after every answer."""
+    old = json.loads(FROZEN.read_text()) if FROZEN.exists() else {"scenes": {}}
     stations = [(k + 0.5) / 10 * A_OVER_R * RADIUS for k in range(10)]
-    scenes, versions = {}, {}
+    new = {"scripts": digest(sorted(HERE.glob("*.py"))), "scenes": {}}
     for case, numbers in SCENES.items():
-        scene = {"case": case, "numbers": numbers, "stations": stations}
-        series = {}
+        scene, known = {"case": case, "numbers": numbers, "stations": stations}, old["scenes"].get(case, {})
+        answers = {}
+        new["scenes"][case] = {"scene": scene, "answers": answers}
         for module, (method, cases) in SCRIPTS.items():
-            if case in cases:
+            if case not in cases:
+                continue
+            script, kept = digest([HERE / f"{module}.py"]), known.get("answers", {}).get(module, {})
+            if kept.get("script") != script or known.get("scene") != scene:
                 print(case, module, file=sys.stderr, flush=True)
-                told = asked(module, method, scene)
-                versions[module], series[module] = told["version"], told["series"]
-        scenes[case] = {"scene": scene, "series": series}
-    print(json.dumps({"scripts": digest(), "versions": versions, "scenes": scenes}, indent=2))
+                kept = {"script": script, **asked(module, method, scene)}
+            answers[module] = kept
+            FROZEN.write_text(json.dumps(new, indent=2) + "\n")
 
 
 if __name__ == "__main__":

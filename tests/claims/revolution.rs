@@ -235,6 +235,7 @@ fn closed_forms_of_revolution_refuse_what_is_out_of_range() {
         ("radius", Indentation { radius: f64::NAN, ..contact(vec![[0.01, 2.0]]) }),
         ("load", contact(vec![[-0.01, 2.0]])),
         ("power", contact(vec![[0.01, 2.0], [0.01, 0.0]])),
+        ("steep power", contact(vec![[0.01, 1e18]])),
         ("coefficient", contact(vec![[f64::NAN, 2.0]])),
         ("beyond", Indentation { beyond: -1e-3, ..contact(vec![[0.01, 2.0]]) }),
     ] {

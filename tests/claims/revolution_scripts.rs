@@ -18,14 +18,20 @@ struct Frozen {
     scenes: BTreeMap<String, Asked>,
 }
 
-/// A scene, and of every script the answers on its meshes, coarse to fine.
+/// A scene, and what every script answers.
 #[derive(Deserialize)]
 struct Asked {
     scene: PhysicalScene,
-    series: BTreeMap<String, Vec<Answer>>,
+    answers: BTreeMap<String, Series>,
 }
 
-/// What a script answers.
+/// What a script answers, coarse to fine.
+#[derive(Deserialize)]
+struct Series {
+    series: Vec<Answer>,
+}
+
+/// An answer on one mesh.
 #[derive(Deserialize)]
 struct Answer {
     half_width: f64,
@@ -43,9 +49,8 @@ impl Frozen {
 
     /// A scene and the finest answers, by script.
     fn finest(&self, case: &str) -> (&PhysicalScene, Vec<(&str, &Answer)>) {
-        let Asked { scene, series } = &self.scenes[case];
-        let last = |answers: &'_ Vec<Answer>| answers.len() - 1;
-        (scene, series.iter().map(|(script, answers)| (script.as_str(), &answers[last(answers)])).collect())
+        let Asked { scene, answers } = &self.scenes[case];
+        (scene, answers.iter().map(|(script, of)| (script.as_str(), &of.series[of.series.len() - 1])).collect())
     }
 }
 
