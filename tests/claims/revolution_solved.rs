@@ -75,15 +75,16 @@ fn truncated_blocks_of_revolution_are_their_closed_forms() {
         // The far face comes nearer by less than the half-space's infinity does.
         let far = Displaced { body: 0, at: Place::Boundary("far".into()), component: Component::Y };
         let approach = -discretisation.number(&run, 0, &Quantity::Displacement(far)).unwrap();
+        // 8-node cells, 16 on the radius.
         let numbers = [
-            ("load", run.transmitted(), contact.load(), 1e-5),
-            ("radius", measures.second_moment_width, contact.second_moment_radius(), 1e-3),
-            ("peak", measures.peak.pressure, contact.peak_pressure(), 1e-3),
-            ("approach", approach, contact.approach() - sunk, 1e-3),
+            ("load", run.transmitted(), contact.load(), 1e-9),
+            ("radius", measures.second_moment_width, contact.second_moment_radius(), 5e-4),
+            ("peak", measures.peak.pressure, contact.peak_pressure(), 5e-4),
+            ("approach", approach, contact.approach() - sunk, 1e-4),
         ];
         for (what, value, reference, tolerance) in numbers {
-            println!("{name}, {what}: {value} against {reference}: {:.1e}", value / reference - 1.0);
             let error = (value / reference - 1.0).abs();
+            // Below the tip of a cone the pressure is without limit.
             assert!(reference == f64::INFINITY || error <= tolerance, "{name}, {what}: {value} against {reference}");
         }
     }
