@@ -83,6 +83,8 @@ mod referee_series;
 mod referee_wild;
 mod references;
 mod revolution;
+mod revolution_scripts;
+mod revolution_solved;
 mod rigid_pin;
 mod rooms;
 mod scene;

@@ -23,10 +23,11 @@ pub struct PressFit {
     pub plane: Plane,
 }
 
-/// Constants of the plane-stress formula: in plane strain `E → E/(1−ν²)`, `ν → ν/(1−ν)`.
+/// Constants of the plane-stress formula: in plane strain `E → E/(1−ν²)`, `ν → ν/(1−ν)`. Rings of revolution whose ends are free
+/// are in plane stress.
 fn in_plane(material: Material, plane: Plane) -> Material {
     match plane {
-        Plane::Stress => material,
+        Plane::Stress | Plane::Axisymmetric => material,
         Plane::Strain => Material {
             young: material.young / (1.0 - material.poisson.powi(2)),
             poisson: material.poisson / (1.0 - material.poisson),

@@ -150,7 +150,7 @@ pub fn write_json(file: &Path, content: &impl Serialize) -> Result<(), Error> {
 }
 
 /// The same of one folder.
-pub(super) fn hash_of(folder: &Path) -> Result<String, Error> {
+pub fn hash_of(folder: &Path) -> Result<String, Error> {
     let unreadable = |file: &Path, error| Error::unreadable(file, error, "restore the folder `oracles`");
     let entries = fs::read_dir(folder).map_err(|error| unreadable(folder, error))?;
     let entries: Vec<fs::DirEntry> = entries.collect::<Result<_, _>>().map_err(|error| unreadable(folder, error))?;

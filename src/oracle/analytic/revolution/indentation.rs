@@ -10,7 +10,7 @@ use std::f64::consts::{PI, TAU};
 use nalgebra::Complex;
 
 use super::half_space::Potential;
-use crate::oracle::analytic::{answer, finite, grown_to, largest, non_negative, positive};
+use crate::oracle::analytic::{Parameter, answer, finite, grown_to, largest, non_negative, positive};
 use crate::oracle::boundary::quadrature::panels;
 use crate::oracle::{Oracle, Quantity, Reading, ReferenceKind, Source};
 
@@ -115,25 +115,27 @@ impl Indentation {
     }
 }
 
-/// `∫_s^1 t^{n−1} dt/√(t² − s²)`: `√(1 − s²)` for n = 2, `arcosh 1/s` for n = 1, others from
-/// `(n − 1) A_n = √(1 − s²) + (n − 2) s² A_{n−2}`, and by quadrature between 0 and 2.
+/// `A_n = ∫_s^1 t^{n−1} dt/√(t² − s²)`: `√(1 − s²)` for n = 2, by quadrature for n < 2, and from there by
+/// `(n − 1) A_n = √(1 − s²) + (n − 2) s² A_{n−2}`.
 fn abel(n: f64, s: f64) -> f64 {
-    let root = ((1.0 - s) * (1.0 + s)).sqrt();
-    if n > 2.0 {
-        let before = if s > 0.0 { (n - 2.0) * s * s * abel(n - 2.0, s) } else { 0.0 };
-        return (root + before) / (n - 1.0);
-    }
-    if n >= 2.0 {
-        return root;
-    }
     if s <= 0.0 {
         return if n > 1.0 { 1.0 / (n - 1.0) } else { f64::INFINITY };
     }
-    // t = s cosh θ.
-    let end = (root / s).asinh();
-    let mut points = vec![];
-    panels([0.0, end], &[], &mut points);
-    points.iter().map(|[angle, weight]| weight * (s * angle.cosh()).powf(n - 1.0)).sum()
+    let root = ((1.0 - s) * (1.0 + s)).sqrt();
+    let steps = (0.5 * n - 1.0).ceil().max(0.0);
+    let least = n - 2.0 * steps;
+    let mut value = root;
+    if least < 2.0 {
+        // t = s cosh θ.
+        let mut points = vec![];
+        panels([0.0, (root / s).asinh()], &[], &mut points);
+        value = points.iter().map(|[angle, weight]| weight * (s * angle.cosh()).powf(least - 1.0)).sum();
+    }
+    for k in 1..=steps as usize {
+        let n = least + 2.0 * k as f64;
+        value = (root + (n - 2.0) * s * s * value) / (n - 1.0);
+    }
+    value
 }
 
 /// `ln Γ(x)`, `x > 0`, by Stirling's series from [`STIRLING`] on.
@@ -147,6 +149,9 @@ fn log_gamma(mut x: f64) -> f64 {
     let series = (1.0 / 12.0 - y * (1.0 / 360.0 - y * (1.0 / 1260.0 - y * (1.0 / 1680.0 - y / 1188.0)))) / x;
     (x - 0.5) * x.ln() - x + 0.5 * TAU.ln() + series - product.ln()
 }
+
+/// Largest power: its pressure takes half as many steps.
+const STEEPEST: f64 = 1000.0;
 
 /// Where five terms of the series are exact to round-off.
 const STIRLING: f64 = 16.0;
@@ -174,8 +179,13 @@ impl Oracle for Indentation {
             non_negative("beyond", self.beyond),
             positive("load", self.load()),
         ];
-        for [coefficient, power] in &self.powers {
-            parameters.extend([finite("coefficient", *coefficient), positive("power", *power)]);
+        for &[coefficient, power] in &self.powers {
+            let holds = power > 0.0 && power <= STEEPEST;
+            parameters.push(finite("coefficient", coefficient));
+            parameters.push(Parameter { holds, range: "above 0 and at most 1000", ..finite("power", power) });
+        }
+        if parameters.iter().any(|parameter| !parameter.holds) {
+            return answer(&parameters, f64::NAN);
         }
         let value = match quantity {
             Quantity::HalfWidth => self.radius,
