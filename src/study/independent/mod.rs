@@ -17,6 +17,7 @@ use crate::case::{Check, Judged, Quantity, Reference, covered};
 use crate::drawing::palette::{self, Dash, Marker, Style};
 use crate::drawing::{Axis, Chart, Drawing, Series, panels};
 use crate::error::Error;
+use crate::markdown;
 use crate::oracle::ReferenceKind;
 use crate::oracle::cross_code::independent::{Folder, Independent, Script};
 use crate::study::about::{About, Found, Planned, Study};
@@ -46,7 +47,7 @@ impl Study for Compared {
     }
 
     /// The scripts, and their profiles beside ours.
-    fn section(_: &[Found<Self>]) -> Result<String, Error> {
+    fn section(findings: &[Found<Self>]) -> Result<String, Error> {
         let frozen = Independent::read()?;
         let mut text = String::new();
         for folder in Folder::ALL {
