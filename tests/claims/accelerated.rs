@@ -3,22 +3,16 @@
 use contact_vv::algorithm::{Acceleration, StiffnessRule, StiffnessUnit};
 use contact_vv::case::Verdict;
 use contact_vv::case::library::{self, Cylinder, TruncatedHertz};
-use contact_vv::error::Error;
-use contact_vv::mesh::{Order, Resolution};
-use contact_vv::scene::Scene;
+use contact_vv::mesh::Order;
 use contact_vv::solution::Solution;
-use contact_vv::solve::{Discretisation, Element, Formulation, Iteration, Run};
+use contact_vv::solve::{Discretisation, Element, Formulation, Iteration};
 use contact_vv::study::Study;
 use contact_vv::study::atlas::{Numbers, Saved};
 
-use crate::workbench::{distance, resolution};
-
-fn meshed(scene: Scene, elements: usize) -> Discretisation {
-    Discretisation::of(scene, resolution(elements, 0, Order::Quadratic)).expect("meshed")
-}
+use crate::workbench::{distance, meshed};
 
 fn of_library(name: &str, elements: usize) -> Discretisation {
-    meshed(library::find(name, None).expect("a scene of the library").scene, elements)
+    meshed(library::find(name, None).expect("a scene of the library").scene, elements, Order::Quadratic)
 }
 
 fn solved(discretisation: &Discretisation, formulation: &Formulation) -> Solution {
@@ -36,37 +30,6 @@ fn plain(element: Element) -> Formulation {
     let mut plain = Formulation::new(element, Iteration::Varying);
     plain.settings.max_iterations = 20_000;
     plain
-}
-
-#[test]
-fn accelerated_iterations_end_in_the_discrete_solution_from_every_initial_stiffness() {
-    for (name, elements, algorithm, softest, most) in [
-        ("truncated-hertz", 8, Iteration::Varying, 1e-3, 150),
-        ("truncated-hertz", 8, Iteration::Constant, 1e-6, 40),
-        ("pin-rod", 6, Iteration::Constant, 1e-6, 40),
-    ] {
-        let discretisation = of_library(name, elements);
-        for element in Element::ALL {
-            let width = |formulation: &Formulation| {
-                let run = Run::of(&discretisation, formulation).expect("solved");
-                (run.measures().second_moment_width, run.solution)
-            };
-            let (wanted, _) = width(&Formulation::new(element, Iteration::Kinematic).tolerance(1e-6));
-            for stiffness in [softest, 1e-1, 1.0, 1e2, 1e4, 1e6] {
-                let formulation = Formulation { stiffness, ..Formulation::accelerated(element, algorithm) };
-                let formulation = Formulation { stiffness_unit: StiffnessUnit::Reference, ..formulation };
-                let (found, solution) = width(&formulation);
-                let (work, place) = (&solution.work, format!("{name}, {}, κ₀ = {stiffness:e}", formulation.name()));
-                assert!(solution.converged() && work.iterations <= most, "{place}: {}", solution.outcome);
-                assert!((found / wanted - 1.0).abs() <= 3e-3, "{place}: width {found}, not {wanted}");
-                if algorithm == Iteration::Constant {
-                    let points = solution.points.len();
-                    assert_eq!(work.factorisations, 1, "{place}");
-                    assert!((points..=points + 2 * work.iterations).contains(&work.back_substitutions), "{place}");
-                }
-            }
-        }
-    }
 }
 
 #[test]
@@ -98,20 +61,16 @@ fn accelerated_iteration_is_the_plain_one_until_the_pressing_points_have_stood()
 
 #[test]
 fn all_nine_converge_as_typed_also_on_candidates_of_twenty_and_fifty_half_widths() {
-    let known = ["cylinder", "cylinder-half", "truncated-hertz", "pin-rod"].map(|name| {
-        let case = library::find(name, None).expect("a scene");
-        (meshed(case.scene, case.resolution.elements), 120)
-    });
     let (radius, young) = (Cylinder::default().radius, Cylinder::default().young);
     let long = [20.0, 50.0].map(|stretch| {
         let scene = TruncatedHertz { stretch, size: 3.0 * stretch, radius, young, ..TruncatedHertz::default() }.scene();
-        (meshed(scene, 4), 500)
+        meshed(scene, 4, Order::Quadratic)
     });
-    for (discretisation, most) in known.iter().chain(&long) {
+    for discretisation in &long {
         for formulation in Formulation::compared() {
             let iterations = iterations(discretisation, &formulation);
-            let (name, stretch) = (&discretisation.scene.name, discretisation.scene.contact().stretch);
-            assert!(iterations <= *most, "{name}, {stretch}, {}: {iterations} iterations", formulation.name());
+            let stretch = discretisation.scene.contact().stretch;
+            assert!(iterations <= 500, "{stretch}, {}: {iterations} iterations", formulation.name());
         }
     }
 }
@@ -121,7 +80,7 @@ fn stiffness_by_the_bodies_does_not_depend_on_the_reference() {
     let scene = Cylinder::default().scene();
     let mut other = scene.clone();
     (other.reference.length, other.reference.gap) = (1e4 * scene.reference.length, 1e3 * scene.reference.gap);
-    let [own, other] = [scene, other].map(|scene| meshed(scene, 6));
+    let [own, other] = [scene, other].map(|scene| meshed(scene, 6, Order::Quadratic));
     let by_bodies = Formulation::accelerated(Element::Line, Iteration::Kinematic);
     let reference = Formulation { stiffness_unit: StiffnessUnit::Reference, ..by_bodies.clone() };
     let initial = |discretisation: &Discretisation, formulation: &Formulation| {
@@ -179,11 +138,7 @@ fn only_the_rule_whose_factor_tends_to_one_is_accelerated_under_varying_stiffnes
 
 #[test]
 fn bodies_in_free_motion_are_brought_together() {
-    let patch = Discretisation::of(
-        library::find("patch", None).expect("a scene").scene,
-        Resolution { elements: 4, refinement: 0, order: Order::Quadratic },
-    )
-    .expect("meshed");
+    let patch = of_library("patch", 4);
     for stiffness in [10.0, 100.0] {
         let stiffness_unit = StiffnessUnit::Reference;
         let accelerated = Formulation::accelerated(Element::Node, Iteration::Constant);
@@ -204,44 +159,4 @@ fn formulation_that_does_not_converge_or_is_wrong_turns_red() {
     assert_eq!(verdicts(|_| ()), [Verdict::Pass, Verdict::Pass]);
     assert_eq!(verdicts(|saved| saved.iterations[1] = None), [Verdict::Pass, Verdict::Fail]);
     assert_eq!(verdicts(|saved| saved.error = f64::NAN), [Verdict::Fail, Verdict::Fail]);
-}
-
-fn constant(element: Element, stiffness: f64, acceleration: Acceleration) -> Formulation {
-    Formulation { stiffness, acceleration, ..Formulation::new(element, Iteration::Constant) }
-}
-
-fn pressures(solution: &Solution) -> Vec<f64> {
-    solution.points.iter().map(|point| point.pressure).collect()
-}
-
-#[test]
-fn accelerated_fixed_points_are_the_solution_of_kinematic_load() {
-    let discretisation = of_library("truncated-hertz", 6);
-    let exact = solved(&discretisation, &Formulation::verification());
-    for (stiffness, increments) in [(0.3, 1), (3.0, 1), (20.0, 1), (3.0, 3)] {
-        let mut formulation = constant(Element::Node, stiffness, Acceleration::Newton).tolerance(1e-8);
-        formulation.settings.increments = increments;
-        let found = solved(&discretisation, &formulation);
-        let place = format!("κ₀ = {stiffness}, {increments} increments");
-        assert!(found.converged(), "{place}: {}", found.outcome);
-        let apart = distance(&pressures(&found), &pressures(&exact)) / discretisation.scene.reference.pressure;
-        assert!(apart <= 1e-5, "{place}: {apart}");
-    }
-}
-
-#[test]
-fn what_cannot_be_accelerated_is_refused_by_name() {
-    let scene = Cylinder::default().scene();
-    for algorithm in Iteration::ALL {
-        let formulation =
-            Formulation { acceleration: Acceleration::Newton, ..Formulation::new(Element::Node, algorithm) };
-        match formulation.validate(&scene) {
-            Ok(()) => assert_ne!(algorithm, Iteration::Kinematic),
-            Err(Error { message, remedy, .. }) => {
-                assert_eq!(algorithm, Iteration::Kinematic);
-                assert!(message.contains("newton") && message.contains(algorithm.name()), "{message}");
-                assert!(remedy.contains("constant") && remedy.contains("varying"), "{remedy}");
-            }
-        }
-    }
 }

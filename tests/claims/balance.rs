@@ -1,19 +1,29 @@
 //! What the springs really do: tension that is cut, the equilibrium of every body, bodies of very different stiffness, bodies that touch.
 
+use std::path::{Path, PathBuf};
+
 use approx::assert_relative_eq;
 use contact_vv::case::Case;
 use contact_vv::solution::{IterationError, Outcome};
 use contact_vv::solve::{Discretisation, Element, Formulation, Iteration, Run};
 
-/// A scene of `tests/data/scenes`, with other words in it.
+fn path(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("tests/data/scenes/{name}.toml"))
+}
+
+/// The text of a scene of `tests/data/scenes`.
+pub fn text(name: &str) -> String {
+    std::fs::read_to_string(path(name)).unwrap_or_else(|error| panic!("{name}: {error}"))
+}
+
+/// The scene with other words in it.
 pub fn scene(name: &str, changes: &[[&str; 2]]) -> Case {
-    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("tests/data/scenes/{name}.toml"));
-    let mut text = std::fs::read_to_string(&path).expect("a scene");
+    let mut text = text(name);
     for [was, is] in changes {
         assert!(text.contains(was), "{name}: {was}");
         text = text.replace(was, is);
     }
-    Case::parse(&path, &text).expect("a scene that can be read")
+    Case::parse(&path(name), &text).unwrap_or_else(|error| panic!("{error}\n{text}"))
 }
 
 /// A case solved on its own mesh.
@@ -21,6 +31,11 @@ pub fn solved(case: &Case, formulation: &Formulation) -> (Discretisation, Run) {
     let discretisation = Discretisation::of(case.scene.clone(), case.resolution).expect("meshed");
     let run = Run::of(&discretisation, formulation).expect("solved");
     (discretisation, run)
+}
+
+/// A case solved on its own mesh by its own formulation.
+pub fn solved_as_it_says(case: &Case) -> (Discretisation, Run) {
+    solved(case, case.formulation())
 }
 
 /// Reaction along y of each body's clamp \[N\].

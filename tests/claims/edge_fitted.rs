@@ -10,13 +10,13 @@ use contact_vv::measure::{nodal, profile, relative_error};
 use contact_vv::mesh::{Mesh, Order};
 use contact_vv::oracle::analytic::hertz::Hertz;
 use contact_vv::scene::{
-    Body, Circle, Component, Ends, Face, Line, Load, Material, Path, Place, Scene, Shape, StressField, Support,
+    Body, Component, Ends, Face, Line, Load, Material, Path, Place, Scene, Shape, StressField, Support,
 };
 use contact_vv::solve::edge_fitted::Answer;
-use contact_vv::solve::{Element, Fitted, Formulation, Iteration, Run};
+use contact_vv::solve::{Fitted, Formulation, Run};
 use contact_vv::study::fitted::{self, LOADS};
 
-use crate::workbench::{area, block_text, held_at, meshed, of_shape, parsed, resolution};
+use crate::workbench::{self, area, block_text, held_at, meshed, parsed, resolution};
 
 /// The same block and candidates under another load.
 fn under(factor: f64) -> (TruncatedHertz, Hertz) {
@@ -40,18 +40,6 @@ fn errors(run: &Run, hertz: &Hertz) -> [f64; 2] {
         relative_error(measures.peak.pressure, hertz.peak_pressure()),
         relative_error(measures.second_moment_width, hertz.half_width()),
     ]
-}
-
-#[test]
-fn line_and_layer_elements_find_it_on_fitted_meshes_too() {
-    let (numbers, hertz) = under(1.0);
-    for element in Element::ALL {
-        let formulation = Formulation::new(element, Iteration::Kinematic).tolerance(1e-8);
-        let fitted = Fitted { order: Order::Sextic, layers: 2 };
-        let answer = fitted.solve(&numbers.scene(), &formulation).expect("answer");
-        let errors = errors(&answer.run, &hertz);
-        assert!(errors.iter().all(|error| *error <= 2e-4), "{element:?}: {errors:?}");
-    }
 }
 
 /// Two blocks of other moduli, both with the tractions of their half-planes.
@@ -190,12 +178,7 @@ fn around_a_contact_that_is_known_frames_fill_the_body_and_touch_all_its_sides()
             let case = format!("{order:?} {contact:?} {places:?}");
             assert!(relative_error(area(&mesh), (side - left) * side) <= 1e-12, "{case}: {}", area(&mesh));
             for (name, length) in [("contact", side - left), ("far", side - left), ("left", side), ("right", side)] {
-                let edges = mesh.boundary(&scene, 0, name).expect("side");
-                let chord = |edge: &Vec<usize>| {
-                    let [from, to] = [edge[0], edge[1]].map(|node| mesh.points[node]);
-                    (to[0] - from[0]).hypot(to[1] - from[1])
-                };
-                let found: f64 = edges.iter().map(chord).sum();
+                let found = workbench::length(&mesh, &scene, name);
                 assert!(relative_error(found, length) <= 1e-12, "{case}, {name}: {found}");
             }
             assert_eq!(mesh.cells(), cells, "{case}");
@@ -248,27 +231,6 @@ fn layered_meshes_keep_the_uniform_pressure_and_hang_together() {
                 assert!(ends.iter().any(|end| (end - place).abs() <= 1e-9), "{order:?}: {place} in {ends:?}");
             }
         }
-    }
-}
-
-#[test]
-fn layers_on_an_arc_keep_its_area() {
-    let circle = |radius| Circle { centre: [0.0, 0.0], radius };
-    let shape = Shape::Ring {
-        pole: [0.0, 0.0],
-        inner: circle(10.0),
-        outer: circle(20.0),
-        sweep: std::f64::consts::FRAC_PI_2,
-        both_sides: false,
-        contact: Face::Top,
-    };
-    let mut scene = of_shape(shape, Path::Arc(circle(20.0)), 0.5, vec![], vec![]);
-    scene.contacts[0].ends = Ends { places: vec![0.3], layers: 2 };
-    let wanted = std::f64::consts::FRAC_PI_4 * 300.0;
-    for (order, bound) in [(Order::Quartic, 1e-6), (Order::Sextic, 1e-8), (Order::Octic, 1e-10)] {
-        let mesh = Mesh::of(&scene, resolution(1, 0, order)).expect("mesh");
-        let error = relative_error(area(&mesh), wanted);
-        assert!(error <= bound, "{order:?}: {error:.1e}");
     }
 }
 

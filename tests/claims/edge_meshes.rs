@@ -5,11 +5,11 @@ use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 use contact_vv::case::Case;
 use contact_vv::measure::relative_error;
 use contact_vv::mesh::{Mesh, Order, spacing};
-use contact_vv::scene::{Circle, Ends, Face, Line, Path, Scene, Sector, Shape};
+use contact_vv::scene::{Ends, Face, Line, Path, Scene, Sector, Shape};
 use contact_vv::solve::{Element, Fitted, Formulation, Iteration, Run};
 
 use crate::outputs::scene;
-use crate::workbench::{area, of_shape, parsed, resolution};
+use crate::workbench::{area, length, of_shape, parsed, resolution, ring};
 
 /// A disc of radius 10 whose contact has ends that are known.
 fn disc(sector: Sector, contact: Face, places: Vec<f64>, layers: usize) -> Scene {
@@ -19,15 +19,6 @@ fn disc(sector: Sector, contact: Face, places: Vec<f64>, layers: usize) -> Scene
     let mut scene = of_shape(shape, path, 1.5, vec![], vec![]);
     scene.contacts[0].ends = Ends { places, layers };
     scene
-}
-
-/// Length of a boundary of the first body.
-fn length(mesh: &Mesh, scene: &Scene, name: &str) -> f64 {
-    let chord = |edge: &Vec<usize>| {
-        let [from, to] = [edge[0], edge[1]].map(|node| mesh.points[node]);
-        (to[0] - from[0]).hypot(to[1] - from[1])
-    };
-    mesh.boundary(scene, 0, name).expect("side").iter().map(chord).sum()
 }
 
 #[test]
@@ -76,15 +67,10 @@ fn frames_of_a_disc_are_cut_as_often_as_is_asked() {
 #[test]
 fn nodes_of_a_ring_lie_evenly_in_the_logarithm_of_the_radius_where_the_end_is_known() {
     for contact in [Face::Bottom, Face::Top] {
-        let circle = |radius| Circle { centre: [0.0, 0.0], radius };
-        let [inner, outer] = [circle(10.0), circle(2000.0)];
-        let pole = [0.0, 0.0];
-        let own = if contact == Face::Bottom { inner } else { outer };
-        let shape = Shape::Ring { pole, inner, outer, sweep: FRAC_PI_2, both_sides: false, contact };
-        let mut scene = of_shape(shape, Path::Arc(own), 0.9, vec![], vec![]);
+        let mut scene = ring([10.0, 2000.0], contact, 0.9, vec![], vec![]);
         scene.contacts[0].ends = Ends { places: vec![0.4], layers: 0 };
         let mesh = Mesh::of(&scene, resolution(1, 0, Order::Quintic)).expect("mesh");
-        let wanted = FRAC_PI_4 * (outer.radius.powi(2) - inner.radius.powi(2));
+        let wanted = FRAC_PI_4 * (2000f64.powi(2) - 10f64.powi(2));
         assert!(relative_error(area(&mesh), wanted) <= 1e-5, "{contact:?}: {}", area(&mesh));
         let fractions = Order::Quintic.fractions();
         let edges = mesh.boundary(&scene, 0, "start").expect("side");

@@ -1,125 +1,17 @@
 //! Stiffness, loads, supports and stresses of whole bodies, against exact solutions.
 
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::FRAC_PI_2;
 use std::sync::Arc;
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use contact_vv::case::library::{Cylinder, PinRod};
-use contact_vv::elasticity::{ElasticSystem, Freedom, reactions, stress};
+use contact_vv::elasticity::{ElasticSystem, Freedom, loads, reactions};
 use contact_vv::mesh::{Mesh, Order};
-use contact_vv::scene::{
-    Circle, Component, Face, Load, Material, Path, Place, PlaneHypothesis, Scene, Shape, StressField, Support,
-};
-use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
+use contact_vv::scene::{Component, Face, Load, Place, Scene, StressField};
+use nalgebra::DVector;
 
-use crate::cells::{cell_stiffness, distorted};
-use crate::workbench::{
-    ORDERS, STEEL, block, dense, displaced, distance, distorted_patch, held, held_at, noise, of_shape, resolution,
-    solved,
-};
-
-/// `u = E x + ω × x` with the strains E, at a point.
-fn linear([x, y]: [f64; 2]) -> [f64; 2] {
-    [1e-3 * x + 2e-4 * y, -3e-4 * y + 9e-4 * x]
-}
-
-/// Stress of the linear field.
-fn linear_stress(material: Material, plane: PlaneHypothesis) -> [f64; 3] {
-    let d = Matrix3::from_fn(|i, j| material.stiffness(plane)[i][j]);
-    (d * Vector3::new(1e-3, -3e-4, 11e-4)).into()
-}
-
-/// Scene for a mesh made by hand: only names, material and thickness matter.
-fn patch_scene(plane: PlaneHypothesis, supports: Vec<Support>, loads: Vec<Load>) -> Scene {
-    let mut scene = block([1.0, 1.0], supports, loads);
-    scene.plane = plane;
-    scene
-}
-
-fn all_components(points: &[[f64; 2]], field: impl Fn([f64; 2]) -> [f64; 2]) -> Vec<Support> {
-    let each = |p: &[f64; 2]| {
-        let [u, v] = field(*p);
-        [held_at(*p, Component::X, u), held_at(*p, Component::Y, v)]
-    };
-    points.iter().flat_map(each).collect()
-}
-
-fn on_the_square([x, y]: &[f64; 2]) -> bool {
-    x.min(y.min((1.0 - x).min(1.0 - y))) < 1e-12
-}
-
-#[test]
-fn distorted_patch_with_prescribed_boundary_has_uniform_stress() {
-    for order in ORDERS {
-        for plane in [PlaneHypothesis::Strain, PlaneHypothesis::Stress] {
-            let mesh = distorted_patch(order);
-            let outer: Vec<[f64; 2]> = mesh.points.iter().copied().filter(on_the_square).collect();
-            let scene = patch_scene(plane, all_components(&outer, linear), vec![]);
-            let system = ElasticSystem::assemble(&scene, &mesh).expect("system");
-
-            let u = system.nodal_displacements(&[solved(&system.bodies[0])]);
-            let stresses = stress::at_nodes(&scene, &mesh, &u).expect("stress");
-
-            let wanted = linear_stress(STEEL, plane);
-            for ((point, found), stress) in mesh.points.iter().zip(&u).zip(&stresses) {
-                assert!(distance(found, &linear(*point)) <= 1e-16 * 10.0, "{order:?} at {point:?}: {found:?}");
-                assert!(distance(stress, &wanted) <= 1e-11 * 300.0, "{order:?} at {point:?}: {stress:?}");
-            }
-        }
-    }
-}
-
-#[test]
-fn distorted_patch_under_tractions_or_the_stress_field_that_makes_them_has_uniform_stress() {
-    for order in ORDERS {
-        for plane in [PlaneHypothesis::Strain, PlaneHypothesis::Stress] {
-            let mesh = distorted_patch(order);
-            let stress = linear_stress(STEEL, plane);
-            let ([sx, sy, txy], field) = (stress, StressField(Arc::new(move |_| stress)));
-            let sides = [("right", [sx, txy]), ("left", [-sx, -txy]), ("top", [txy, sy]), ("bottom", [-txy, -sy])];
-            let tractions = sides.map(|(side, traction)| Load::Traction { boundary: side.into(), traction });
-            let fields = sides.map(|(side, _)| Load::Stress { boundary: side.into(), field: field.clone() });
-            for loads in [tractions.to_vec(), fields.to_vec()] {
-                let mut supports = all_components(&[[0.0, 0.0]], linear);
-                supports.push(held_at([1.0, 0.0], Component::Y, linear([1.0, 0.0])[1]));
-                let u = displaced(&patch_scene(plane, supports, loads), &mesh);
-                for (point, found) in mesh.points.iter().zip(&u) {
-                    assert!(distance(found, &linear(*point)) <= 1e-15 * 10.0, "{order:?} at {point:?}: {found:?}");
-                }
-            }
-        }
-    }
-}
-
-/// `u` of a beam bent by a moment, `σ_x = c y`, in plane stress.
-fn bending([x, y]: [f64; 2]) -> [f64; 2] {
-    let c = 40.0;
-    [c * x * y / STEEL.young, -c * (x * x + STEEL.poisson * y * y) / (2.0 * STEEL.young)]
-}
-
-#[test]
-fn eight_node_rectangles_reproduce_pure_bending() {
-    let mut scene = block([4.0, 2.0], vec![], vec![]);
-    scene.plane = PlaneHypothesis::Stress;
-    let field = StressField(Arc::new(|[_, y]| [40.0 * y, 0.0, 0.0]));
-    scene.bodies[0].loads = ["left", "right", "contact", "far"]
-        .map(|boundary| Load::Stress { boundary: boundary.into(), field: field.clone() })
-        .to_vec();
-    let mut mesh = Mesh::of(&scene, resolution(3, 0, Order::Quadratic)).expect("mesh");
-    mesh.bodies[0].candidates.clear();
-    scene.bodies[0].supports = all_components(&[[0.0, 0.0]], bending);
-    scene.bodies[0].supports.push(held_at([4.0, 0.0], Component::Y, bending([4.0, 0.0])[1]));
-    let system = ElasticSystem::assemble(&scene, &mesh).expect("system");
-
-    let u = system.nodal_displacements(&[solved(&system.bodies[0])]);
-    let stresses = stress::at_nodes(&scene, &mesh, &u).expect("stress");
-
-    for ((point, found), stress) in mesh.points.iter().zip(&u).zip(&stresses) {
-        // Displacements reach 1.5e-3.
-        assert!(distance(found, &bending(*point)) <= 1e-14, "{point:?}: {found:?} {:?}", bending(*point));
-        assert!(distance(stress, &[40.0 * point[1], 0.0, 0.0]) <= 1e-9, "{point:?}: {stress:?}");
-    }
-}
+use crate::side_loads::sums;
+use crate::workbench::{ORDERS, block, dense, displaced, distance, held, held_at, noise, resolution, ring};
 
 /// Resultant and moment about the origin of a body's load vector, by virtual rigid motions.
 fn resultant(scene: &Scene, mesh: &Mesh) -> [f64; 3] {
@@ -177,11 +69,7 @@ fn force_at_any_point_of_a_disc_has_its_resultant_and_its_moment() {
             let mut scene = Cylinder::default().scene();
             scene.bodies[0].loads = vec![Load::Force { at, force: [5.0, -6.0] }];
             let mesh = Mesh::of(&scene, resolution(4, 0, order)).expect("mesh");
-            let forces = contact_vv::elasticity::loads::at_nodes(&scene, &mesh, 0).expect("inside");
-            let mut sums = [0.0; 3];
-            for (point, [fx, fy]) in mesh.points.iter().zip(&forces) {
-                sums = [sums[0] + fx, sums[1] + fy, sums[2] + point[0] * fy - point[1] * fx];
-            }
+            let (forces, sums) = (loads::at_nodes(&scene, &mesh, 0).expect("inside"), sums(&scene, &mesh));
             let wanted = [5.0, -6.0, at[0] * -6.0 - at[1] * 5.0];
             assert!(distance(&sums, &wanted) <= 1e-10, "{order:?} {at:?}: {sums:?}, not {wanted:?}");
             let taking = forces.iter().filter(|force| force[0].abs() > 0.0).count();
@@ -209,18 +97,6 @@ fn body_force_has_the_weight_of_the_body_as_its_resultant() {
 }
 
 #[test]
-fn hydrostatic_pressure_on_a_curved_boundary_is_in_balance_with_its_projections() {
-    let scene = Cylinder::default().scene();
-    let mut scene = Scene { thickness: 2.0, ..scene };
-    let field = StressField(Arc::new(|_| [-1.0, -1.0, 0.0]));
-    scene.bodies[0].loads = vec![Load::Stress { boundary: "contact".into(), field }];
-    let mesh = Mesh::of(&scene, resolution(4, 0, Order::Quadratic)).expect("mesh");
-    let system = ElasticSystem::assemble(&scene, &mesh).expect("system");
-    // Pressure on the lower quarter pushes upwards with p R t whatever the shape between its ends.
-    assert_relative_eq!(system.bodies[0].applied_vertical(), 50.0 * 2.0, max_relative = 1e-12);
-}
-
-#[test]
 fn stiffness_and_surface_loads_are_proportional_to_thickness() {
     let (thin, mesh) = loaded(Load::Traction { boundary: "far".into(), traction: [2.0, -7.0] }, Order::Quadratic);
     let thick = Scene { thickness: 3.0 * thin.thickness, ..thin.clone() };
@@ -231,19 +107,12 @@ fn stiffness_and_surface_loads_are_proportional_to_thickness() {
     let tripled: Vec<f64> = one.force.iter().map(|f| 3.0 * f).collect();
     assert!(distance(&tripled, &three.force) <= 1e-12);
     assert!(one.force.iter().any(|f| f.abs() > 1.0));
+    let doubled = ElasticSystem::assemble_scaled(&thin, &mesh, &|_| 2.0).expect("system");
+    assert!((dense(one) * 2.0 - dense(&doubled.bodies[0])).amax() <= 1e-14 * scale);
 }
 
 #[test]
 fn frames_along_the_contact_normals_leave_the_solution_unchanged() {
-    let circle = |radius| Circle { centre: [0.0, 0.0], radius };
-    let shape = Shape::Ring {
-        pole: [0.0, 0.0],
-        inner: circle(2.0),
-        outer: circle(4.0),
-        sweep: FRAC_PI_2,
-        both_sides: false,
-        contact: Face::Bottom,
-    };
     let supports = vec![held("start", Component::X, 0.0), held("end", Component::Y, 1e-3)];
     let loads = vec![
         Load::Traction { boundary: "outer".into(), traction: [30.0, -20.0] },
@@ -252,7 +121,7 @@ fn frames_along_the_contact_normals_leave_the_solution_unchanged() {
     ];
     for order in ORDERS {
         // Three quarters of the arc, so that no support meets an oblique normal.
-        let scene = of_shape(shape.clone(), Path::Arc(circle(2.0)), 1.2, supports.clone(), loads.clone());
+        let scene = ring([2.0, 4.0], Face::Bottom, 1.2, supports.clone(), loads.clone());
         let turned = Mesh::of(&scene, resolution(6, 0, order)).expect("mesh");
         let mut straight = turned.clone();
         straight.bodies[0].candidates.clear();
@@ -287,21 +156,11 @@ fn retained_freedoms_are_displacements_along_the_outward_normals() {
             assert!(distance(&moved, &candidate.normal) <= 1e-15);
             let others = u.iter().map(|u| u[0].hypot(u[1])).sum::<f64>();
             assert_abs_diff_eq!(others, 1.0, epsilon = 1e-14);
+            // The tangent is the normal turned counter-clockwise.
+            let [n, t] = body.dofs.frame(candidate.node);
+            assert!(distance(&n, &candidate.normal) <= 0.0);
+            assert!(distance(&t, &[-n[1], n[0]]) <= 1e-14, "{n:?}, {t:?}");
         }
-    }
-}
-
-#[test]
-fn tangent_is_the_normal_turned_counter_clockwise() {
-    let scene = PinRod::default().scene();
-    let mesh = Mesh::of(&scene, resolution(6, 0, Order::Linear)).expect("mesh");
-    let system = ElasticSystem::assemble(&scene, &mesh).expect("system");
-    let dofs = &system.bodies[0].dofs;
-    for candidate in &mesh.bodies[0].candidates {
-        let [n, t] = dofs.frame(candidate.node);
-        assert!(distance(&n, &candidate.normal) <= 0.0);
-        assert_relative_eq!(n[0] * t[1] - n[1] * t[0], 1.0, max_relative = 1e-14);
-        assert_abs_diff_eq!(n[0] * t[0] + n[1] * t[1], 0.0, epsilon = 1e-15);
     }
 }
 
@@ -344,50 +203,6 @@ fn product_is_that_of_the_full_symmetric_matrix() {
 }
 
 #[test]
-fn any_load_and_support_told_differently_moves_the_nodes_the_same() {
-    let field = StressField(Arc::new(|[x, y]: [f64; 2]| [x + 2.0, x * y, y - 5.0]));
-    let supports = vec![
-        held("left", Component::X, 0.01),
-        held_at([4.0, 3.0], Component::Y, -0.02),
-        held_at([2.0, 0.0], Component::X, 0.015),
-    ];
-    let loads = vec![
-        Load::Traction { boundary: "far".into(), traction: [3.0, -2.0] },
-        Load::Stress { boundary: "right".into(), field },
-        Load::BodyForce([1.0, 2.0]),
-        Load::Force { at: [4.0, 3.0], force: [50.0, 60.0] },
-        Load::RigidFace { boundary: "right".into(), component: Component::X, force: 70.0 },
-    ];
-    let mut scene = block([4.0, 3.0], supports, loads);
-    // Candidates end before the rigid face.
-    scene.contacts[0].stretch = 2.0;
-    scene.grading.unit = 2.0;
-    let at = resolution(2, 0, Order::Quadratic);
-    let mesh = Mesh::of(&scene, at).expect("mesh");
-    let moved = |scene: &Scene, mesh: &Mesh| {
-        let system = ElasticSystem::assemble(scene, mesh).expect("system");
-        // The candidates' normals are free here: hold them by a soft ground, the same in every telling.
-        let body = &system.bodies[0];
-        let mut matrix = dense(body);
-        let ground = 1e-3 * scene.bodies[0].material.young * scene.thickness;
-        body.retained.clone().for_each(|equation| matrix[(equation, equation)] += ground);
-        let u = matrix.lu().solve(&DVector::from_vec(body.force.clone())).expect("held");
-        system.nodal_displacements(&[u.iter().copied().collect()])
-    };
-    let wanted = moved(&scene, &mesh);
-    let metres = scene.in_metres();
-
-    let mirrored = moved(&scene.mirrored(), &mesh.mirrored());
-    let scaled = moved(&metres, &Mesh::of(&metres, at).expect("mesh"));
-
-    let size = wanted.iter().flatten().fold(0.0_f64, |m, u| m.max(u.abs()));
-    for ((u, there), thousandth) in wanted.iter().zip(&mirrored).zip(&scaled) {
-        assert!(distance(u, &[-there[0], there[1]]) <= 1e-10 * size, "mirrored: {u:?} {there:?}");
-        assert!(distance(u, &thousandth.map(|u| 1e3 * u)) <= 1e-10 * size, "metres: {u:?} {thousandth:?}");
-    }
-}
-
-#[test]
 fn prescribed_displacement_along_a_normal_that_points_downwards_keeps_its_sign() {
     // On the contact side n = (0, −1) and t = (1, 0); a support along x is one along t, one along y is refused.
     let supports = vec![held_at([4.0, 0.0], Component::X, 0.02), held("left", Component::X, 0.0)];
@@ -398,17 +213,8 @@ fn prescribed_displacement_along_a_normal_that_points_downwards_keeps_its_sign()
     let zeros = vec![0.0; system.bodies[0].dofs.equations];
     assert_relative_eq!(system.nodal_displacements(&[zeros])[node][0], 0.02);
     // A mirrored arc: the tangent of a node at 90° is vertical, its sign must not turn the prescribed value.
-    let circle = |radius| Circle { centre: [0.0, 0.0], radius };
-    let shape = Shape::Ring {
-        pole: [0.0, 0.0],
-        inner: circle(2.0),
-        outer: circle(4.0),
-        sweep: FRAC_PI_2,
-        both_sides: false,
-        contact: Face::Bottom,
-    };
     let supports = vec![held("start", Component::X, 0.0), held("end", Component::Y, 0.01)];
-    let scene = of_shape(shape, Path::Arc(circle(2.0)), FRAC_PI_2, supports, vec![]);
+    let scene = ring([2.0, 4.0], Face::Bottom, FRAC_PI_2, supports, vec![]);
     for (scene, mesh) in {
         let mesh = Mesh::of(&scene, resolution(4, 0, Order::Quadratic)).expect("mesh");
         [(scene.mirrored(), mesh.mirrored()), (scene.clone(), mesh)]
@@ -419,69 +225,6 @@ fn prescribed_displacement_along_a_normal_that_points_downwards_keeps_its_sign()
         for node in mesh.nodes_at(&scene, 0, &Place::Boundary("end".into())).expect("end") {
             assert_relative_eq!(u[node][1], 0.01, max_relative = 1e-14);
         }
-    }
-}
-
-#[test]
-fn thick_ring_under_internal_pressure_follows_lame() {
-    let (a, b, p) = (2.0, 4.0, 50.0);
-    let circle = |radius| Circle { centre: [0.0, 0.0], radius };
-    let shape = Shape::Ring {
-        pole: [0.0, 0.0],
-        inner: circle(a),
-        outer: circle(b),
-        sweep: FRAC_PI_2,
-        both_sides: false,
-        contact: Face::Bottom,
-    };
-    let supports = vec![held("start", Component::X, 0.0), held("end", Component::Y, 0.0)];
-    let pressure = StressField(Arc::new(move |_| [-p, -p, 0.0]));
-    let scene = of_shape(
-        shape,
-        Path::Arc(circle(a)),
-        FRAC_PI_2,
-        supports,
-        vec![Load::Stress { boundary: "contact".into(), field: pressure }],
-    );
-    let mesh = Mesh::of(&scene, resolution(16, 0, Order::Quadratic)).expect("mesh");
-    let u = displaced(&scene, &mesh);
-    // Lamé (Timoshenko & Goodier, §28) in plane strain: u = (1+ν)/E · a²p/(b²−a²) · [(1−2ν) r + b²/r].
-    let (e, nu) = (STEEL.young, STEEL.poisson);
-    for (point, u) in mesh.points.iter().zip(&u) {
-        let r = point[0].hypot(point[1]);
-        let wanted = (1.0 + nu) / e * a * a * p / (b * b - a * a) * ((1.0 - 2.0 * nu) * r + b * b / r);
-        let radial = (u[0] * point[0] + u[1] * point[1]) / r;
-        // 16 quadratic elements per quarter and over the wall: fourth order.
-        assert_relative_eq!(radial, wanted, max_relative = 1e-4);
-    }
-}
-
-#[test]
-fn scaling_every_cell_scales_the_matrix() {
-    let (scene, mesh) = loaded(Load::Traction { boundary: "far".into(), traction: [2.0, -7.0] }, Order::Linear);
-    let plain = ElasticSystem::assemble(&scene, &mesh).expect("system");
-    let doubled = ElasticSystem::assemble_scaled(&scene, &mesh, &|_| 2.0).expect("system");
-    let [one, two] = [&plain, &doubled].map(|system| dense(&system.bodies[0]));
-    assert!((one.clone() * 2.0 - two).amax() <= 1e-14 * one.amax());
-    assert_eq!(plain.dofs(), 2 * mesh.points.len() - 1);
-}
-
-#[test]
-fn radial_displacement_of_a_full_turn_has_no_preferred_direction() {
-    // Rotating a cell rotates its stiffness: k(Rx) = R k(x) Rᵀ.
-    for n in [4, 8] {
-        let points = distorted(n);
-        let (sin, cos) = (PI / 5.0).sin_cos();
-        let turned: Vec<[f64; 2]> = points.iter().map(|[x, y]| [cos * x - sin * y, sin * x + cos * y]).collect();
-        let d = STEEL.stiffness(PlaneHypothesis::Strain);
-        let [k, there] = [&points, &turned].map(|p| cell_stiffness(p, &d, 1.0).expect("the sample is convex"));
-        let rotation = DMatrix::from_fn(2 * n, 2 * n, |i, j| match (i / 2 == j / 2, i % 2, j % 2) {
-            (false, ..) => 0.0,
-            (_, 0, 1) => -sin,
-            (_, 1, 0) => sin,
-            _ => cos,
-        });
-        assert!((&rotation * &k * rotation.transpose() - there).amax() <= 1e-13 * k.amax());
     }
 }
 

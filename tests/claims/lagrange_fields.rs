@@ -7,22 +7,9 @@ use contact_vv::measure::relative_error;
 use contact_vv::mesh::Order;
 use contact_vv::scene::Scene;
 use contact_vv::solve::{Discretisation, Fitted, Formulation, Run};
-use vtkio::model::{Attribute, CellType, DataSet, IOBuffer, Piece, UnstructuredGridPiece, VertexNumbers, Vtk};
+use vtkio::model::{CellType, IOBuffer, VertexNumbers};
 
-fn piece(text: &str) -> UnstructuredGridPiece {
-    let grid = Vtk::parse_xml(text.as_bytes()).expect("read");
-    let DataSet::UnstructuredGrid { pieces, .. } = grid.data else { panic!("no grid") };
-    let Some(Piece::Inline(piece)) = pieces.into_iter().next() else { panic!("one piece") };
-    *piece
-}
-
-fn column(piece: &UnstructuredGridPiece, name: &str) -> Vec<f64> {
-    let found = piece.data.point.iter().find_map(|attribute| match attribute {
-        Attribute::DataArray(array) if array.name == name => array.data.clone().cast_into(),
-        _ => None,
-    });
-    found.unwrap_or_else(|| panic!("no `{name}`"))
-}
+use crate::outputs::{numbers, piece};
 
 /// Lattice places of the nodes of VTK's Lagrange quadrilateral: corners around, then the sides, each along its axis, then the
 /// inside row by row (vtkHigherOrderQuadrilateral::PointIndexFromIJK).
@@ -68,7 +55,7 @@ fn fields_of_high_order_are_read_as_the_polynomials_that_were_solved() {
         let VertexNumbers::XML { connectivity, .. } = &piece.cells.cell_verts else { panic!("cells") };
         let IOBuffer::F64(points) = &piece.points else { panic!("points") };
         let fields = discretisation.recover(&run.solution).expect("fields");
-        let (moved, stress) = (column(&piece, "displacement"), column(&piece, "stress_yy"));
+        let (moved, stress) = (numbers(&piece, "displacement"), numbers(&piece, "stress_yy"));
         let largest = |values: &[f64]| values.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
         let scales = [largest(points), largest(&moved), largest(&stress)];
         for (cell, nodes) in connectivity.chunks((m + 1) * (m + 1)).enumerate() {
@@ -88,7 +75,7 @@ fn fields_of_high_order_are_read_as_the_polynomials_that_were_solved() {
                 }
             }
         }
-        let pressed = largest(&column(&piece, "contact_pressure"));
+        let pressed = largest(&numbers(&piece, "contact_pressure"));
         let peak = run.solution.points.iter().fold(0.0_f64, |most, point| most.max(point.pressure));
         assert!(relative_error(pressed, peak) <= 2e-2, "{case}: {pressed} of {peak}");
     }

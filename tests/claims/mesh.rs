@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use contact_vv::accuracy::fitted::{Plan, level};
-use contact_vv::case::library::{Cylinder, Patch, PinPlate, PinRod, PressFit};
+use contact_vv::case::library::{Cylinder, PinRod, PressFit};
 use contact_vv::elasticity::{element, quadrature};
 use contact_vv::mesh::{Mesh, Order, candidates::candidate_edges};
 use contact_vv::scene::{Scene, Sector, Shape};
@@ -179,54 +179,6 @@ fn no_cell_is_degenerate_in_any_library_scene_at_any_usual_resolution() {
 }
 
 #[test]
-fn every_node_belongs_to_a_cell_and_no_two_nodes_coincide() {
-    for (scene, elements) in library() {
-        let mesh = mesh_of(&scene, elements, 0, Order::Quadratic);
-        let mut used = vec![false; mesh.points.len()];
-        mesh.connectivity.iter().for_each(|&n| used[n] = true);
-        assert!(used.iter().all(|u| *u), "{}", scene.name);
-        for body in &mesh.bodies {
-            let mut points: Vec<[f64; 2]> = body.nodes.clone().map(|n| mesh.points[n]).collect();
-            let extent = points.iter().fold(0.0_f64, |m, p| m.max(p[0].abs()).max(p[1].abs()));
-            points.sort_by(|a, b| a[0].total_cmp(&b[0]));
-            for (i, p) in points.iter().enumerate() {
-                let near = points[i + 1..].iter().take_while(|q| q[0] - p[0] < 1e-8 * extent);
-                for q in near {
-                    assert!((q[1] - p[1]).abs() > 1e-8 * extent, "{}: two nodes at {p:?}", scene.name);
-                }
-            }
-        }
-    }
-}
-
-#[test]
-fn opposite_nodes_lie_on_one_normal_at_the_distance_of_the_gap() {
-    let scenes = [
-        PinRod::default().scene(),
-        PinRod { clearance: 2.0, ..PinRod::default() }.scene(),
-        PinPlate::default().scene(),
-        Patch::default().scene(),
-    ];
-    for scene in scenes {
-        for order in ORDERS {
-            let mesh = mesh_of(&scene, 6, 1, order);
-            let [first, second] = [&mesh.bodies[0].candidates, &mesh.bodies[1].candidates];
-            assert_eq!(first.len(), second.len());
-            for (a, b) in first.iter().zip(second) {
-                let (p, q) = (mesh.points[a.node], mesh.points[b.node]);
-                let scale = 1e-12 * p[0].hypot(p[1]).max(1.0);
-                let gap = scene.contact().profile.gap(a.coordinate);
-                for k in 0..2 {
-                    assert_abs_diff_eq!(q[k], p[k] + gap * a.normal[k], epsilon = scale);
-                    assert_abs_diff_eq!(a.normal[k], -b.normal[k], epsilon = 1e-12);
-                }
-                assert_abs_diff_eq!(a.coordinate, b.coordinate, epsilon = 1e-12);
-            }
-        }
-    }
-}
-
-#[test]
 fn bodies_of_a_press_fit_overlap_by_the_interference_in_the_model_only() {
     let scene = PressFit::default().scene();
     let mesh = mesh_of(&scene, 4, 0, Order::Quadratic);
@@ -317,33 +269,6 @@ fn mid_side_nodes_of_curved_contact_edges_halve_the_angle() {
         for edge in candidate_edges(&mesh, &scene, scene.contact(), body).expect("contact exists") {
             let at = |k: usize| scene.contact().path.coordinate(mesh.points[edge[k]]);
             assert_abs_diff_eq!(at(2), 0.5 * (at(0) + at(1)), epsilon = 1e-13);
-        }
-    }
-}
-
-#[test]
-fn mirrored_and_renumbered_meshes_are_the_same_mesh() {
-    for (scene, elements) in library() {
-        for order in ORDERS {
-            let mesh = mesh_of(&scene, elements, 0, order);
-            for (variant, other, sign) in [("mirrored", mesh.mirrored(), -1.0), ("renumbered", mesh.renumbered(), 1.0)]
-            {
-                for b in 0..mesh.bodies.len() {
-                    assert_relative_eq!(area(&other, b), area(&mesh, b), max_relative = 1e-12);
-                    let outer = outer_edges(&other, b);
-                    for edge in other.bodies[b].boundaries.values().flatten() {
-                        let mid = outer.get(&(edge[0], edge[1]));
-                        assert_eq!(mid, Some(&edge.get(2).copied()), "{} {variant}", scene.name);
-                    }
-                    for (one, two) in mesh.bodies[b].candidates.iter().zip(&other.bodies[b].candidates) {
-                        let (p, q) = (mesh.points[one.node], other.points[two.node]);
-                        assert!((p[0] - sign * q[0]).abs() <= 0.0 && (p[1] - q[1]).abs() <= 0.0, "{}", scene.name);
-                        assert_relative_eq!(one.normal[0], sign * two.normal[0]);
-                        assert_relative_eq!(one.normal[1], two.normal[1]);
-                    }
-                }
-            }
-            assert_ne!(mesh.connectivity, mesh.renumbered().connectivity);
         }
     }
 }

@@ -1,11 +1,7 @@
 //! An accuracy called met is met, whatever the profile, the material, the size and the guess of the contact's length.
 
-use std::f64::consts::PI;
-
-use approx::{assert_abs_diff_eq, assert_relative_eq};
 use contact_vv::accuracy::{self, Asked};
 use contact_vv::case::Verdict;
-use contact_vv::oracle::analytic::even_gap::EvenGap;
 use contact_vv::solve::Formulation;
 use contact_vv::study::promised::met::{Record, consistent, is_as_recorded, near, record, right};
 use contact_vv::study::random::{Family, Site};
@@ -15,58 +11,6 @@ use contact_vv::study::records::Millionths;
 const LEFT_OUT: f64 = 1.5e-5;
 fn site(family: Family, number: usize) -> Site {
     Site { family, number }
-}
-
-/// One of each closed form of an even gap.
-fn profiles() -> [EvenGap; 3] {
-    let polynomial = |parts| EvenGap::polynomial(2e5, 2.0, parts);
-    [polynomial([0.01, 0.0, 0.0]), polynomial([1e-3, 2e-3, -1e-4]), EvenGap::rounded_wedge(2e5, 2.0, 50.0, 0.5, 4000)]
-}
-
-/// `∫ p f(s) ds` by the midpoint rule in φ, `s = a cos φ`.
-fn integral(solution: &EvenGap, of: impl Fn(f64) -> f64) -> f64 {
-    const PARTS: usize = 2000;
-    let a = solution.half_width;
-    let at = |part: usize| PI * (part as f64 + 0.5) / PARTS as f64;
-    let one = |phi: f64| solution.pressure(phi) * of(a * phi.cos()) * a * phi.sin();
-    (0..PARTS).map(|part| one(at(part))).sum::<f64>() * PI / PARTS as f64
-}
-
-#[test]
-fn load_and_opening_of_a_closed_form_are_those_of_its_own_pressure_integrated() {
-    for solution in profiles() {
-        assert_relative_eq!(integral(&solution, |_| 1.0), solution.load(), max_relative = 1e-6);
-        for x in [8.0, 18.0] {
-            // The slope of the surface is that of its displacement under the pressure.
-            let lowered = 2.0 / (PI * solution.modulus) * integral(&solution, |s| 1.0 / (x - s));
-            assert_relative_eq!(solution.opening(x, 0.0), -lowered, max_relative = 1e-6);
-        }
-    }
-}
-
-#[test]
-fn largest_pressure_of_an_even_gap_lies_where_it_neither_rises_nor_falls() {
-    let polynomial = |parts| EvenGap::polynomial(2e5, 2.0, parts);
-    let hollow = [[1e-3, 2e-3, 1e-4], [0.0, 1e-3, 0.0], [0.0, 0.0, 1e-4], [-1e-3, 2e-3, 1e-4]].map(polynomial);
-    for solution in profiles().iter().chain(&hollow) {
-        let phi = solution.peak_place();
-        let term = |(k, b): (usize, &f64)| (2 * k + 1) as f64 * b * ((2 * k + 1) as f64 * phi).cos();
-        let slope: f64 = solution.slopes.iter().enumerate().map(term).sum();
-        // A maximum is known to the root of what rounding leaves of it.
-        assert_abs_diff_eq!(slope / solution.slopes[0], 0.0, epsilon = 1e-6);
-        let highest = (0..=1000).map(|k| solution.pressure(0.0005 * PI * f64::from(k))).fold(0.0, f64::max);
-        assert!(solution.peak_pressure() >= highest * (1.0 - 1e-12), "{highest}");
-    }
-    assert!(hollow.iter().all(|solution| solution.peak_place() < 1.3));
-}
-
-#[test]
-fn slope_of_a_wedge_is_the_sum_of_its_series() {
-    let [_, _, wedge] = profiles();
-    for theta in [0.1, 0.8, 1.2, 1.4, 1.5] {
-        let sum: f64 = wedge.slopes.iter().enumerate().map(|(k, b)| b * ((2 * k + 1) as f64 * theta).cos()).sum();
-        assert_relative_eq!(sum, (2.0 * theta.cos()).min(0.5) / 50.0, max_relative = 1e-3);
-    }
 }
 
 #[test]

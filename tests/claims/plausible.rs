@@ -5,30 +5,7 @@ use contact_vv::case::{notes, plausible};
 use crate::workbench::parsed;
 
 /// A block of 10 mm on another, pressed from above.
-const BLOCKS: &str = "plane = \"strain\"
-thickness = 1
-[[body]]
-name = \"upper\"
-young = 200000
-poisson = 0.3
-shape = { rectangle = { x = [0, 10], y = [0, 10], contact = \"bottom\" } }
-supports = [{ at = \"left\", component = \"x\" }]
-loads = [{ traction = { at = \"far\", value = [0, -100] } }]
-[[body]]
-name = \"lower\"
-young = 200000
-poisson = 0.3
-shape = { rectangle = { x = [0, 20], y = [-20, 0], contact = \"top\" } }
-supports = [{ at = \"left\", component = \"x\" }, { at = \"far\", component = \"y\" }]
-[contact]
-first = \"upper\"
-second = \"lower\"
-gap = { parabola = 1000 }
-stretch = 10
-[mesh]
-elements = 8
-per = 10
-";
+pub const BLOCKS: &str = include_str!("../data/scenes/pressed-blocks.toml");
 
 /// The notes on the first contact of a scene.
 fn notes(text: &str) -> Vec<String> {
@@ -62,21 +39,5 @@ fn what_is_hardly_meant_is_noted_with_its_number() {
         let found = notes(text);
         let holds = |note: &String| wanted.iter().all(|part| note.contains(part));
         assert!(found.iter().any(holds), "{wanted:?} in {found:?}");
-    }
-}
-
-#[test]
-fn notes_are_told_in_the_table_and_in_the_document() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let file = folder.path().join("scene.toml");
-    std::fs::write(&file, BLOCKS.replace("young = 200000", "young = 200")).expect("written");
-    let file = file.display().to_string();
-    let (_, table, _) = crate::outputs::contact_vv(&["solve", &file, "--no-error-bar"]);
-    let (_, document, _) = crate::outputs::contact_vv(&["solve", &file, "--no-error-bar", "--json", "-"]);
-    let document: serde_json::Value = serde_json::from_str(&document).expect("JSON");
-    let notes = document["contacts"][0]["notes"].as_array().expect("a list");
-    assert!(notes.len() >= 2, "{notes:?}");
-    for note in notes {
-        assert!(table.contains(&format!("note: {}", note.as_str().expect("a text"))), "{table}");
     }
 }

@@ -5,7 +5,7 @@ use approx::assert_relative_eq;
 use contact_vv::scene::{Circle, Profile};
 use contact_vv::solve::Run;
 
-use crate::scene_file::text_of;
+use crate::scene_file::{changed, text_of};
 use crate::workbench::parsed;
 
 fn text() -> String {
@@ -17,18 +17,15 @@ fn run(text: &str) -> Run {
     case.solve().unwrap_or_else(|error| panic!("{error}")).1
 }
 
-/// The file with a change that it must hold once.
-fn changed(text: &str, was: &str, is: &str) -> String {
-    assert_eq!(text.matches(was).count(), 1, "{was}");
-    text.replace(was, is)
-}
-
 /// The file with the force on a half, and mesh and stretch for the contact that Hertz gives there, times `times` its own.
 fn under(times: f64) -> String {
     let root = times.sqrt();
-    let text = changed(&text(), "force = [0, 0.32955]", &format!("force = [0, {}]", 0.32955 * times));
-    let text = changed(&text, "stretch = 2", &format!("stretch = {}", 2.0 * root));
-    changed(&text, "per = 0.2", &format!("per = {}", 0.2 * root))
+    let [force, stretch, per] = [
+        format!("force = [0, {}]", 0.32955 * times),
+        format!("stretch = {}", 2.0 * root),
+        format!("per = {}", 0.2 * root),
+    ];
+    changed(&text(), &[("force = [0, 0.32955]", &force), ("stretch = 2", &stretch), ("per = 0.2", &per)])
 }
 
 #[test]
@@ -67,8 +64,8 @@ fn very_stiff_pin_is_a_rigid_one() {
                supports = [{ at = \"axis\", component = \"x\" }, { at = \"middle\", component = \"y\" }]\n\n[contact]\n";
     let rigid = run(&text());
     let stiff = |young: &str| {
-        let text = changed(&text(), "[contact]\n", &pin.replace("210e8", young));
-        run(&changed(&text, "first = \"plate\"", "first = \"plate\"\nsecond = \"pin\""))
+        let second = "first = \"plate\"\nsecond = \"pin\"";
+        run(&changed(&text(), &[("[contact]\n", &pin.replace("210e8", young)), ("first = \"plate\"", second)]))
     };
     let (near, far) = (stiff("210e8"), stiff("210e3"));
     let [wanted, found] = [&rigid, &near].map(|run| run.measures());

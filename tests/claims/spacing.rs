@@ -4,28 +4,28 @@ use approx::{assert_abs_diff_eq, assert_relative_eq};
 use contact_vv::mesh::block::{Block, Side};
 use contact_vv::mesh::{Order, spacing};
 
-#[test]
-fn uniform_spacing_has_equal_steps_and_exact_ends() {
-    for n in [1, 2, 7] {
-        let coordinates = spacing::uniform(0.1, 0.7, n);
-        assert_eq!(coordinates.len(), n + 1);
-        assert!((coordinates[0] - 0.1).abs() <= 0.0 && (coordinates[n] - 0.7).abs() <= 0.0);
-        for two in coordinates.windows(2) {
-            assert_relative_eq!(two[1] - two[0], 0.6 / n as f64, max_relative = 1e-13);
-        }
-    }
+fn sizes(coordinates: &[f64]) -> Vec<f64> {
+    coordinates.windows(2).map(|two| two[1] - two[0]).collect()
 }
 
 #[test]
-fn stretched_spacing_is_a_geometric_progression_with_the_asked_end_ratio() {
-    for (n, end) in [(2, 3.0), (5, 0.2), (9, 0.02), (12, 1.0)] {
-        let coordinates = spacing::stretched(-1.0, 2.0, n, end);
-        let sizes: Vec<f64> = coordinates.windows(2).map(|two| two[1] - two[0]).collect();
-        assert_eq!(sizes.len(), n);
-        assert_relative_eq!(sizes[n - 1] / sizes[0], end, max_relative = 1e-12);
-        assert_relative_eq!(sizes.iter().sum::<f64>(), 3.0, max_relative = 1e-14);
-        for three in sizes.windows(3) {
-            assert_relative_eq!(three[1] / three[0], three[2] / three[1], max_relative = 1e-11);
+fn uniform_stretched_and_fitted_spacings_are_geometric_progressions_that_end_exactly() {
+    let uniform = [1, 2, 7].map(|n| (n, spacing::uniform(-1.0, 2.0, n), 3.0 / n as f64, 1.0));
+    let stretched = [(2, 3.0), (5, 0.2), (9, 0.02), (12, 1.0)].map(|(n, end)| {
+        let ratio = f64::powf(end, 1.0 / (n as f64 - 1.0));
+        let first = 3.0 / (0..n).map(|k| ratio.powi(k)).sum::<f64>();
+        (n as usize, spacing::stretched(-1.0, 2.0, n as usize, end), first, ratio)
+    });
+    let fitted = [(4, 0.15), (6, 0.3), (8, 0.9), (3, 1.8)].map(|(n, first)| {
+        let coordinates = spacing::fitted(-1.0, 2.0, n, first);
+        let ratio = (coordinates[2] - coordinates[1]) / (coordinates[1] - coordinates[0]);
+        (n, coordinates, first, ratio)
+    });
+    for (n, coordinates, first, ratio) in uniform.into_iter().chain(stretched).chain(fitted) {
+        assert_eq!([coordinates[0], coordinates[n]], [-1.0, 2.0], "{coordinates:?}");
+        assert_eq!(coordinates.len(), n + 1);
+        for (k, size) in sizes(&coordinates).into_iter().enumerate() {
+            assert_relative_eq!(size, first * ratio.powi(k as i32), max_relative = 1e-8);
         }
     }
 }
@@ -36,7 +36,7 @@ fn growing_spacing_keeps_its_ratio_up_to_the_coarsest_and_ends_exactly() {
         [(10.0, 0.1, 1.3, 2.0), (1.0, 0.3, 1.0, 1.0), (5.0, 0.01, 2.0, 0.5), (1.0, 3.0, 1.5, 0.1)]
     {
         let coordinates = spacing::growing(2.0, 2.0 + length, first, ratio, coarsest);
-        let sizes: Vec<f64> = coordinates.windows(2).map(|two| two[1] - two[0]).collect();
+        let sizes = sizes(&coordinates);
         assert!(
             (coordinates[0] - 2.0).abs() <= 0.0 && (coordinates[coordinates.len() - 1] - 2.0 - length).abs() <= 0.0
         );
@@ -54,24 +54,10 @@ fn growing_spacing_keeps_its_ratio_up_to_the_coarsest_and_ends_exactly() {
 }
 
 #[test]
-fn fitted_spacing_starts_with_the_asked_size_and_fills_the_length() {
-    for (n, first) in [(4, 0.05), (6, 0.1), (8, 0.3), (3, 0.6)] {
-        let coordinates = spacing::fitted(1.0, 2.0, n, first);
-        let sizes: Vec<f64> = coordinates.windows(2).map(|two| two[1] - two[0]).collect();
-        assert_eq!(sizes.len(), n);
-        assert_relative_eq!(sizes[0], first, max_relative = 1e-9);
-        assert_relative_eq!(sizes.iter().sum::<f64>(), 1.0, max_relative = 1e-14);
-        for three in sizes.windows(3) {
-            assert_relative_eq!(three[1] / three[0], three[2] / three[1], max_relative = 1e-9);
-        }
-    }
-}
-
-#[test]
 fn growing_from_both_ends_is_fine_at_both_and_never_jumps() {
     for (ends, ratio, coarsest) in [([0.1, 0.02], 1.3, 0.5), ([0.05, 0.05], 1.5, 0.2), ([0.2, 0.1], 1.2, 0.3)] {
         let coordinates = spacing::growing_from_both(1.0, 3.0, ends, ratio, coarsest);
-        let sizes: Vec<f64> = coordinates.windows(2).map(|pair| pair[1] - pair[0]).collect();
+        let sizes = sizes(&coordinates);
         assert_eq!((coordinates[0], coordinates[coordinates.len() - 1]), (1.0, 3.0));
         // Scaled to fit: no size is farther from what was asked than one interval allows.
         let scale = sizes[0] / ends[0];
@@ -159,57 +145,38 @@ fn fine_stretches_end_on_coordinates_and_sizes_grow_away_from_them() {
         assert!(size <= 4.0);
     }
     // Neighbours differ by the ratio, and what fitting the last of a stretch takes.
-    let sizes: Vec<f64> = coordinates.windows(2).map(|two| two[1] - two[0]).collect();
+    let sizes = sizes(&coordinates);
     assert!(sizes.windows(2).all(|two| two[0] / two[1] < 2.0 && two[1] / two[0] < 2.0), "{sizes:?}");
 }
 
 #[test]
-fn spacing_does_not_depend_on_the_unit_of_length() {
+fn spacing_depends_neither_on_the_unit_of_length_nor_on_where_it_begins() {
     // Breaks and ends of stretches so close that they share a position, and some that only just do not.
-    let laws = |unit: f64| {
-        let of = |list: &[f64]| list.iter().map(|x| unit * x).collect::<Vec<f64>>();
-        let fine = [[-3.0, 3.0, 0.5], [3.0 + 1e-9, 4.0, 0.1], [5.0, 5.0 + 1e-6, 1.0]].map(|one| one.map(|x| unit * x));
+    let laws = |unit: f64, from: f64| {
+        let place = |x: f64| from + unit * x;
+        let ends = [from, place(10.0)];
+        let fine = [[2.0, 3.0, 0.5], [3.0 + 1e-9, 4.0, 0.1], [5.0, 5.0 + 1e-6, 1.0]];
+        let fine = fine.map(|[a, b, size]| [place(a), place(b), unit * size]);
+        let breaks = [3.0, 3.0 + 5e-6, 7.0, 7.0 + 5e-5, 10.0 - 5e-6].map(place);
         [
-            spacing::broken(0.0, 10.0 * unit, 6, 2.0, &of(&[3.0, 3.0 + 5e-6, 7.0, 7.0 + 5e-5])),
-            spacing::fine_within([-10.0 * unit, 20.0 * unit], &fine, 1.5, 4.0 * unit),
-            spacing::growing(0.0, 10.0 * unit, 0.1 * unit, 1.3, 2.0 * unit),
-            spacing::growing_from_both(0.0, 10.0 * unit, [0.1 * unit, 0.3 * unit], 1.3, 2.0 * unit),
-        ]
-    };
-    let millimetres = laws(1.0);
-    assert!(millimetres[0].windows(2).all(|two| two[1] - two[0] > 4e-5), "{:?}", millimetres[0]);
-    let near = |list: &[f64], at: f64| list.iter().filter(|x| (*x - at).abs() < 1e-5).count();
-    assert_eq!([near(&millimetres[0], 7.0), near(&millimetres[1], 3.0), near(&millimetres[1], 5.0)], [1, 1, 2]);
-    for unit in [2.0_f64.powi(-20), 2.0_f64.powi(20)] {
-        for (law, (one, other)) in millimetres.iter().zip(laws(unit)).enumerate() {
-            assert_eq!(one.len(), other.len(), "law {law} in units of {unit}");
-            for (a, b) in one.iter().zip(other) {
-                assert_abs_diff_eq!(*a, b / unit, epsilon = 1e-12);
-            }
-        }
-    }
-}
-
-#[test]
-fn spacing_does_not_depend_on_where_it_begins() {
-    let laws = |from: f64| {
-        let place = |x: f64| from + x;
-        let fine = [[2.0, 3.0, 0.5], [3.0 + 1e-10, 4.0, 0.1]].map(|[a, b, size]| [place(a), place(b), size]);
-        [
-            spacing::broken(from, place(10.0), 6, 2.0, &[3.0, 3.0 + 5e-6, 7.0, 7.0 + 5e-5, 10.0 - 5e-6].map(place)),
-            spacing::fine_within([from, place(10.0)], &fine, 1.5, 4.0),
+            spacing::broken(from, place(10.0), 6, 2.0, &breaks),
+            spacing::fine_within(ends, &fine, 1.5, 4.0 * unit),
             spacing::stretched(from, place(10.0), 6, 2.0),
-            spacing::growing(from, place(10.0), 0.1, 1.3, 2.0),
-            spacing::growing_from_both(from, place(10.0), [0.1, 0.3], 1.3, 2.0),
-            spacing::fitted(from, place(10.0), 6, 0.1),
+            spacing::growing(from, place(10.0), 0.1 * unit, 1.3, 2.0 * unit),
+            spacing::growing_from_both(from, place(10.0), [0.1 * unit, 0.3 * unit], 1.3, 2.0 * unit),
+            spacing::fitted(from, place(10.0), 6, 0.1 * unit),
         ]
     };
-    let at_zero = laws(0.0);
-    for from in [-20.0, -10.0, -3.5, 64.0] {
-        for (law, (one, other)) in at_zero.iter().zip(laws(from)).enumerate() {
-            assert_eq!(one.len(), other.len(), "law {law} from {from}");
+    let plain = laws(1.0, 0.0);
+    assert!(plain[0].windows(2).all(|two| two[1] - two[0] > 4e-5), "{:?}", plain[0]);
+    let near = |list: &[f64], at: f64| list.iter().filter(|x| (*x - at).abs() < 1e-5).count();
+    assert_eq!([near(&plain[0], 7.0), near(&plain[1], 3.0), near(&plain[1], 5.0)], [1, 1, 2]);
+    let [small, large] = [2.0_f64.powi(-20), 2.0_f64.powi(20)];
+    for (unit, from) in [(small, 0.0), (large, 0.0), (1.0, -20.0), (1.0, -10.0), (1.0, -3.5), (1.0, 64.0)] {
+        for (law, (one, other)) in plain.iter().zip(laws(unit, from)).enumerate() {
+            assert_eq!(one.len(), other.len(), "law {law} in units of {unit} from {from}");
             for (a, b) in one.iter().zip(other) {
-                assert_abs_diff_eq!(*a, b - from, epsilon = 1e-10);
+                assert_abs_diff_eq!(*a, (b - from) / unit, epsilon = 1e-10);
             }
         }
     }

@@ -6,9 +6,9 @@ use contact_vv::case::library::TruncatedHertz;
 use contact_vv::case::{Verdict, library};
 use contact_vv::contact::ContactPoint;
 use contact_vv::mesh::{Order, Resolution};
-use contact_vv::solution::{IterationError, Work};
+use contact_vv::solution::Work;
 use contact_vv::solve::{Discretisation, Element, Formulation, Iteration};
-use contact_vv::stability::{Limit, halving, linear, rate};
+use contact_vv::stability::{Limit, halving, rate};
 use contact_vv::study::Study;
 use contact_vv::study::stability::Numbers;
 use contact_vv::study::stability::rates::{Before, Rate};
@@ -146,18 +146,17 @@ fn between_nodes() -> Discretisation {
 ///
 /// `state` makes the springs of a state; `read` takes the state from the springs after the iteration.
 fn derivative(
-    problem: &ContactProblem,
     limit: &[f64],
     mut step: impl FnMut(&mut Springs),
     state: impl Fn(&[f64]) -> Springs,
     read: impl Fn(&Springs) -> Vec<f64>,
 ) -> f64 {
-    let n = problem.points.len();
+    let n = limit.len();
     let mut matrix = nalgebra::DMatrix::<f64>::zeros(n, n);
     let largest = limit.iter().map(|x| x.abs()).fold(0.0, f64::max);
     for j in 0..n {
         let nudge = 1e-6 * limit[j].abs().max(1e-3 * largest);
-        let mut after = [1.0, -1.0].map(|sign| {
+        let after = [1.0, -1.0].map(|sign| {
             let mut moved = limit.to_vec();
             moved[j] += sign * nudge;
             let mut springs = state(&moved);
@@ -167,7 +166,6 @@ fn derivative(
         for i in 0..n {
             matrix[(i, j)] = (after[0][i] - after[1][i]) / (2.0 * nudge);
         }
-        after[0].clear();
     }
     matrix.complex_eigenvalues().iter().map(|value| value.norm()).fold(0.0, f64::max)
 }
@@ -179,86 +177,55 @@ fn carried(problem: &ContactProblem, limit: &Limit) -> Vec<f64> {
 }
 
 #[test]
-fn the_rates_of_constant_stiffness_are_the_derivatives_of_its_iterations() {
+fn predicted_rates_are_the_derivatives_of_the_iterations() {
+    use Iteration::{Constant as Fixed, Varying as Changing};
+    use StiffnessRule::{Correction, Secant};
     let discretisation = between_nodes();
     // Line elements have no point with g = 0, where the secant rule has no derivative.
-    for (element, rule) in [
-        (Element::Node, StiffnessRule::Correction),
-        (Element::Line, StiffnessRule::Correction),
-        (Element::Layer, StiffnessRule::Secant),
-        (Element::Line, StiffnessRule::Secant),
+    for (algorithm, rule, element, stiffnesses) in [
+        (Fixed, Correction, Element::Node, &[0.3, 5.0][..]),
+        (Fixed, Correction, Element::Line, &[0.3, 5.0]),
+        (Fixed, Secant, Element::Layer, &[0.3, 5.0]),
+        (Fixed, Secant, Element::Line, &[0.3, 5.0]),
+        (Changing, Correction, Element::Line, &[0.5, 2.0, 8.0, 50.0]),
+        (Changing, Correction, Element::Layer, &[0.5, 2.0, 8.0, 50.0]),
     ] {
-        for stiffness in [0.3, 5.0] {
-            let formulation = Formulation { rule, stiffness, ..Formulation::new(element, Iteration::Constant) };
+        for &stiffness in stiffnesses {
+            let formulation = Formulation { rule, stiffness, ..Formulation::new(element, algorithm) };
             let points: Vec<ContactPoint> = discretisation.points(&formulation);
             let problem = discretisation.problem(&formulation, &points);
             let limit = Limit::of(&problem).expect("a limit");
-            let predicted = match rule {
-                StiffnessRule::Correction => rate::correction(&problem, &limit.closed),
-                _ => rate::secant_force(&problem, &limit),
+            let none = vec![0.0; points.len()];
+            // Springs of a state, and the state that they leave: forces of constant stiffness, or the stiffnesses themselves, of
+            // which those of open points stop at once.
+            let springs_of = |state: &[f64]| match algorithm {
+                Fixed => Springs { stiffness: problem.initial.clone(), force: state.to_vec() },
+                _ => Springs { stiffness: state.to_vec(), force: none.clone() },
             };
-            let measured = derivative(
-                &problem,
-                &carried(&problem, &limit),
-                |springs| {
-                    let load = problem.load;
-                    Constant::new(rule).next(&problem, load, springs, &mut Work::default()).expect("springs hold");
-                },
-                |force| Springs { stiffness: problem.initial.clone(), force: force.to_vec() },
-                |springs| springs.force.clone(),
-            );
-            assert_relative_eq!(predicted.expect("a rate"), measured, max_relative = 1e-3);
+            let state_of = |springs: &Springs| match algorithm {
+                Fixed => springs.force.clone(),
+                _ => springs
+                    .stiffness
+                    .iter()
+                    .zip(&limit.closed)
+                    .map(|(k, closed)| if *closed { *k } else { 0.0 })
+                    .collect(),
+            };
+            let step = |springs: &mut Springs| {
+                let mut one: Box<dyn Algorithm> = match algorithm {
+                    Fixed => Box::new(Constant::new(rule)),
+                    _ => Box::new(Varying::new(rule)),
+                };
+                one.next(&problem, problem.load, springs, &mut Work::default()).expect("springs hold");
+            };
+            let (at, predicted) = match (algorithm, rule) {
+                (Fixed, Correction) => (carried(&problem, &limit), rate::correction(&problem, &limit.closed)),
+                (Fixed, _) => (carried(&problem, &limit), rate::secant_force(&problem, &limit)),
+                _ => (limit.target(&problem), rate::varying_correction(&problem, &limit)),
+            };
+            let measured = derivative(&at, step, springs_of, state_of);
+            assert_relative_eq!(predicted.expect("a rate"), measured, max_relative = 2e-3);
         }
-    }
-}
-
-#[test]
-fn the_rate_of_varying_stiffness_with_correction_is_the_derivative_of_its_step() {
-    let discretisation = between_nodes();
-    for element in [Element::Line, Element::Layer] {
-        for stiffness in [0.5, 2.0, 8.0, 50.0] {
-            let rule = StiffnessRule::Correction;
-            let formulation = Formulation { rule, stiffness, ..Formulation::new(element, Iteration::Varying) };
-            let points: Vec<ContactPoint> = discretisation.points(&formulation);
-            let problem = discretisation.problem(&formulation, &points);
-            let limit = Limit::of(&problem).expect("a limit");
-            let target = limit.target(&problem);
-            let closed: Vec<usize> = (0..target.len()).filter(|&i| limit.closed[i]).collect();
-            let measured = derivative(
-                &problem,
-                &target,
-                |springs| {
-                    let load = problem.load;
-                    Varying::new(rule).next(&problem, load, springs, &mut Work::default()).expect("springs hold");
-                },
-                |stiffness| Springs { stiffness: stiffness.to_vec(), force: vec![0.0; stiffness.len()] },
-                // Open points stop at once: what they hand on is cut off.
-                |springs| {
-                    (0..target.len()).map(|i| if closed.contains(&i) { springs.stiffness[i] } else { 0.0 }).collect()
-                },
-            );
-            let predicted = rate::varying_correction(&problem, &limit).expect("a rate");
-            assert_relative_eq!(predicted, measured, max_relative = 2e-3);
-        }
-    }
-}
-
-#[test]
-fn linear_steps_are_those_of_the_linear_iteration_taken_one_by_one() {
-    let discretisation = between_nodes();
-    for stiffness in [0.05, 0.7, 20.0] {
-        let formulation = Formulation { stiffness, ..Formulation::new(Element::Node, Iteration::Constant) };
-        let points: Vec<ContactPoint> = discretisation.points(&formulation);
-        let problem = discretisation.problem(&formulation, &points);
-        let limit = Limit::of(&problem).expect("a limit");
-        let run = discretisation.solve(&formulation).expect("solved").work.iterations as f64;
-        let predicted = linear::iterations(&problem, &limit, IterationError::largest, 1e-3).expect("a prediction");
-        assert!((predicted / run).max(run / predicted) < 2.0, "κ₀ = {stiffness}: {predicted} against {run}");
-        // Each decade of the tolerance takes what the rate says, once the slowest mode is alone.
-        let rate = rate::correction(&problem, &limit.closed).expect("a rate");
-        let [fine, finer] = [1e-11, 1e-12]
-            .map(|tau| linear::iterations(&problem, &limit, IterationError::largest, tau).expect("a prediction"));
-        assert_relative_eq!(finer - fine, -std::f64::consts::LN_10 / rate.ln(), max_relative = 0.05, epsilon = 1.5);
     }
 }
 

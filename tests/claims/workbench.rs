@@ -1,6 +1,7 @@
 //! Scenes, hand-made meshes and dense matrices shared by the claims; nothing here is taken from the code under test.
 
 use std::collections::BTreeMap;
+use std::f64::consts::FRAC_PI_2;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -11,7 +12,7 @@ use contact_vv::case::library::{
 use contact_vv::elasticity::{BodySystem, ElasticSystem, element, quadrature};
 use contact_vv::mesh::{BodyMesh, Edge, Mesh, Order, Resolution};
 use contact_vv::scene::{
-    self, Body, Component, ContactPair, Face, Grading, Load, Material, Place, PlaneHypothesis, Profile,
+    self, Body, Circle, Component, ContactPair, Face, Grading, Load, Material, Place, PlaneHypothesis, Profile,
     ReferenceValues, Scene, Shape, StressField, Support,
 };
 use contact_vv::solve::Discretisation;
@@ -65,6 +66,14 @@ pub fn of_shape(shape: Shape, path: scene::Path, stretch: f64, supports: Vec<Sup
         reference: ReferenceValues { length: 1.0, pressure: 1.0, gap: 1.0 },
         grading: Grading { unit, along: 1.0, depth: 1.0, first: 1.0, coarsest: 1.0, end: 1.0 },
     }
+}
+
+/// A quarter of a ring about the origin near a rigid profile, on its inner side where that is its lower face.
+pub fn ring(radii: [f64; 2], contact: Face, stretch: f64, supports: Vec<Support>, loads: Vec<Load>) -> Scene {
+    let [inner, outer] = radii.map(|radius| Circle { centre: [0.0, 0.0], radius });
+    let own = if contact == Face::Bottom { inner } else { outer };
+    let shape = Shape::Ring { pole: [0.0, 0.0], inner, outer, sweep: FRAC_PI_2, both_sides: false, contact };
+    of_shape(shape, scene::Path::Arc(own), stretch, supports, loads)
 }
 
 pub fn held(boundary: &'static str, component: Component, value: f64) -> Support {
@@ -185,4 +194,13 @@ pub fn area(mesh: &Mesh) -> f64 {
         rule.iter().map(at).sum::<f64>()
     };
     (0..mesh.cells()).map(of_cell).sum()
+}
+
+/// Length of a boundary of the first body, in chords.
+pub fn length(mesh: &Mesh, scene: &Scene, name: &str) -> f64 {
+    let chord = |edge: &Edge| {
+        let [from, to] = [edge[0], edge[1]].map(|node| mesh.points[node]);
+        (to[0] - from[0]).hypot(to[1] - from[1])
+    };
+    mesh.boundary(scene, 0, name).expect("side").iter().map(chord).sum()
 }
