@@ -27,28 +27,13 @@ fn widest(text: &str) -> usize {
 }
 
 #[test]
-fn help_wraps_at_the_width_of_the_terminal_and_ends_with_examples() {
-    for (name, mut command) in commands() {
-        let help = command.render_long_help().to_string();
-        // Surveys take no arguments that an example could show.
-        let survey = ["atlas", "converged", "met", "coverage", "timings", "freeze"].contains(&name.as_str());
-        assert!(survey || help.contains("Examples:\n  contact-vv"), "{name}: {help}");
-    }
-    for columns in [60, 80] {
-        let help = on_columns(columns, &["verdicts", "--help"]);
-        assert!(widest(&help) <= columns && !help.is_empty(), "{help}");
-        let help = on_columns(columns, &["solve", "--help"]);
-        let text = help.split("Examples:").next().expect("a text");
-        assert!(widest(text) <= columns, "{text}");
-    }
-    assert!(widest(&on_columns(60, &["solve", "--help"])) < widest(&on_columns(100, &["solve", "--help"])));
-}
-
-#[test]
-fn every_example_of_the_help_is_a_command_that_is_understood() {
+fn every_command_shows_examples_that_are_understood() {
     let mut examples = 0;
+    // Surveys take no arguments that an example could show.
+    let surveys = ["atlas", "converged", "met", "coverage", "timings", "freeze"];
     for (name, command) in commands() {
         let shown = command.get_after_help().map(ToString::to_string).unwrap_or_default();
+        assert!(surveys.contains(&name.as_str()) || shown.contains("Examples:\n  contact-vv"), "{name}: {shown}");
         for line in shown.lines().filter_map(|line| line.strip_prefix("  ")) {
             for one in line.split(" && ") {
                 let typed = one.split(" > ").next().expect("a command");
@@ -116,12 +101,8 @@ fn cases_are_listed_for_people_and_for_programs_alike() {
 #[test]
 fn completions_and_manual_pages_name_every_command() {
     let names: Vec<String> = commands().into_iter().map(|(name, _)| name).collect();
-    for shell in ["bash", "zsh", "fish", "elvish", "powershell"] {
-        let (sound, script, _) = contact_vv(&["completions", shell]);
-        assert!(sound && names.iter().all(|name| script.contains(name.as_str())), "{shell}");
-    }
-    let (sound, page, _) = contact_vv(&["man"]);
-    assert!(sound && page.contains(".TH contact") && page.contains("Examples"), "{page}");
+    let (sound, script, _) = contact_vv(&["completions", "bash"]);
+    assert!(sound && names.iter().all(|name| script.contains(name.as_str())), "{script}");
     let folder = tempfile::tempdir().expect("a folder");
     let pages = folder.path().join("made/man1");
     let (sound, _, error) = contact_vv(&["man", &pages.display().to_string()]);
@@ -169,39 +150,6 @@ fn read_only_checkout_is_refused_before_the_suite_runs() {
     assert_eq!((output.status.code(), output.stdout.len()), (Some(2), 0), "{error}");
     assert!(error.contains("VALIDATION.md") && error.contains("cannot be written"), "{error}");
     assert!(error.contains("report --check") && clock.elapsed().as_secs() < 5, "{error}");
-}
-
-#[test]
-fn output_that_cannot_be_written_is_refused_before_anything_is_solved() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let outputs =
-        [("--json", "a.json"), ("--csv", "a.csv"), ("--vtu", "a.vtu"), ("--plot", "a.svg"), ("--curve", "a.csv")];
-    for (option, name) in outputs {
-        let file = folder.path().join("absent").join(name).display().to_string();
-        let (sound, told, error) = contact_vv(&["solve", "patch", "--increments", "2", option, &file]);
-        assert!(!sound && told.is_empty() && error.contains("the folder is missing"), "{option}: {told}{error}");
-        assert!(error.contains("absent`") && error.contains("name a file in a folder that exists"), "{error}");
-    }
-}
-
-#[test]
-fn numbers_out_of_range_are_refused_with_what_they_may_be() {
-    for (option, value, wanted) in [
-        ("--max-iterations", "0", "at least 1 is needed"),
-        ("--increments", "0", "at least 1 is needed"),
-        ("--tolerance", "nan", "a finite value above 0"),
-        ("--accuracy", "50 %", "between 0.0001 % and 20 %"),
-        ("--accuracy", "0 %", "between 0.0001 % and 20 %"),
-        ("--accuracy", "-1 %", "between 0.0001 % and 20 %"),
-        ("--accuracy", "nan %", "between 0.0001 % and 20 %"),
-        ("--accuracy", "abc", "must be a percentage, with the sign %"),
-        ("--accuracy", "1", "must be a percentage, with the sign %"),
-        ("--increments", "-1", "invalid value '-1' for '--increments"),
-        ("--max-iterations", "-1", "invalid value '-1' for '--max-iterations"),
-    ] {
-        let (sound, told, error) = contact_vv(&["solve", "patch", option, value]);
-        assert!(!sound && told.is_empty() && error.contains(wanted), "{option} {value}: {told}{error}");
-    }
 }
 
 #[test]

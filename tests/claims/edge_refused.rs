@@ -58,18 +58,3 @@ fn fitted_meshes_are_iterated_to_their_last_digit_unless_a_tolerance_is_asked_fo
     let loose = error("8", &["--tolerance", "1e-3"]);
     assert!(loose > Fitted::misfit(Order::Octic), "{loose}");
 }
-
-#[test]
-fn options_that_do_not_go_with_fitted_meshes_are_refused() {
-    let refused = [
-        (["--order", "2"], "4 to 8"),
-        (["--resolution", "8"], "--resolution cannot be used"),
-        (["--accuracy", "1 %"], "--accuracy cannot be used"),
-    ];
-    for (option, message) in refused {
-        let (sound, _, error) = contact_vv(&["solve", "truncated-hertz", "--fitted", option[0], option[1]]);
-        assert!(!sound && error.contains(message), "{option:?}: {error}");
-    }
-    let (sound, told, _) = contact_vv(&["solve", "truncated-hertz", "--fitted", "--order", "5"]);
-    assert!(sound && told.contains("36-node cells") && !told.contains("refine before"), "{told}");
-}

@@ -2,8 +2,7 @@
 
 use std::sync::Arc;
 
-use contact_vv::algorithm::StiffnessRule;
-use contact_vv::case::library::{Cylinder, FlatPunch, Patch, PinRod, PressFit};
+use contact_vv::case::library::{Cylinder, FlatPunch, Patch, PinRod};
 use contact_vv::elasticity::ElasticSystem;
 use contact_vv::error::Error;
 use contact_vv::mesh::{Mesh, Order};
@@ -55,8 +54,8 @@ fn poisson_ratio_of_one_half_is_refused_in_plane_strain_only() {
     };
     use contact_vv::scene::PlaneHypothesis::{Strain, Stress};
     for (poisson, plane, limit) in [
-        (0.5, Strain, "0.4999"),
-        (0.7, Strain, "0.4999"),
+        (0.49991, Strain, "at most 0.4999"),
+        (0.5, Strain, "at most 0.4999"),
         (-1.0, Strain, "-1"),
         (1.0, Stress, "1"),
         (f64::NAN, Stress, "1"),
@@ -152,54 +151,6 @@ fn formulation_values_out_of_range_are_refused() {
                 &error,
                 &["patch with layer.varying", &format!("`{key}` = {value}"), "above 0", "give a positive number"],
             );
-        }
-    }
-}
-
-#[test]
-fn rule_that_an_algorithm_does_not_offer_is_refused_with_those_it_does() {
-    use StiffnessRule::{Correction, Literal, Penalty, Secant, Switching};
-    let scene = Patch::default().scene();
-    for (algorithm, offered) in [
-        (Iteration::Varying, vec![Secant, Correction]),
-        (Iteration::Constant, vec![Correction, Secant, Literal]),
-        (Iteration::Kinematic, vec![Switching, Penalty]),
-    ] {
-        for rule in [Secant, Correction, Literal, Switching, Penalty] {
-            let mut formulation = Formulation::new(Element::Node, algorithm);
-            formulation.rule = rule;
-            match formulation.validate(&scene) {
-                Ok(()) => assert!(offered.contains(&rule), "{algorithm:?} takes {rule:?}"),
-                Err(error) => {
-                    assert!(!offered.contains(&rule), "{algorithm:?} refuses {rule:?}");
-                    let mut parts = vec![algorithm.name(), rule.name(), "choose one of"];
-                    parts.extend(offered.iter().map(|rule| rule.name()));
-                    names(&error, &parts);
-                }
-            }
-        }
-    }
-}
-
-#[test]
-fn interference_is_refused_where_the_spring_starts_at_the_gap() {
-    let fit = PressFit::default().scene();
-    for algorithm in Iteration::ALL {
-        for &rule in algorithm.rules() {
-            let mut formulation = Formulation::new(Element::Node, algorithm);
-            formulation.rule = rule;
-            let takes = algorithm == Iteration::Kinematic
-                || (algorithm, rule) == (Iteration::Constant, StiffnessRule::Correction);
-            match formulation.validate(&fit) {
-                Ok(()) => assert!(takes, "{}", formulation.name()),
-                Err(error) => {
-                    assert!(!takes, "{}", formulation.name());
-                    names(
-                        &error,
-                        &["press-fit", "interference of 0.02 mm", &formulation.name(), "use the kinematic algorithm"],
-                    );
-                }
-            }
         }
     }
 }

@@ -172,31 +172,6 @@ fn ring_on_a_flat_takes_every_option_and_its_own_answer_is_met() {
     std::fs::remove_dir_all(&folder).expect("removed");
 }
 
-#[test]
-fn rings_that_do_not_touch_their_flat_are_refused_with_a_remedy() {
-    for (was, is, found, remedy) in [
-        ("inner = 30", "inner = 50", "`outer` is 50", "give a radius above 50"),
-        ("sweep = 90", "sweep = 2", "whose contact side ends at 1.74", "give at most 1.74"),
-        ("stretch = 3", "stretch = 45", "whose contact side ends at 35.35", "give at most 35.35"),
-        ("centre = [0, 50]", "centre = [3, 50]", "does not touch at x = 0", "a centre at x = 0"),
-        ("centre = [0, 50]", "centre = [0, 55]", "does not touch y = 0", "it touches at its lowest point"),
-        ("contact = \"outer\"", "contact = \"inner\"", "does not touch y = 0", "one radius above"),
-        (
-            "stretch = 3",
-            "stretch = 3\norigin = [0, 100]",
-            "does not touch y = 100: the line touches its other end",
-            "turn the whole scene upside down",
-        ),
-        ("stretch = 3", "stretch = 3\nboth-sides = true", "no boundary `start`", "fix a node, as in { at = [0, 20]"),
-    ] {
-        let error = read(&ring().replace(was, is)).map(|_| ()).expect_err(is);
-        assert!(error.contains("scene.toml:") && error.contains(found) && error.contains(remedy), "{is}: {error}");
-    }
-    let whole = ring().replace("sweep = 90", "sweep = 180").replace("stretch = 3", "stretch = 3\nboth-sides = true");
-    let error = read(&whole.replace(ON_START, "{ at = \"end\", component = \"x\" }")).map(|_| ()).expect_err("no end");
-    assert!(error.contains("no boundary `end`") && error.contains("`inner`, `outer`"), "{error}");
-}
-
 /// Angles of a ring's mesh from −π on, finer towards the lowest point: two for every cell.
 const ANGLES: usize = 128;
 /// Positions across it.
@@ -385,27 +360,6 @@ fn clearance_is_told_wherever_a_gap_is_told() {
     assert_relative_eq!(problem["contacts"][0]["nodes"][0]["gap"].as_f64().expect("a gap"), 0.02, max_relative = 1e-12);
     assert!(contact_vv(&["judge", &file, &format!("{exported}/ours.csv")]).0);
     std::fs::remove_dir_all(&folder).expect("removed");
-}
-
-#[test]
-fn clearances_that_cannot_be_are_refused_with_a_remedy() {
-    for (gap, found, remedy) in [
-        ("circle = 50, clearance = -0.02", "`clearance` is -0.02", "a support with a `value`"),
-        ("circle = 50, clearance = nan", "`clearance` is NaN", "give a length"),
-        ("uniform = 0.1, clearance = 0.02", "`clearance` goes beside a profile", "README.md"),
-        ("from = \"bodies\", clearance = 0.02", "`clearance` goes beside a profile", "README.md"),
-        ("clearance = 0.02", "the gap has no key", "README.md"),
-        ("circle = 50, parabola = 50, clearance = 0.02", "the gap has two keys", "README.md"),
-        ("circle = 50, clearance = 0.2", "the gap is 0.2", "`gap-only = true`"),
-    ] {
-        let error = read(&pushed(gap, 50.02, [0.03, 0.05])).map(|_| ()).expect_err(gap);
-        assert!(error.contains("scene.toml:") && error.contains(found) && error.contains(remedy), "{gap}: {error}");
-    }
-    let fixed = pushed("circle = 50", 50.0, [0.0, 0.0])
-        + "[[check]]\nquantity = \"approach\"\nvalue = 1\ntolerance = 1\n\
-        kind = \"self-consistency\"\nsource = \"none\"\nbecause = \"none\"\n";
-    let error = read(&fixed).map(|_| ()).expect_err("nothing moves");
-    assert!(error.contains("has no `approach`"), "{error}");
 }
 
 #[test]

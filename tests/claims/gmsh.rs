@@ -6,12 +6,10 @@ use approx::assert_relative_eq;
 use contact_vv::case::Case;
 use contact_vv::case::{notes, plausible};
 use contact_vv::error::Error;
-use contact_vv::mesh::{Mesh, Order};
+use contact_vv::mesh::Mesh;
 use contact_vv::scene::{GivenMesh, Shape};
-use contact_vv::solve::Discretisation;
-use contact_vv::solve::Run;
 
-use crate::workbench::noise;
+use crate::balance::{scene, solved_as_it_says as solved};
 
 /// A folder of its own for the files of one test.
 fn folder(test: &str) -> PathBuf {
@@ -21,73 +19,10 @@ fn folder(test: &str) -> PathBuf {
 }
 
 /// Two 4-node cells on 0 … 2 × 0 … 1, with tags neither dense nor in order.
-const TWO_CELLS: &str = "$MeshFormat
-4.1 0 8
-$EndMeshFormat
-$PhysicalNames
-4
-1 1 \"low side\"
-1 2 \"high side\"
-1 3 \"axis\"
-2 4 \"body\"
-$EndPhysicalNames
-$Entities
-0 3 1 0
-1 0 0 0 2 0 0 1 1 0
-2 0 1 0 2 1 0 1 2 0
-3 0 0 0 0 1 0 1 3 0
-1 0 0 0 2 1 0 1 4 3 1 2 3
-$EndEntities
-$Nodes
-2 6 3 40
-1 1 0 3
-7
-3
-40
-2 0 0
-0 0 0
-1 0 0
-2 1 0 3
-11
-12
-5
-0 1 0
-2 1 0
-1 1 0
-$EndNodes
-$Elements
-4 7 1 7
-1 1 1 2
-1 3 40
-2 7 40
-1 2 1 2
-3 11 5
-4 5 12
-1 3 1 1
-5 3 11
-2 1 3 2
-6 3 40 5 11
-7 40 7 12 5
-$EndElements
-";
+const TWO_CELLS: &str = include_str!("../data/scenes/two-cells.msh");
 
 /// A scene of that body, pressed on a rigid plane.
-const SCENE: &str = "plane = \"strain\"
-thickness = 1
-[[body]]
-name = \"body\"
-young = 1000
-poisson = 0.3
-shape = { gmsh = { file = \"mesh.msh\", group = \"body\", contact = \"low side\" } }
-supports = [{ at = \"axis\", component = \"x\" }]
-loads = [{ traction = { at = \"high side\", value = [0, -5] } }]
-[contact]
-first = \"body\"
-gap = { uniform = 0 }
-stretch = 2
-[reference]
-pressure = 5
-";
+const SCENE: &str = include_str!("../data/scenes/two-cells.toml");
 
 fn read(folder: &Path, mesh: &str) -> Result<Case, Error> {
     std::fs::write(folder.join("mesh.msh"), mesh).expect("written");
@@ -99,12 +34,6 @@ fn given(file: &Case) -> &GivenMesh {
         Shape::Given(mesh) => mesh,
         other => panic!("{other:?}"),
     }
-}
-
-fn solved(file: &Case) -> (Discretisation, Run) {
-    let discretisation = Discretisation::of(file.scene.clone(), file.resolution).expect("meshed");
-    let run = Run::of(&discretisation, file.formulation()).expect("solved");
-    (discretisation, run)
 }
 
 #[test]
@@ -145,15 +74,6 @@ fn tags_groups_and_sides_are_read_whatever_their_order() {
     for point in &run.solution.points {
         assert_relative_eq!(point.pressure, 5.0, max_relative = 1e-9);
     }
-}
-
-#[test]
-fn surface_meshed_clockwise_is_turned_over() {
-    let turned = TWO_CELLS.replace("6 3 40 5 11", "6 3 11 5 40").replace("7 40 7 12 5", "7 40 5 12 7");
-    let (as_is, over) = (folder("as-is"), folder("over"));
-    let [straight, turned] =
-        [read(&as_is, TWO_CELLS), read(&over, &turned)].map(|file| solved(&file.expect("sound")).1);
-    assert_relative_eq!(straight.measures().peak.pressure, turned.measures().peak.pressure, max_relative = 1e-12);
 }
 
 #[test]
@@ -281,14 +201,8 @@ fn groups_of_an_entity_are_few_and_have_short_names() {
 }
 
 #[test]
-fn mesh_file_cut_anywhere_is_refused() {
-    let folder = folder("cut");
-    let end = TWO_CELLS.find("$EndElements").expect("an end");
-    for length in 0..end {
-        let error = read(&folder, &TWO_CELLS[..length]).map(|_| ()).expect_err("cut").to_string();
-        assert!(error.contains("mesh.msh:") || error.contains("scene.toml:"), "{length}: {error}");
-    }
-    std::fs::remove_file(folder.join("mesh.msh")).expect("removed");
+fn mesh_file_that_is_not_there_is_refused_at_the_line_that_names_it() {
+    let folder = folder("absent");
     let error = Case::parse(&folder.join("scene.toml"), SCENE).map(|_| ()).expect_err("no file").to_string();
     assert!(error.contains("scene.toml:7: ") && error.contains("cannot be read"), "{error}");
 }
@@ -302,135 +216,6 @@ fn orders_that_do_not_go_together_are_refused() {
     assert!(error.contains("cells of 4 nodes, others have 8") && error.contains("one order"), "{error}");
 }
 
-/// The mesh of a body as Gmsh would write it, on a surface turned over where its cells are listed clockwise.
-fn written(mesh: &Mesh, body: usize, clockwise: bool) -> String {
-    let part = &mesh.bodies[body];
-    let [line, cell] = if mesh.order == Order::Linear { [1, 3] } else { [8, 16] };
-    let tags = |nodes: &[usize]| nodes.iter().map(|node| (node + 1).to_string()).collect::<Vec<_>>().join(" ");
-    let names: Vec<_> = part.boundaries.keys().collect();
-    let curves = names.iter().enumerate().map(|(k, name)| format!("1 {} \"{name}\"\n", k + 1));
-    let entities = (1..=names.len()).map(|k| format!("{k} 0 0 0 1 1 0 1 {k} 0\n"));
-    let (curves, entities): (String, String) = (curves.collect(), entities.collect());
-    let count = part.nodes.len();
-    let all: String = part.nodes.clone().map(|node| format!("{}\n", node + 1)).collect();
-    let places = part.nodes.clone().map(|node| mesh.points[node]);
-    let places: String = places.map(|[x, y]| format!("{x:e} {y:e} 0\n")).collect();
-    let mut tag = 0;
-    let mut block = |dimension: usize, entity: usize, kind: usize, pieces: &mut dyn Iterator<Item = String>| {
-        let lines: Vec<String> = pieces.collect();
-        let mut text = format!("{dimension} {entity} {kind} {}\n", lines.len());
-        for nodes in lines {
-            tag += 1;
-            text += &format!("{tag} {nodes}\n");
-        }
-        text
-    };
-    let mut elements = String::new();
-    for (k, name) in names.iter().enumerate() {
-        elements += &block(1, k + 1, line, &mut part.boundaries[*name].iter().map(|edge| tags(edge)));
-    }
-    let listed = |cell: usize| {
-        let nodes = mesh.cell(cell);
-        let backwards: &[usize] = if nodes.len() == 4 { &[0, 3, 2, 1] } else { &[0, 3, 2, 1, 7, 6, 5, 4] };
-        if clockwise { backwards.iter().map(|&k| nodes[k]).collect() } else { nodes.to_vec() }
-    };
-    elements += &block(2, 1, cell, &mut part.cells.clone().map(|cell| tags(&listed(cell))));
-    format!(
-        "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$PhysicalNames\n{}\n{curves}2 99 \"body\"\n$EndPhysicalNames\n$Entities\n\
-         0 {} 1 0\n{entities}1 0 0 0 1 1 0 1 99 0\n$EndEntities\n$Nodes\n1 {count} 1 {count}\n2 1 0 {count}\n{all}{places}\
-         $EndNodes\n$Elements\n{} {tag} 1 {tag}\n{elements}$EndElements\n",
-        names.len() + 1,
-        names.len(),
-        names.len() + 1,
-    )
-}
-
-#[test]
-fn bodies_meshed_here_and_given_as_meshes_have_one_solution() {
-    let scenes = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/cases");
-    for (name, shapes) in [
-        (
-            "cylinder-on-block",
-            [
-                "{ disc = { centre = [0, 50], radius = 50 } }",
-                "{ rectangle = { x = [0, 80], y = [-80, 0], contact = \"top\" } }",
-            ],
-        ),
-        (
-            "press-fit",
-            [
-                "{ ring = { centre = [0, 0], inner = 20, outer = 40, sweep = 90, contact = \"outer\" } }",
-                "{ ring = { centre = [0, 0], inner = 40, outer = 70, sweep = 90, contact = \"inner\" } }",
-            ],
-        ),
-    ] {
-        let folder = folder(name);
-        let mut text = std::fs::read_to_string(scenes.join(format!("{name}.toml"))).expect("text");
-        let own = Case::parse(&scenes.join(format!("{name}.toml")), &text).expect("sound");
-        let (discretisation, wanted) = solved(&own);
-        for (body, shape) in shapes.iter().enumerate() {
-            std::fs::write(folder.join(format!("{body}.msh")), written(&discretisation.mesh, body, body == 1))
-                .expect("written");
-            let gmsh = format!("{{ gmsh = {{ file = \"{body}.msh\", group = \"body\", contact = \"contact\" }} }}");
-            assert!(text.contains(shape));
-            text = text.replace(shape, &gmsh);
-        }
-        let without = ["elements = ", "per = ", "growth = "];
-        let text: String =
-            text.split_inclusive('\n').filter(|line| !without.iter().any(|key| line.starts_with(key))).collect();
-        let given = Case::parse(&folder.join("scene.toml"), &text).expect("sound");
-        let (_, found) = solved(&given);
-        assert_eq!(found.dofs, wanted.dofs);
-        assert_relative_eq!(found.measures().peak.pressure, wanted.measures().peak.pressure, max_relative = 1e-9);
-        assert_relative_eq!(
-            found.measures().second_moment_width,
-            wanted.measures().second_moment_width,
-            max_relative = 1e-9
-        );
-    }
-}
-
-/// The mesh with a few words cut out, doubled or overwritten.
-fn mutated(number: &mut impl FnMut() -> f64) -> String {
-    const WORDS: [&str; 12] =
-        ["", "0", "-1", "3", "99999999999999999999", "1e308", "nan", "$Nodes", "$EndNodes", "\"", "16", "\u{e9}"];
-    let mut words: Vec<String> = TWO_CELLS.split_inclusive(char::is_whitespace).map(String::from).collect();
-    let mut below = |n: usize| (((number() + 1.0) / 2.0 * n as f64) as usize).min(n - 1);
-    for _ in 0..=below(3) {
-        let at = below(words.len().max(1));
-        match below(4) {
-            0 if words.len() > 1 => drop(words.remove(at)),
-            0 | 1 => words.truncate(at.max(1)),
-            2 => words.insert(at, words[at].clone()),
-            _ => words[at] = format!("{} ", WORDS[below(WORDS.len())]),
-        }
-    }
-    words.concat()
-}
-
-/// Reads, meshes and solves so many mutated meshes; how many were sound.
-fn fuzz(name: &str, seed: u64, count: usize) -> usize {
-    let (folder, mut number) = (folder(name), noise(seed));
-    let tried = (0..count).map(|k| {
-        let spoiled = mutated(&mut number);
-        let tried = std::panic::catch_unwind(|| {
-            let Ok(file) = read(&folder, &spoiled) else { return false };
-            let discretisation = Discretisation::of(file.scene.clone(), file.resolution);
-            let _ = discretisation.and_then(|discretisation| Run::of(&discretisation, file.formulation()));
-            true
-        });
-        tried.unwrap_or_else(|_| panic!("mesh {k}:\n{spoiled}"))
-    });
-    tried.filter(|sound| *sound).count()
-}
-
-#[test]
-fn five_thousand_mutated_meshes_are_read_or_refused() {
-    let sound = fuzz("fuzz", 23, 5000);
-    // Most counts that are spoiled are no longer those of their rows.
-    assert!(sound > 50 && sound < 4500, "{sound} of 5000 were read");
-}
-
 /// The block of `two_blocks` as two blocks that meet at x = 1, one of them turned by its corners, and the same as one.
 fn of_blocks(shape: &str) -> Result<Case, Error> {
     let gmsh = "{ gmsh = { file = \"mesh.msh\", group = \"body\", contact = \"low side\" } }";
@@ -440,16 +225,20 @@ fn of_blocks(shape: &str) -> Result<Case, Error> {
 
 const ONE_BLOCK: &str = "{ blocks = [{ corners = [[0, 0], [2, 0], [2, 1], [0, 1]], elements = [8, 4], \
      bottom = \"contact\", top = \"roof\", left = \"axis\" }] }";
-const TWO_BLOCKS: &str = "{ blocks = [{ corners = [[0, 0], [1, 0], [1, 1], [0, 1]], elements = [4, 4], \
-     bottom = \"contact\", top = \"roof\", left = \"axis\" }, { corners = [[2, 0], [2, 1], [1, 1], [1, 0]], \
-     elements = [4, 4], left = \"contact\", right = \"roof\" }] }";
 
 #[test]
 fn chain_of_blocks_is_the_body_they_make() {
-    let [one, two] = [ONE_BLOCK, TWO_BLOCKS].map(|shape| solved(&of_blocks(shape).expect("sound")).1);
-    assert_eq!(one.dofs, two.dofs);
-    for (a, b) in one.solution.points.iter().zip(&two.solution.points) {
-        assert_relative_eq!(a.pressure, b.pressure, max_relative = 1e-9, epsilon = 1e-9);
+    let (_, one) = solved(&of_blocks(ONE_BLOCK).expect("sound"));
+    // Cells of a block that is turned by its corners are as many and grow as asked along its own sides.
+    let turned = "elements = [4, 4], left = \"contact\"";
+    for (is, alike) in [
+        (turned, true),
+        (&turned.replace("4, 4]", "4, 5]"), false),
+        (&turned.replace("4]", "4], growth = [1, 1.2]"), false),
+    ] {
+        let (_, two) = solved(&scene("two-blocks", &[[turned, is]]));
+        let apart = one.solution.points.iter().zip(&two.solution.points).map(|(a, b)| (a.pressure - b.pressure).abs());
+        assert_eq!(one.dofs == two.dofs && apart.fold(0.0, f64::max) <= 1e-8, alike, "{is}");
     }
 }
 
@@ -483,34 +272,6 @@ fn arcs_of_blocks_turn_by_less_than_half_a_turn_whichever_way_they_lie() {
             assert!(told.is_ok() == fits && turned != fits, "{arcs}{degrees}°: {told:?}");
         }
     }
-}
-
-#[test]
-fn blocks_that_do_not_fit_are_refused() {
-    for (was, is, wanted) in [
-        ("[2, 0], [2, 1], [1, 1], [1, 0]]", "[2, 0], [1, 0], [1, 1], [2, 1]]", "counter-clockwise"),
-        ("elements = [4, 4], left", "elements = [4, 5], left", ""),
-        ("elements = [4, 4], left", "elements = [5, 4], left", "other elements along the side it shares with block 1"),
-        ("[1, 1], [1, 0]]", "[1, 1], [1, 0.5]]", "lies inside a side"),
-        ("elements = [4, 4], left", "elements = [0, 4], left", "`elements` is 0"),
-        ("left = \"contact\"", "arcs = { left = [5, 5] }, left = \"contact\"", "from the arc's centre"),
-        ("elements = [4, 4], left", "elements = [4, 4], growth = [1, 1.2], left", ""),
-        ("elements = [4, 4], left", "elements = [4, 4], growth = [1.2, 1], left", "other elements along the side"),
-        ("\"contact\"", "\"sole\"", "no contact can lie on a side `contact` of `body`"),
-    ] {
-        assert!(TWO_BLOCKS.contains(was), "{was}");
-        match (of_blocks(&TWO_BLOCKS.replace(was, is)), wanted) {
-            (Ok(_), "") => {}
-            (Ok(_), _) => panic!("{is} was accepted"),
-            (Err(error), wanted) => assert!(!wanted.is_empty() && error.to_string().contains(wanted), "{is}: {error}"),
-        }
-    }
-}
-
-#[test]
-#[ignore = "100,000 meshes: cargo test --release --test claims -- --ignored mutated"]
-fn a_hundred_thousand_mutated_meshes_are_read_or_refused() {
-    fuzz("fuzz-on-demand", 29, 100_000);
 }
 
 /// A block as wide as 10 and 5 high, of two cells, with its right half on nodes of its own.

@@ -4,6 +4,8 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::process::Command;
 
+use crate::scene_file::folder;
+
 /// What is chosen, and its values; an empty one is left out. What excludes one another is values of one choice.
 const CHOICES: [&[&str]; 14] = [
     &["--element node", "--element layer", "--element line"],
@@ -123,25 +125,58 @@ fn any_two_options_that_may_be_combined_solve_and_write_what_is_asked_for() {
 }
 
 #[test]
-fn options_that_exclude_one_another_are_refused_by_name() {
-    for (arguments, named) in [
-        ("--fitted --resolution 4", "--resolution"),
-        ("--fitted --accuracy 5%", "--accuracy"),
-        ("--fitted --order 2", "--order"),
-        ("--accuracy 5% --resolution 4", "--resolution"),
-        ("--accuracy 5% --order 2", "--order"),
-        ("--curve curve.csv", "--curve"),
-        ("--algorithm kinematic --rule secant", "secant"),
-        ("--algorithm varying --rule literal", "literal"),
-        ("--algorithm constant --bound 10", "bound"),
-        ("--algorithm kinematic --spring element", "spring"),
-        ("--algorithm kinematic --acceleration newton", "newton"),
+fn what_cannot_be_solved_or_written_is_refused_before_anything_is_solved_with_what_can() {
+    let missing = "the folder is missing; name a file in a folder that exists";
+    for (arguments, says) in [
+        // What excludes one another.
+        ("cylinder --fitted --resolution 4", "--resolution cannot be used"),
+        ("cylinder --fitted --accuracy 5%", "--accuracy cannot be used"),
+        ("cylinder --fitted --order 2", "4 to 8"),
+        ("cylinder --accuracy 5% --resolution 4", "--resolution"),
+        ("cylinder --accuracy 5% --order 2", "--order"),
+        ("cylinder --algorithm kinematic --rule secant", "secant; choose one of; switching; penalty"),
+        ("cylinder --algorithm varying --rule literal", "literal; choose one of; secant; correction"),
+        ("cylinder --algorithm constant --rule switching", "switching; choose one of; correction; secant; literal"),
+        ("press-fit.toml --algorithm varying", "interference of 0.02 mm; use the kinematic algorithm"),
+        ("press-fit.toml --algorithm constant --rule secant", "interference of 0.02 mm; use the kinematic algorithm"),
+        ("cylinder --algorithm constant --bound 10", "bound"),
+        ("cylinder --algorithm kinematic --spring element", "spring"),
+        ("cylinder --algorithm kinematic --acceleration newton", "newton; constant; varying"),
+        ("cylinder --curve curve.csv", "all of the load is applied at once; --increments 10"),
+        ("cylinder-in-metres.toml --a-over-r 0.1", "a scene file has no a/R; leave it out"),
+        // Numbers out of their range.
+        ("patch --max-iterations 0", "at least 1 is needed"),
+        ("patch --max-iterations -1", "invalid value '-1' for '--max-iterations"),
+        ("patch --increments 0", "at least 1 is needed"),
+        ("patch --increments -1", "invalid value '-1' for '--increments"),
+        ("patch --tolerance nan", "a finite value above 0"),
+        ("patch --accuracy 50%", "between 0.0001 % and 20 %"),
+        ("patch --accuracy 0%", "between 0.0001 % and 20 %"),
+        ("patch --accuracy -1%", "between 0.0001 % and 20 %"),
+        ("patch --accuracy nan%", "between 0.0001 % and 20 %"),
+        ("patch --accuracy abc", "must be a percentage, with the sign %"),
+        ("patch --accuracy 1", "must be a percentage, with the sign %"),
+        ("cylinder-in-metres.toml --resolution 4096", "8192 candidate elements"),
+        // What is no scene, and where an output cannot go.
+        (".", "this is no file"),
+        ("patch --json absent/a.json", missing),
+        ("patch --csv absent/a.csv", missing),
+        ("patch --vtu absent/a.vtu", missing),
+        ("patch --plot absent/a.svg", missing),
+        ("patch --increments 2 --curve absent/a.csv", missing),
+        ("patch --csv -", "this output goes to a file"),
+        ("patch --plot -", "this output goes to a file"),
+        ("patch --vtu -", "this output goes to a file"),
+        ("patch --plot out.txt", "end the file name in"),
+        ("patch --vtu out.txt", "end the file name in"),
+        ("patch --increments 2 --curve curve.svg", "curves are CSV or JSON; .csv or .json"),
     ] {
         let mut command = Command::new(env!("CARGO_BIN_EXE_contact-vv"));
-        let output = command.args(["solve", "cylinder"]).args(arguments.split_whitespace()).output().expect("started");
+        let command = command.arg("solve").args(arguments.split_whitespace()).current_dir(folder());
+        let output = command.env("COLUMNS", "1000").output().expect("started");
         let told = String::from_utf8_lossy(&output.stderr);
-        assert_eq!(output.status.code(), Some(2), "{arguments}: {told}");
-        assert!(told.contains(named) && told.contains("help:"), "{arguments}: {told}");
+        assert_eq!((output.status.code(), output.stdout.len()), (Some(2), 0), "{arguments}: {told}");
+        assert!(says.split("; ").all(|part| told.contains(part)), "{arguments}: {told}");
     }
 }
 

@@ -10,6 +10,10 @@ use contact_vv::drawing::{Chart, Direction, Slope};
 use contact_vv::report::pictures::{deformed, solve};
 use contact_vv::solve::{Discretisation, Run};
 
+use crate::balance::solved_as_it_says;
+use crate::outputs::scene;
+use crate::scene_file::text_of;
+
 struct Solved {
     problem: Case,
     discretisation: Discretisation,
@@ -17,10 +21,8 @@ struct Solved {
 }
 
 fn solved(name: &str) -> Solved {
-    let path = format!("{}/tests/cases/{name}.toml", env!("CARGO_MANIFEST_DIR"));
-    let problem = Case::read(Path::new(&path)).expect("sound");
-    let discretisation = Discretisation::of(problem.scene.clone(), problem.resolution).expect("meshed");
-    let run = Run::of(&discretisation, problem.formulation()).expect("solved");
+    let problem = Case::read(Path::new(&scene(name))).expect("sound");
+    let (discretisation, run) = solved_as_it_says(&problem);
     Solved { problem, discretisation, run }
 }
 
@@ -212,13 +214,12 @@ fn run_without_numbers_without_steps_or_without_contact_is_drawn() {
 #[test]
 fn command_draws_what_did_not_converge_and_shows_no_progress_where_there_is_no_terminal() {
     let folder = tempfile::tempdir().expect("a folder");
-    let (scene, picture) = (folder.path().join("few.toml"), folder.path().join("few.svg"));
-    let path = format!("{}/tests/cases/cylinder-in-metres.toml", env!("CARGO_MANIFEST_DIR"));
-    let text = std::fs::read_to_string(path).expect("text");
+    let (file, picture) = (folder.path().join("few.toml"), folder.path().join("few.svg"));
+    let text = text_of("cylinder-in-metres.toml");
     let solve = |text: &str| {
-        std::fs::write(&scene, text).expect("written");
+        std::fs::write(&file, text).expect("written");
         let mut command = Command::new(env!("CARGO_BIN_EXE_contact-vv"));
-        command.arg("solve").arg(&scene).arg("--plot").arg(&picture).output().expect("started")
+        command.arg("solve").arg(&file).arg("--plot").arg(&picture).output().expect("started")
     };
     let output = solve(&text);
     assert!(output.status.success() && output.stderr.is_empty(), "{}", String::from_utf8_lossy(&output.stderr));

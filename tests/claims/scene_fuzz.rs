@@ -9,33 +9,9 @@ use contact_vv::solve::{Discretisation, Run};
 use crate::scene_file::files;
 use crate::workbench::noise;
 
-/// Pieces that a careless or hostile hand may put anywhere.
-const PIECES: [&str; 24] = [
-    "",
-    "0",
-    "-1",
-    "1e308",
-    "1e-308",
-    "nan",
-    "inf",
-    "-inf",
-    "9999999999999999999",
-    "\"",
-    "[",
-    "]",
-    "{",
-    "}",
-    "=",
-    "\n",
-    "#",
-    "[[body]]",
-    "[contact]",
-    "true",
-    "x",
-    "\u{e9}",
-    "\0",
-    "1e9",
-];
+/// Pieces that a careless or hostile hand may put anywhere, between bars.
+const PIECES: &str =
+    "|0|-1|1e308|1e-308|nan|inf|-inf|9999999999999999999|\"|[|]|{|}|=|\n|#|[[body]]|[contact]|true|x|\u{e9}|\0|1e9";
 
 /// A file with a few places cut out, doubled, exchanged or overwritten.
 pub fn mutated(text: &str, number: &mut impl FnMut() -> f64) -> String {
@@ -47,7 +23,7 @@ pub fn mutated(text: &str, number: &mut impl FnMut() -> f64) -> String {
         }
         let at = below(bytes.len());
         let length = below(1 + (bytes.len() - at).min(24));
-        let piece = PIECES[below(PIECES.len())];
+        let piece = PIECES.split('|').nth(below(24)).expect("a piece");
         match below(6) {
             0 => drop(bytes.drain(at..at + length)),
             1 => drop(bytes.splice(at..at + length, piece.bytes())),
@@ -62,12 +38,8 @@ pub fn mutated(text: &str, number: &mut impl FnMut() -> f64) -> String {
                 let digits: Vec<usize> = (0..bytes.len()).filter(|&k| bytes[k].is_ascii_digit()).collect();
                 if !digits.is_empty() {
                     let k = digits[below(digits.len())];
-                    drop(
-                        bytes.splice(
-                            k..=k,
-                            [&b"0"[..], b"9", b"-1", b"1e5", b"e-9", b".", b"7"][below(7)].iter().copied(),
-                        ),
-                    );
+                    let other = ["0", "9", "-1", "1e5", "e-9", ".", "7"][below(7)];
+                    drop(bytes.splice(k..=k, other.bytes()));
                 }
             }
         }
@@ -89,10 +61,10 @@ fn fuzz(seed: u64, files_to_try: usize, solves: usize) -> (usize, usize) {
             if solved >= solves || mesh.cells() > 3000 {
                 return (true, false);
             }
+            let mut formulation = file.formulation().clone();
+            formulation.settings.max_iterations = formulation.settings.max_iterations.min(200);
             if let Some(asked) = &file.accuracy {
                 let bounded = Asked { most_cells: 3000.0, ..asked.clone() };
-                let mut formulation = file.formulation().clone();
-                formulation.settings.max_iterations = formulation.settings.max_iterations.min(200);
                 match accuracy::solve(&file.scene, &formulation, &bounded) {
                     Ok(answer) => assert!(answer.unmet.is_some() || answer.estimate() <= asked.relative),
                     Err(error) => assert!(!error.to_string().is_empty()),
@@ -100,14 +72,8 @@ fn fuzz(seed: u64, files_to_try: usize, solves: usize) -> (usize, usize) {
                 return (true, true);
             }
             let discretisation = Discretisation::of(file.scene.clone(), file.resolution);
-            let run = discretisation.and_then(|discretisation| {
-                let mut formulation = file.formulation().clone();
-                formulation.settings.max_iterations = formulation.settings.max_iterations.min(200);
-                Run::of(&discretisation, &formulation)
-            });
-            if let Err(error) = run {
-                assert!(!error.to_string().is_empty());
-            }
+            let run = discretisation.and_then(|discretisation| Run::of(&discretisation, &formulation));
+            assert!(run.map_or_else(|error| !error.to_string().is_empty(), |_| true));
             (true, true)
         });
         let Ok((was_read, was_solved)) = tried else { panic!("file {k} of seed {seed}:\n{spoiled}") };
@@ -122,10 +88,4 @@ fn five_thousand_mutated_files_are_read_or_refused_and_two_hundred_solved() {
     let (read, solved) = fuzz(17, 5000, 200);
     assert!(read > 500 && read < 4500, "{read} of 5000 were read");
     assert_eq!(solved, 200);
-}
-
-#[test]
-#[ignore = "100,000 files: cargo test --release --test claims -- --ignored mutated"]
-fn a_hundred_thousand_mutated_files_are_read_or_refused() {
-    fuzz(18, 100_000, 2000);
 }

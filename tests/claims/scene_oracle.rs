@@ -75,54 +75,6 @@ fn closed_forms_of_the_library_are_those_of_files() {
 }
 
 #[test]
-fn oracle_that_is_spoiled_fails_the_check() {
-    let text = text_of("blocks.toml");
-    let with = |pressure: f64| {
-        let oracle = format!("[contact]\noracle = {{ uniform = {{ pressure = {pressure}, width = 40 }} }}");
-        let text = text.replace("[contact]", &oracle).replacen("at = 3\nvalue = 100\n", "at = 3\n", 1);
-        let text = text.replacen("kind = \"analytic\"\n", "", 1);
-        let case = parsed(&text);
-        let (meshed, run) = case.solve().expect("solved");
-        let judged = case.judge(&meshed, &run).expect("judged");
-        judged.iter().filter(|one| one.verdict == Verdict::Fail).count()
-    };
-    assert_eq!([with(100.0), with(100.001)], [0, 1]);
-}
-
-#[test]
-fn oracles_that_cannot_speak_are_refused_with_a_remedy() {
-    let peak = "{ flat-punch = { load = 1000, half-width = 4 } }";
-    for (oracle, says, remedy) in [
-        (peak, "flat punch gives no peak pressure here", "give `value`"),
-        ("{ hertz = { load = -1, radius = 100 } }", "`load` is -1", "give a number above 0"),
-        ("{ hertz = { radius = 100 } }", "missing field `load`", "add or correct it"),
-        ("{ bertz = { radius = 100 } }", "bertz", "README.md describes every key"),
-        (
-            "{ cosine = { load = 1e9, amplitude = 0.01, wavelength = 40 } }",
-            "the gap of `cosine` has grown",
-            "a `value`",
-        ),
-        ("{ polynomial = { load = 1, coefficients = [1] } }", "`coefficients` is [1]", "give 3 entries"),
-    ] {
-        let error = Case::parse(Path::new("oracle.toml"), &block("{ parabola = 100 }", oracle)).map(|_| ());
-        let text = error.expect_err(oracle).to_string();
-        assert!(text.contains(says) && text.contains(remedy) && text.contains("oracle.toml"), "{text}");
-    }
-    let without = block("{ parabola = 100 }", "{ hertz = { load = 1, radius = 1 } }")
-        .replace("oracle = { hertz = { load = 1, radius = 1 } }\n", "");
-    let error = Case::parse(Path::new("oracle.toml"), &without).map(|_| ()).expect_err("nothing").to_string();
-    assert!(error.contains("nothing to be held against") && error.contains("the contact an `oracle`"), "{error}");
-}
-
-#[test]
-fn source_of_a_file_is_that_of_its_case() {
-    let text = block("{ parabola = 100 }", "{ hertz = { load = 1000, radius = 100 } }");
-    let read = |text: &str| parsed(text).source;
-    assert_eq!(read(&format!("source = \"a book\"\n{text}")), "a book");
-    assert_eq!(read(&text), "");
-}
-
-#[test]
 fn truncated_hertz_of_a_file_has_no_model_error_above_or_below_its_contact() {
     // a = 2 mm on R = 100 mm: p₀ = E* a / 2R, P = π a p₀ / 2 per thickness.
     let peak = MODULUS * 2.0 / 200.0;

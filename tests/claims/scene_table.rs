@@ -9,22 +9,15 @@ use contact_vv::mesh::{Mesh, Resolution, candidates};
 use contact_vv::scene::{MonotoneCubic, Profile, Scene};
 use contact_vv::solve::{Discretisation, Run};
 
-use crate::scene_file::{scene_alone, text_of};
+use crate::scene_file::{changed, scene_alone, text_of, with_key};
 use crate::workbench::parsed;
 
 const KINKED: &str = "{ table = [[0, 0], [1.3, 0.01], [2.9, 0.04], [3, 0.05], [20, 2]] }";
 
 /// A file with another gap, and other changes.
 fn read(name: &str, gap: &str, changes: &[(&str, &str)]) -> Case {
-    let text = scene_alone(&text_of(&format!("{name}.toml")));
-    let start = text.find("gap = ").expect("a gap");
-    let end = start + text[start..].find('\n').expect("a line");
-    let text = format!("{}gap = {gap}{}", &text[..start], &text[end..]);
-    let text = changes.iter().fold(text, |text, (was, is)| {
-        assert!(text.contains(was), "{name}: {was}");
-        text.replacen(was, is, 1)
-    });
-    parsed(&text)
+    let text = with_key(&scene_alone(&text_of(&format!("{name}.toml"))), "gap", gap);
+    parsed(&changed(&text, changes))
 }
 
 /// Contact coordinates at which the candidate edges of a body begin and end.
