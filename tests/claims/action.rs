@@ -76,6 +76,36 @@ fn junit_has_a_test_case_for_every_verdict() {
 }
 
 #[test]
+fn an_answer_that_cannot_be_read_is_an_error_beside_the_verdicts_of_the_others() {
+    let folder = answers();
+    let at = |name: &str| folder.path().join(name).display().to_string();
+    fs::write(at("cut.csv"), "position [mm],pressure [MPa]\n0,3\n1\n").expect("written");
+    let (cut, right, xml) = (at("cut.csv"), at("right one.csv"), at("verdicts.xml"));
+    let wrong = at("wrong one.csv");
+    for (options, told) in [(&["--json"][..], 2), (&["--json", "--series"][..], 2)] {
+        let arguments = ["judge", "truncated-hertz", &cut, &right, &wrong, "--junit", &xml, "--force"];
+        let run =
+            Command::new(env!("CARGO_BIN_EXE_contact-vv")).args(arguments).args(options).output().expect("started");
+        let [said, error] = [run.stdout, run.stderr].map(|text| String::from_utf8_lossy(&text).into_owned());
+        assert_eq!((run.status.code(), said.lines().count()), (Some(2), told), "{said}{error}");
+        assert!(error.contains("cut.csv:3") && error.contains("the file is cut"), "{error}");
+        let report = Report::deserialize_from_str(&fs::read_to_string(&xml).expect("a report")).expect("JUnit XML");
+        let suite = |file: &str| report.test_suites.iter().find(|suite| suite.name.as_str() == file).expect("a suite");
+        assert_eq!((suite(&cut).errors, suite(&cut).tests), (1, 1));
+        assert!(suite(&right).errors == 0 && suite(&right).failures == 0 && suite(&wrong).failures > 0);
+        let TestCaseStatus::NonSuccess { message, .. } = &suite(&cut).test_cases[0].status else { panic!("a success") };
+        assert!(message.as_ref().is_some_and(|message| message.contains("the file is cut")));
+    }
+    // Of answers of which none is read there is a report too.
+    let (_, _, error) = contact_vv(&["judge", "truncated-hertz", &cut, "--junit", &xml]);
+    let report = fs::read_to_string(&xml).expect("a report");
+    assert!(
+        error.contains("the file is cut") && report.contains("<error") && !report.contains("right one"),
+        "{report}"
+    );
+}
+
+#[test]
 fn the_action_writes_summary_and_junit_and_ends_as_the_program_does() {
     for (files, options, code, parts) in [
         ("r*.csv", "", 0, ["meets all", "| peak pressure [MPa] |"]),
@@ -97,7 +127,8 @@ fn the_action_writes_summary_and_junit_and_ends_as_the_program_does() {
         // What is quoted of an answer does not end its block.
         assert!([0, 2].contains(&summary.matches("```").count()), "{files}: {summary}");
         assert_eq!(log.lines().filter(|line| line.starts_with("::")).count(), usize::from(code > 0), "{log}");
-        assert_eq!(folder.path().join("a b.xml").is_file(), code < 2, "{files}");
+        // What cannot be read is an error in the report.
+        assert_eq!(folder.path().join("a b.xml").is_file(), code < 2 || files == "bare.csv", "{files}");
     }
 }
 

@@ -1,11 +1,14 @@
-//! The verdicts as JUnit XML: a suite an answer, a test case a check, skipped where something is not handed in.
+//! The verdicts as JUnit XML: a suite an answer, a test case a check, skipped where something is not handed in; an error where it could not be judged.
+
+use std::path::PathBuf;
 
 use quick_junit::{NonSuccessKind, Report, TestCase, TestCaseStatus, TestSuite};
 
-use crate::case::{Judged, Verdict};
+use crate::case::{Case, Judged, Verdict};
 use crate::cli::verify;
+use crate::error::Error;
+use crate::referee::Verdicts;
 use crate::referee::series::Series;
-use crate::referee::{Truth, Verdicts};
 
 /// What reports are called: those of other programs are not replaced.
 const NAME: &str = "contact-vv";
@@ -15,10 +18,16 @@ pub fn is_report(text: &str) -> bool {
     Report::deserialize_from_str(text).is_ok_and(|report| report.name.is_some_and(|name| name.as_str() == NAME))
 }
 
-/// The report on all answers, and on the series that they are.
-pub fn report(truth: &Truth, answers: &[Verdicts], series: &[Series]) -> String {
-    let contact = |index: usize| format!("{}.{}", truth.case.name, truth.case.scene.contacts[index].name);
+/// The report on all answers, on those that could not be judged, and on the series that they are.
+pub fn report(of: &Case, answers: &[Verdicts], wrong: &[(PathBuf, Error)], series: &[Series]) -> String {
+    let contact = |index: usize| format!("{}.{}", of.name, of.scene.contacts[index].name);
     let mut report = Report::new(NAME);
+    for (file, error) in wrong {
+        let mut suite = TestSuite::new(file.display().to_string());
+        let failed = TestCaseStatus::non_success(NonSuccessKind::Error);
+        suite.add_test_case(case(&of.name, "the answer is read", said(failed, &error.to_string())));
+        report.add_test_suite(suite);
+    }
     for found in answers {
         let mut suite = TestSuite::new(found.answer.file.display().to_string());
         for ruled in &found.ruled {
@@ -26,7 +35,7 @@ pub fn report(truth: &Truth, answers: &[Verdicts], series: &[Series]) -> String 
             suite.add_test_cases(ruled.judged.iter().map(|judged| judged_case(&name, judged)));
             suite.add_test_cases(ruled.missing.iter().map(|[what, hand_in]| missing(&name, what, hand_in)));
         }
-        suite.add_test_cases(found.absent.iter().map(|name| missing(&truth.case.name, name, "its points")));
+        suite.add_test_cases(found.absent.iter().map(|name| missing(&of.name, name, "its points")));
         found.mistakes.iter().for_each(|mistake| {
             suite.add_property(("usual mistake", mistake.as_str()));
         });

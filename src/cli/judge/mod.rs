@@ -13,54 +13,84 @@ use crate::case::Verdict;
 use crate::cli::choice;
 use crate::cli::exit::Exit;
 use crate::cli::json::{Answer, Line, Refereed};
-use crate::cli::terminal::{WIDTH, say};
+use crate::cli::terminal::{WIDTH, say, show};
 use crate::error::Error;
-use crate::referee::{Truth, Verdicts, picture, read, series, verdicts};
+use crate::referee::series::{self, Series};
+use crate::referee::{Truth, Verdicts, picture, read, verdicts};
 use crate::study::drawn;
 
 pub use options::Arguments;
 
 /// Judges every answer, prints the verdicts and tells how they ended.
+///
+/// An answer that cannot be read or judged is wrong input; the others are judged all the same, but make no series.
 pub fn run(arguments: &Arguments) -> Result<Exit, Error> {
     arguments.refuse()?;
     let case = choice::case(&arguments.case, None)?;
     arguments.refuse_unwritable(&case)?;
     let (asked, tolerance) = (arguments.asked()?, arguments.tolerance()?);
-    let answers = arguments.answers.iter().map(|file| read::read(file, &case, &asked));
-    let answers = answers.collect::<Result<Vec<_>, Error>>()?;
-    let truth = Truth::of(case.clone()).map_err(|error| case.located(error))?;
-    let judged = answers.into_iter().map(|answer| verdicts(&truth, answer, tolerance));
-    let judged = judged.collect::<Result<Vec<Verdicts>, Error>>()?;
-    for one in judged.iter().filter(|_| !arguments.series || arguments.json) {
+    let (mut answers, mut judged, mut wrong) = (Vec::new(), Vec::new(), Vec::new());
+    for file in &arguments.answers {
+        match read::read(file, &case, &asked) {
+            Ok(answer) => answers.push(answer),
+            Err(error) => wrong.push((file.clone(), error)),
+        }
+    }
+    // Nothing is solved where no answer is read.
+    let truth = (!answers.is_empty()).then(|| Truth::of(case.clone())).transpose();
+    let truth = truth.map_err(|error| case.located(error))?;
+    for answer in answers {
+        let Some(truth) = &truth else { break };
+        let file = answer.file.clone();
+        match verdicts(truth, answer, tolerance) {
+            Ok(verdicts) => judged.push(verdicts),
+            Err(error) => wrong.push((file, error)),
+        }
+    }
+    let found = match &truth {
+        Some(truth) => told(arguments, truth, &judged, wrong.is_empty())?,
+        None => Vec::new(),
+    };
+    if let Some(path) = &arguments.junit {
+        let report = junit::report(&case, &judged, &wrong, &found);
+        fs::write(path, report).map_err(|error| Error::unwritable(path, error))?;
+    }
+    if let Some((_, last)) = wrong.pop() {
+        wrong.iter().for_each(|(_, error)| show(error));
+        return Err(last);
+    }
+    if !arguments.series {
+        return Ok(Exit::checked(judged.iter().all(Verdicts::met)));
+    }
+    // Coarse meshes of a series need not meet the tolerance: the finest and the limits do.
+    let goes_there = found.iter().flat_map(|one| &one.along).all(|one| one.judged.verdict != Verdict::Fail);
+    Ok(Exit::checked(judged.last().is_some_and(Verdicts::met) && goes_there && !found.is_empty()))
+}
+
+/// Prints the verdicts, draws the answer, and prints the series that they are where they are all there.
+fn told(arguments: &Arguments, truth: &Truth, judged: &[Verdicts], are_all: bool) -> Result<Vec<Series>, Error> {
+    let in_series = arguments.series && are_all;
+    for one in judged.iter().filter(|_| !in_series || arguments.json) {
         match (arguments.json, arguments.markdown) {
             (true, _) => {
-                let table = told::verdicts(&truth, one, WIDTH);
-                say(Answer::Refereed(Refereed::of(&truth, one, table).into()).line());
+                let table = told::verdicts(truth, one, WIDTH);
+                say(Answer::Refereed(Refereed::of(truth, one, table).into()).line());
             }
-            (false, true) => say(told::markdown(&truth, one)),
-            (false, false) => told::print(&truth, one),
+            (false, true) => say(told::markdown(truth, one)),
+            (false, false) => told::print(truth, one),
         }
     }
-    if let (Some(path), [one]) = (&arguments.plot, judged.as_slice()) {
-        let svg = drawn::svg(&picture::sheet(&truth, &one.answer).drawing())?;
+    if let (Some(path), [one]) = (&arguments.plot, judged) {
+        let svg = drawn::svg(&picture::sheet(truth, &one.answer).drawing())?;
         fs::write(path, svg).map_err(|error| Error::unwritable(path, error))?;
     }
-    let mut met = judged.iter().all(Verdicts::met);
-    let found = if arguments.series { series::all(&truth, &judged) } else { Vec::new() };
-    if let Some(path) = &arguments.junit {
-        fs::write(path, junit::report(&truth, &judged, &found)).map_err(|error| Error::unwritable(path, error))?;
-    }
-    if arguments.series {
-        // Coarse meshes of a series need not meet the tolerance: the finest and the limits do.
-        let goes_there = found.iter().flat_map(|one| &one.along).all(|one| one.judged.verdict != Verdict::Fail);
-        met = judged.last().is_some_and(Verdicts::met) && goes_there && !found.is_empty();
-        for series in &found {
-            let lines = series.along.iter().map(|one| Answer::Line(Line::of("series", &one.judged).into()).line());
-            match arguments.json {
-                true => lines.for_each(say),
-                false => told::series(&truth, series),
-            }
+    let found = if in_series { series::all(truth, judged) } else { Vec::new() };
+    for series in &found {
+        let lines = series.along.iter().map(|one| Answer::Line(Line::of("series", &one.judged).into()).line());
+        match arguments.json {
+            true => lines.for_each(say),
+            false => told::series(truth, series),
         }
     }
-    Ok(Exit::checked(met))
+    Ok(found)
 }

@@ -20,7 +20,7 @@ use crate::referee::judge::ENGINEERING;
 pub struct Arguments {
     /// Case of the library (`list` names them), or a scene file.
     pub case: String,
-    /// Answers: .csv, .tsv, .txt or .rpt (columns `position [mm]`, `pressure [MPa]` or `force [N]`), .json (`schema answer`), .vtu, .vtk or
+    /// Answers: .csv, .tsv, .txt, .rpt or .lis (columns `position [mm]`, `pressure [MPa]` or `force [N]`), .json (`schema answer`), .vtu, .vtk or
     /// .pvd (nodal pressure or stress), .frd (contact fields) or .dat (of an exported deck) of CalculiX.
     #[arg(required = true, value_name = "ANSWER")]
     pub answers: Vec<PathBuf>,
