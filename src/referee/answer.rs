@@ -128,6 +128,6 @@ pub fn joined(mut points: Vec<Point>) -> Vec<Point> {
 }
 
 /// Fewest points of a profile.
-const FEWEST: usize = 3;
+pub const FEWEST: usize = 3;
 /// Distance of two points, over the length of all, below which they are one.
 const SAME: f64 = 1e-9;

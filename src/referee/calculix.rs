@@ -23,6 +23,12 @@ pub fn is_ours(deck: &str) -> bool {
     deck.lines().next().is_some_and(|line| line.contains(OURS))
 }
 
+/// Whether a table has forces of such a set as an exported deck asks for.
+pub fn has_forces(text: &str) -> bool {
+    let set = format!(" for set {GAPS}");
+    text.lines().any(|line| line.trim_start().starts_with("forces") && line.contains(&set))
+}
+
 /// Nodal forces of the sets behind the gap elements of an exported deck.
 pub fn forces(file: &Path, text: &str, deck: &str, scene: &Scene, asked: &Asked) -> Result<Answer, Error> {
     let (source, own) = (Source { file, text }, is_ours(deck));

@@ -1,8 +1,10 @@
 //! Answers as VTK unstructured grids (`.vtu`, or `.vtk` of the legacy format): nodal pressure, or stress, on the mesh of the other code.
 
+use std::collections::HashMap;
 use std::path::Path;
 
 use crate::error::Error;
+use crate::mesh::Order;
 use crate::referee::answer::{Answer, Handed, Point, contact_named, joined, ordered, signed_coordinate};
 use crate::referee::asked::Asked;
 use crate::referee::field::Field as Displaced;
@@ -54,6 +56,19 @@ pub fn parse(file: &Path, bytes: &[u8], scene: &Scene, asked: &Asked) -> Result<
     Ok(Answer { file: file.into(), code: None, read, notes: vec![], contacts, field })
 }
 
+/// A quadrilateral of order p, whose nodes lie evenly, as cells of nine nodes, or of four where p is odd; none where no order has so many nodes.
+fn parts(nodes: &[usize]) -> Option<Vec<Cell>> {
+    let p = nodes.len().isqrt().checked_sub(1).filter(|p| *p > 0 && (p + 1).pow(2) == nodes.len())?;
+    let at: HashMap<[usize; 2], usize> = Order::lattice(p).zip(nodes.iter().copied()).collect();
+    let step = if p.is_multiple_of(2) { 2 } else { 1 };
+    let corners = (0..p).step_by(step).flat_map(|i| (0..p).step_by(step).map(move |j| [i, j]));
+    let part = |[i, j]: [usize; 2]| {
+        let nodes = Order::lattice(step).map(|[x, y]| at[&[i + x, j + y]]).collect();
+        Cell { nodes, corners: 4 }
+    };
+    Some(corners.map(part).collect())
+}
+
 /// A component of a field.
 type Part<'f> = (&'f Field, usize);
 /// A number of a node.
@@ -81,20 +96,27 @@ impl<'a> Grid<'a> {
                 9 => (4, 4),
                 23 => (4, 8),
                 28 => (4, 9),
+                // Quadrilaterals of any order.
+                70 => (4, self.connectivity.get(range.clone()).map_or(0, <[usize]>::len)),
                 // Vertices and lines.
-                1..=4 | 21 => continue,
+                1..=4 | 21 | 68 => continue,
                 other => {
-                    let message =
-                        format!("it has cells of VTK's type {other}, and read are those of types 5, 22, 9, 23 and 28");
+                    let message = format!(
+                        "it has cells of VTK's type {other}, and read are those of types 5, 22, 9, 23, 28 and 70"
+                    );
                     return Err(self.source().refused(
                         message,
-                        "hand in the plane mesh, as triangles of 3 or 6 nodes, or quadrilaterals of 4, 8 or 9",
+                        "hand in the plane mesh, as triangles of 3 or 6 nodes, or quadrilaterals of 4, 8, 9 or (p + 1)²",
                     ));
                 }
             };
             match self.connectivity.get(range) {
                 Some(nodes) if nodes.len() == all && nodes.iter().all(|&node| node < self.points.len() / 3) => {
-                    found.push(Cell { nodes: nodes.to_vec(), corners });
+                    let more =
+                        if *kind == 70 { parts(nodes) } else { Some(vec![Cell { nodes: nodes.to_vec(), corners }]) };
+                    let message =
+                        || format!("a quadrilateral of VTK's type 70 has {all} nodes, and no square of a number");
+                    found.extend(more.ok_or_else(|| refused(message()))?);
                 }
                 _ => return Err(refused("its cells name nodes that are not there".into())),
             }
@@ -222,6 +244,10 @@ impl<'a> Grid<'a> {
             6 => Some((field, [0, 1, 3])),
             _ => None,
         });
+        if self.fields.is_empty() {
+            let remedy = "write the pressure of the contact side, or the stress, at its nodes: what a file has of cells is not read";
+            return Err(self.source().refused("it has no field at its nodes", remedy));
+        }
         let Some((field, at)) = places else {
             let known: Vec<String> =
                 self.fields.iter().map(|field| format!("{} ({})", field.name, field.components)).collect();

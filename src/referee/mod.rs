@@ -4,7 +4,8 @@
 //! * [`source`] — a file that is handed in, and how it is refused.
 //! * [`answer`] — what another code found.
 //! * [`asked`] — how a file is to be read.
-//! * [`table`], [`document`], [`grid`], [`calculix`], [`frd`] — answers as CSV, as JSON, of VTK and of CalculiX; [`mod@read`] — a file by its ending.
+//! * [`table`], [`document`], [`grid`], [`calculix`], [`frd`] — answers as CSV, as JSON, of VTK and of CalculiX; [`mod@read`] — a file by its ending; `foreign` — what it is where it
+//!   is none of them.
 //! * [`state`] — which state of an analysis is judged.
 //! * `unstructured` — a grid of VTK; `vtu`, `vtk` — one in XML, and in the legacy format; `pvd` — one of several.
 //! * [`side`] — which nodes of a mesh lie on the contact side, and whether they are all that is pressed.
@@ -29,6 +30,7 @@ mod declared;
 pub mod document;
 pub mod export;
 pub mod field;
+mod foreign;
 pub mod frd;
 pub mod grid;
 pub mod judge;

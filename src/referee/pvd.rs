@@ -11,29 +11,31 @@ use crate::referee::vtu::{attribute, tag, uncommented};
 /// What to do with a collection that is not read.
 const ONE: &str = "hand in the .vtu of the last time itself";
 
-/// The file that is judged and its state, the last one or that of the time that is asked for; and the states of all.
+/// The file that is judged and its state, that of the largest time or that of the time that is asked for; and the states of all.
 pub fn chosen(file: &Path, text: &str, asked: &Asked) -> Result<(PathBuf, State, Vec<State>), Error> {
     let source = Source { file, text };
-    let (mut files, mut states, mut at) = (Vec::new(), Vec::new(), 0);
+    let (mut found, mut at) = (Vec::new(), 0);
     let plain = uncommented(text.as_bytes());
-    while let Some(found) = tag(&plain, b"<DataSet", at) {
-        let entry = &text[found.begin..found.end];
-        at = found.end;
+    while let Some(own) = tag(&plain, b"<DataSet", at) {
+        let entry = &text[own.begin..own.end];
+        at = own.end;
         let Some(named) = attribute(entry, "file") else {
             return Err(source.at(entry, "this grid has no file", ONE));
         };
         // Where no time is written the grids are counted.
+        let time = attribute(entry, "timestep").map_or(Some(found.len() as f64 + 1.0), |time| time.trim().parse().ok());
         let time =
-            attribute(entry, "timestep").map_or(Some(states.len() as f64 + 1.0), |time| time.trim().parse().ok());
-        let time = time.ok_or_else(|| source.at(entry, "its time is no number", ONE))?;
-        files.push((file.parent().unwrap_or(Path::new("")).join(named), entry));
-        states.push(State { step: None, time });
+            time.filter(|time| time.is_finite()).ok_or_else(|| source.at(entry, "its time is no number", ONE))?;
+        found.push((file.parent().unwrap_or(Path::new("")).join(named), entry, State { step: None, time }));
     }
+    // Programs that add to a collection do not write its times in order.
+    found.sort_by(|(.., a), (.., b)| a.time.total_cmp(&b.time));
+    let states: Vec<State> = found.iter().map(|(.., state)| *state).collect();
     if states.is_empty() {
         return Err(source.refused("it names no grid (<DataSet file=…>)", ONE));
     }
     let chosen = State::chosen(&source, &states, asked)?;
-    let ((own, entry), state) = (files[chosen].clone(), states[chosen]);
+    let (own, entry, state) = found[chosen].clone();
     let parts = states.iter().filter(|other| other.time.total_cmp(&state.time).is_eq()).count();
     if parts > 1 {
         let message = format!("it has {parts} files of time {}, and one with all bodies is judged", state.time);

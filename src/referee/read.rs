@@ -11,14 +11,14 @@ use crate::error::Error;
 use crate::referee::answer::Answer;
 use crate::referee::asked::Asked;
 use crate::referee::source::Source;
-use crate::referee::{calculix, document, frd, grid, pvd, table};
+use crate::referee::{calculix, document, foreign, frd, grid, pvd, table};
 use crate::scene::Scene;
 
 /// Largest file that is read \[bytes\].
 const LARGEST_FILE: u64 = 256 << 20;
 /// What can be handed in.
 const KNOWN: &str =
-    "hand in .csv, .tsv, .txt, .rpt, .json, .vtu, .vtk, .pvd, .frd or .dat, or one of them compressed as .gz";
+    "hand in .csv, .tsv, .txt, .rpt, .lis, .json, .vtu, .vtk, .pvd, .frd or .dat, or one of them compressed as .gz";
 
 /// The answer in a file.
 pub fn read(file: &Path, case: &Case, asked: &Asked) -> Result<Answer, Error> {
@@ -47,17 +47,22 @@ pub fn parse(file: &Path, bytes: &[u8], case: &Case, asked: &Asked) -> Result<An
         ));
     }
     match ending.as_str() {
-        "csv" | "tsv" | "txt" | "rpt" => table::parse(file, text(file, bytes)?, &case.scene, asked),
+        "csv" | "tsv" | "txt" | "rpt" | "lis" => of_table(file, text(file, bytes)?, &case.scene, asked),
         "json" => document::parse(file, text(file, bytes)?, &case.name, &case.scene, asked),
         "vtu" | "vtk" => grid::parse(file, bytes, &case.scene, asked),
         "pvd" => of_collection(file, text(file, bytes)?, case, asked),
         "frd" => frd::parse(file, text(file, bytes)?, &case.scene, asked),
-        "dat" if !text(file, bytes)?.contains(" for set ") => {
-            table::parse(file, text(file, bytes)?, &case.scene, asked)
-        }
+        "dat" if !calculix::has_forces(text(file, bytes)?) => of_table(file, text(file, bytes)?, &case.scene, asked),
         "dat" => exported(file, text(file, bytes)?, &case.scene, asked),
-        _ => Err(Error::file(file, format!("its ending `{ending}` names no format that is read"), KNOWN)),
+        _ => Err(foreign::by_ending(file, &ending).unwrap_or_else(|| {
+            Error::file(file, format!("its ending `{ending}` names no format that is read"), KNOWN)
+        })),
     }
+}
+
+/// The answer of a table, or what a text is that is none.
+fn of_table(file: &Path, text: &str, scene: &Scene, asked: &Asked) -> Result<Answer, Error> {
+    table::parse(file, text, scene, asked).map_err(|error| foreign::by_text(file, text).unwrap_or(error))
 }
 
 /// The grid of a collection that is judged.
@@ -86,6 +91,10 @@ fn exported(file: &Path, table: &str, scene: &Scene, asked: &Asked) -> Result<An
 /// The input deck of the same name, which holds the places of the nodes that a table of CalculiX names.
 fn deck_of(file: &Path) -> Result<String, Error> {
     let deck = file.with_extension("inp");
+    if !deck.exists() {
+        let remedy = "put the deck that was run beside the .dat: it has the places of the nodes";
+        return Err(Error::missing_file(&deck, remedy));
+    }
     let read = bytes(&deck)?;
     Ok(text(&deck, &read)?.to_owned())
 }

@@ -9,7 +9,7 @@ use std::path::Path;
 
 use crate::error::Error;
 use crate::mesh::Order;
-use crate::referee::answer::{Answer, Handed, Point, contact_named, ordered, signed_coordinate};
+use crate::referee::answer::{Answer, FEWEST, Handed, Point, contact_named, ordered, signed_coordinate};
 use crate::referee::asked::Asked;
 use crate::referee::source::Source;
 use crate::referee::units::{Role, is_angle};
@@ -18,6 +18,12 @@ use crate::scene::Scene;
 /// What a file needs.
 const HEADER: &str = "begin with a line of names and units such as `position [mm],pressure [MPa]`, or name columns by --column and --unit; where \
                       there are no names, by their numbers, --column position=1 --column pressure=2";
+/// What a list of nodes without their places needs.
+const PLACES: &str = "it lists nodes by their numbers: write their places beside them, as Abaqus does with COORD, Ansys with LOCX and LOCY; or hand in a \
+                      grid, or the .frd";
+/// What to do about a second table.
+const ONE: &str = "keep the table of the side, step and frame that is to be judged, and remove the others; of one that was printed in pages remove the \
+                   lines between them";
 
 /// A column that is read.
 struct Column {
@@ -84,7 +90,6 @@ struct Table<'a> {
 
 impl<'a> Table<'a> {
     fn of(source: &Source<'a>, asked: &Asked) -> Result<Self, Error> {
-        let is_rule = |line: &str| line.chars().all(|mark| "-=+|,; \t".contains(mark));
         let lines: Vec<&str> = source.text.lines().filter(|line| !is_rule(line)).collect();
         let is_data = |line: &str, mark: char| comment(line).is_none() && is_data(&cells(line, mark), mark != ',');
         let rows = |mark: &char| lines.iter().take(SEEN).filter(|line| is_data(line, *mark)).count();
@@ -105,14 +110,20 @@ impl<'a> Table<'a> {
                 return Err(source.refused(format!("its first line holds no names but `{shown}`"), HEADER));
             }
         };
+        let names = head.clone();
         let mut rows: Vec<(&str, Vec<String>)> = Vec::new();
-        for (k, line) in lines.iter().enumerate().skip(begin).filter(|(_, line)| comment(line).is_none()) {
+        for (k, line) in lines.iter().enumerate().skip(begin) {
+            if let Some(said) = comment(line) {
+                let own = fitting(said, mark, head.len());
+                if first.is_some_and(|first| k < first) && are_units(&own, head.len()) {
+                    head = with_units(&head, &own);
+                }
+                continue;
+            }
             let own = fitting(line, mark, head.len());
             let is_text = own.iter().all(|cell| number(cell, mark != ',').is_none());
             match first.is_some_and(|first| k < first) && is_text {
-                true if own.len() == head.len() && own.iter().all(|cell| is_unit(cell)) => {
-                    head = head.iter().zip(&own).map(|(name, unit)| format!("{name} [{}]", inner(unit))).collect();
-                }
+                true if are_units(&own, head.len()) => head = with_units(&head, &own),
                 true if own.len() == head.len() && own.iter().any(|cell| is_known_unit(inner(cell))) => {
                     let unknown = own.iter().find(|cell| !is_unit(cell)).map_or("", |cell| cell.as_str());
                     let message = format!("this row of units has `{unknown}`, which is none that is known");
@@ -131,13 +142,16 @@ impl<'a> Table<'a> {
                             && fitting(line, mark, head.len()).len() == head.len()
                     };
                     if let Some(more) = lines[k..].iter().find(is_more) {
-                        let remedy = "keep the table of the step and frame that is to be judged, and remove the others";
-                        return Err(source.at(more, "this line begins another table", remedy));
+                        return Err(source.at(more, ANOTHER, ONE));
                     }
                     break;
                 }
+                false if own == names => return Err(source.at(line, ANOTHER, ONE)),
                 false => rows.push((line, own)),
             }
+        }
+        if let Some(line) = another(source.text, &rows) {
+            return Err(source.at(line, ANOTHER, ONE));
         }
         // ParaView writes zeros where a line leaves the grid, and masks them.
         if let Some(mask) = head.iter().position(|title| title.eq_ignore_ascii_case("vtkValidPointMask")) {
@@ -146,6 +160,38 @@ impl<'a> Table<'a> {
         let comma = mark != ',' && rows.iter().flat_map(|(_, cells)| cells).any(|cell| cell.contains(','));
         Ok(Self { head, rows, comma })
     }
+}
+
+/// What is said of a second table.
+const ANOTHER: &str = "this line begins another table";
+
+/// Whether a line only rules a table off.
+fn is_rule(line: &str) -> bool {
+    line.chars().all(|mark| "-=+|,; \t".contains(mark))
+}
+
+/// The first of some rows behind a line without numbers, where as many rows stand before and behind it as make a profile: the next data set of
+/// gnuplot, or the other side of the contact.
+fn another<'a>(text: &str, rows: &[(&'a str, Vec<String>)]) -> Option<&'a str> {
+    let begin = |k: usize| rows[k].0.as_ptr() as usize - text.as_ptr() as usize;
+    let is_behind_break = |k: usize| {
+        let between = text.get(begin(k - 1) + rows[k - 1].0.len()..begin(k)).unwrap_or_default();
+        between.trim_start_matches('\r').strip_prefix('\n').is_some_and(|between| !between.is_empty())
+    };
+    let breaks: Vec<usize> = (1..rows.len()).filter(|&k| is_behind_break(k)).collect();
+    let ends = |k: usize| breaks.get(k).copied().unwrap_or(rows.len());
+    let is_long = |k: usize| ends(k) - k.checked_sub(1).map_or(0, ends) >= FEWEST;
+    (0..breaks.len()).find(|&k| is_long(k) && is_long(k + 1)).map(|k| rows[breaks[k]].0)
+}
+
+/// Whether a line is a row of units for so many columns.
+fn are_units(cells: &[String], wanted: usize) -> bool {
+    cells.len() == wanted && cells.iter().all(|cell| is_unit(cell))
+}
+
+/// Names with the units of a row.
+fn with_units(head: &[String], units: &[String]) -> Vec<String> {
+    head.iter().zip(units).map(|(name, unit)| format!("{name} [{}]", inner(unit))).collect()
 }
 
 /// The line of names and its place: the last above the numbers that names a place and what presses there; else the last with as many cells as
@@ -175,7 +221,7 @@ fn is_below(line: &str, mark: char) -> bool {
 }
 
 /// What stands behind the mark of a comment; none of a line that is none.
-fn comment(line: &str) -> Option<&str> {
+pub fn comment(line: &str) -> Option<&str> {
     let line = line.trim_start();
     let mark = COMMENTS.iter().find(|mark| line.starts_with(**mark))?;
     Some(line[mark.len()..].trim_start_matches(*mark).trim())
@@ -261,16 +307,29 @@ fn is_like_unit(name: &str) -> bool {
     name.contains(['/', '^', '²']) || known.any(|(known, _)| known.eq_ignore_ascii_case(name))
 }
 
-/// Name and unit of a column: `pressure [MPa]`, `pressure (MPa)`, `pressure / MPa` or `pressure in MPa`.
-fn split(title: &str) -> (&str, Option<&str>) {
+/// Name and unit of a column: `pressure [MPa]`, `pressure (MPa)`, `pressure / MPa`, `pressure in MPa` or `pressure_MPa`.
+fn split<'a>(title: &'a str) -> (&'a str, Option<&'a str>) {
     let inside = |open: char, close: char| {
         let (name, rest) = title.rsplit_once(open)?;
         Some((name.trim(), Some(rest.trim().strip_suffix(close)?.trim()).filter(|unit| !unit.is_empty())))
     };
     let over = || title.split_once(" / ").map(|(name, unit)| (name.trim(), Some(unit.trim())));
+    let known = |mark: char, (name, unit): (&'a str, &'a str)| {
+        // `x_in` may be what goes in.
+        let is_it = !name.is_empty() && is_known_unit(unit) && (mark, unit) != ('_', "in");
+        is_it.then(|| (name.trim(), Some(unit.trim())))
+    };
+    let close = || title.split_once('/').and_then(|both| known('/', both));
+    let joined = || title.rsplit_once('_').and_then(|both| known('_', both));
     let words = || title.rsplit_once(" in ").filter(|(_, unit)| is_known_unit(unit));
     let within = || words().map(|(name, unit)| (name.trim(), Some(unit.trim())));
-    inside('[', ']').or_else(|| inside('(', ')')).or_else(over).or_else(within).unwrap_or((title.trim(), None))
+    inside('[', ']')
+        .or_else(|| inside('(', ')'))
+        .or_else(over)
+        .or_else(within)
+        .or_else(close)
+        .or_else(joined)
+        .unwrap_or((title.trim(), None))
 }
 
 /// Whether a column has one of the usual names of a role.
@@ -311,7 +370,9 @@ fn columns(source: &Source, head: &[String], scene: &Scene, asked: &Asked) -> Re
     }
     let has = |role: Role| found.iter().any(|(known, _)| *known == role);
     if !has(Role::Position) && !has(Role::X) {
-        return Err(source.refused(format!("no column is called `position` or `x`, but {}", shown()), HEADER));
+        let is_list = head.first().is_some_and(|title| title.to_lowercase().starts_with("node"));
+        let remedy = if is_list { PLACES } else { HEADER };
+        return Err(source.refused(format!("no column is called `position` or `x`, but {}", shown()), remedy));
     }
     if !has(Role::Pressure) && !has(Role::Force) {
         return Err(source.refused(format!("no column is called `pressure` or `force`, but {}", shown()), HEADER));
@@ -369,7 +430,7 @@ impl Reader<'_> {
             _ => {
                 let also = if mixed { ": other numbers of the file have a decimal comma" } else { "" };
                 let message = format!("`{}` is `{text}`, which is no number{also}", column.title);
-                let remedy = "write finite numbers, all with a decimal point or all with a comma; leave nodes out that have none";
+                let remedy = "write finite numbers, all with a decimal point or all with a comma, and no mark between thousands; leave nodes out that have none";
                 Err(self.source.at(line, message, remedy))
             }
         }

@@ -98,3 +98,44 @@ fn documents_that_are_none_are_refused_with_key_and_remedy() {
         assert!(error.contains(part), "{text}: {error}");
     }
 }
+
+#[test]
+fn files_that_are_no_answer_are_named_with_what_to_hand_in_instead() {
+    let case = TruncatedHertz::default().case();
+    let print = |of: &str| {
+        format!(
+            " contact stress (slave {of},press,tang1,tang2) for all contact elements and time 0.1000000E+01\n\n         1  9.9E+01  0.0E+00  0.0E+00\n         \
+             2  9.8E+01  0.0E+00  0.0E+00\n"
+        )
+    };
+    let job = "SUMMARY OF JOB INFORMATION\n  STEP  INC  ATT  ITRS\n     1    1    1    4\n     1    2    1    4\n";
+    let printed = " displacements (vx,vy,vz) for set NALL and time  0.1000000E+01\n\n 1 0. 0. 0.\n 2 0. 0. 0.\n";
+    let log = "*****\n\nCalculiX Version 2.21, Copyright(C) 1998-2023 Guido Dhondt\n\n iteration 1\n";
+    let listing =
+        "   Abaqus 2023\n  The Abaqus Software is a product of:\n  NODE FOOT-  CPRESS\n 1  99.9  0.\n 2  99.8  0.\n";
+    for (name, text, parts) in [
+        ("a.dat", print("node"), ["slave nodes that are pressed, and no places", "*CONTACT FILE"]),
+        ("a.dat", print("element+face"), ["faces of slave elements", "hand in the .frd"]),
+        ("a.dat", printed.into(), ["*NODE PRINT", "*CONTACT FILE"]),
+        ("a.dat", listing.into(), ["listing (.dat) of a run of Abaqus", "COORD and CPRESS"]),
+        ("a.sta", job.into(), ["increments and iterations, and no pressures", ".frd of CalculiX"]),
+        ("a.txt", job.into(), ["increments and iterations, and no pressures", ".frd of CalculiX"]),
+        ("a.txt", log.into(), ["the log of a run", ".frd of CalculiX"]),
+        ("a.cvg", String::new(), ["increments and iterations", ".frd of CalculiX"]),
+        ("a.odb", String::new(), ["database of Abaqus", "(.rpt)"]),
+        ("a.rst", String::new(), ["database of Ansys", ".txt"]),
+        ("a.pvtu", String::new(), ["no unstructured grid in one file", "ParaView"]),
+        ("a.xlsx", String::new(), ["a workbook", ".csv"]),
+        ("a.INP", String::new(), ["the input of a run", ".frd"]),
+        ("a.what", String::new(), ["its ending `what` names no format", ".csv"]),
+    ] {
+        let error = read::parse(Path::new(name), text.as_bytes(), &case, &Asked::default());
+        let error = error.map(|_| ()).expect_err(name).to_string();
+        assert!(parts.iter().all(|part| error.contains(part)) && error.contains(name), "{name}: {error}");
+    }
+    // What a table says in a comment does not make it a listing.
+    let table = "# CalculiX Version 2.21\nposition [mm],sigma [MPa]\n0,3\n1,2\n";
+    let error =
+        read::parse(Path::new("a.csv"), table.as_bytes(), &case, &Asked::default()).map(|_| ()).expect_err("none");
+    assert!(error.to_string().contains("no column is called `pressure`"), "{error}");
+}

@@ -13,6 +13,7 @@ use contact_vv::referee::judge::ENGINEERING;
 use contact_vv::referee::units::Role;
 use contact_vv::referee::{Answer, Asked, Truth, Verdicts, read, verdicts};
 
+use crate::outputs::contact_vv;
 use crate::referee_readers::{Frd, ellipse, half_width, peak, vtk};
 
 fn folder() -> PathBuf {
@@ -105,6 +106,9 @@ fn tables_say_the_same_whatever_their_marks_numbers_and_names() {
         "position,pressure\n[mm],[N/mm²]\n",
         "position,pressure\nmm,MPa\n",
         "// solved by hand\n! twice\nposition (mm),Tn (MPa)\n",
+        "x/mm,p/N/mm2\n",
+        "x_mm,contact_pressure_MPa\n",
+        "# position,pressure\n# mm,MPa\n",
     ];
     let commas = heads.map(|head| format!("{head}{}", row(",", plain)));
     let others = [
@@ -145,6 +149,17 @@ fn what_is_no_number_in_a_table_is_named_with_its_line_and_what_to_change() {
         ("# x [mm] p [MPa]\n0 3\n1 2x\n2 1\n", ["theirs.csv:3", "`2x`, which is no number"]),
         ("x [mm],p [torr]\n0,3\n1,2\n2,1\n", ["the unit `torr`", "bar, psi, ksi"]),
         ("position,pressure\n[m],[torr]\n0,3\n1,2\n2,1\n", ["theirs.csv:2", "`[torr]`"]),
+        // Pages of a list, data sets of gnuplot, and what a comment parts.
+        (
+            "x [mm]  p [MPa]\n0  3\n1  2\n2  1\n\nx [mm]  p [MPa]\n3  1\n4  1\n5  0\n",
+            ["theirs.csv:6", "printed in pages"],
+        ),
+        ("# x [mm] p [MPa]\n0 3\n1 2\n2 1\n\n\n0.5 3\n1.5 2\n2.5 1\n", ["theirs.csv:7", "begins another table"]),
+        ("x [mm],p [MPa]\n0,3\n1,2\n2,1\n# second\n0.5,3\n1.5,2\n2.5,1\n", ["theirs.csv:6", "begins another table"]),
+        (
+            "NODE  STAT  PRES [MPa]\n1  3.0  5\n2  3.0  4\n3  1.0  0\n",
+            ["no column is called `position`", "lists nodes by their numbers"],
+        ),
         (
             "x [mm]  p [MPa]\n0  3\n1  2\nMinimum  1  2\n At Node  3\nx [mm]  p [MPa]\n0  6\n1  5\n",
             ["theirs.csv:7", "begins another table"],
@@ -154,6 +169,9 @@ fn what_is_no_number_in_a_table_is_named_with_its_line_and_what_to_change() {
     ] {
         refused("theirs.csv", text, &Asked::default(), &parts);
     }
+    // Single rows that are set apart are rows of the same table.
+    let apart = format!("# x [mm] p [MPa]\n{}", ellipse::rows(" ", |x| x.to_string()).replace('\n', "\n\n"));
+    ellipse::assert(&parsed("theirs.csv", apart, &Asked::default()).expect("read"), 1e-5);
     // A unit that is written is not replaced by the one that is named, known or not.
     let named = Asked { units: vec![(Role::Pressure, "MPa".into())], ..Asked::default() };
     for unit in ["(kN/cm^2)", "[mPa]", "/ kN / cm^2", "[torr]"] {
@@ -322,6 +340,8 @@ fn of_a_collection_the_last_grid_is_judged_or_that_of_a_time() {
         (series.clone(), usual()),
         (series.clone(), at(1.0)),
         (series.replace("timestep", "time"), usual()),
+        // The largest time counts, whatever its place.
+        (entry("1", "last.vtu") + &entry("0.5", "first.vtu"), usual()),
         (commented, usual()),
     ] {
         let answer = read(&entries, &asked).unwrap_or_else(|error| panic!("{error}"));
@@ -343,7 +363,9 @@ fn of_a_collection_the_last_grid_is_judged_or_that_of_a_time() {
     assert!(read(&short, &at(1e-6)).expect("read").notes.iter().any(|note| note.contains("goes on to")));
     refused(&short, &usual(), ["first.vtu", "missing"]);
     refused("", &usual(), ["names no grid", ".vtu"]);
-    refused(&entry("one", "last.vtu"), &usual(), ["series.pvd:4", "no number"]);
+    for time in ["one", "nan", "inf"] {
+        refused(&entry(time, "last.vtu"), &usual(), ["series.pvd:4", "no number"]);
+    }
     refused("<DataSet timestep=\"1\"/>", &usual(), ["series.pvd:4", "has no file"]);
 }
 
@@ -453,4 +475,79 @@ fn the_formula_of_a_sphere_used_for_a_cylinder_is_a_usual_mistake() {
             found.mistakes
         );
     }
+}
+
+/// A grid of one row of quadrilaterals of VTK's type 70, of order 2 or 3, with the pressures of the ellipse on y = 0.
+fn lagrange(order: usize) -> String {
+    let places: &[[usize; 2]] = match order {
+        2 => &[[0, 0], [2, 0], [2, 2], [0, 2], [1, 0], [2, 1], [1, 2], [0, 1], [1, 1]],
+        _ => &[
+            [0, 0],
+            [3, 0],
+            [3, 3],
+            [0, 3],
+            [1, 0],
+            [2, 0],
+            [3, 1],
+            [3, 2],
+            [1, 3],
+            [2, 3],
+            [0, 1],
+            [0, 2],
+            [1, 1],
+            [2, 1],
+            [1, 2],
+            [2, 2],
+        ],
+    };
+    let columns = ellipse::NODES / order * order;
+    let point = |k: usize| [ellipse::place(k / (order + 1)), 0.2 * (k % (order + 1)) as f64];
+    let count = (columns + 1) * (order + 1);
+    let points: String = (0..count).map(point).map(|[x, y]| format!("{x} {y} 0\n")).collect();
+    let cell = |k: usize| {
+        let nodes = places.iter().map(|[i, j]| ((order * k + i) * (order + 1) + j).to_string());
+        format!("{} {}\n", places.len(), nodes.collect::<Vec<_>>().join(" "))
+    };
+    let (cells, size) = (columns / order, places.len() + 1);
+    let pressure = |[x, y]: [f64; 2]| if y > 0.0 { 0.0 } else { ellipse::pressure(x) };
+    let pressures: String = (0..count).map(|k| format!("{}\n", pressure(point(k)))).collect();
+    format!(
+        "# vtk DataFile Version 3.0\n-\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS {count} double\n{points}CELLS {cells} {}\n{}CELL_TYPES {cells}\n{}\
+         POINT_DATA {count}\nSCALARS contact_pressure double 1\nLOOKUP_TABLE default\n{pressures}",
+        cells * size,
+        (0..cells).map(cell).collect::<String>(),
+        "70\n".repeat(cells)
+    )
+}
+
+#[test]
+fn cells_of_any_order_are_read_and_so_is_what_we_write_of_fitted_meshes() {
+    for order in [2, 3] {
+        let answer = parsed("theirs.vtk", lagrange(order), &usual()).unwrap_or_else(|error| panic!("{error}"));
+        ellipse::assert(&answer, 1e-9);
+        assert!(judged(answer).expect("judged").met(), "{order}");
+    }
+    let curved = lagrange(2).replace("70\n", "71\n");
+    refused("theirs.vtk", curved, &usual(), &["VTK's type 71", "5, 22, 9, 23, 28 and 70"]);
+    let folder = tempfile::tempdir().expect("a folder");
+    let [scene, fields] = [self::folder().join("tiny.toml"), folder.path().join("ours.vtu")];
+    let [scene, fields] = [&scene, &fields].map(|file| file.display().to_string());
+    let (solved, _, error) = contact_vv(&["solve", &scene, "--fitted", "--vtu", &fields]);
+    assert!(solved, "{error}");
+    assert!(std::fs::read_to_string(&fields).expect("written").contains("70"));
+    let units = ["position", "displacement", "gap"].map(|role| format!("{role}=mm"));
+    let (met, text, error) = contact_vv(&[
+        "judge",
+        &scene,
+        &fields,
+        "--unit",
+        &units[0],
+        "--unit",
+        &units[1],
+        "--unit",
+        &units[2],
+        "--unit",
+        "pressure=MPa",
+    ]);
+    assert!(met, "{text}{error}");
 }

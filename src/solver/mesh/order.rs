@@ -79,16 +79,20 @@ impl Order {
         lobatto::points(self.intervals() + 1).iter().map(|x| 0.5 * (1.0 + x)).collect()
     }
 
-    /// Where on the lattice of a cell its nodes lie: corners counter-clockwise, then the inner nodes of the bottom, right,
-    /// top and left side, each along its axis, then the inside row by row, as VTK numbers them.
+    /// Where on the lattice of a cell its nodes lie, as VTK numbers them.
     pub fn places(self) -> Vec<[usize; 2]> {
-        let m = self.intervals();
-        let inner = || 1..m;
+        Self::lattice(self.intervals()).take(self.nodes_per_cell()).collect()
+    }
+
+    /// The nodes of a lattice of so many intervals a side as VTK numbers them: corners counter-clockwise, then the inner nodes of the bottom, right,
+    /// top and left side, each along its axis, then the inside row by row.
+    pub fn lattice(m: usize) -> impl Iterator<Item = [usize; 2]> {
+        let inner = move || 1..m;
         let corners = [[0, 0], [m, 0], [m, m], [0, m]];
-        let bottom_and_right = inner().map(|i| [i, 0]).chain(inner().map(|j| [m, j]));
-        let sides = bottom_and_right.chain(inner().map(|i| [i, m])).chain(inner().map(|j| [0, j]));
-        let inside = inner().flat_map(|j| inner().map(move |i| [i, j]));
-        corners.into_iter().chain(sides).chain(inside).take(self.nodes_per_cell()).collect()
+        let bottom_and_right = inner().map(|i| [i, 0]).chain(inner().map(move |j| [m, j]));
+        let sides = bottom_and_right.chain(inner().map(move |i| [i, m])).chain(inner().map(|j| [0, j]));
+        let inside = inner().flat_map(move |j| inner().map(move |i| [i, j]));
+        corners.into_iter().chain(sides).chain(inside)
     }
 
     /// Nodes of the four sides of a cell, by their number in it, counter-clockwise: first, last, then those between.
