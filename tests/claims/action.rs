@@ -127,7 +127,8 @@ fn the_action_writes_summary_and_junit_and_ends_as_the_program_does() {
         // What is quoted of an answer does not end its block.
         assert!([0, 2].contains(&summary.matches("```").count()), "{files}: {summary}");
         assert_eq!(log.lines().filter(|line| line.starts_with("::")).count(), usize::from(code > 0), "{log}");
-        assert_eq!(folder.path().join("a b.xml").is_file(), code < 2, "{files}");
+        // What cannot be read is an error in the report.
+        assert_eq!(folder.path().join("a b.xml").is_file(), code < 2 || files == "bare.csv", "{files}");
     }
 }
 
