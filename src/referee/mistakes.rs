@@ -7,7 +7,6 @@ use std::f64::consts::{FRAC_1_SQRT_2, PI, SQRT_2};
 
 use crate::case::Verdict;
 use crate::measure::Quantity;
-use crate::mesh::Order;
 use crate::referee::answer::{Handed, Point};
 use crate::referee::judge::{fails_by_width, judge};
 use crate::referee::profile::{Profile, tributary};
@@ -41,7 +40,7 @@ fn corrections(truth: &Truth, handed: &Handed) -> Vec<Correction> {
     let scales = scales(truth, handed).into_iter();
     let scaled =
         scales.map(|(says, [pressure, place])| Correction { says, corrected: scaled(handed, pressure, place) });
-    scaled.chain(shifts(handed)).chain(halves(handed)).chain(orders(handed)).collect()
+    scaled.chain(shifts(handed)).chain(halves(handed)).collect()
 }
 
 /// Factors on pressures and on positions.
@@ -199,17 +198,6 @@ fn halves(handed: &Handed) -> Vec<Correction> {
         Correction { says: says("left"), corrected: half(true) },
         Correction { says: says("right"), corrected: half(false) },
     ]
-}
-
-/// Nodal forces of edges with three nodes taken for those of two, and the other way.
-fn orders(handed: &Handed) -> Vec<Correction> {
-    let (order, says) = match handed.order {
-        Order::Linear => (Order::Quadratic, "the forces are of edges with three nodes: hand them in with --order 2"),
-        Order::Quadratic => (Order::Linear, "the forces are of edges with two nodes: hand them in with --order 1"),
-        _ => return vec![],
-    };
-    let corrected = Handed { order, edges: vec![], ..handed.clone() };
-    if handed.forces { vec![Correction { says: says.into(), corrected }] } else { vec![] }
 }
 
 fn without_gaps(handed: &Handed) -> Handed {

@@ -9,6 +9,9 @@ use contact_vv::referee::units::Role;
 use contact_vv::referee::{Asked, Truth, read, verdicts};
 use contact_vv::solve::{Discretisation, Run};
 
+use crate::referee_readers::{ellipse, vtk};
+use crate::referee_wild::{parsed, usual};
+
 /// Our own answer, every cell with points of its own; `offset` is added to and taken from the pressures of every second cell in turn.
 fn grid(discretisation: &Discretisation, run: &Run, offset: f64, share: bool) -> String {
     let mesh = &discretisation.mesh;
@@ -167,5 +170,15 @@ fn stresses_on_a_slanted_side_are_taken_along_its_normal_in_every_unit() {
                 assert!(same, "{position}, {unit}, {components} components, {k}: {point:?}");
             }
         }
+    }
+}
+
+#[test]
+fn nodes_left_of_a_symmetry_line_have_negative_positions() {
+    let text = vtk::points(&|x, y| [x - 2.4, y]);
+    let answer = parsed("a.vtk", text, &usual()).expect("read");
+    for (k, point) in answer.contacts[0].points.iter().enumerate() {
+        let same = (point.position - (ellipse::place(k) - 2.4)).abs() <= 1e-9;
+        assert!(same && (point.value - ellipse::pressure(ellipse::place(k))).abs() <= 1e-6, "{k}: {point:?}");
     }
 }

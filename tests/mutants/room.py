@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Tries all mutants of a folder by the claims that reach them, compiled at once (`switch.py`): a second each instead of minutes.
+"""Tries all mutants of a folder by the claims that reach them, compiled at once (`switch.py`): seconds each instead of minutes.
 
 Run as `python3 tests/mutants/room.py src/referee src/solver/accuracy`; it takes cargo-mutants, tree-sitter and tree-sitter-rust. What it found
 before stays while the file of a mutant does, what was missed is tried again; `--fresh` forgets all. Writes `rooms` into snapshots/mutants.json.
@@ -15,12 +15,12 @@ import pathlib
 import re
 import resource
 import subprocess
+import sys
 import tempfile
 import time
 
-from run import LIST, RECORD, SOURCES, mutants, survivors, wilson
+from run import RECORD, SOURCES, mutants, survivors, wilson
 from switch import plant, refused
-import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 from digest import digest
@@ -178,7 +178,7 @@ def told(room, every, kept, listed):
     missed = [key for key in counted if not kept["found"][key]["by"]]
     return {
         "room": room, "sources": digest(SOURCES), "mutants": len(own), "unviable": refusals["unviable"],
-        "not_switched": len(own) - len(found) - refusals["unviable"], "equivalent": len(found) - len(counted),
+        "not_tried": len(own) - len(found) - refusals["unviable"], "equivalent": len(found) - len(counted),
         "by_claims": wilson(len(counted) - len(missed), len(counted)), "missed": missed,
     }
 

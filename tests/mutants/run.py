@@ -170,7 +170,9 @@ def write(about, record, listed):
     missed = [one["mutant"] for one in record if is_caught(one) is False and one["mutant"] not in listed]
     shown = [listed[one["mutant"]] for one in record if one["mutant"] in listed]
     unviable = sum(not is_viable(one) for one in record)
-    told = about | {"unviable": unviable, "scores": scores(record, listed), "missed": missed, "survivors": shown, "record": record}
+    # What room.py has found of whole folders stays.
+    rooms = {"rooms": json.loads(RECORD.read_text()).get("rooms", [])} if RECORD.exists() else {}
+    told = about | {"unviable": unviable, "scores": scores(record, listed), "missed": missed, "survivors": shown} | rooms | {"record": record}
     RECORD.write_text(json.dumps(told, indent=1, ensure_ascii=False) + "\n")
 
 
