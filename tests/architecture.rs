@@ -259,14 +259,14 @@ fn matrix_types_of_libraries_stay_inside_the_numerics() {
 
 /// Lines that a room may have; raised only by a commit that says what for.
 const BUDGETS: [(&str, usize); 9] = [
-    ("solver", 18_780),
+    ("solver", 19_320),
     ("drawing", 2_970),
-    ("case", 7_780),
+    ("case", 7_880),
     ("oracle", 4_270),
-    ("study", 14_650),
-    ("referee", 5_445),
+    ("study", 14_660),
+    ("referee", 5_470),
     ("report", 3_440),
-    ("cli", 4_410),
+    ("cli", 4_420),
     ("live", 470),
 ];
 

@@ -5,7 +5,7 @@
 //! | field | at | what |
 //! |---|---|---|
 //! | `displacement` | nodes | a vector |
-//! | `stress_xx`, `stress_yy`, `stress_xy`, `stress_zz` | nodes | components |
+//! | `stress_xx`, `stress_yy`, `stress_xy`, `stress_zz` | nodes | components; of bodies of revolution `stress_zz` is the hoop stress |
 //! | `principal_1`, `principal_2`, `principal_3` | nodes | principal stresses, the largest first |
 //! | `von_mises` | nodes | equivalent stress |
 //! | `contact_pressure` | nodes | 0 away from the candidates |

@@ -5,10 +5,16 @@ use std::f64::consts::TAU;
 use crate::condensation::Condensed;
 use crate::contact::point::ContactEdge;
 use crate::contact::primary::{PrimarySurface, natural};
-use crate::elasticity::shape_functions;
+use crate::contact::quadrature::Quadrature;
+use crate::elasticity::{quadrature, shape_functions};
 use crate::error::{Error, Part};
 use crate::mesh::{Candidate, Mesh, candidates};
 use crate::scene::{ContactPair, Profile, Scene};
+
+/// Part of the area of an edge below which a point has none: a node on the axis of revolution.
+const NO_AREA: f64 = 1e-9;
+/// Gauss points that find the centre of the area of an edge of 2 nodes: exactly, its radius being linear.
+const FINE: usize = 2;
 
 /// The candidate stretch of one contact: contact nodes and the edges between them.
 #[derive(Clone, Debug)]
@@ -126,6 +132,39 @@ impl Interface {
         let position = of(|shape| shape.0);
         let length = of(|shape| shape.1).abs() * self.pair.path.metric();
         (shapes.iter().map(|shape| shape.0).collect(), position, length)
+    }
+
+    /// The points of a rule on every piece of an edge, each with its weight, which [`Interface::area`] makes its area.
+    ///
+    /// Around an axis the area grows with the radius. On edges of 2 nodes one Gauss point then lies at the centre of the area,
+    /// so that a uniform pressure exerts its consistent nodal forces, as rules of more points do by themselves; with the middle
+    /// of the edges the pressure of Hertz's sphere is 40 % too small at the axis.
+    pub fn ruled(&self, edge: &[usize], quadrature: Quadrature) -> Vec<(f64, f64)> {
+        let rule = quadrature.rule(edge.len());
+        if !self.is_of_revolution {
+            return self.on_pieces(edge, &rule);
+        }
+        let area = |&(xi, weight): &(f64, f64)| {
+            let (_, position, length) = self.at(edge, xi);
+            (xi, weight * length * self.circumference(position))
+        };
+        let areas = |rule: &[(f64, f64)]| -> Vec<(f64, f64)> { self.on_pieces(edge, rule).iter().map(area).collect() };
+        if rule.len() > 1 {
+            let all = areas(&rule);
+            let whole: f64 = all.iter().map(|(_, area)| area).sum();
+            return all.into_iter().filter(|(_, area)| *area > NO_AREA * whole).collect();
+        }
+        let fine = quadrature::gauss(FINE);
+        let centre = |piece: &[(f64, f64)]| {
+            let whole: f64 = piece.iter().map(|(_, area)| area).sum();
+            (piece.iter().map(|(xi, area)| xi * area).sum::<f64>() / whole, whole)
+        };
+        areas(&fine).chunks(FINE).map(centre).collect()
+    }
+
+    /// Area of a point of such a rule \[mm²\], with the length of the edge per ξ there.
+    pub fn area(&self, weight: f64, length: f64) -> f64 {
+        if self.is_of_revolution { weight } else { weight * length * self.thickness }
     }
 
     /// Points and weights of a rule on every piece of an edge; it is cut where opposite edges meet, so that the shape

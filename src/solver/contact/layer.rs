@@ -25,11 +25,11 @@ impl ContactElement for Layer {
         let mut thicknesses = Vec::new();
         for (index, edge) in interface.edges.iter().enumerate() {
             let t0 = self.thickness * length(interface, edge);
-            for (xi, weight) in interface.on_pieces(edge, &self.quadrature.rule(edge.len())) {
+            for (xi, weight) in interface.ruled(edge, self.quadrature) {
                 let (shapes, position, length) = interface.at(edge, xi);
                 let gap = interface.gap(edge, &shapes, position);
                 let t = t0 + gap.max(0.0);
-                let area = weight * length * interface.thickness * interface.circumference(position);
+                let area = interface.area(weight, length);
                 points.push(ContactPoint {
                     contact: interface.contact,
                     row: normal_row(interface, edge, t0, (&shapes, position)),

@@ -2,8 +2,8 @@
 
 use crate::contact::{ContactElement, ContactPoint, Interface, Quadrature};
 
-/// Contact points are the quadrature points of the edge; `b` holds the edge's shape functions, `A = |ds/dξ| w · thickness`, times
-/// 2πr of bodies of revolution.
+/// Contact points are the quadrature points of the edge; `b` holds the edge's shape functions, `A = |ds/dξ| w · thickness`, of bodies of
+/// revolution 2πr for the thickness.
 #[derive(Clone, Copy, Debug)]
 pub struct Line {
     /// Quadrature on the edge.
@@ -14,9 +14,9 @@ impl ContactElement for Line {
     fn points(&self, interface: &Interface) -> Vec<ContactPoint> {
         let mut points = Vec::new();
         for (index, edge) in interface.edges.iter().enumerate() {
-            for (xi, weight) in interface.on_pieces(edge, &self.quadrature.rule(edge.len())) {
+            for (xi, weight) in interface.ruled(edge, self.quadrature) {
                 let (shapes, position, length) = interface.at(edge, xi);
-                let area = weight * length * interface.thickness * interface.circumference(position);
+                let area = interface.area(weight, length);
                 points.push(ContactPoint {
                     contact: interface.contact,
                     row: interface.terms(edge, &shapes, position).iter().map(|t| (t.dof, t.value)).collect(),

@@ -1,5 +1,6 @@
 //! Node contact element: one spring between a node and what lies opposite.
 
+use crate::contact::interface::ContactNode;
 use crate::contact::{ContactElement, ContactPoint, Interface};
 use crate::elasticity::quadrature;
 
@@ -11,8 +12,8 @@ use crate::elasticity::quadrature;
 #[derive(Clone, Copy, Debug)]
 pub struct Node;
 
-/// Area of a node, over that of all, which is round-off.
-const NO_AREA: f64 = 1e-12;
+/// Radius up to which a node is on the axis \[mm\]: what rounding leaves.
+const ON_AXIS: f64 = 1e-9;
 
 impl ContactElement for Node {
     fn points(&self, interface: &Interface) -> Vec<ContactPoint> {
@@ -22,14 +23,13 @@ impl ContactElement for Node {
                 shares[a].push((index, tributary_area(interface, edge, k)));
             }
         }
-        // On the axis of revolution nodes of edges of order 2 and more have no area, `∫ N r dr = 0`, and carry nothing.
-        let whole: f64 = shares.iter().flatten().map(|(_, area)| area).sum();
-        let has_area = |shares: &[(usize, f64)]| {
-            !interface.is_of_revolution || shares.iter().map(|(_, area)| area).sum::<f64>() > NO_AREA * whole
-        };
+        // On the axis of revolution the node of an edge of order 2 or more has no area, `∫ N r dr = 0` but for what a curved
+        // edge adds, and carries nothing.
+        let is_high = interface.edges.iter().any(|edge| edge.len() > 2);
+        let has_area = |node: &ContactNode| !(interface.is_of_revolution && is_high && node.coordinate <= ON_AXIS);
         let nodes = interface.nodes.iter().zip(shares);
         nodes
-            .filter(|(_, shares)| has_area(shares))
+            .filter(|(node, _)| has_area(node))
             .map(|(node, shares)| ContactPoint {
                 contact: interface.contact,
                 row: node.row().collect(),

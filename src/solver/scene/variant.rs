@@ -15,7 +15,7 @@ impl Scene {
     pub fn in_metres(&self) -> Self {
         let (length, pressure) = (METRE, 1.0 / (METRE * METRE));
         let mut scene = self.clone();
-        scene.thickness *= length;
+        scene.thickness *= if scene.is_of_revolution() { 1.0 } else { length };
         scene.grading.unit *= length;
         scene.reference.length *= length;
         scene.reference.gap *= length;

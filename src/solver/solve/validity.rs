@@ -2,6 +2,7 @@
 
 use crate::algorithm::problem::LIMITS;
 use crate::algorithm::{Acceleration, Iteration, Leeway, Spring, StiffnessRule};
+use crate::contact::Quadrature;
 use crate::error::{Error, Place};
 use crate::scene::Scene;
 use crate::solve::Formulation;
@@ -59,6 +60,10 @@ impl Formulation {
             let message =
                 format!("the {} algorithm has no stiffness that a rule changes step by step", self.algorithm.name());
             return Err(Error::at(place, message, "leave `bound` and `spring` out, or use the varying algorithm"));
+        }
+        if scene.is_of_revolution() && self.quadrature == Quadrature::Lobatto {
+            let message = "points at the nodes of edges have no area on the axis of revolution";
+            return Err(Error::at(place, message, "use the Gauss points of line and layer elements, or node elements"));
         }
         self.validate_options(place)?;
         let tightest = scene.contacts.iter().map(|pair| pair.gap(0.0)).fold(f64::INFINITY, f64::min);
