@@ -212,15 +212,15 @@ fn matrix_types_of_libraries_stay_inside_the_numerics() {
 
 /// Lines that a room may have; raised only by a commit that says what for.
 const BUDGETS: [(&str, usize); 9] = [
-    ("solver", 18_785),
+    ("solver", 19_520),
     ("drawing", 2_970),
-    ("case", 7_780),
-    ("oracle", 3_650),
-    ("study", 14_040),
-    ("referee", 5_445),
+    ("case", 7_970),
+    ("oracle", 4_200),
+    ("study", 14_110),
+    ("referee", 5_660),
     ("report", 3_390),
-    ("cli", 4_390),
-    ("live", 470),
+    ("cli", 4_440),
+    ("live", 480),
 ];
 
 #[test]
