@@ -397,7 +397,7 @@ fn thin_ring_between_plates_is_pushed_together_as_a_curved_beam_is() {
         let resolution = Resolution { order, ..case.resolution };
         let made = Discretisation::of(case.scene.clone(), resolution).expect("meshed");
         let run = Run::of(&made, &Formulation::verification()).expect("solved");
-        let bars = accuracy::bars(&made, &run, &[]).expect("bars");
+        let bars = bars(&made, &run, &[]).expect("bars");
         let found = bars.of(0, &Quantity::Approach).expect("a bar");
         let (value, bar) =
             (bars.all.iter().find(|one| one.quantity == Quantity::Approach).expect("one").value, found.total());

@@ -458,7 +458,7 @@ fn pressure_between_points_is_linear_and_that_of_the_outermost_up_to_the_ends_of
 fn cell_of_many_nodes_is_read_by_its_polynomial_where_all_press_and_is_open_on_the_line_where_its_first_does_not() {
     let nodes = [0.0, 0.6, 2.0, 3.4, 4.0];
     let cubic = |s: f64| 1.0 + 0.5 * s - 0.1 * s * s + 0.01 * s * s * s;
-    let edge = EdgeState { ends: [0.0, 4.0], weight: 4.0, pressure: 1.0 };
+    let edge = EdgeState { ends: [0.0, 4.0], weight: 4.0, pressure: 1.0, is_ring: false };
     let all = nodes.map(|position| PointState { position, weight: 0.8, pressure: cubic(position), gap: 0.0 });
     let part = |points| Part { points, edges: std::slice::from_ref(&edge), nodes: 5 };
     for s in [0.0, 0.3, 1.1, 2.9, 4.0] {

@@ -3,8 +3,8 @@
 use approx::assert_relative_eq;
 use contact_vv::case::Case;
 use contact_vv::cli::vtu;
-use contact_vv::elasticity::stress::von_mises;
-use contact_vv::scene::PlaneHypothesis;
+use contact_vv::elasticity::stress::{across, von_mises};
+use contact_vv::scene::{Material, PlaneHypothesis};
 use std::path::Path;
 use std::process::Command;
 use vtkio::model::{Attribute, CellType, DataSet, IOBuffer, Piece, UnstructuredGridPiece, Vtk};
@@ -100,13 +100,20 @@ fn fields_written_for_paraview_are_those_of_the_solution() {
 
 #[test]
 fn von_mises_stress_of_plain_states() {
+    let steel = Material::STEEL;
+    let of = |stress, plane, material: &Material| von_mises(stress, across(stress, plane, material, 0.0));
     let (stress, strain) = (PlaneHypothesis::Stress, PlaneHypothesis::Strain);
-    assert_relative_eq!(von_mises([-7.0, 0.0, 0.0], stress, 0.3), 7.0);
-    assert_relative_eq!(von_mises([0.0, 0.0, 2.0], strain, 0.3), 2.0 * 3f64.sqrt());
-    assert_relative_eq!(von_mises([5.0, 5.0, 0.0], stress, 0.3), 5.0);
+    assert_relative_eq!(of([-7.0, 0.0, 0.0], stress, &steel), 7.0);
+    assert_relative_eq!(of([0.0, 0.0, 2.0], strain, &steel), 2.0 * 3f64.sqrt());
+    assert_relative_eq!(of([5.0, 5.0, 0.0], stress, &steel), 5.0);
     // All sides alike in the plane, σ_z = 2νσ: what is left is (1 − 2ν) σ.
-    assert_relative_eq!(von_mises([5.0, 5.0, 0.0], strain, 0.3), 5.0 * 0.4, max_relative = 1e-14);
-    assert_relative_eq!(von_mises([1.0, -3.0, 0.5], strain, 0.0), von_mises([1.0, -3.0, 0.5], stress, 0.0));
+    assert_relative_eq!(of([5.0, 5.0, 0.0], strain, &steel), 5.0 * 0.4, max_relative = 1e-14);
+    let loose = Material { poisson: 0.0, ..steel };
+    assert_relative_eq!(of([1.0, -3.0, 0.5], strain, &loose), of([1.0, -3.0, 0.5], stress, &loose));
+    // A uniform pressure on all sides of a body of revolution: ε_θ = (1 − 2ν) σ/E.
+    let hoop = across([-5.0, -5.0, 0.0], PlaneHypothesis::Axisymmetric, &steel, -5.0 * 0.4 / steel.young);
+    assert_relative_eq!(hoop, -5.0, max_relative = 1e-14);
+    assert!(von_mises([-5.0, -5.0, 0.0], hoop) <= 1e-14 * 5.0);
 }
 
 #[test]

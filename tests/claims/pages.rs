@@ -7,9 +7,10 @@ use contact_vv::case::{Check, Judged, Reference, Verdict};
 use contact_vv::oracle::ReferenceKind;
 use contact_vv::report::diff::written;
 use contact_vv::report::front::{self, against, nearness, right};
-use contact_vv::report::links::PAGES;
+use contact_vv::report::links::{CHARTS, PAGES};
 use contact_vv::report::{case_page, difference, files, study_page, symbols, told, write};
-use contact_vv::study::{Finding, Room, Study, cases};
+use contact_vv::study::sheet::SHEETS;
+use contact_vv::study::{Files, Finding, Room, Study, cases};
 
 /// Most lines of the front page.
 const LINES: usize = 220;
