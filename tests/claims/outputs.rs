@@ -219,9 +219,13 @@ fn table_tells_the_reactions_the_error_bars_and_the_notes_of_the_document() {
             number(peak, "bound"),
             ["mesh", "iteration", "penalty"].map(|part| number(peak, part)).iter().sum()
         );
-        assert_relative_eq!(number(peak, "value"), number(&document["contacts"][0], "peak_pressure"));
+        // Of the doubtful scene it has no limit, and no value.
+        assert_eq!(peak["value"].is_null(), noted, "{peak}");
+        assert_eq!(peak["value"], document["contacts"][0]["peak_pressure"]);
         let told = table.lines().filter(|line| line.contains(" ± ") && !line.starts_with("check:")).count();
-        assert_eq!(told, 1 + bars.len(), "a head, and a line each: {table}");
+        // A head, and a line each; what has no limit has no bar either.
+        let limited = bars.iter().filter(|bar| !bar["value"].is_null()).count();
+        assert_eq!(told, 1 + limited, "{table}");
         // Where there is none the document has no such key.
         let notes = document["contacts"][0]["notes"].as_array().cloned().unwrap_or_default();
         assert_eq!(notes.is_empty(), !noted, "{notes:?}");
