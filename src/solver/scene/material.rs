@@ -74,7 +74,9 @@ impl Material {
     /// Plane modulus `E/(1−ν²)` in plane strain and of bodies of revolution, `E` in plane stress \[MPa\].
     pub fn plane_modulus(&self, plane: PlaneHypothesis) -> f64 {
         match plane {
-            PlaneHypothesis::Strain | PlaneHypothesis::Axisymmetric => self.young / (1.0 - self.poisson * self.poisson),
+            PlaneHypothesis::Strain => self.young / (1.0 - self.poisson * self.poisson),
+            // A narrow contact around the axis is as good as straight.
+            PlaneHypothesis::Axisymmetric => self.plane_modulus(PlaneHypothesis::Strain),
             PlaneHypothesis::Stress => self.young,
         }
     }
