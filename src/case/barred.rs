@@ -145,9 +145,12 @@ impl Case {
         let [closed, found] = [reference.value, *value].map(markdown::value);
         let (name, unit) = (&reference.name, check.quantity.unit().unwrap_or_default());
         match check.quantity.number() {
-            Some(Number::Resultant) => format!(
-                "the closed form of contact `{contact}` is not of this scene: {name} has a load of {closed} N, and the contact carries {found}{bar} N, both halves of a symmetric one"
-            ),
+            Some(Number::Resultant) => {
+                let whole = if self.scene.is_of_revolution() { "all around" } else { "both halves of a symmetric one" };
+                format!(
+                    "the closed form of contact `{contact}` is not of this scene: {name} has a load of {closed} N, and the contact carries {found}{bar} N, {whole}"
+                )
+            }
             _ => format!(
                 "the closed form of contact `{contact}` is not of this scene, or leaves more out than its checks state as `model-error`: {} is {closed} {unit} by {name}, and {found}{bar} {unit} here",
                 check.quantity.name()

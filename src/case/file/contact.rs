@@ -11,7 +11,7 @@ use crate::case::file::value::Value;
 use crate::case::file::{compared, gap, named};
 use crate::error::Error;
 use crate::scene::contact_pair::CONTACT;
-use crate::scene::{Body, BoundaryName, Circle, ContactPair, DrawnGap, Ends, Line, Path, Profile};
+use crate::scene::{Body, BoundaryName, Circle, ContactPair, DrawnGap, Ends, Line, Path, PlaneHypothesis, Profile};
 
 /// One table, or several.
 pub(super) const CONTACTS: Form = Own(|value| match value.get_ref() {
@@ -69,11 +69,16 @@ pub(super) fn is_across<'a>(contacts: &[Value<'a>], body: &str) -> bool {
 }
 
 /// The contacts; every body takes part in one of them, and no two have one name.
-pub(super) fn pairs(tables: &[Value], bodies: &[Body], contacts: &[Value]) -> Result<Vec<ContactPair>, Error> {
+pub(super) fn pairs(
+    plane: PlaneHypothesis,
+    tables: &[Value],
+    bodies: &[Body],
+    contacts: &[Value],
+) -> Result<Vec<ContactPair>, Error> {
     let mut pairs: Vec<ContactPair> = Vec::new();
     for &table in contacts {
         refuse_blank(table)?;
-        let pair = pair(bodies, table)?;
+        let pair = pair(plane, bodies, table)?;
         if pairs.iter().any(|other| other.name == pair.name) {
             let place = table.get("name").unwrap_or(table.at("first"));
             let message = format!("a second contact is called `{}`", pair.name);
@@ -101,7 +106,7 @@ fn refuse_blank(table: Value) -> Result<(), Error> {
 }
 
 /// One contact, its path and its gap.
-fn pair(bodies: &[Body], table: Value) -> Result<ContactPair, Error> {
+fn pair(plane: PlaneHypothesis, bodies: &[Body], table: Value) -> Result<ContactPair, Error> {
     let (first, second) = touching(bodies, table)?;
     let across = table.asked("both-sides").is_some();
     let given = table.at("gap");
@@ -117,7 +122,7 @@ fn pair(bodies: &[Body], table: Value) -> Result<ContactPair, Error> {
     let clearance = gap::clearance(given)?;
     gap::refuse_strange(&path, &profile, given)?;
     for (k, (side, (_, name, _))) in sides.iter().zip(&named).enumerate() {
-        side.refuse_misfit(*name, (&path, &profile, clearance), k == 0)?;
+        side.refuse_misfit(*name, (&path, &profile, clearance), (k == 0, plane))?;
         side.refuse_short(*name, &path, (stretch, table.at("stretch")))?;
     }
     refuse_one_way(table, &sides)?;

@@ -154,7 +154,7 @@ fn scene(file: Value, name: &str, tables: &[Value], contacts: &[Value]) -> Resul
     let body = |table: &Value| bodies::body(plane, contact::is_across(contacts, table.at("name").text()), *table);
     let bodies = tables.iter().map(body).collect::<Result<Vec<Body>, Error>>()?;
     bodies::refuse_equal_names(tables)?;
-    let pairs = contact::pairs(tables, &bodies, contacts)?;
+    let pairs = contact::pairs(plane, tables, &bodies, contacts)?;
     let mut scene = Scene {
         name: name.into(),
         plane,

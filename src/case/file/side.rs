@@ -6,7 +6,7 @@ use crate::case::file::curves;
 use crate::case::file::value::Value;
 use crate::error::Error;
 use crate::scene::contact_pair::CONTACT;
-use crate::scene::{Circle, Curve, Face, Path, Profile, Shape};
+use crate::scene::{Circle, Curve, Face, Path, PlaneHypothesis, Profile, Shape};
 
 /// A straight piece of boundary, from its first point to its last, the body to its left \[mm\].
 type Piece = [[f64; 2]; 2];
@@ -143,7 +143,7 @@ impl Side {
         &self,
         name: Value,
         (path, profile, apart): (&Path, &Profile, f64),
-        is_first: bool,
+        (is_first, plane): (bool, PlaneHypothesis),
     ) -> Result<(), Error> {
         let [line, level] =
             [("x", 0), ("y", 1)].map(|(axis, k)| format!("{axis} = {}", path.origin()[k] / name.units.length));
@@ -152,7 +152,7 @@ impl Side {
             Profile::Drawn | Profile::Bodies(_) => f64::INFINITY,
             other => other.gap(0.0).abs() + apart,
         };
-        let wanted = Wanted { path, line, level, clearance, is_first };
+        let wanted = Wanted { path, line, level, clearance, is_first, plane };
         match self.on_other_sides(&wanted).or_else(|| self.misplaced(&wanted)) {
             None => Ok(()),
             Some([what, remedy]) => Err(name.refused(format!("the contact side of `{}` {what}", name.text()), remedy)),
@@ -165,7 +165,9 @@ impl Side {
         match self.across {
             Some(true) if !both => misfit(
                 "lies on both sides of s = 0, the contact on one",
-                "the body is meshed for another contact, which has both sides: give this one `both-sides = true` too",
+                wanted.remedy(
+                    "the body is meshed for another contact, which has both sides: give this one `both-sides = true` too",
+                ),
             ),
             Some(false) if both && matches!(self.place, Place::Disc { .. }) => misfit(
                 "lies on one side of s = 0, the contact on both",
@@ -191,7 +193,9 @@ impl Side {
         match (&self.place, path) {
             (Place::Straight { from, .. }, _) if one_side && !on_axis(*from, self.length) => misfit(
                 format!("does not begin at {line}"),
-                "the contact begins on the symmetry line: move the bodies there, or give `both-sides = true`",
+                wanted.remedy(
+                    "the contact begins on the symmetry line: move the bodies there, or give `both-sides = true`",
+                ),
             ),
             (Place::Straight { height, .. }, Path::Straight(_)) if !wanted.near(*height, y0) => misfit(
                 format!("does not lie at {level}"),
@@ -199,7 +203,9 @@ impl Side {
             ),
             (Place::Disc { circle, .. }, Path::Straight(_)) if !on_axis(circle.centre[0], circle.radius) => misfit(
                 format!("does not touch at {line}"),
-                format!("give the body a centre at {line}, where its mesh is finest, or the contact another `origin`"),
+                wanted.remedy(format!(
+                    "give the body a centre at {line}, where its mesh is finest, or the contact another `origin`"
+                )),
             ),
             (Place::Disc { height, circle }, Path::Straight(_))
                 if !wanted.near(*height, y0) && wanted.near(2.0 * circle.centre[1] - height, y0) =>
@@ -229,7 +235,9 @@ impl Side {
         if off && !path.has_both_sides() {
             return misfit(
                 format!("does not begin on the symmetry line {line}"),
-                "the contact begins there at s = 0: move the bodies there, model one half, or give `both-sides = true`",
+                wanted.remedy(
+                    "the contact begins there at s = 0: move the bodies there, model one half, or give `both-sides = true`",
+                ),
             );
         }
         if self.outward.is_none() {
@@ -332,9 +340,18 @@ struct Wanted<'a> {
     /// What may lie between the side and the path \[mm\].
     clearance: f64,
     is_first: bool,
+    plane: PlaneHypothesis,
 }
 
 impl Wanted<'_> {
+    /// What mends a side that lies elsewhere along the path: of bodies of revolution only one place is right.
+    fn remedy(&self, in_the_plane: impl Into<String>) -> String {
+        match self.plane.is_of_revolution() {
+            true => "bodies of revolution lie at x ≥ 0, and their contact begins on the axis x = 0".into(),
+            false => in_the_plane.into(),
+        }
+    }
+
     fn near(&self, a: f64, b: f64) -> bool {
         (a - b).abs() <= self.clearance * (1.0 + 1e-6) + 1e-6 * a.abs().max(b.abs())
     }
