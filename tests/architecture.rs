@@ -214,7 +214,7 @@ fn matrix_types_of_libraries_stay_inside_the_numerics() {
 const BUDGETS: [(&str, usize); 9] = [
     ("solver", 19_520),
     ("drawing", 2_970),
-    ("case", 7_970),
+    ("case", 7_995),
     ("oracle", 4_200),
     ("study", 14_110),
     ("referee", 5_660),

@@ -22,7 +22,7 @@ pub enum Numbers {
     /// A run on two bars closing a gap; its history is the path.
     Path(Box<Run>),
     /// The fields of a scene.
-    Field(Field),
+    Field(Box<Field>),
     /// Pin and rod along their contact arcs.
     Along(Along),
 }
@@ -42,7 +42,7 @@ impl Study for Numbers {
         });
         let fields = SHOWN.map(|shown| {
             let name = format!("fields, {}", shown.0().name);
-            Planned::new(name, "node.kinematic", move || field(shown).map(Numbers::Field))
+            Planned::new(name, "node.kinematic", move || field(shown).map(Box::new).map(Numbers::Field))
         });
         let along = Formulation::compared().into_iter().filter(Formulation::is_in_the_paper).map(|formulation| {
             Planned::new("along pin and rod", formulation.name(), move || along(&formulation).map(Numbers::Along))

@@ -98,15 +98,16 @@ fn polynomials_of_the_order_are_reproduced_with_their_gradients() {
         // The 8-node cell has all of the 9-node one but x² y².
         let has = |i: i32, j: i32| order != Order::Quadratic || i + j < 4;
         for (i, j) in (0..=p).flat_map(|i| (0..=p).map(move |j| (i, j))).filter(|&(i, j)| has(i, j)) {
-            let sum = |of: &dyn Fn(&(f64, [f64; 2])) -> f64| -> f64 {
-                let each = shapes.iter().zip(nodes(order));
-                each.map(|(shape, node)| of(shape) * node[0].powi(i) * node[1].powi(j)).sum()
-            };
+            // Of the values and of both slopes.
+            let sums = shapes.iter().zip(nodes(order)).fold([0.0; 3], |sums, ((value, slopes), node)| {
+                let power = node[0].powi(i) * node[1].powi(j);
+                [sums[0] + value * power, sums[1] + slopes[0] * power, sums[2] + slopes[1] * power]
+            });
             let power = |x: f64, n: i32| if n < 0 { 0.0 } else { x.powi(n) };
             let slope = |x: f64, n: i32| f64::from(n) * power(x, n - 1);
-            assert_abs_diff_eq!(sum(&|s| s.0), at[0].powi(i) * at[1].powi(j), epsilon = 1e-12);
-            assert_abs_diff_eq!(sum(&|s| s.1[0]), slope(at[0], i) * power(at[1], j), epsilon = 1e-10);
-            assert_abs_diff_eq!(sum(&|s| s.1[1]), power(at[0], i) * slope(at[1], j), epsilon = 1e-10);
+            assert_abs_diff_eq!(sums[0], at[0].powi(i) * at[1].powi(j), epsilon = 1e-12);
+            assert_abs_diff_eq!(sums[1], slope(at[0], i) * power(at[1], j), epsilon = 1e-10);
+            assert_abs_diff_eq!(sums[2], power(at[0], i) * slope(at[1], j), epsilon = 1e-10);
         }
     }
 }

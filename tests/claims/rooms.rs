@@ -123,7 +123,8 @@ fn a_lost_scene_of_the_family_and_a_pin_of_another_place_turn_red() {
 #[test]
 fn stresses_that_do_not_carry_the_load_turn_red() {
     let mut field = fields::field(fields::SHOWN[0]).expect("solved");
-    let judge = |field: &fields::Field| fails(&fields::Numbers::Field(field.clone()).judge().expect("judged"));
+    let judge =
+        |field: &fields::Field| fails(&fields::Numbers::Field(Box::new(field.clone())).judge().expect("judged"));
     assert_eq!(judge(&field), 0);
     for resultant in &mut field.resultants {
         resultant.force *= 1.1;

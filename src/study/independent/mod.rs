@@ -67,9 +67,9 @@ impl Study for Compared {
             text,
             "\nEach script has its own mesh, its own contact terms in the language of its code, its own iteration and its own measures; none imports \
              from another. They share the numbers of the scene and the names of what is asked. ± is the standard uncertainty from three meshes; \
-             |E| shall be at most {COVERAGE} u_val, of both meshes and of the script's penalty (what springs of its stiffness change on our mesh). Springs are k_n = κ E*/ℓ with κ = {KAPPA:e}, so that bodies enter one another by \
-             p₀/k_n [mm]: {}.\n\n",
-             entered.join(", ")
+             |E| shall be at most {COVERAGE} u_val, of both meshes and of the script's penalty (what springs of its stiffness change on our mesh). \
+             Springs are k_n = κ E*/ℓ with κ = {KAPPA:e}, so that bodies enter one another by p₀/k_n [mm]: {}.\n\n",
+            entered.join(", ")
         );
         text += &picture("difference-independent.svg", "Difference of the profiles of independent codes to ours");
         Ok(text)
