@@ -87,8 +87,8 @@ def compiled(all_of_them, kept, modules):
         print(f"refused: {len(found[0])} mutants, {len(found[1])} for their place", flush=True)
         save(kept)
     told = subprocess.run([*command, "--message-format=json"], **OPTIONS, check=True, capture_output=True, text=True)
-    artifacts = map(json.loads, told.stdout.splitlines())
-    program = next(one["executable"] for one in artifacts if one.get("target", {}).get("name") == "claims" and one.get("executable"))
+    built = map(json.loads, told.stdout.splitlines())
+    program = next(one["executable"] for one in built if one.get("target", {}).get("name") == "claims" and one.get("executable"))
     return program, {number: one for number, one in chosen.items() if number in done}
 
 

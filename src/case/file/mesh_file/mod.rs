@@ -318,8 +318,8 @@ impl<'a> Known<'a> {
             [to[0] - from[0], to[1] - from[1]]
         };
         let goes_on = |pair: &[&Side]| {
-            let [[ax, ay], [bx, by]] = [direction(pair[0]), direction(pair[1])];
-            ax * bx + ay * by > ALONG * ax.hypot(ay) * bx.hypot(by)
+            let [[x, y], [u, v]] = [direction(pair[0]), direction(pair[1])];
+            x * u + y * v > ALONG * x.hypot(y) * u.hypot(v)
         };
         let missing = |first: &&'a Side| -> Option<u64> {
             let second = next(first).filter(|second| !is_told(second))?;
