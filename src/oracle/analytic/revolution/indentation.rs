@@ -7,6 +7,7 @@
 
 use std::f64::consts::{PI, TAU};
 
+use libm::lgamma;
 use nalgebra::Complex;
 
 use super::half_space::Potential;
@@ -55,7 +56,7 @@ impl Indentation {
     ///
     /// `b = c √π Γ(n/2 + 1)/Γ(n/2 + 1/2)`: twice c of a paraboloid, π/2 of it of a cone.
     fn transformed(&self) -> impl Iterator<Item = [f64; 2]> {
-        let ratio = |n: f64| (log_gamma(0.5 * n + 1.0) - log_gamma(0.5 * n + 0.5)).exp();
+        let ratio = |n: f64| (lgamma(0.5 * n + 1.0) - lgamma(0.5 * n + 0.5)).exp();
         self.powers.iter().map(move |&[c, n]| [c * PI.sqrt() * ratio(n), n])
     }
 
@@ -138,23 +139,8 @@ fn abel(n: f64, s: f64) -> f64 {
     value
 }
 
-/// `ln Γ(x)`, `x > 0`, by Stirling's series from [`STIRLING`] on.
-fn log_gamma(mut x: f64) -> f64 {
-    let mut product = 1.0;
-    while x < STIRLING {
-        product *= x;
-        x += 1.0;
-    }
-    let y = 1.0 / (x * x);
-    let series = (1.0 / 12.0 - y * (1.0 / 360.0 - y * (1.0 / 1260.0 - y * (1.0 / 1680.0 - y / 1188.0)))) / x;
-    (x - 0.5) * x.ln() - x + 0.5 * TAU.ln() + series - product.ln()
-}
-
 /// Largest power: its pressure takes half as many steps.
 const STEEPEST: f64 = 1000.0;
-
-/// Where five terms of the series are exact to round-off.
-const STIRLING: f64 = 16.0;
 
 impl Oracle for Indentation {
     fn name(&self) -> &str {
