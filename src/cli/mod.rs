@@ -197,7 +197,9 @@ pub fn main() -> ExitCode {
         Command::Atlas => survey::atlas().map(|()| Exit::Well),
         Command::Converged => survey::run(&promised::converged::SURVEY).map(|()| Exit::Well),
         Command::Met => survey::run(&promised::met::SURVEY).map(|()| Exit::Well),
-        Command::Coverage => survey::run(&promised::bars::SURVEY).map(|()| Exit::Well),
+        Command::Coverage => survey::run(&promised::counted::SURVEY)
+            .and_then(|()| survey::run(&promised::bars::SURVEY))
+            .map(|()| Exit::Well),
         Command::Timings { memory: Some(mesh), .. } => {
             growth::memory_of_one_solve(mesh[0] as usize, mesh[1]).map(say).map(|()| Exit::Well)
         }

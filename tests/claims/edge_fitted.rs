@@ -172,7 +172,7 @@ fn around_a_contact_that_is_known_frames_fill_the_body_and_touch_all_its_sides()
         let y = if contact == Face::Bottom { [0.0, side] } else { [-side, 0.0] };
         scene.bodies[0].shape = Shape::Rectangle { x: [left, side], y, contact };
         scene.contacts[0].path = Path::Straight(Line { origin: [0.0, 0.0], both_sides: places.len() > 1 });
-        scene.contacts[0].ends = Ends { places: places.clone(), layers: 3 };
+        scene.contacts[0].ends = Ends { places: places.clone(), layers: 3, off: 0.0 };
         for order in Order::ALL {
             let mesh = Mesh::of(&scene, resolution(1, 0, order)).expect("mesh");
             let case = format!("{order:?} {contact:?} {places:?}");
@@ -216,7 +216,7 @@ fn layered_meshes_keep_the_uniform_pressure_and_hang_together() {
     for order in [Order::Linear, Order::Quadratic, Order::Quartic, Order::Octic] {
         for places in [vec![4.0], vec![2.5, 7.0], vec![1.0]] {
             let mut scene = plain.clone();
-            scene.contacts[0].ends = Ends { places: places.clone(), layers: 3 };
+            scene.contacts[0].ends = Ends { places: places.clone(), layers: 3, off: 0.0 };
             let made = meshed(scene, 1, order);
             let area: f64 = area(&made.mesh);
             assert!(relative_error(area, 200.0) <= 1e-12, "{order:?} {places:?}: {area}");
@@ -240,7 +240,7 @@ fn columns_beyond_a_contact_on_both_sides_grow_from_its_last_cell_where_frames_h
     // Not as deep as half of the contact.
     scene.bodies[0].shape = Shape::Rectangle { x: [-20.0, 20.0], y: [0.0, 1.0], contact: Face::Bottom };
     scene.contacts[0].path = Path::Straight(Line { origin: [0.0, 0.0], both_sides: true });
-    scene.contacts[0].ends = Ends { places: vec![-2.5, 2.5], layers: 0 };
+    scene.contacts[0].ends = Ends { places: vec![-2.5, 2.5], layers: 0, off: 0.0 };
     let mesh = Mesh::of(&scene, resolution(1, 0, Order::Linear)).expect("mesh");
     let mut columns: Vec<f64> = mesh.points.iter().filter(|point| point[1] == 0.0).map(|point| point[0]).collect();
     columns.sort_by(f64::total_cmp);

@@ -17,7 +17,7 @@ fn disc(sector: Sector, contact: Face, places: Vec<f64>, layers: usize) -> Scene
     let both_sides = sector.has_both_sides();
     let path = Path::Straight(Line { origin: [0.0, 0.0], both_sides });
     let mut scene = of_shape(shape, path, 1.5, vec![], vec![]);
-    scene.contacts[0].ends = Ends { places, layers };
+    scene.contacts[0].ends = Ends { places, layers, off: 0.0 };
     scene
 }
 
@@ -68,7 +68,7 @@ fn frames_of_a_disc_are_cut_as_often_as_is_asked() {
 fn nodes_of_a_ring_lie_evenly_in_the_logarithm_of_the_radius_where_the_end_is_known() {
     for contact in [Face::Bottom, Face::Top] {
         let mut scene = ring([10.0, 2000.0], contact, 0.9, vec![], vec![]);
-        scene.contacts[0].ends = Ends { places: vec![0.4], layers: 0 };
+        scene.contacts[0].ends = Ends { places: vec![0.4], layers: 0, off: 0.0 };
         let mesh = Mesh::of(&scene, resolution(1, 0, Order::Quintic)).expect("mesh");
         let wanted = FRAC_PI_4 * (2000f64.powi(2) - 10f64.powi(2));
         assert!(relative_error(area(&mesh), wanted) <= 1e-5, "{contact:?}: {}", area(&mesh));

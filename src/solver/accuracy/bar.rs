@@ -8,12 +8,13 @@
 //! where `counted` has the constants of each kind of number, and with it what the growth leaves where a body bends, and what the error of
 //! its force leaves in the other numbers of a contact (`family`). It takes the worst of four neighbours instead of extrapolating: the
 //! end of a contact lies at another place of its element on each mesh, and two of them may agree by accident. A series that
-//! oscillates or has not begun to converge makes it wider. Where a maximum lies is known no better than how high it is:
+//! oscillates or has not begun to converge makes it wider. On cells of order 5 to 8 that end with the contact errors fall from order to
+//! order, and the next finer mesh tells them: `u = 2 |f₀ − f₁| + D` of a peak, `4 |f₀ − f₁| + D` of what else pressures tell. Where a maximum lies is known no better than how high it is:
 //! it may be wherever the pressure comes near it.
 //!
 //! The parts of iteration and penalty are differences to the solution of the same discrete problem, which is exact.
 
-use crate::accuracy::family::{Family, discrete_of};
+use crate::accuracy::family::{Evidence, Family, discrete_of};
 use crate::accuracy::reading::{self, Reading, of_discrete, value_of};
 use crate::accuracy::recovered::{Recovered, recovered};
 use crate::algorithm::StiffnessRule;
@@ -67,6 +68,8 @@ pub struct Barred {
     pub bar: Bar,
     /// Why that is not known; none where it is.
     pub unknown: Option<&'static str>,
+    /// What tells the mesh's part; none of what is prescribed, nor of an end where the candidates end.
+    pub told: Option<Evidence>,
 }
 
 /// The bars of all numbers of a run.
@@ -83,11 +86,16 @@ pub struct Bars {
 impl Barred {
     /// A number as the iteration left it, the mesh's part of its bar, and its value where the iteration should end, and in the
     /// discrete solution.
-    fn of(reading: &Reading, mesh: f64, [ended, discrete]: [f64; 2], (run, family): (&Run, &Family)) -> Self {
+    fn of(
+        reading: &Reading,
+        (told, mesh): (Option<Evidence>, f64),
+        [ended, discrete]: [f64; 2],
+        (run, family): (&Run, &Family),
+    ) -> Self {
         let measures = discrete_of(run, reading.contact);
         let bar = Bar { mesh, iteration: (reading.value - ended).abs(), penalty: (ended - discrete).abs() };
         let Reading { contact, quantity, value, .. } = reading.clone();
-        let one = Self { contact, quantity, value, bar, unknown: None };
+        let one = Self { contact, quantity, value, bar, unknown: None, told };
         match () {
             _ if (bar.iteration + bar.penalty).is_nan() => Self { unknown: Some(NOT_FOUND), ..one },
             _ if mesh.is_nan() => Self { unknown: Some(family.why_unknown(&reading.quantity, measures)), ..one },
@@ -154,19 +162,20 @@ fn of_pressures(discretisation: &Discretisation, run: &Run, family: &Family) -> 
         let Reading { contact, quantity, .. } = reading;
         let contact = *contact;
         let [ended, discrete] = [&target, &rigid].map(|readings| value_of(readings, contact, quantity));
-        let mesh = match quantity {
+        let told = family.told(run, reading, discrete);
+        let told = match quantity {
             Quantity::PeakPlace if family.rises_to_end(discrete_of(run, contact)) => {
-                family.mesh(run, reading, discrete) + 2.0 * family.sizes[contact]
+                told.and(2.0 * family.sizes[contact])
             }
-            Quantity::PeakPlace if !family.is_at_end(run, contact) => {
-                family.mesh(run, reading, discrete) + flat(contact)
-            }
-            _ => match of_candidates(run, contact, quantity, &family.sizes) {
-                Some(0.0) => 0.0,
-                least => larger(family.mesh(run, reading, discrete), least.unwrap_or(0.0)),
-            },
+            Quantity::PeakPlace if !family.is_at_end(run, contact) => told.and(flat(contact)),
+            _ => told,
         };
-        let barred = Barred::of(reading, mesh, [ended, discrete], (run, family));
+        let (told, mesh) = match of_candidates(run, contact, quantity, &family.sizes) {
+            None => (Some(told), told.bar()),
+            Some(0.0) => (None, 0.0),
+            Some(least) => (None, larger(told.bar(), least)),
+        };
+        let barred = Barred::of(reading, (told, mesh), [ended, discrete], (run, family));
         let value = if run.is_unbounded(contact, quantity) { f64::NAN } else { reading.value };
         Barred { value, ..barred }
     };
@@ -235,14 +244,15 @@ fn of_displacements(
     let one = |reading: &Reading| {
         let Reading { contact, quantity, .. } = reading;
         if is_prescribed(reading) {
-            return Barred::of(reading, 0.0, [reading.value; 2], (run, family));
+            return Barred::of(reading, (None, 0.0), [reading.value; 2], (run, family));
         }
         let [ended, discrete] = [&target, &rigid].map(|readings| value_of(readings, *contact, quantity));
-        let mesh = match quantity {
-            Quantity::ShearDepth { body } => family.mesh(run, reading, discrete) + flat(*contact, *body),
-            _ => family.mesh(run, reading, discrete),
+        let told = family.told(run, reading, discrete);
+        let told = match quantity {
+            Quantity::ShearDepth { body } => told.and(flat(*contact, *body)),
+            _ => told,
         };
-        Barred::of(reading, mesh, [ended, discrete], (run, family))
+        Barred::of(reading, (Some(told), told.bar()), [ended, discrete], (run, family))
     };
     Ok(readings.iter().map(one).collect())
 }

@@ -1,4 +1,4 @@
-//! The same scene on coarser meshes of the same family, and on one whose growth alone is gentler.
+//! The same scene on coarser meshes of the same family, on the next finer one, and on one whose growth alone is gentler.
 
 use crate::mesh::size::expected;
 use crate::mesh::{Order, Resolution};
@@ -11,6 +11,8 @@ pub const RATIOS: [f64; 4] = [1.99, 2.51, 3.17, 3.97];
 pub const CLOSE: [f64; 4] = [1.59, 1.99, 2.51, 3.17];
 /// By how much the growth is gentler: as that of a mesh with so many times as many elements.
 const GENTLER: f64 = 2.0;
+/// Layers that halve the error of an end as often as twice the cells do.
+const MORE: usize = 2;
 /// Cells of a small mesh.
 const SMALL: f64 = 2e3;
 
@@ -34,6 +36,19 @@ pub fn coarser(scene: &Scene, resolution: Resolution) -> Vec<(Scene, Resolution)
     let [cells, _] = expected(scene, resolution);
     let ratios = if cells < SMALL { CLOSE } else { RATIOS };
     ratios.into_iter().map(|ratio| (by(scene, resolution, ratio), resolution)).collect()
+}
+
+/// The next mesh of those that end with the contact: cells of the next order with a layer more, and beyond the highest order twice as many
+/// cells with [`MORE`] layers more.
+pub fn finer(scene: &Scene, resolution: Resolution) -> (Scene, Resolution) {
+    let next = Order::numbered(usize::from(resolution.order.number()) + 1);
+    let (layers, resolution) = match next {
+        Some(order) => (1, Resolution { order, ..resolution }),
+        None => (MORE, Resolution { elements: 2 * resolution.elements, ..resolution }),
+    };
+    let mut scene = scene.clone();
+    scene.contacts.iter_mut().for_each(|pair| pair.ends.layers += layers);
+    (scene, resolution)
 }
 
 /// The scene with the same elements on the contacts and gentler growth away from them; none where no body bends.

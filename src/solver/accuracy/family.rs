@@ -2,8 +2,8 @@
 
 use rayon::prelude::*;
 
-use crate::accuracy::coarser::{coarser, gentler};
-use crate::accuracy::counted::Counted;
+use crate::accuracy::coarser::{coarser, finer, gentler};
+use crate::accuracy::counted::{Kind, Row};
 use crate::accuracy::reading::{Reading, of_discrete, value_of};
 use crate::accuracy::recovered::recovered;
 use crate::measure::{Measures, Quantity, Stretch, larger};
@@ -38,14 +38,19 @@ const RISES: f64 = 1.0;
 /// Largest pressure at a node over the peak that consistent nodal pressures of smooth contacts show: those of corners and middles of
 /// 3-node edges differ by 0.5 % on four elements.
 const ALTERNATES: f64 = 1.01;
-/// On cells that end with the contact: factor on the difference to the next lower order, and what that to the one below falls by.
-const BY_ORDERS: f64 = 4.0;
-const FALLS: f64 = 8.0;
+/// On cells of high order that end with the contact: factor on the difference to the next finer mesh, of a peak and of what else pressures
+/// tell; part of the distance between two readings of a peak that is added; and the first factor where points tell the gap, over itself.
+const BY_NEXT: [f64; 2] = [2.0, 4.0];
+const READ: f64 = 0.6;
+const BY_POINTS: f64 = 2.4;
+/// Factor on the square of how far an end may be off, over the half-width, that tells the error of a half-width; of a peak it is 1/2: at the
+/// end the potential energy is the least.
+const MISFIT: f64 = 2.0;
 /// Factor on the difference to the mesh of gentler growth, on which what far cells leave is a quarter as large.
 const FAR: f64 = 1.5;
 /// Of the relative bar of a contact's force, the part that it adds to its other numbers: pressures and lengths grow with the root of the
-/// force (Hertz), and its own bar is three times its differences.
-const FORCE: f64 = 0.5 / 3.0;
+/// force (Hertz).
+const FORCE: f64 = 0.5;
 /// From which multiple of the first body's elements on those of the second hide a part of their own, and the factor on its exponent: what
 /// they leave falls faster (half-width, peak and second-moment width of two cylinders, one to four elements of the second on the
 /// half-width).
@@ -77,11 +82,40 @@ pub struct Family {
     coarse: Vec<Other>,
     /// What the mesh of gentler growth says, if it does; none where no body bends.
     gentler: Option<Option<Other>>,
+    /// What the next finer mesh says, where errors fall from order to order as those of an analytic solution do.
+    next: Option<Other>,
+    /// Relative error that mesh lines may leave, which do not lie on the ends of the contacts.
+    misfit: f64,
+}
+
+/// What tells the mesh's part of a number, before it is said how far it is counted on.
+#[derive(Clone, Copy, Debug)]
+pub struct Evidence {
+    /// What it is counted on as.
+    pub row: Row,
+    /// Worst difference to a coarser mesh, `|f₀ − fᵢ| / (rᵢ^q − 1)`.
+    pub apart: f64,
+    /// What an element is over the contact, `(h/a)^s`, times the scale of the number.
+    pub hidden: f64,
+    /// What is known otherwise; NaN where no mesh tells.
+    pub rest: f64,
+}
+
+impl Evidence {
+    /// The mesh's part: `F apart + C hidden + rest`.
+    pub fn bar(&self) -> f64 {
+        let [factor, hidden] = self.row.constants();
+        factor * self.apart + hidden * self.hidden + self.rest
+    }
+
+    /// The same with more that is known otherwise.
+    pub(super) fn and(self, more: f64) -> Self {
+        Self { rest: self.rest + more, ..self }
+    }
 }
 
 /// What another mesh says.
 struct Other {
-    order: Order,
     /// Mean candidate element of each contact.
     sizes: Vec<f64>,
     cells: usize,
@@ -106,17 +140,40 @@ impl Family {
             let run = Run::of(&coarse, &formulation).ok()?;
             is_found(&run, on_ends).then(|| said(&coarse, &run, wanted))?
         };
+        let by_next = on_ends && resolution.order > Order::Quartic && element == Element::Node;
+        let next = if by_next { said(finer(scene, resolution)) } else { None };
         let (gentler, coarse) = rayon::join(
             || gentler(scene, resolution).map(said),
-            || coarser(scene, resolution).into_par_iter().filter_map(said).collect(),
+            // Of the contacts alone the next mesh tells all.
+            || match (&next, wanted) {
+                (Some(_), None) => Vec::new(),
+                _ => coarser(scene, resolution).into_par_iter().filter_map(said).collect(),
+            },
         );
+        let off = scene.contacts.iter().map(|pair| pair.ends.off).fold(0.0, larger);
         let (sizes, cells) = (sizes(discretisation), discretisation.mesh.cells());
         let order = discretisation.resolution.order;
         let layers = discretisation.scene.contacts.iter().map(|pair| pair.ends.layers).min().unwrap_or(0);
         let shallow = !on_ends && is_shallow(discretisation);
         let by_points = discretisation.scene.contacts.iter().any(|pair| pair.profile.is_by_points());
         let (others, corners) = (others(discretisation), corners(discretisation));
-        Self { formulation, order, sizes, others, corners, cells, on_ends, layers, by_points, shallow, coarse, gentler }
+        let misfit = MISFIT * off * off;
+        Self {
+            formulation,
+            order,
+            sizes,
+            others,
+            corners,
+            cells,
+            on_ends,
+            layers,
+            by_points,
+            shallow,
+            coarse,
+            gentler,
+            next,
+            misfit,
+        }
     }
 
     /// Whether a run on the same mesh has found what its iteration ends at.
@@ -126,7 +183,7 @@ impl Family {
 
     /// How many of them tell something.
     pub(super) fn meshes(&self) -> usize {
-        if self.shallow { 0 } else { self.coarse.len() }
+        if self.shallow { 0 } else { self.coarse.len() + usize::from(self.next.is_some()) }
     }
 
     /// Why they do not tell the mesh's part of a number.
@@ -137,7 +194,7 @@ impl Family {
                 "the pressure rises up to the last element of the contact"
             }
             _ if self.shallow => "a body is one element deep",
-            _ if self.coarse.is_empty() => "no coarser mesh of this scene holds the contact",
+            _ if self.meshes() == 0 => "no coarser mesh of this scene holds the contact",
             _ => "no coarser mesh has this number",
         }
     }
@@ -148,13 +205,13 @@ impl Family {
         self.corners.iter().any(near)
     }
 
-    /// Degrees of freedom of all of them.
+    /// Degrees of freedom of all meshes that tell.
     pub(super) fn dofs(&self) -> usize {
-        self.coarse.iter().chain(self.gentler.iter().flatten()).map(|one| one.dofs).sum()
+        self.coarse.iter().chain(self.gentler.iter().flatten()).chain(&self.next).map(|one| one.dofs).sum()
     }
 
-    /// The mesh's part of a number whose value in the discrete solution is given; NaN where no mesh tells.
-    pub(super) fn mesh(&self, run: &Run, reading: &Reading, discrete: f64) -> f64 {
+    /// What tells the mesh's part of a number whose value in the discrete solution is given.
+    pub(super) fn told(&self, run: &Run, reading: &Reading, discrete: f64) -> Evidence {
         let far = match &self.gentler {
             Some(Some(gentler)) => {
                 FAR * (discrete - value_of(&gentler.readings, reading.contact, &reading.quantity)).abs()
@@ -164,7 +221,12 @@ impl Family {
         };
         let imbalance = self.coarse.iter().map(|other| other.imbalance).fold(0.0, f64::max);
         let lost = if imbalance > BALANCED { UNBALANCED.1 * imbalance * reading.scale.abs() } else { 0.0 };
-        self.of_coarser(run, reading, discrete) + far + self.of_force(run, reading, discrete) + lost
+        self.of_coarser(run, reading, discrete).and(far + self.of_force(run, reading, discrete) + lost)
+    }
+
+    /// The mesh's part of a number; NaN where no mesh tells.
+    pub(super) fn mesh(&self, run: &Run, reading: &Reading, discrete: f64) -> f64 {
+        self.told(run, reading, discrete).bar()
     }
 
     /// What the error of a contact's force leaves in its other numbers: nothing but round-off where statics give it.
@@ -184,21 +246,21 @@ impl Family {
         if !force.is_normal() {
             return 0.0;
         }
-        let bar = self.of_coarser(run, &Reading { contact, quantity, value: force, scale: force }, force);
+        let bar = self.of_coarser(run, &Reading { contact, quantity, value: force, scale: force }, force).bar();
         FORCE * size * (bar / force).abs()
     }
 
     /// What coarser meshes say.
-    fn of_coarser(&self, run: &Run, reading: &Reading, discrete: f64) -> f64 {
+    fn of_coarser(&self, run: &Run, reading: &Reading, discrete: f64) -> Evidence {
         let &Reading { contact, ref quantity, .. } = reading;
         let measures = discrete_of(run, contact);
         let ends_at_candidates = fills_candidates(measures);
-        let counted = Counted::of(quantity, self.formulation.element, self.order, ends_at_candidates);
+        let row = Row::of(Kind::of(quantity), self.formulation.element, self.order, ends_at_candidates);
         let along = |other: &Other| other.sizes[contact] / self.sizes[contact];
         // Where all of the mesh counts alike, and not the elements at the end of a contact, cells tell how much coarser it is:
         // one that has one element across a ring has no coarser neighbours in that direction.
         let of_cells = |other: &Other| (self.cells as f64 / other.cells as f64).sqrt();
-        let ratio = |other: &Other| match self.on_ends || counted.hidden > 0.0 && !ends_at_candidates {
+        let ratio = |other: &Other| match self.on_ends || row.kind != Kind::Force && !ends_at_candidates {
             true => along(other),
             false => along(other).min(of_cells(other)),
         };
@@ -209,49 +271,39 @@ impl Family {
         let order = match quantity {
             // There errors may be of the first order.
             Quantity::Displacement(Displaced { body, at: Place::Point(at), .. }) if self.is_at_corner(*body, *at) => {
-                observed(&differences, counted.exponent)
+                observed(&differences, row.exponent())
             }
-            _ => counted.exponent,
+            _ => row.exponent(),
         };
         let known = by_order(&differences, order);
         let (fewest, alone) = FEWEST;
         let factor = match known.len() {
             _ if self.shallow => f64::NAN,
             0 => f64::NAN,
-            few if few < fewest => alone * counted.factor,
-            _ => counted.factor,
+            few if few < fewest => alone,
+            _ => 1.0,
         };
-        let told_by_orders = {
-            use Quantity::{Begin, End, HalfWidth, PeakPressure, SecondMomentWidth};
-            matches!(quantity, PeakPressure | HalfWidth | SecondMomentWidth | Begin(_) | End(_))
-        };
-        if self.falls_by_orders() && told_by_orders {
-            let apart = (1..=2).filter_map(|fewer| {
-                let lower = Order::numbered(usize::from(self.order.number()).checked_sub(fewer)?)?;
-                let other = self.coarse.iter().find(|other| other.order == lower)?;
-                Some((discrete - value_of(&other.readings, contact, quantity)).abs() / FALLS.powi(fewer as i32 - 1))
-            });
-            let apart: Vec<f64> = apart.collect();
-            let (fewest, alone) = FEWEST;
-            // An end gains far more than that from order 4 to 5: a twentieth is left on truncated Hertz.
-            let is_end = !matches!(quantity, Quantity::PeakPressure | Quantity::SecondMomentWidth);
-            let says_little = self.by_points || apart.len() < fewest && !is_end;
-            let factor = if says_little { alone * BY_ORDERS } else { BY_ORDERS };
-            let apart = apart.into_iter().reduce(larger).unwrap_or(f64::NAN);
-            return factor * apart
-                + (Fitted::misfit(self.order) + ROUND_OFF) * quantity.scale(measures).abs()
-                + self.missed_by_reading(quantity, measures);
+        if let Some(next) = self.next.as_ref().filter(|_| quantity.is_of_pressures()) {
+            let [of_peak, of_others] = BY_NEXT;
+            let (factor, read) = match quantity {
+                Quantity::PeakPressure => (of_peak, READ * self.missed_by_reading(quantity, measures)),
+                _ => (of_others, 0.0),
+            };
+            let factor = if self.by_points { BY_POINTS * factor } else { factor };
+            let apart = (discrete - value_of(&next.readings, contact, quantity)).abs();
+            let rest = factor * apart + (self.misfit + ROUND_OFF) * quantity.scale(measures).abs() + read;
+            return Evidence { row, apart: 0.0, hidden: 0.0, rest };
         }
         let is_force = matches!(quantity, Quantity::Resultant | Quantity::Reaction { .. });
-        let hidden = match self.on_ends {
+        let [hidden, missed] = match self.on_ends {
             // What statics give is the same wherever the contact ends.
-            true if is_force && known.iter().all(|apart| *apart <= ROUND_OFF * reading.scale.abs()) => 0.0,
-            true => Fitted::misfit(self.order),
+            true if is_force && known.iter().all(|apart| *apart <= ROUND_OFF * reading.scale.abs()) => [0.0; 2],
+            true => [0.0, Fitted::misfit(self.order)],
             false => {
                 let [own, other] = [&self.sizes, &self.others].map(|all| all[contact] / width_of(quantity, measures));
-                let of_other = if other > UNEVEN * own { other.powf(UNSEEN * counted.power) } else { 0.0 };
+                let of_other = if other > UNEVEN * own { other.powf(UNSEEN * row.power()) } else { 0.0 };
                 let swings = if of_other > 0.0 && !ends_at_candidates { self.swings(quantity) * other } else { 0.0 };
-                counted.hidden * (own.powf(counted.power) + of_other) + swings
+                [own.powf(row.power()) + of_other, swings]
             }
         };
         let [scale, read] = match quantity {
@@ -269,7 +321,8 @@ impl Family {
             _ => [reading.scale, 0.0],
         };
         let read = read + self.undrawn(quantity, reading.value, contact, measures);
-        factor * known.into_iter().fold(0.0, f64::max) + (hidden + ROUND_OFF) * scale.abs() + read
+        let apart = factor * known.into_iter().fold(0.0, f64::max);
+        Evidence { row, apart, hidden: hidden * scale.abs(), rest: (missed + ROUND_OFF) * scale.abs() + read }
     }
 
     /// Error over the elements of a much coarser second body, on the half-width: pressures swing from one of its nodes to the next.
@@ -338,11 +391,6 @@ impl Family {
         }
     }
 
-    /// Whether errors fall from order to order as those of an analytic solution do: on cells that end with the contact, by node elements.
-    fn falls_by_orders(&self) -> bool {
-        self.on_ends && self.order > Order::Quartic && self.formulation.element == Element::Node
-    }
-
     /// Whether the peak lies in the last element before the end of the candidates: a corner, and no flat top.
     pub(super) fn is_at_end(&self, run: &Run, contact: usize) -> bool {
         let Measures { peak, stretches, .. } = &run.contacts[contact].measures;
@@ -407,8 +455,7 @@ fn said(coarse: &Discretisation, run: &Run, wanted: Option<&[Displaced]>) -> Opt
         readings.extend(recovered(coarse, run, wanted).ok()?.readings);
     }
     let (cells, dofs, imbalance) = (coarse.mesh.cells(), run.dofs, run.imbalance());
-    let order = coarse.resolution.order;
-    Some(Other { order, sizes: sizes(coarse), cells, dofs, readings, imbalance })
+    Some(Other { sizes: sizes(coarse), cells, dofs, readings, imbalance })
 }
 
 /// Whether a body has no more cells than candidate edges of one of its contacts.

@@ -4,7 +4,7 @@
 //! * [`mod@bar`] — how far each may be from the truth.
 //! * [`mod@family`] — what coarser meshes say of it.
 //! * [`mod@coarser`] — the same scene on coarser meshes.
-//! * `counted` — how far differences between meshes tell the error.
+//! * [`counted`] — how far differences between meshes tell the error.
 //! * [`answer`] — what is asked, and what is answered.
 //! * [`ends`] — where the contact found so far begins and ends.
 //! * `length` — that found from a guess, on cheap meshes.
@@ -33,7 +33,7 @@ pub mod answer;
 pub mod bar;
 mod by_order;
 pub mod coarser;
-mod counted;
+pub mod counted;
 pub mod ends;
 mod evenly;
 pub mod family;
@@ -59,7 +59,7 @@ use crate::solve::{Formulation, Iteration};
 pub use crate::measure::Quantity;
 pub use answer::{Answer, Asked, Tried, TriedContact};
 pub use bar::{Bar, Barred, Bars, bars, of_family};
-pub use family::Family;
+pub use family::{Evidence, Family};
 pub use told::Told;
 
 /// Smallest and largest relative error that may be asked for.

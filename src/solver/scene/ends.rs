@@ -7,6 +7,8 @@ pub struct Ends {
     pub places: Vec<f64>,
     /// Layers of cells towards each, every one [`LAYER`] times as wide as the one before.
     pub layers: usize,
+    /// How far they may lie from where the contact ends, over its half-width.
+    pub off: f64,
 }
 
 /// Width of a layer of cells over that of the one around it.

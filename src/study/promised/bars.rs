@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::accuracy::counted::Kind;
 use crate::accuracy::longest::longest;
 use crate::accuracy::{Barred, bars};
 use crate::algorithm::StiffnessRule;
@@ -59,8 +60,13 @@ const SEED: u64 = 31_000_000;
 const ORDERS: [Order; 2] = [Order::Linear, Order::Quadratic];
 
 /// The cells that a scene is solved with.
-fn order(number: usize) -> Order {
+pub(super) fn order(number: usize) -> Order {
     ORDERS[number % 2]
+}
+
+/// The contact element that a scene is solved with.
+pub(super) fn element(number: usize) -> Element {
+    Element::ALL[number / 2 % 3]
 }
 
 /// A random scene with its candidates and growth, its mesh and its formulation: order, element and the way to end go in turn; all
@@ -91,7 +97,7 @@ pub fn setup(site: &Site, sample: &Sample) -> (Scene, Resolution, Formulation) {
         (scene.grading.along, scene.grading.depth) = (along, depth);
     }
     let turn = site.number;
-    let formulation = Formulation::new(Element::ALL[turn / 2 % 3], Iteration::Kinematic);
+    let formulation = Formulation::new(element(turn), Iteration::Kinematic);
     let formulation = match turn / 6 % 3 {
         0 => formulation.tolerance(LATE),
         1 => formulation.tolerance(EARLY),
@@ -104,68 +110,24 @@ pub fn setup(site: &Site, sample: &Sample) -> (Scene, Resolution, Formulation) {
     (scene, Resolution { elements: elements as usize, refinement: 0, order: order(turn) }, formulation)
 }
 
-/// A number whose bars are looked at.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
-    /// Peak pressure.
-    Peak,
-    /// Where it lies.
-    Place,
-    /// Half-width.
-    HalfWidth,
-    /// Second-moment width.
-    SecondMomentWidth,
-    /// Centre of pressure.
-    Centre,
-    /// Where a stretch begins or ends.
-    Edge,
-    /// Contact resultant, its moment, or a reaction.
-    Force,
-    /// Displacement or approach.
-    Displacement,
-    /// Largest shear stress below the contact.
-    Shear,
-    /// Its depth.
-    Depth,
-}
-
-impl Kind {
-    /// All, with their names and how many of them a scene has at most.
-    pub const ALL: [(Self, &'static str, usize); 10] = [
-        (Self::Peak, "peak pressure", 1),
-        (Self::Place, "place of the peak", 1),
-        (Self::HalfWidth, "half-width", 1),
-        (Self::SecondMomentWidth, "second-moment width", 1),
-        (Self::Centre, "centre", 1),
-        (Self::Edge, "ends of the contact", 4),
-        (Self::Force, "forces and moment", 2),
-        (Self::Displacement, "displacement and approach", 3),
-        (Self::Shear, "largest shear stress", 2),
-        (Self::Depth, "its depth", 2),
-    ];
-
-    fn of(quantity: &Quantity) -> Self {
-        match quantity {
-            Quantity::PeakPressure => Self::Peak,
-            Quantity::PeakPlace => Self::Place,
-            Quantity::HalfWidth => Self::HalfWidth,
-            Quantity::SecondMomentWidth => Self::SecondMomentWidth,
-            Quantity::Centre => Self::Centre,
-            Quantity::Begin(_) | Quantity::End(_) => Self::Edge,
-            Quantity::Displacement(_) | Quantity::Approach => Self::Displacement,
-            Quantity::Shear { .. } => Self::Shear,
-            Quantity::ShearDepth { .. } => Self::Depth,
-            _ => Self::Force,
-        }
-    }
-}
+/// Kinds of numbers, and how many of each a scene has at most.
+const KINDS: [(Kind, usize); 8] = [
+    (Kind::Peak, 1),
+    (Kind::Place, 1),
+    (Kind::End, 5),
+    (Kind::Moment, 3),
+    (Kind::Force, 2),
+    (Kind::Displacement, 3),
+    (Kind::Shear, 2),
+    (Kind::Depth, 2),
+];
 
 /// Numbers that a record has room for.
-const NUMBERS: usize = 18;
+const NUMBERS: usize = 19;
 
 /// Their kinds.
 fn kinds() -> impl Iterator<Item = Kind> {
-    Kind::ALL.into_iter().flat_map(|(kind, _, most)| std::iter::repeat_n(kind, most))
+    KINDS.into_iter().flat_map(|(kind, most)| std::iter::repeat_n(kind, most))
 }
 
 /// The numbers of a scene, as many of each kind as it has: errors and bars over the size of such a number.
@@ -183,9 +145,8 @@ pub struct Record {
 
 fn head() -> Vec<String> {
     let each = |what: &'static str| {
-        let named =
-            move |(_, name, most): (Kind, &'static str, usize)| (1..=most).map(move |k| format!("{name} {k} {what}"));
-        Kind::ALL.into_iter().flat_map(named)
+        let named = move |(kind, most): (Kind, usize)| (1..=most).map(move |k| format!("{} {k} {what}", kind.name()));
+        KINDS.into_iter().flat_map(named)
     };
     ["family", "number"].map(String::from).into_iter().chain(each("error")).chain(each("bar")).collect()
 }
@@ -213,20 +174,37 @@ fn size(sample: &Sample, Truth { quantity, value, .. }: &Truth) -> f64 {
     }
 }
 
-/// All numbers of a scene whose truth is known.
-pub fn record(site: &Site) -> Result<Record, Error> {
+/// The numbers of a scene whose truth is known, each with its bar, its true error, and what that is relative to; a run that does not
+/// converge has none.
+pub(super) fn barred(site: &Site) -> Result<Vec<(Barred, f64, f64)>, Error> {
+    let (sample, found) = solved(site)?;
+    let each = sample.truths.iter().filter_map(|truth| {
+        let one = found.iter().find(|one| one.contact == truth.contact && one.quantity == truth.quantity)?;
+        Some((one.clone(), (one.value - truth.value).abs(), size(&sample, truth)))
+    });
+    Ok(each.collect())
+}
+
+/// A scene solved on its random mesh: its truths, and its numbers with their bars; none of a run that does not converge.
+fn solved(site: &Site) -> Result<(Sample, Vec<Barred>), Error> {
     let sample = site.sample()?;
     let (scene, resolution, formulation) = setup(site, &sample);
     let discretisation = Discretisation::of(scene, resolution)?;
     // As it is told: without the peaks that are said to have no limit.
     let run = Run::of(&discretisation, &formulation)?.with_limits(&discretisation)?;
     let bars = bars(&discretisation, &run, &sample.displaced())?;
+    let found = if run.solution.converged() { bars.all } else { Vec::new() };
+    Ok((sample, found))
+}
+
+/// All numbers of a scene whose truth is known.
+pub fn record(site: &Site) -> Result<Record, Error> {
+    let (sample, all) = solved(site)?;
     let (family, number) = (site.family, site.number);
     let mut record = Record { family, number, errors: [None; NUMBERS], bars: [None; NUMBERS] };
     for truth in &sample.truths {
         let is_of = |one: &&Barred| one.contact == truth.contact && one.quantity == truth.quantity;
-        let found = bars.all.iter().find(is_of).filter(|_| run.solution.converged());
-        let [error, bar] = found.map_or([f64::NAN; 2], |one| match truth.value.is_finite() {
+        let [error, bar] = all.iter().find(is_of).map_or([f64::NAN; 2], |one| match truth.value.is_finite() {
             true => [(one.value - truth.value).abs(), one.bar.total()],
             // What has no limit must not be quoted.
             false => [if one.value.is_nan() { 0.0 } else { f64::INFINITY }, 0.0],
@@ -241,7 +219,7 @@ pub fn record(site: &Site) -> Result<Record, Error> {
 }
 
 /// Errors and bars below are round-off, which no bar needs to follow, and which may differ.
-const ROUND_OFF: f64 = 1e-7;
+pub(super) const ROUND_OFF: f64 = 1e-7;
 
 /// Whether the numbers of a fresh scene are the recorded ones.
 pub fn is_as_recorded(kept: &Record, fresh: &Record) -> bool {
@@ -291,7 +269,7 @@ pub(super) fn judge(surveyed: &Surveyed<Record>) -> Vec<Judged> {
 /// The share of errors within their bars, an unknown one being outside, of each number of each family on each kind of cells, where it is
 /// smallest.
 pub fn within(recorded: &[Record]) -> Judged {
-    let groups = JUDGED.iter().flat_map(|&family| Kind::ALL.map(|(kind, name, _)| (family, kind, name)));
+    let groups = JUDGED.iter().flat_map(|&family| Kind::ALL.map(|kind| (family, kind, kind.title())));
     let groups = groups.flat_map(|(family, kind, name)| ORDERS.map(|cells| (family, kind, name, cells)));
     let shares = groups.filter_map(|(family, kind, name, cells)| {
         let is_own = |one: &Record, own| one.family == family && own == kind && order(one.number) == cells;
@@ -306,7 +284,7 @@ pub fn within(recorded: &[Record]) -> Judged {
 
 /// The share of errors within the bars that are told, of each number of every family, where it is smallest; none told is no share.
 pub fn told(recorded: &[Record]) -> Judged {
-    let groups = FAMILIES.into_iter().flat_map(|family| Kind::ALL.map(|(kind, name, _)| (family, kind, name)));
+    let groups = FAMILIES.into_iter().flat_map(|family| Kind::ALL.map(|kind| (family, kind, kind.title())));
     let shares = groups.filter_map(|(family, kind, name)| {
         let mut own = meant(recorded, |one, own| one.family == family && own == kind);
         let at = || format!("{name}, {}", family.title());
@@ -387,7 +365,7 @@ fn percent(numbers: &[[f64; 2]]) -> String {
 pub(super) fn section(surveyed: &Surveyed<Record>) -> String {
     let recorded = &surveyed.recorded;
     let families = std::iter::once(None).chain(FAMILIES.map(Some));
-    let rows = families.flat_map(|family| Kind::ALL.map(|(kind, name, _)| (family, kind, name)));
+    let rows = families.flat_map(|family| Kind::ALL.map(|kind| (family, kind, kind.title())));
     let row = |(family, kind, name): (Option<Family>, Kind, &'static str)| {
         let is_own = |one: &Record, own: Kind| own == kind && family.is_none_or(|family| one.family == family);
         let of = |cells: Order| meant(recorded, |one, own| is_own(one, own) && order(one.number) == cells);
@@ -416,7 +394,7 @@ pub(super) fn section(surveyed: &Surveyed<Record>) -> String {
 }
 
 /// Numbers that have a panel: errors of the others are mostly round-off.
-const SHOWN: [Kind; 3] = [Kind::Peak, Kind::SecondMomentWidth, Kind::Edge];
+const SHOWN: [Kind; 3] = [Kind::Peak, Kind::Moment, Kind::End];
 /// Ends of both axes.
 const RANGE: [f64; 2] = [1e-5, 1.0];
 /// Ranges of bars in a decade.
@@ -426,8 +404,7 @@ const FEWEST: usize = 20;
 
 /// True error against the bar claimed.
 pub(super) fn picture(recorded: &[Record]) -> (String, Drawing) {
-    let shown = Kind::ALL.into_iter().filter(|(kind, ..)| SHOWN.contains(kind));
-    let shown: Vec<Chart> = shown.map(|(kind, name, _)| panel(name, &meant(recorded, |_, own| own == kind))).collect();
+    let shown = SHOWN.map(|kind| panel(kind.title(), &meant(recorded, |_, own| own == kind)));
     ("coverage.svg".into(), panels("True error against the bar claimed", &shown, 3))
 }
 

@@ -1,14 +1,16 @@
 //! What is promised: what is called converged, whether error bars hold, whether an accuracy called met is met and what it costs,
-//! and whether the bars beside the suite's own checks hold. In files, since three are surveys of their own:
+//! and whether the bars beside the suite's own checks hold. In files, since four are surveys of their own:
 //!
 //! * [`converged`] — every scene under all nine formulations (recorded).
-//! * [`bars`] — true errors of random scenes against their bars (recorded).
+//! * [`counted`] — the random scenes from which the constants of the bars are derived (recorded).
+//! * [`bars`] — true errors of other random scenes against their bars (recorded).
 //! * [`met`] — random scenes solved to five accuracies (recorded).
 //!
 //! The bars of all checks are judged below, after all other trials.
 
 pub mod bars;
 pub mod converged;
+pub mod counted;
 pub mod met;
 
 use crate::case::{Check, Judged, Quantity, Reference};

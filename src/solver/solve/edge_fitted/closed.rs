@@ -75,7 +75,7 @@ impl Closed {
     pub(super) fn discretised(&self, scene: &Scene, mesh: Fitted) -> Result<Discretisation, Error> {
         let mut scene = scene.clone();
         for (pair, stretches) in scene.contacts.iter_mut().zip(&self.stretches) {
-            pair.ends = Ends { places: places(stretches), layers: mesh.layers };
+            pair.ends = Ends { places: places(stretches), layers: mesh.layers, off: 0.0 };
         }
         scene.grading = Grading { along: GROWTH, depth: GROWTH, first: 1.0, coarsest: 1.0, end: 1.0, ..scene.grading };
         let resolution = Resolution { elements: 1, refinement: 0, order: mesh.order };

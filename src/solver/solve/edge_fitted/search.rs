@@ -120,13 +120,14 @@ impl Fitted {
             let last = mesh == self;
             for left in (0..MESHES).rev() {
                 ends.join(scene, (enough * 2f64.powi(left as i32)).min(TOGETHER));
-                let discretisation = ends.discretised(scene, mesh)?;
+                let mut discretisation = ends.discretised(scene, mesh)?;
                 let moves = ends.moves(&discretisation)?;
                 let moved = moves.iter().flatten().flatten().fold(0.0_f64, |most, one| most.max(one.by.abs()));
                 let (dofs, cells) = (discretisation.system.dofs(), discretisation.mesh.cells());
                 tried.push(Tried { order: mesh.order, dofs, cells, moved });
                 let resting = moved <= enough;
                 if last && resting {
+                    discretisation.scene.contacts.iter_mut().for_each(|pair| pair.ends.off = moved);
                     let run = Run::of(&discretisation, formulation)?;
                     ends.moved(scene, &moves);
                     let stretches = ends.stretches.iter();
