@@ -1,8 +1,10 @@
 //! The page of all checks: by kind of reference and case, and those of every run.
 
 use crate::case::Judged;
+use crate::report::front::nearness;
 use crate::report::{checks, heading, matrix};
 use crate::study::Finding;
+use crate::study::drawn::picture;
 
 /// Name of the file.
 pub const FILE: &str = "checks.md";
@@ -14,8 +16,9 @@ pub fn page(findings: &[Finding]) -> String {
         "*Verification* holds the code against closed forms and orders of accuracy (kind *analytic*); *benchmarking* holds it against \
          other codes (*cross-code*); *self-consistency* asks it the same in another way; *validation* compares with measurement. In tables, \
          value ± u: u is the standard uncertainty that the check carries for that value, half of a bound that covers about 95 %, from \
-         refinement (`contact-vv verdicts` prints every check with both).\n\n{}\n## Every run\n\n{}",
+         refinement (`contact-vv verdicts` prints every check with both).\n\n{}\n{}## Every run\n\n{}",
         matrix::by_kind(findings),
+        picture(nearness::CHART[0], nearness::CHART[1]),
         checks::universal(all.iter().copied()),
     );
     heading::page("All checks", "What everything is held against, by kind and by case.", &all, &body)

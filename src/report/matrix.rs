@@ -64,19 +64,20 @@ pub fn verdict_matrix(findings: &[Finding], first: Option<Column>, link: impl Fn
     if rows.is_empty() { String::new() } else { markdown::table(&head, &rows) }
 }
 
-/// All other cases in a line each, one after the other: sign, name, and iterations of its runs.
+/// All other cases, a row each: name, sign, runs, and their iterations.
 pub fn other_cases(findings: &[Finding], link: impl Fn(&Finding) -> String) -> String {
-    let told = |(_, members): &Case| {
+    let row = |(_, members): &Case| {
         let sign = members.iter().map(|one| mark(one)).max_by_key(|sign| SIGNS.iter().position(|other| other == sign));
-        let iterations = members.iter().filter_map(|one| run(one)).map(|run| run.solution.work.iterations);
+        let runs: Vec<_> = members.iter().filter_map(|one| run(one)).collect();
+        let iterations = runs.iter().map(|run| run.solution.work.iterations);
         let [least, most] = [iterations.clone().min(), iterations.max()].map(Option::unwrap_or_default);
         let iterations = if least == most { least.to_string() } else { format!("{least} to {most}") };
-        let open =
-            members.iter().filter_map(|one| run(one)).filter(|run| run.solution.outcome != Outcome::Converged).count();
+        let open = runs.iter().filter(|run| run.solution.outcome != Outcome::Converged).count();
         let open = if open > 0 { format!(", {open} not converged") } else { String::new() };
-        format!("{} {} {iterations}{open}", sign.unwrap_or_default(), link(members[0]))
+        vec![link(members[0]), format!("{} {iterations}{open}", sign.unwrap_or_default()), runs.len().to_string()]
     };
-    full_and_others(findings).1.iter().map(told).collect::<Vec<_>>().join(" · ")
+    let rows: Vec<Vec<String>> = full_and_others(findings).1.iter().map(row).collect();
+    markdown::table(&["case of one or some formulations", "iterations", "runs"].map(String::from), &rows)
 }
 
 fn cell(members: &[&Finding], column: Column) -> String {

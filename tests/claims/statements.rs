@@ -60,10 +60,11 @@ fn every_sentence_holds_under_runs_made_for_it_and_fails_where_they_are_spoiled_
             (Sentence::MoreStable, Element::Layer, Iteration::Constant) => ends[0] = end(50),
             (Sentence::LineAlways, Element::Line, Iteration::Varying) => ends[2] = None,
             (Sentence::Proviso, Element::Layer, Iteration::Varying) => ends[3] = end(40),
+            (Sentence::KinematicAlways, Element::Node, Iteration::Kinematic) => ends[2] = None,
             (Sentence::TwoSteps, Element::Node, Iteration::Kinematic) => ends[1] = end(3),
-            (Sentence::Fewest, Element::Node, Iteration::Kinematic) => ends[1] = end(10),
+            (Sentence::Fewest, Element::Node, Iteration::Kinematic) => ends[1] = end(15),
             (Sentence::LeastWork, Element::Node, Iteration::Kinematic) => ends[0] = end(7),
-            (Sentence::Saves, Element::Line, Iteration::Constant) => ends[0] = end(26),
+            (Sentence::Saves, _, Iteration::Constant) => ends.fill(end(45)),
             (Sentence::Alike, Element::Layer, Iteration::Varying) => ends[..2].fill(None),
             _ => {}
         });

@@ -3,11 +3,11 @@
 use crate::case::Verdict;
 use crate::markdown;
 use crate::oracle::ReferenceKind;
-use crate::report::front::nearness;
 use crate::report::links::to_page as link;
-use crate::report::{checks_page, told};
+use crate::report::{checks_page, study_page, told};
+use crate::solve::Settings;
 use crate::study::drawn::picture;
-use crate::study::{Finding, measured, promised};
+use crate::study::{Finding, Study, measured, paper, promised};
 
 /// What a check of each kind can show.
 const SHOWS: [(ReferenceKind, &str, &str); 4] = [
@@ -41,8 +41,11 @@ pub fn right(findings: &[Finding]) -> String {
         _ => None,
     });
     format!(
-        "{verdict}{}\n\n{}",
+        "{verdict}{} All nine below are stopped within {:e} of the solution of the discrete problem, which an active set finds before: they \
+         show elements and mesh. How they end by criteria of their own, {}.\n\n{}",
         bars.collect::<String>(),
+        Settings::default().tolerance,
+        link("the paper's statements tell", &study_page::file(paper::Numbers::NAME)),
         picture(
             "pressure-cylinder.svg",
             "Contact pressure on the cylinder by all nine formulations, and their difference to Hertz",
@@ -65,14 +68,13 @@ pub fn against(findings: &[Finding]) -> String {
     });
     let head = ["held against", "what it can show", "checks", "pass", "fail", "not run"].map(String::from);
     format!(
-        "**{most} checks are held against {name}: {} of {} ({} %).** {} {}.\n\n{}\n{}",
+        "**{most} checks are held against {name}: {} of {} ({} %).** {} {}.\n\n{}",
         own(largest).count(),
         all.len(),
         markdown::significant(100.0 * share, 2),
         experiments(findings),
-        link("Each check", checks_page::FILE),
+        link("Each check, and how near it is to its limit", checks_page::FILE),
         markdown::table(&head, &rows),
-        picture(nearness::CHART[0], nearness::CHART[1])
     )
 }
 

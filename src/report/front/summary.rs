@@ -35,8 +35,7 @@ pub fn statements(findings: &[Finding]) -> String {
 pub fn verdicts(findings: &[Finding], recommended: Option<Column>) -> String {
     let first = if recommended.is_some() { ", the recommended formulation first" } else { "" };
     format!(
-        "Iterations to convergence{first}; ✓ all checks of the run pass, ✗ some fail, ○ some could not be run, · reported only.\n\n{}\n\
-         Cases of one or some formulations, with their iterations: {}.\n",
+        "Iterations to convergence{first}; ✓ all checks of the run pass, ✗ some fail, ○ some could not be run, · reported only.\n\n{}\n{}",
         matrix::verdict_matrix(findings, recommended, named),
         matrix::other_cases(findings, named)
     )

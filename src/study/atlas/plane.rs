@@ -7,14 +7,14 @@ use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
-use crate::algorithm::StiffnessRule;
+use crate::algorithm::{StiffnessRule, StiffnessUnit};
 use crate::case::Case;
 use crate::case::library::{Cylinder, PinRod, TruncatedHertz};
 use crate::error::Error;
+use crate::markdown;
 use crate::mesh::Resolution;
 use crate::named::named_enum;
-use crate::solve::Ended;
-use crate::solve::Iteration;
+use crate::solve::{Ended, Formulation, Iteration};
 use crate::study::method::Method;
 use crate::study::records;
 
@@ -299,32 +299,81 @@ fn safe(rows: &[&[Record]], usual: f64) -> Option<Safe> {
     })
 }
 
+/// A row of the advice: what is needed, the method that serves it with the κ₀ to set where that matters, and its range.
+type Advice = (&'static str, Method, Option<f64>, Safe);
+
+/// The table of the advice.
+const ADVICE: [markdown::Column<Advice>; 6] = [
+    ("need", |(need, ..)| (*need).into()),
+    ("use", |(_, method, ..)| format!("`{method}`")),
+    ("κ₀", |(_, method, stiffness, _)| told_stiffness(*method, *stiffness)),
+    ("iterations, at most", |(.., stiffness, safe)| {
+        stiffness.map_or(safe.iterations, |_| safe.best_iterations).to_string()
+    }),
+    ("every surveyed run ends right for κ₀", |(.., Safe { from, to, .. })| format!("{from:e} to {to:e}")),
+    ("command", |(_, method, stiffness, _)| format!("`contact-vv solve CASE{}`", options(*method, *stiffness))),
+];
+
 /// Which element and algorithm to use from which initial stiffness, and which not.
 pub fn recommendation(digests: &[Digest]) -> String {
     let points: usize = digests.iter().flat_map(|digest| &digest.ends).map(|(_, count)| count).sum();
     let predicted: usize = digests.iter().map(|digest| digest.predicted).sum();
-    let mut text = format!(
-        "From {points} runs over candidate surface, mesh and both paper scenes, {predicted} of them predicted before they were run:\n\n"
-    );
     let reliable = reliable(digests);
-    let constant = reliable.iter().find(|(method, _)| method.algorithm == Iteration::Constant);
-    if let Some(first) = reliable.iter().find(|(method, _)| !method.is_accelerated()) {
-        let _ = writeln!(text, "* **Use** {}.", sentence(first));
-    }
-    if let Some(constant) = constant {
-        let _ = writeln!(text, "* **Where one factorisation must do**: {}.", sentence(constant));
-    }
-    let widest = widest(&reliable);
-    if !widest.is_empty() {
-        let _ = writeln!(text, "* **Where nothing is known of the stiffness**: {}.", widest.join(", "));
-    }
+    let served = |need: &'static str, serves: &dyn Fn(&Method) -> bool| {
+        let (method, safe) = reliable.iter().find(|(method, _)| serves(method))?;
+        Some((need, *method, Some(safe.best), *safe))
+    };
+    let fewest = served("fewest iterations", &|method| !method.is_accelerated());
+    let constant = served("one factorisation only", &|method| method.algorithm == Iteration::Constant);
+    let widest = reliable.iter().filter(|(_, safe)| is_widest(&reliable, safe));
+    let widest = widest.map(|(method, safe)| ("nothing known of the stiffness", *method, None, *safe));
+    let rows: Vec<Advice> = fewest.into_iter().chain(constant).chain(widest).collect();
+    let mut text = format!(
+        "Names are `element.algorithm.rule`: what is pressed, how its stiffness changes, and by which formula; `+` is what the program adds \
+         to the paper's. From {points} runs over candidate surface, mesh and both paper scenes, {predicted} of them beside a prediction:\n\n{}",
+        markdown::columns(&ADVICE, &rows)
+    );
     let nowhere = digests.iter().filter(|digest| digest.safe.is_none());
     let nowhere: Vec<String> = nowhere.map(|digest| format!("`{}`", digest.method)).collect();
     if !nowhere.is_empty() {
-        let _ =
-            writeln!(text, "* **Do not use** {}: at no initial stiffness do all runs end right.", nowhere.join(", "));
+        let _ = writeln!(
+            text,
+            "\n**What fails**: {}. From no initial stiffness do all of their runs end right; some do from some.",
+            nowhere.join(", ")
+        );
     }
     text
+}
+
+/// The κ₀ of a method, or that it need not be set.
+fn told_stiffness(method: Method, stiffness: Option<f64>) -> String {
+    match stiffness {
+        None => "any".into(),
+        Some(stiffness) if is_default(method, stiffness) => format!("{stiffness:e} (the default: nothing to set)"),
+        Some(stiffness) => format!("{stiffness:e}"),
+    }
+}
+
+/// Whether a method starts from a stiffness if nothing is said.
+fn is_default(method: Method, stiffness: f64) -> bool {
+    let taken = Formulation::accelerated(method.element, method.algorithm);
+    taken.stiffness_unit == StiffnessUnit::Reference && same(taken.stiffness, stiffness)
+}
+
+/// The options of the command line that choose a method and where it starts, without those that stand if nothing is said.
+fn options(method: Method, stiffness: Option<f64>) -> String {
+    let Method { element, algorithm, rule, acceleration } = method;
+    let usual = Formulation::verification();
+    let own = Formulation::accelerated(element, algorithm);
+    let stiffness = stiffness.filter(|stiffness| !is_default(method, *stiffness));
+    let options = [
+        ("element", (element != usual.element).then(|| element.name().to_string())),
+        ("algorithm", (algorithm != usual.algorithm).then(|| algorithm.name().to_string())),
+        ("rule", (rule != own.rule).then(|| rule.name().to_string())),
+        ("acceleration", (acceleration != own.acceleration).then(|| acceleration.name().to_string())),
+        ("stiffness", stiffness.map(|stiffness| format!("{stiffness:e}"))),
+    ];
+    options.into_iter().filter_map(|(name, value)| Some(format!(" --{name} {}", value?))).collect()
 }
 
 /// The method to use, of those to which nothing is added; none where there is none of which every surveyed run ends right.
@@ -341,19 +390,7 @@ fn reliable(digests: &[Digest]) -> Vec<(Method, Safe)> {
     reliable
 }
 
-fn sentence((method, safe): &(Method, Safe)) -> String {
-    let Safe { from, to, best, best_iterations, .. } = safe;
-    format!(
-        "`{method}` from κ₀ = {best:e} (at most {best_iterations} iterations; every surveyed run ends right for κ₀ from {from:e} to {to:e})"
-    )
-}
-
-/// The methods whose range no other's exceeds.
-fn widest(reliable: &[(Method, Safe)]) -> Vec<String> {
-    let is_widest = |safe: &Safe| !reliable.iter().any(|(_, other)| other.is_wider_than(Some(*safe)));
-    let widest = reliable.iter().filter(|(_, safe)| is_widest(safe));
-    let told = |(method, Safe { from, to, iterations, .. }): &(Method, Safe)| {
-        format!("`{method}` (at most {iterations} iterations from any κ₀ from {from:e} to {to:e})")
-    };
-    widest.map(told).collect()
+/// Whether no other method's range exceeds a range.
+fn is_widest(reliable: &[(Method, Safe)], safe: &Safe) -> bool {
+    !reliable.iter().any(|(_, other)| other.is_wider_than(Some(*safe)))
 }
