@@ -23,8 +23,9 @@ class Cylinder:
         if not flat:
             s = np.linspace(0, 1, 4 * n + 200)
             s = np.unique([s, 1 - np.exp(-14 * s)])[:, None]  # from the middle, more and more towards the corner
-            self.cut, self.middle = self.radius * s[1:] + 0j, 0.5 * self.radius * (1 + np.polynomial.legendre.leggauss(60)[0])[:, None] + 0j
-            self.regular = Regular(self.kappa, [(k, self.radius, 0) for k in range(n + 10)], self.radius + 0j, self.radius * np.exp(0.25j * np.pi), n // 2)
+            self.cut = self.radius * s[1:] + 0j
+            powers, outward = [(k, self.radius, 0) for k in range(n + 10)], self.radius * np.exp(0.25j * np.pi)
+            self.regular = Regular(self.kappa, powers, self.radius + 0j, outward, n // 2)
             free, cut = (self.regular.sides(z)[0] for z in (-1j * self.radius * np.exp(0.5j * np.pi * s), self.cut))
             self.rows = len(s)
             self.solved = least_squares(np.vstack([free.real, free.imag, cut.real, cut.imag]))
@@ -34,20 +35,21 @@ class Cylinder:
         x, at = end * self.arc.node, end * self.arc.place
         drop = [np.sqrt(self.radius**2 - s**2) for s in (x, at)]
         disc = Disc(self.arc, self.kappa, x - 1j * drop[0], at - 1j * drop[1], 1j * end + 0 * x)
-        down, cut = -disc.moved().imag / (2 * self.shear), 0
+        down, of_cut = -disc.moved().imag / (2 * self.shear), np.zeros_like(x)
         if not self.flat:
-            own, cut = self.evenly(disc)
-            down = down - own
+            up, of_cut = self.evenly(disc)
+            down = down - up
         *pressure, approach = np.linalg.solve(np.column_stack([down, 1 + 0 * at]), self.radius - drop[1])
-        return np.array(pressure), approach + cut @ pressure if not self.flat else approach
+        return np.array(pressure), approach + of_cut @ pressure
 
     def evenly(self, disc):
-        """What it adds to displacements at the places, and to the mean one of the cut (downwards), that the load is even on the cut."""
+        """What it adds that the load is even on the cut: to upward displacements at the places, and to the mean downward one of the cut."""
         evenly = symmetric(-disc.q.imag / (2 * self.radius) * self.cut.real)
         there = evenly - symmetric(force(self.cut, *disc.potentials(self.cut))).real
         none = np.zeros_like(there)
         found = self.solved(np.vstack([np.zeros((2 * self.rows, there.shape[1])), there, none])) / (2 * self.shear)
-        mean = 0.5 * np.polynomial.legendre.leggauss(60)[1] @ self.regular.sides(self.middle)[1].imag @ found
+        x, w = np.polynomial.legendre.leggauss(60)
+        mean = 0.5 * w @ self.regular.sides(0.5 * self.radius * (1 + x)[:, None] + 0j)[1].imag @ found
         return self.regular.sides(disc.z[:, None])[1].imag @ found, -mean
 
     def carried(self, end, pressure):

@@ -1,119 +1,22 @@
-"""Contacts of a cylinder and of pins by NGSolve: curved cells of high order, a mesh vertex at the end of the contact, Lagrange multipliers.
+"""Contacts of a cylinder and of pins by NGSolve: a mesh vertex at the end of the contact, and Lagrange multipliers.
 
-Cells crowd towards the end of the contact, re-entrant corners and forces at points. Between the middle and the end the gap is closed against
-polynomials on the edges of the first body, which are the pressure; both sides are integrated over the parts that the vertices of both cut. The
-end is sought until the opening beyond it does not begin as a root, which is its stress intensity. Units mm, N, MPa, rad.
+Between the middle and the end the gap is closed against polynomials on the edges of the first body, which are the pressure; both sides are
+integrated over the parts that the vertices of both cut. The end is sought until the opening beyond it does not begin as a root, which is its
+stress intensity. Units mm, N, MPa, rad.
 """
 
-import pathlib
-import sys
-
 import numpy as np
-from numpy.polynomial import Chebyshev, Legendre, legendre
+from numpy.polynomial import Legendre, legendre
 from scipy.sparse import bmat, csc_matrix, csr_matrix
 from scipy.sparse.linalg import splu
 
-# NGSolve is there where oracles/peers/setup.sh has put it.
-sys.path.extend(map(str, pathlib.Path(__file__).resolve().parents[1].glob(".python/ngsolve/**/dist-packages")))
-import ngsolve as ng
-from netgen.geom2d import SplineGeometry
+from curved_cells import Body, Outline, bottom, ng
 
-ng.SetNumThreads(1)
 STEPS, SAME = 20, 1e-9  # of the secant: most steps, and a change of the end over the end
-FACTOR = 0.15  # by which cells shrink towards a singular point
 TERMS, REACH = 8, 0.3  # of the opening beyond the end over the root: powers, and how far it is read, over the end
 SOUND = 1e-6  # part of the largest mean pressure of an edge, or of the largest opening, that one may be of the other sign
-
 MIDDLE = 1e-3  # of the end: where a peak is in the middle
-
-
-class Outline:
-    """Straight and circular pieces of an outline, the body on their left."""
-
-    def __init__(self):
-        self.geometry, self.points = SplineGeometry(), {}
-
-    def point(self, z, singular=False):
-        """Number of a point; cells crowd towards it where it is singular."""
-        key = round(z.real, 11) + 0.0, round(z.imag, 11) + 0.0
-        if key not in self.points:
-            self.points[key] = self.geometry.AppendPoint(z.real, z.imag, hpref=float(singular))
-        return self.points[key]
-
-    def line(self, a, b, name):
-        """A straight piece."""
-        self.geometry.Append(["line", self.point(a), self.point(b)], bc=name)
-
-    def arc(self, radius, begin, end, name, size=1e9):
-        """A piece of a circle about the origin between angles from the downward vertical, in parts of a right angle at most."""
-        angles = np.linspace(begin, end, 1 + int(np.ceil(abs(end - begin) / (0.5 * np.pi) - 1e-9)))
-        for a, b in zip(angles, angles[1:]):
-            pole = bottom(radius / np.cos(0.5 * (b - a)), 0.5 * (a + b))  # where its tangents meet
-            spline = [self.point(bottom(radius, a)), self.geometry.AppendPoint(pole.real, pole.imag), self.point(bottom(radius, b))]
-            self.geometry.Append(["spline3", *spline], bc=name, maxh=size)
-
-
-def bottom(radius, angle):
-    """A point of a circle about the origin by its angle from the downward vertical."""
-    return -1j * radius * np.exp(1j * angle)
-
-
-class Body:
-    """A body on its mesh: stiffness of its free displacements without those of the insides of cells; how the contact coordinate follows from a place."""
-
-    def __init__(self, outline, mesh, lame, fixed_x, fixed_y, coordinate, size=1e9):
-        order, layers, _ = mesh
-        self.mesh, self.coordinate = ng.Mesh(outline.geometry.GenerateMesh(maxh=size, grading=0.4)), coordinate
-        self.mesh.RefineHP(levels=layers, factor=FACTOR)
-        self.mesh.Curve(order)
-        self.scalar = ng.H1(self.mesh, order=order)
-        self.space = ng.H1(self.mesh, order=order, dirichlet=fixed_x) * ng.H1(self.mesh, order=order, dirichlet=fixed_y)
-        (u, v), (p, q) = ((ng.grad(f) for f in functions) for functions in self.space.TnT())
-        bulk, shear = lame
-        form = ng.BilinearForm(self.space, symmetric=True, condense=True)
-        normal = (bulk + 2 * shear) * (u[0] * p[0] + v[1] * q[1]) + bulk * (u[0] * q[1] + v[1] * p[0])
-        form += (normal + shear * (u[1] + v[0]) * (p[1] + q[0])) * ng.dx(bonus_intorder=4)
-        value, column, start = form.Assemble().mat.CSR()
-        whole = csr_matrix((np.array(value), np.array(column), np.array(start)), (self.space.ndof, self.space.ndof))
-        free = np.flatnonzero(list(self.space.FreeDofs(True)))
-        self.number = np.full(self.space.ndof, -1)
-        self.number[free] = np.arange(len(free))
-        self.stiffness, self.load = whole[free][:, free], np.zeros(len(free))
-        edges = []
-        for edge in self.mesh.Boundaries("contact|beyond").Elements():
-            along = self.mesh.GetTrafo(edge)
-            place = Chebyshev.interpolate(lambda x: np.array([complex(*along(t, 0.0).point) for t in x]), order, [0, 1])
-            edges.append((*sorted(coordinate(place(np.array([0.0, 1.0])))), edge, place))
-        self.edges = sorted(edges, key=lambda edge: edge[0])  # begin, end, edge, and the place along it
-
-    def pulled(self, form):
-        """Adds a load: a linear form of the vertical displacement."""
-        linear = ng.LinearForm(self.space)
-        linear += form(self.space.TestFunction()[1])
-        self.load += linear.Assemble().vec.FV().NumPy()[self.number >= 0]
-
-    def rows(self, normal, places):
-        """Displacements along the normal at contact coordinates by the free ones; a sparse matrix."""
-        owner = np.clip(np.searchsorted([edge[0] for edge in self.edges], places, side="right") - 1, 0, None)
-        parts = []
-        for k, (s, own) in enumerate(zip(places, owner)):
-            _, _, edge, place = self.edges[own]
-            shape, dofs, n = np.array(self.scalar.GetFE(edge).CalcShape(self.local(place, s))), np.array(self.scalar.GetDofNrs(edge)), normal(s)
-            for number, part in (self.number[dofs], n.real), (self.number[dofs + self.scalar.ndof], n.imag):
-                parts += [(part * value, k, column) for value, column in zip(shape, number) if column >= 0]
-        value, row, column = zip(*parts)
-        return csr_matrix((value, (row, column)), (len(places), len(self.load)))
-
-    def local(self, place, s):
-        """The local coordinate of an edge at a contact coordinate, by a secant."""
-        last, x = 0.0, 0.5
-        before = self.coordinate(place(last))
-        for _ in range(30):
-            now = self.coordinate(place(x))
-            if now == before:
-                break
-            last, x, before = x, x + (s - now) * (x - last) / (now - before), now
-        return x
+ACROSS = "force across the load, of one half"
 
 
 class Contact:
@@ -160,8 +63,7 @@ class Contact:
 
 def cylinder(numbers, end, mesh, flat):
     """The lower half of a disc on a rigid plane; its cut stays flat, or takes the load evenly."""
-    order, layers, fine = mesh
-    radius, young, nu = numbers["radius"], numbers["young"], numbers["poisson"]
+    radius, young, nu, fine = numbers["radius"], numbers["young"], numbers["poisson"], mesh[2]
     load = np.pi * (numbers["a_over_r"] * radius) ** 2 * young / (1 - nu**2) / (4 * radius)  # Hertz's
     outline, edge, beyond = Outline(), np.arcsin(end / radius), np.arcsin(2 * end / radius)
     outline.point(bottom(radius, edge), singular=True)
@@ -181,9 +83,8 @@ def cylinder(numbers, end, mesh, flat):
 
 def pins(numbers, end, mesh, rod):
     """A pin whose horizontal diameter is at rest, in the eye of a rod; or one that is pushed at its centre, in a plate."""
-    order, layers, fine = mesh
     radius, c, load = numbers["pin_radius"], numbers["clearance"], numbers["force"] / numbers["thickness"]
-    hole, beyond, size = radius + c, 1.4 * end, radius * end / fine
+    hole, beyond, size = radius + c, 1.4 * end, radius * end / mesh[2]
     reach = lambda s: np.sqrt(hole**2 - (c * np.sin(s)) ** 2) - c * np.cos(s)  # to the hole, from the centre of the pin
     on_hole = lambda s: s and float(np.angle(reach(s) * np.exp(1j * s) + c))
 
@@ -225,42 +126,40 @@ def pins(numbers, end, mesh, rod):
     return Contact([pin, other], lambda s: bottom(1.0, s), lambda s: reach(s) - radius, radius, np.cos, rod, load / 2)
 
 
-def solve(scene, mesh, guess=None):
-    """The numbers of a scene on a mesh: order, layers, and edges along the contact."""
-    numbers, case, order = scene["numbers"], scene["case"], mesh[0]
-    if case.startswith("cylinder"):
-        made, first = lambda end: cylinder(numbers, end, mesh, case == "cylinder-between-plates"), numbers["a_over_r"] * numbers["radius"]
+def solve(scene, mesh):
+    """The numbers of a scene on a mesh: order, layers of cells towards singular points, and edges along the contact."""
+    numbers, case = scene["numbers"], scene["case"]
+    straight = case.startswith("cylinder")
+    if straight:
+        made, guess = lambda end: cylinder(numbers, end, mesh, case == "cylinder-between-plates"), numbers["a_over_r"] * numbers["radius"]
     else:
-        made, first = lambda end: pins(numbers, end, mesh, case == "pin-rod"), np.pi / 3
+        made, guess = lambda end: pins(numbers, end, mesh, case == "pin-rod"), np.pi / 3
     ends, roots = [], []
     for step in range(STEPS):
-        end = (guess or first) * (1 + 1e-4 * step) if step < 2 else ends[-1] - roots[-1] * (ends[-1] - ends[-2]) / (roots[-1] - roots[-2])
-        contact = made(end)
-        pressures, integral, approach, root, opening = contact.close(end, order)
+        end = guess * (1 + 1e-4 * step) if step < 2 else ends[-1] - roots[-1] * (ends[-1] - ends[-2]) / (roots[-1] - roots[-2])
+        pressures, integral, approach, root, opening = made(end).close(end, mesh[0])
         ends, roots = ends + [end], roots + [root]
         if step > 1 and abs(ends[-1] - ends[-2]) <= SAME * end:
             break
     else:
         raise RuntimeError(f"the end of the contact still moves after {STEPS} steps: {ends[-2:]}")
-    found = measures(pressures, end) | {"approach": approach}
-    places, weights = integral
-    pressure = np.concatenate([own(places[(places > a) & (places < b)]) for own, (a, b) in ((own, own.domain) for own in pressures)])
     means = np.array([own.coef[0] for own in pressures])
     if not (means.min() > -SOUND * means.max() and opening.min() > -SOUND * opening.max()):
         raise RuntimeError(f"pressures from {means.min()}, openings from {opening.min()}: not a contact")
-    if not case.startswith("cylinder"):
-        found["force across the load, of one half"] = weights @ (pressure * np.sin(places))
-    if case == "pin-plate":
-        del found["approach"]  # of a point where a force acts
-    found["second-moment-width"] = 2 * np.sqrt(weights @ (pressure * places**2) / (weights @ pressure))
+    found = measures(pressures, integral, end) | ({} if case == "pin-plate" else {"approach": approach})  # a force acts where that one would be read
+    if straight:
+        del found[ACROSS]
     return {name: float(value) for name, value in found.items()}
 
 
-def measures(pressures, end):
-    """Pressures, their largest, where that is but in the middle, and the end."""
+def measures(pressures, integral, end):
+    """The numbers of pressures, edge by edge, up to an end."""
     best = (-np.inf, 0.0)
     for own in pressures:
         inside = [float(s.real) for s in own.deriv().roots() if abs(s.imag) < 1e-9 and own.domain[0] < s.real < own.domain[1]]
         best = max([best] + [(own(s), s) for s in [*own.domain, *inside]])
-    found = {"pressure at s = 0": pressures[0](0.0), "peak-pressure": best[0], "end": end}
+    s, weights = integral
+    force = weights * np.piecewise(s, [(s > own.domain[0]) & (s < own.domain[1]) for own in pressures], pressures)
+    found = {"pressure at s = 0": pressures[0](0.0), "peak-pressure": best[0], "end": end, ACROSS: force @ np.sin(s)}
+    found["second-moment-width"] = 2 * np.sqrt(force @ s**2 / force.sum())
     return found | ({"peak-place": best[1]} if best[1] > MIDDLE * end else {})

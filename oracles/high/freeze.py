@@ -1,5 +1,5 @@
-"""Asks boundary.py and finite_elements.py for the reference answers, and writes them to ../frozen/high.json; answers of the same scene and
-script are kept. The second needs ../peers/setup.sh. Numbers are [value, how far it may be off] in mm, MPa, N and rad.
+"""Asks boundary.py and finite_elements.py for reference answers, and writes them to ../frozen/high.json; answers of the same scene,
+script and settings are kept. The second needs ../peers/setup.sh. Numbers are [value, how far it may be off] in mm, MPa, N and rad.
 """
 
 import hashlib
@@ -22,8 +22,8 @@ SHARED = {  # ours: those of ../frozen/independent.json, and another support
     "pin-plate": ("pin in plate", "pin-plate"),
 }
 SCRIPTS = {  # files, packages, rough settings first, the answer's last
-    "boundary": (["boundary.py", "potentials.py"], ["numpy"], [32, 48, 64]),
-    "finite_elements": (["finite_elements.py"], ["ngsolve", "numpy", "scipy"], [(8, 5, 7), (7, 6, 10), (8, 6, 10)]),
+    "boundary": (["boundary.py", "potentials.py"], ["numpy"], [32, 64]),
+    "finite_elements": (["curved_cells.py", "finite_elements.py"], ["ngsolve", "numpy", "scipy"], [[8, 5, 12], [7, 6, 16], [8, 6, 16]]),
 }
 FACTOR, ROUND_OFF = 2.0, 1e-10  # of the largest difference between settings, and of the value
 
@@ -39,8 +39,6 @@ def asked(script, scene):
     module, begin = importlib.import_module(script), time.perf_counter()
     *others, answer = (module.solve(scene, setting) for setting in settings)
     seconds = time.perf_counter() - begin
-    if script == "boundary":  # the coarsest is far from the others
-        others = others[-1:]
     off = {name: FACTOR * max(abs(value - other[name]) for other in others) + ROUND_OFF * abs(value) for name, value in answer.items()}
     return {
         "versions": {package: sys.modules[package].__version__ for package in packages},
@@ -59,9 +57,9 @@ def main():
     for name, (of, case) in SHARED.items():
         scene, known, answers = {"case": case, "numbers": shared[of]["scene"]["numbers"]}, old.get(name, {}), {}
         new["scenes"][name] = {"scene": scene, "answers": answers}
-        for script, (files, _, _) in SCRIPTS.items():
+        for script, (files, _, settings) in SCRIPTS.items():
             own, kept = digest([HERE / own for own in files]), known.get("answers", {}).get(script, {})
-            if kept.get("script") != own or known.get("scene") != scene:
+            if kept.get("script") != own or kept.get("settings") != settings or known.get("scene") != scene:
                 print(name, script, file=sys.stderr, flush=True)
                 kept = {"script": own, **asked(script, scene)}
             answers[script] = kept
