@@ -14,11 +14,12 @@ use crate::measure::Quantity;
 use crate::measure::order::richardson;
 use crate::mesh::Resolution;
 use crate::oracle::cross_code::PhysicalAnswer;
+use crate::oracle::cross_code::high::High;
 use crate::oracle::cross_code::independent::Independent;
 use crate::scene::ContactPair;
 use crate::solve::{Discretisation, Formulation, Run};
 use crate::study::about::{About, Found, Planned, Study};
-use crate::study::sheet::{FoundBy, SHEETS, Sheet, Value, bounded, definition};
+use crate::study::sheet::{FoundBy, Other, SHEETS, Sheet, Value, bounded, definition};
 use crate::study::{described, elsewhere};
 
 /// Cases of the library with an answer, beside the cylinder with a contact twice as wide.
@@ -55,16 +56,16 @@ impl Study for Numbers {
         title: "Reference answers and benchmark sheets",
         asked: "Which numbers of scenes without a closed form are known to five digits, and what somebody with another code \
             needs to run the cases of the library.",
-        limits: "The bound of an answer is drawn from differences between meshes of this code; other codes confirm it to \
-            three or four digits only. A closed form may be of an idealised scene; the sheet says where.",
+        limits: "The bound of an answer is drawn from differences between meshes of this code; who found it too, and what they \
+            confirm it to, stands beside it. A closed form may be of an idealised scene; the sheet says where.",
     };
 
     /// A trial an answer, and a case of the library.
     fn plan() -> Vec<Planned<Self>> {
         let wide = Cylinder { a_over_r: 0.1, ..Cylinder::default() }.case().named("cylinder, a/R = 0.1");
         let named = NAMED.iter().map(|name| find(name, None)).chain([Ok(wide)]);
-        let answer = |(name, case): (&str, Result<Case, Error>)| {
-            Planned::new("reference answers", name, move || answer(case.as_ref().map_err(Clone::clone)?))
+        let answer = |(name, case): (&'static str, Result<Case, Error>)| {
+            Planned::new("reference answers", name, move || answer(name, case.as_ref().map_err(Clone::clone)?))
         };
         let answers = NAMED.into_iter().chain(["cylinder, a/R = 0.1"]).zip(named).map(answer);
         let sheets =
@@ -94,8 +95,9 @@ impl Study for Numbers {
             "The answer is that of cells of order {}, {} on every piece of the contact side, with {} layers towards the ends of the contact, \
              towards forces at points and re-entrant corners; its ends are found on the way, to a millionth of the half-width. Three other meshes \
              confirm it: cells of order {}; {} layers; {} cells on every piece. The bound is twice the largest difference to one of them. 8-node cells, \
-             half as large as the case has them, stand beside it with their error bars; an end is there known to a part of an element only. The \
-             benchmark sheets have the answers.\n",
+             half as large as the case has them, stand beside it with their error bars; an end is there known to a part of an element only. Scripts that \
+             share nothing but the scene found it too ([`oracles/high`](../../oracles/high)): by complex potentials in numpy alone, and by NGSolve; how \
+             far these may be off is twice the largest difference between settings of theirs. The benchmark sheets have the answers.\n",
             answer.fitted.order.number(),
             answer.cells,
             answer.fitted.layers,
@@ -130,6 +132,10 @@ pub struct Answered {
     pub unit: &'static str,
     /// What 8-node cells say with the error bar of that; none of what has no bar there.
     pub eight: Option<[f64; 2]>,
+    /// What scripts of high order found.
+    pub others: Vec<Other>,
+    /// What they shall confirm it to, over its scale.
+    pub digits: f64,
 }
 
 /// A case on 8-node cells half as large as its own, with the error bars of its numbers.
@@ -141,18 +147,31 @@ fn on_8_node_cells(case: &Case) -> Result<(Discretisation, Run, Vec<Barred>), Er
     Ok((made, run, barred))
 }
 
-/// A scene on all meshes.
-fn answer(case: &Case) -> Result<Numbers, Error> {
+/// A scene on all meshes, by the name of its trial.
+fn answer(name: &str, case: &Case) -> Result<Numbers, Error> {
     let reference::Answer { known, dofs: [answer, order, layers, cells] } = reference::answer(&case.scene)?;
     let (_, run, barred) = on_8_node_cells(case)?;
+    let (high, on_arc) = (High::built_in()?, !case.scene.contact().path.is_straight());
     let answered = |one: Known| {
-        let (unit, factor) = one.quantity.unit(!case.scene.contact().path.is_straight());
+        let (unit, factor) = one.quantity.unit(on_arc);
         let eight = barred.iter().find(|barred| barred.contact == 0 && barred.quantity == one.quantity);
         let eight = eight.map(|of| [factor * of.value, factor * of.bar.total()]);
-        Answered { known: one.times(factor), unit, eight }
+        let digits = if on_arc { DIGITS } else { STRAIGHT };
+        Answered {
+            known: one.times(factor),
+            unit,
+            eight,
+            others: others(&high, name, &one.quantity.key(), factor),
+            digits,
+        }
     };
     let dofs = [answer, order, layers, cells, run.dofs];
     Ok(Numbers::Answer { dofs, known: known.into_iter().map(answered).collect() })
+}
+
+/// What scripts of high order found of a number.
+fn others(high: &High, scene: &str, key: &str, factor: f64) -> Vec<Other> {
+    high.of(scene, key).into_iter().map(|(way, found)| Other::of_high_order(way, found).times(factor)).collect()
 }
 
 /// The sheet of a case of the library.
@@ -171,7 +190,8 @@ pub fn sheet(case: &Case, discretisation: &Discretisation, run: &Run, barred: &[
         let Told { of, quantity, unit, factor } = Told::of(&discretisation.scene, run, one);
         let closed_form = closed_form(case, one).map(|value| factor * value);
         let series = asked.iter().flat_map(|asked| &asked.series);
-        let others = series.filter_map(|(script, series)| Some((*script, other(series, one)?.map(|x| factor * x))));
+        let others =
+            series.filter_map(|(script, series)| Some(Other::of_series(*script, other(series, one)?).times(factor)));
         let sound = run.solution.converged() && !run.is_unbounded(one.contact, &one.quantity);
         let value = if sound { factor * one.value } else { f64::NAN };
         let (bound, others) = (factor * one.bar.total(), others.collect());
@@ -208,6 +228,11 @@ pub fn sheet(case: &Case, discretisation: &Discretisation, run: &Run, barred: &[
     };
     if let ([pair], Ok(answer)) = (&case.scene.contacts[..], reference::answer(&case.scene)) {
         answer.known.iter().for_each(|known| sheet.takes(pair, known));
+        let high = High::built_in()?;
+        for own in sheet.values.iter_mut().filter(|own| own.of == pair.name) {
+            let factor = if own.unit == "°" { 1f64.to_degrees() } else { 1.0 };
+            own.others.extend(others(&high, &case.name, &own.quantity, factor));
+        }
     }
     Ok(sheet)
 }
@@ -253,10 +278,12 @@ impl Sheet {
     }
 }
 
-/// Bound of a number of an answer over its scale.
+/// Bound of a number of an answer over its scale, and what others shall confirm it to.
 const DIGITS: f64 = 1e-5;
+/// The second along a straight contact.
+const STRAIGHT: f64 = 1e-6;
 
-fn judge_answer(Answered { known, eight, .. }: &Answered) -> Vec<Judged> {
+fn judge_answer(Answered { known, eight, others, digits, .. }: &Answered) -> Vec<Judged> {
     let at = |name: &'static str| case::Quantity::at(name, known.quantity.key());
     let because = "what other codes are measured against has five digits";
     let meshes = Reference::own("the other meshes", 0.0);
@@ -268,7 +295,14 @@ fn judge_answer(Answered { known, eight, .. }: &Answered) -> Vec<Judged> {
         Check::error(quantity, Reference::own("8-node cells", 0.0), 1.0, because)
             .judge((value - known.value).abs() / (bar + known.bound))
     });
-    [bound].into_iter().chain(eight).collect()
+    let others = others.iter().flat_map(|other| {
+        let because = "what both may be off: the bound, and twice the largest difference between settings of theirs";
+        let meets = other.meets(known.value, known.bound, known.quantity.key().into_owned(), because);
+        let because = "what is to be confirmed: six digits, of pins five";
+        let to = Check::error(at("difference and bound of theirs, relative"), other.reference(), *digits, because);
+        [meets, to.judge(other.confirms(known.value, known.scale))]
+    });
+    [bound].into_iter().chain(eight).chain(others).collect()
 }
 
 fn table_of_answer([answer, order, layers, cells, eight]: [usize; 5], known: &[Answered]) -> String {
@@ -281,13 +315,20 @@ fn table_of_answer([answer, order, layers, cells, eight]: [usize; 5], known: &[A
         format!("fewer layers, {layers}"),
         format!("other cells, {cells}"),
         format!("8-node ± error bar, {eight}"),
+        "found by others too (confirm it to)".into(),
     ];
-    let row = |Answered { known, unit, eight }: &Answered| {
+    let row = |Answered { known, unit, eight, others, .. }: &Answered| {
         let [order, layers, cells] = known.others.map(|other| to_bound(other, known.bound));
         let name = known.quantity.key().into_owned();
         let relative = significant(known.bound / known.scale, 2);
         let eight = eight.map_or("–".into(), |[value, bar]| bounded(value, bar));
-        vec![name, (*unit).into(), bounded(known.value, known.bound), relative, order, layers, cells, eight]
+        let told = |other: &Other| {
+            let to = significant(other.confirms(known.value, known.scale), 2);
+            format!("{}: {} ({to})", other.by, bounded(other.value, other.bound))
+        };
+        let others = others.iter().map(told).collect::<Vec<_>>().join("; ");
+        let others = if others.is_empty() { "–".into() } else { others };
+        vec![name, (*unit).into(), bounded(known.value, known.bound), relative, order, layers, cells, eight, others]
     };
     markdown::table(&head, &known.iter().map(row).collect::<Vec<_>>())
 }

@@ -8,6 +8,7 @@ use crate::case::{self, Check, Judged, Reference, Verdict};
 use crate::markdown::{self, Column, significant, to_bound};
 use crate::measure::Quantity;
 use crate::oracle::ReferenceKind;
+use crate::oracle::cross_code::high::Way;
 use crate::oracle::cross_code::independent::Script;
 use crate::scene::ContactPair;
 
@@ -68,11 +69,24 @@ pub struct Value {
     pub found: FoundBy,
     /// What the closed form says, which may be of an idealised scene: a half-plane, an infinite plate.
     pub closed_form: Option<f64>,
-    /// What scripts of other codes found on their finest mesh, in the unit of ours, with its standard uncertainty.
+    /// What scripts of other codes found, in the unit of ours.
     #[serde(skip)]
-    pub others: Vec<(Script, [f64; 2])>,
+    pub others: Vec<Other>,
     /// Who else found it; known where values are data.
     pub confirmed_by: Vec<Confirmed>,
+}
+
+/// What a script of another code found of a number.
+#[derive(Clone, Debug)]
+pub struct Other {
+    /// Code and method.
+    pub by: &'static str,
+    /// What it found.
+    pub value: f64,
+    /// Its standard uncertainty.
+    pub uncertainty: f64,
+    /// How far it may be off.
+    pub bound: f64,
 }
 
 /// How a value was found.
@@ -94,7 +108,8 @@ pub struct Confirmed {
     pub by: String,
     /// What it found.
     pub value: f64,
-    /// How far that may be off: three standard uncertainties of a refinement series and what springs leave, or our bound.
+    /// How far that may be off: three standard uncertainties of a refinement series and what springs leave; twice the largest difference between
+    /// settings of a method of high order; or our bound.
     pub bound: f64,
     /// What the value is confirmed to: difference and that bound, relative.
     pub to: f64,
@@ -120,28 +135,52 @@ const SMALL: f64 = 1e-3;
 /// Relative bound within which our value tells a closed form of the very scene from one of an idealised scene.
 const TELLS: f64 = 1e-5;
 
-impl Value {
-    /// How far the value of another code may be off: thrice its uncertainty, what its springs leave, and round-off.
-    fn bound_of((script, [theirs, uncertainty]): &(Script, [f64; 2])) -> f64 {
-        let penalty = if script.has_penalty() { PENALTY * theirs.abs() } else { 0.0 };
-        SPREAD * uncertainty + penalty + 1e-9 * theirs.abs()
+impl Other {
+    /// On the finest mesh of a series, with its standard uncertainty: thrice that, what springs leave, and round-off.
+    pub fn of_series(script: Script, [value, uncertainty]: [f64; 2]) -> Self {
+        let penalty = if script.has_penalty() { PENALTY * value.abs() } else { 0.0 };
+        Self { by: script.name(), value, uncertainty, bound: SPREAD * uncertainty + penalty + 1e-9 * value.abs() }
     }
 
-    /// Another code within our bound and its own.
-    pub fn met(&self, other: &(Script, [f64; 2])) -> Judged {
-        let (script, [theirs, _]) = other;
-        let allowed = self.bound + Self::bound_of(other);
-        let reference =
-            Reference { name: script.name().into(), kind: ReferenceKind::CrossCode, value: 0.0, uncertainty: None };
-        let at = format!("{}, {}", self.quantity, self.of);
+    /// Of high order, with how far it may be off: that of two standard uncertainties.
+    pub fn of_high_order(way: Way, [value, bound]: [f64; 2]) -> Self {
+        Self { by: way.name(), value, uncertainty: 0.5 * bound, bound }
+    }
+
+    /// In another unit.
+    pub fn times(self, factor: f64) -> Self {
+        let [value, uncertainty, bound] = [self.value, self.uncertainty, self.bound].map(|own| factor * own);
+        Self { value, uncertainty, bound, ..self }
+    }
+
+    /// It, as what a difference is held against.
+    pub fn reference(&self) -> Reference {
+        Reference { name: self.by.into(), kind: ReferenceKind::CrossCode, value: 0.0, uncertainty: None }
+    }
+
+    /// A value of ours within its bound and this one's.
+    pub fn meets(&self, value: f64, bound: f64, at: String, because: &'static str) -> Judged {
         let quantity = case::Quantity::at("difference over what both may be off", at);
-        let because = "our bound, three standard uncertainties of theirs, and what their springs leave";
-        Check::error(quantity, reference, 1.0, because).judge((self.value - theirs).abs() / allowed)
+        Check::error(quantity, self.reference(), 1.0, because).judge((value - self.value).abs() / (bound + self.bound))
     }
 
-    /// What another value, off by a bound at most, confirms this one to.
-    fn confirmed(&self, by: &str, value: f64, bound: f64) -> Confirmed {
-        Confirmed { by: by.into(), value, bound, to: ((value - self.value).abs() + bound) / self.value.abs() }
+    /// What it confirms a value to: difference and bound, over a scale.
+    pub fn confirms(&self, value: f64, scale: f64) -> f64 {
+        ((self.value - value).abs() + self.bound) / scale.abs()
+    }
+}
+
+impl Value {
+    /// Another code within our bound and its own.
+    pub fn met(&self, other: &Other) -> Judged {
+        let because = "our bound and that of theirs, in which are meshes and springs";
+        other.meets(self.value, self.bound, format!("{}, {}", self.quantity, self.of), because)
+    }
+
+    /// What another code confirms this one to.
+    fn confirmed(&self, other: &Other) -> Confirmed {
+        let to = other.confirms(self.value, self.value);
+        Confirmed { by: other.by.into(), value: other.value, bound: other.bound, to }
     }
 
     /// The closed form, where it is of the very scene, else our value; who found it too; no digits but those that are known.
@@ -149,11 +188,12 @@ impl Value {
         let mut one = self.clone();
         if let Some(closed) = self.closed_form.filter(|_| is_exact) {
             (one.value, one.bound, one.found) = (closed, 0.0, FoundBy::ClosedForm);
-            one.confirmed_by = vec![one.confirmed(&format!("our {} cells", self.found.name()), self.value, self.bound)];
+            let Self { value, bound, found, .. } = *self;
+            let to = ((one.value - value).abs() + bound) / one.value.abs();
+            one.confirmed_by = vec![Confirmed { by: format!("our {} cells", found.name()), value, bound, to }];
         }
         let met = self.others.iter().filter(|other| self.met(other).verdict == Verdict::Pass);
-        let theirs: Vec<_> =
-            met.map(|other| one.confirmed(other.0.name(), other.1[0], Self::bound_of(other))).collect();
+        let theirs: Vec<_> = met.map(|other| one.confirmed(other)).collect();
         one.confirmed_by.extend(theirs);
         one.confirmed_by.retain(|confirmed| confirmed.to.is_finite());
         for Confirmed { value, bound, to, .. } in &mut one.confirmed_by {
@@ -287,9 +327,9 @@ const VALUES: [Column<Value>; 7] = [
     ("cells", |value| value.found.name().into()),
     ("closed form", |value| value.closed_form.map_or("–".into(), |value| format!("{value:.7}"))),
     ("other codes, ± standard uncertainty (confirm it to)", |value| {
-        let told = |(script, [x, u]): &(Script, [f64; 2])| {
-            let to = value.confirmed(script.name(), *x, 2.0 * u).to;
-            format!("{script}: {} ({})", quoted(*x, *u), markdown::error(to))
+        let told = |other: &Other| {
+            let to = Other { bound: 2.0 * other.uncertainty, ..other.clone() }.confirms(value.value, value.value);
+            format!("{}: {} ({})", other.by, quoted(other.value, other.uncertainty), markdown::error(to))
         };
         match &value.others[..] {
             [] => "–".into(),

@@ -53,6 +53,7 @@ mod gmsh;
 mod growth;
 mod halved;
 mod high_order;
+mod high_scripts;
 mod incompressible;
 mod independent;
 mod lagrange_fields;

@@ -8,6 +8,7 @@ use contact_vv::measure::relative_error;
 use contact_vv::study::Study;
 use contact_vv::study::fitted::{LOADS, under};
 use contact_vv::study::references::{Answered, Numbers};
+use contact_vv::study::sheet::Other;
 
 fn of(known: &[Known], quantity: Quantity) -> &Known {
     known.iter().find(|one| one.quantity == quantity).expect("known")
@@ -49,7 +50,10 @@ fn a_contact_that_no_mesh_can_be_fitted_to_has_no_reference_answer() {
 #[test]
 fn a_number_that_another_mesh_or_8_node_cells_contradict_turns_its_check_red() {
     let Answer { known, .. } = answer(&Cylinder::default().scene()).expect("answered");
-    let sound: Vec<_> = known.into_iter().map(|known| Answered { known, unit: "", eight: None }).collect();
+    let sound: Vec<_> = known
+        .into_iter()
+        .map(|known| Answered { known, unit: "", eight: None, others: vec![], digits: 1e-6 })
+        .collect();
     let failed = |known: &[Answered]| {
         let judged = Numbers::Answer { dofs: [0; 5], known: known.into() }.judge().expect("judged").into_iter();
         judged.filter(|one| one.verdict != Verdict::Pass).map(|one| one.check.quantity.to_string()).collect::<Vec<_>>()
@@ -72,4 +76,22 @@ fn a_number_that_another_mesh_or_8_node_cells_contradict_turns_its_check_red() {
     let off = "difference of 8-node cells over what both may be off, second-moment-width";
     assert_eq!(spoiled(|one| one.eight = Some([1.01 * one.known.value, 1e-3 * one.known.value])), [off]);
     assert_eq!(spoiled(|one| one.eight = Some([f64::NAN; 2])), [off]);
+    let (differs, rough) = (
+        "difference over what both may be off, second-moment-width",
+        "difference and bound of theirs, relative, second-moment-width",
+    );
+    // What another found beside it: sound, out of both bounds, within its own wide bound, and no number.
+    let other = |off: f64, bound: f64| {
+        let mut other = sound.clone();
+        let own = other.iter_mut().find(|one| one.known.quantity == Quantity::SecondMomentWidth).expect("measured");
+        let value = (1.0 + off) * own.known.value;
+        own.others = vec![Other { by: "another", value, uncertainty: 0.5 * bound, bound }];
+        failed(&other)
+    };
+    assert_eq!(other(1e-9, 1e-9), Vec::<String>::new());
+    assert_eq!(other(5e-7, 1e-9), [differs]);
+    assert_eq!(other(5e-6, 1e-9), [differs, rough]);
+    assert_eq!(other(0.0, 1e-4), [rough]);
+    assert_eq!(other(f64::NAN, 1e-9), [differs, rough]);
+    assert_eq!(other(0.0, f64::NAN), [differs, rough]);
 }

@@ -3,11 +3,12 @@
 //! * *The same discrete problem* ([`DiscreteProblem`]): our mesh, assembled and solved by scikit-fem and dolfinx through Python files
 //!   under `oracles/python`; agreement to round-off.
 //! * *The same physical problem* ([`PhysicalScene`]): scripts in `oracles/dolfinx`, `scikit_fem`, `boundary`, `getfem` and `calculix`
-//!   that share nothing ([`independent`]); agreement within the discretisation errors of both.
+//!   that share nothing ([`independent`]); agreement within the discretisation errors of both. Those of `oracles/high` are of high order ([`high`]).
 //!
 //! Both are read from what a live run left under `oracles/frozen` ([`frozen`]), or asked live ([`live`]).
 
 pub mod frozen;
+pub mod high;
 pub mod independent;
 pub mod live;
 pub mod process;

@@ -71,14 +71,15 @@ impl Known {
     }
 }
 
-/// The numbers that are known: those of a contact, and on an arc the force across the load.
-const NUMBERS: [Quantity; 7] = [
+/// The numbers that are known: those of a contact, the approach where it is defined, and on an arc the force across the load.
+const NUMBERS: [Quantity; 8] = [
     Quantity::Pressure { at: 0.0 },
     Quantity::PeakPressure,
     Quantity::PeakPlace,
     Quantity::SecondMomentWidth,
     Quantity::End(0),
     Quantity::Resultant,
+    Quantity::Approach,
     Quantity::Across,
 ];
 
@@ -89,7 +90,7 @@ fn value(on: &Discretisation, run: &Run, end: f64, quantity: &Quantity) -> Resul
         _ if !run.solution.converged() => f64::NAN,
         Quantity::Pressure { .. } => measures.pressure_at_origin,
         Quantity::End(_) => end,
-        Quantity::Across => on.number(run, 0, quantity)?,
+        Quantity::Across | Quantity::Approach => on.number(run, 0, quantity)?,
         of_pressures => of_pressures.of(measures),
     })
 }
@@ -98,19 +99,24 @@ fn value(on: &Discretisation, run: &Run, end: f64, quantity: &Quantity) -> Resul
 pub fn answer(scene: &Scene) -> Result<Answer, Error> {
     let formulation = Formulation::verification();
     let on_arc = !scene.contacts[0].path.is_straight();
-    let numbers = &NUMBERS[..NUMBERS.len() - usize::from(!on_arc)];
+    let is_defined = |quantity: &&Quantity| match quantity {
+        Quantity::Across => on_arc,
+        Quantity::Approach => scene.pressed_sides(0).is_some(),
+        _ => true,
+    };
+    let numbers: Vec<&Quantity> = NUMBERS.iter().filter(is_defined).collect();
     let solved = MESHES.into_par_iter().map(|Mesh { fitted, cells }| {
         let answer = fitted.solve_with_ends(scene, &formulation, AT_REST)?;
         let end = answer.stretches[0].last().map_or(f64::NAN, |stretch| stretch[1]);
         let resolution = Resolution { elements: cells, refinement: 0, order: fitted.order };
         let mesh = Discretisation::of(answer.discretisation.scene, resolution)?;
         let run = Run::of(&mesh, &formulation)?;
-        let values = numbers.iter().map(|quantity| value(&mesh, &run, end, quantity)).collect::<Result<_, Error>>()?;
+        let values = numbers.iter().map(|&quantity| value(&mesh, &run, end, quantity)).collect::<Result<_, Error>>()?;
         Ok((values, run))
     });
     let solved = solved.collect::<Result<Vec<(Vec<f64>, Run)>, Error>>()?;
     let half_width = solved[0].1.measures().second_moment_width;
-    let known = |(k, quantity): (usize, &Quantity)| {
+    let known = |(k, &quantity): (usize, &&Quantity)| {
         let [value, a, b, c] = [0, 1, 2, 3].map(|mesh| solved[mesh].0[k]);
         let scale = if *quantity == Quantity::PeakPlace { half_width } else { value.abs() };
         let apart = [a, b, c].into_iter().map(|other| (other - value).abs()).fold(0.0, larger);

@@ -1,0 +1,93 @@
+//! Reference answers of high order by scripts that share nothing with ours but the scene. What they answered is frozen in
+//! `oracles/frozen/high.json`; `oracles/high/freeze.py` asks them.
+
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+
+use serde::{Deserialize, Serialize};
+
+use crate::checkout::root;
+use crate::error::Error;
+
+/// What asks the scripts again.
+pub const ASK_AGAIN: &str = "run `/usr/bin/python3 oracles/high/freeze.py`, and review the diff";
+
+/// A way to an answer of high order.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Way {
+    /// Potentials of discs and holes in closed form, and pressures that are a root times a polynomial.
+    Boundary,
+    /// Curved cells of order 8, a vertex at the end of the contact, multipliers.
+    FiniteElements,
+}
+
+impl Way {
+    /// All.
+    pub const ALL: [Self; 2] = [Self::Boundary, Self::FiniteElements];
+
+    /// Code and method in words.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Boundary => "numpy, complex potentials",
+            Self::FiniteElements => "NGSolve, order 8",
+        }
+    }
+}
+
+/// What the scripts answered.
+#[derive(Clone, Debug, Deserialize)]
+pub struct High {
+    /// SHA-256 of the scripts.
+    pub scripts: String,
+    /// The scenes, by our names.
+    pub scenes: BTreeMap<String, Asked>,
+}
+
+/// A scene, and what every script answers.
+#[derive(Clone, Debug, Deserialize)]
+pub struct Asked {
+    /// The scene as it was given.
+    pub scene: Given,
+    /// The answers.
+    pub answers: BTreeMap<Way, Answer>,
+}
+
+/// A scene in numbers: lengths \[mm\], angles \[rad\], moduli \[MPa\] and forces \[N\] by name.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+pub struct Given {
+    /// Which body, supports and loads.
+    pub case: String,
+    /// The numbers.
+    pub numbers: BTreeMap<String, f64>,
+}
+
+/// An answer.
+#[derive(Clone, Debug, Deserialize)]
+pub struct Answer {
+    /// Versions of what it was found with.
+    pub versions: BTreeMap<String, String>,
+    /// How long it took with all its settings \[s\].
+    pub seconds: f64,
+    /// Its numbers and how far they may be off, by the key of a quantity \[mm, MPa, N, rad\]: twice the largest difference between settings.
+    pub numbers: BTreeMap<String, [f64; 2]>,
+}
+
+impl High {
+    /// The answers as they were frozen when the program was built.
+    pub fn built_in() -> Result<Self, Error> {
+        let text = include_str!("../../../oracles/frozen/high.json");
+        serde_json::from_str(text).map_err(|error| Error::unreadable(&file(), error, ASK_AGAIN))
+    }
+
+    /// What is known of a number of a scene: value and how far it may be off.
+    pub fn of(&self, scene: &str, key: &str) -> Vec<(Way, [f64; 2])> {
+        let answers = self.scenes.get(scene).into_iter().flat_map(|asked| &asked.answers);
+        answers.filter_map(|(way, answer)| Some((*way, *answer.numbers.get(key)?))).collect()
+    }
+}
+
+/// The frozen file.
+pub fn file() -> PathBuf {
+    root().join("oracles/frozen/high.json")
+}
