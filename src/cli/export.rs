@@ -60,7 +60,6 @@ type Written = (String, Vec<u8>, &'static str);
 
 /// Every file.
 pub fn files(case: &Case, condensed: bool) -> Result<Vec<Written>, Error> {
-    Truth::refuse_revolution(case)?;
     let discretisation = case.meshed()?.discretisation;
     let run = Run::of(&discretisation, &Formulation::verification())?;
     let truth = Truth::of(case.clone())?;
