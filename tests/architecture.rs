@@ -212,15 +212,15 @@ fn matrix_types_of_libraries_stay_inside_the_numerics() {
 
 /// Lines that a room may have; raised only by a commit that says what for.
 const BUDGETS: [(&str, usize); 9] = [
-    ("solver", 19_520),
+    ("solver", 19_540),
     ("drawing", 2_970),
-    ("case", 7_995),
-    ("oracle", 4_200),
-    ("study", 14_110),
-    ("referee", 5_660),
+    ("case", 8_025),
+    ("oracle", 4_260),
+    ("study", 14_140),
+    ("referee", 5_900),
     ("report", 3_390),
     ("cli", 4_440),
-    ("live", 480),
+    ("live", 500),
 ];
 
 #[test]

@@ -39,8 +39,9 @@ pub fn explain(truth: &Truth, handed: &Handed, tolerance: f64) -> Vec<String> {
 fn corrections(truth: &Truth, handed: &Handed) -> Vec<Correction> {
     let (scene, revolves) = (&truth.case.scene, truth.case.scene.is_of_revolution());
     let scales = scales(truth, handed).into_iter();
-    let scaled = scales.map(|(says, [pressure, place])| {
-        Correction { says, corrected: scaled(handed, pressure, place, if revolves { place * place } else { place }) }
+    let scaled = scales.map(|(says, [pressure, place])| Correction {
+        says,
+        corrected: scaled(handed, pressure, place, if revolves { place * place } else { place }),
     });
     let sides = if revolves { vec![] } else { halves(handed) };
     scaled.chain(by_rings(scene, handed)).chain(shifts(scene, handed)).chain(sides).collect()
@@ -61,12 +62,25 @@ fn scales(truth: &Truth, handed: &Handed) -> Vec<(String, [f64; 2])> {
 fn of_revolution(scene: &Scene, handed: &Handed) -> Vec<(String, [f64; 2])> {
     let say = |text: &str| text.to_owned();
     let per_radian = "the load is 2π times the scene's: the whole force is given per radian";
-    let whole = "the load is 1/2π of the scene's: it is given per radian, and the scene's is that of the whole circumference";
+    let whole =
+        "the load is 1/2π of the scene's: it is given per radian, and the scene's is that of the whole circumference";
     let half = "the load is half of the scene's: that is of the whole body of revolution";
     let twice = "the load is twice the scene's: that is of the whole body of revolution";
     let sector = "the load is 1/180 of the scene's: that of a sector of 2° for the whole one";
-    let loads = [(per_radian, TAU), (whole, TAU.recip()), (half, 0.5), (twice, 2.0), (sector, 1.0 / 180.0)];
-    let of_load = |(says, times): (&str, f64)| [(say(says), [times.cbrt().recip(); 2]), (say(says), [times.recip(), 1.0])];
+    // Nodal forces per radian, or of a sector, are named as such.
+    let of_forces = handed.forces;
+    let loads = [
+        (per_radian, TAU, false),
+        (whole, TAU.recip(), of_forces),
+        (half, 0.5, false),
+        (twice, 2.0, false),
+        (sector, 1.0 / 180.0, of_forces),
+    ];
+    let of_load = |(says, times, is_named): (&str, f64, bool)| {
+        let of_hertz = (say(says), [times.cbrt().recip(); 2]);
+        let of_given_radius = (say(says), [times.recip(), 1.0]);
+        std::iter::once(of_hertz).chain((!is_named).then_some(of_given_radius))
+    };
     let mut all = vec![
         (say("pressures are negative in compression: hand them in with --tension-positive"), [-1.0, 1.0]),
         (say("the radius is twice the scene's (a diameter for a radius)"), [4f64.cbrt(), 2f64.cbrt().recip()]),

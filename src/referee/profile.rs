@@ -88,14 +88,14 @@ const NO_AREA: f64 = 1e-6;
 /// is added.
 fn lends_to_axis(points: &mut [PointState], handed: &Handed) -> bool {
     let [first, second, ..] = points else { return false };
-    if first.weight.abs() > NO_AREA * second.weight {
-        return false;
-    }
-    if handed.forces {
+    let has_no_area = first.weight.abs() <= NO_AREA * second.weight;
+    if has_no_area && handed.forces {
         second.pressure += handed.points[0].value / second.weight;
     }
-    first.pressure = second.pressure;
-    true
+    if has_no_area {
+        first.pressure = second.pressure;
+    }
+    has_no_area
 }
 
 /// The same begun on the symmetry line, where points such as the middles of edges do not: the first pressure holds up to there.
@@ -103,11 +103,13 @@ fn lends_to_axis(points: &mut [PointState], handed: &Handed) -> bool {
 fn begun(scene: &Scene, handed: &Handed, across: bool) -> Option<Handed> {
     let [first, second] = [handed.points[0], handed.points[1]];
     let (length, revolves) = (second.position - first.position, scene.is_of_revolution());
+    let is_ring = revolves && !scene.begins_on_axis(handed.contact);
     let near = first.position < length || revolves && first.position <= length * (1.0 + SAME);
     if across
         || scene.contacts[handed.contact].path.has_both_sides()
         || first.position <= SAME * second.position
         || !near
+        || is_ring
         || handed.order != Order::Linear
         || handed.forces
         || first.area.is_some() && !revolves

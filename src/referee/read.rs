@@ -102,7 +102,7 @@ fn exported(file: &Path, table: &str, scene: &Scene, asked: &Asked) -> Result<An
     if fields.exists() {
         let read = bytes(&fields)?;
         let source = Source { file: &fields, text: text(&fields, &read)? };
-        answer.field = frd::displacements(&source, asked, calculix::is_ours(&deck).then_some("mm"), None)?;
+        answer.field = frd::displacements((&source, scene), asked, calculix::is_ours(&deck).then_some("mm"), None)?;
         answer.read.extend(answer.field.is_some().then(|| "displacements from the .frd of the same name".into()));
     }
     Ok(answer)

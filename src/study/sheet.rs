@@ -246,8 +246,12 @@ pub fn columns<'a>() -> [Column<(&'a Sheet, &'a Value)>; 13] {
 /// What is meant by a number of a contact.
 pub fn definition(quantity: &Quantity, scene: &Scene, pair: &ContactPair) -> &'static str {
     match quantity {
-        Quantity::SecondMomentWidth if scene.is_of_revolution() => "√(5/2 ∫p r² dA / ∫p dA), the radius of a semi-ellipsoid of pressures",
-        Quantity::Resultant if scene.is_of_revolution() => "force on the whole circle of the contact along the axis, positive in compression",
+        Quantity::SecondMomentWidth if scene.is_of_revolution() => {
+            "√(5/2 ∫p r² dA / ∫p dA), the radius of a semi-ellipsoid of pressures"
+        }
+        Quantity::Resultant if scene.is_of_revolution() => {
+            "force on the whole circle of the contact along the axis, positive in compression"
+        }
         Quantity::PeakPressure => "largest pressure, positive in compression, per area of the undeformed path",
         Quantity::Pressure { .. } => {
             "pressure at a contact coordinate, positive in compression, per area of the undeformed path"

@@ -5,12 +5,15 @@
 //! * *The same physical problem* ([`PhysicalScene`]): scripts in `oracles/dolfinx`, `scikit_fem`, `boundary`, `getfem` and `calculix`
 //!   that share nothing ([`independent`]); agreement within the discretisation errors of both.
 //!
+//! Bodies of revolution have scripts of their own ([`revolution`]).
+//!
 //! Both are read from what a live run left under `oracles/frozen` ([`frozen`]), or asked live ([`live`]).
 
 pub mod frozen;
 pub mod independent;
 pub mod live;
 pub mod process;
+pub mod revolution;
 
 use std::collections::BTreeMap;
 use std::fmt;

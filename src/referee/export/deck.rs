@@ -110,7 +110,9 @@ impl Deck<'_> {
         let scene = &self.discretisation.scene;
         let name = scene.name.clone();
         let of = match scene.is_of_revolution() {
-            true => "Loads are whole forces; reactions behind gap elements are those of a sector of 2 degrees, 1/180 of them.",
+            true => {
+                "Loads are whole forces; reactions behind gap elements are those of a sector of 2 degrees, 1/180 of them."
+            }
             false => "Forces are those of the modelled part.",
         };
         self.line(format!("** {name}: mm, N, MPa. {of}"));

@@ -11,10 +11,10 @@ use crate::referee::answer::Point;
 use crate::referee::export::deck::kind;
 use crate::referee::export::rows::{approach, retained};
 use crate::referee::profile::tributary;
-use crate::scene::{Load, Place, PlaneHypothesis};
+use crate::scene::{Load, Place, PlaneHypothesis, Scene};
 use crate::solve::Discretisation;
 
-/// Scripts that solve an exported case by another code, and what they share: name, text, what it is.
+/// Scripts that solve an exported plane case by another code, and what they share: name, text, what it is.
 pub const SCRIPTS: [(&str, &str, &str); 10] = [
     ("exported.py", include_str!("../../../oracles/peers/exported.py"), "what the scripts below share"),
     ("run_getfem.py", include_str!("../../../oracles/peers/run_getfem.py"), "solves it by GetFEM"),
@@ -27,6 +27,21 @@ pub const SCRIPTS: [(&str, &str, &str); 10] = [
     ("run_scikit_fem.py", include_str!("../../../oracles/peers/run_scikit_fem.py"), "solves it by scikit-fem"),
     ("run_calculix.py", include_str!("../../../oracles/peers/run_calculix.py"), "solves it by CalculiX"),
 ];
+
+/// The same of bodies of revolution: none of the others knows a hoop strain.
+const OF_REVOLUTION: [(&str, &str, &str); 2] = [
+    SCRIPTS[0],
+    (
+        "run_revolution.py",
+        include_str!("../../../oracles/peers/run_revolution.py"),
+        "solves it by scikit-fem, dolfinx or CalculiX; for GetFEM, NGSolve, SfePy, Kratos, Akantu and FElupe bodies of revolution have no script",
+    ),
+];
+
+/// The scripts that can solve a scene.
+pub fn scripts(scene: &Scene) -> &'static [(&'static str, &'static str, &'static str)] {
+    if scene.is_of_revolution() { &OF_REVOLUTION } else { &SCRIPTS }
+}
 
 /// The problem; units mm, N, MPa, rad, nodes from 0 on, components 0 and 1.
 #[derive(Debug, Serialize)]
