@@ -160,13 +160,13 @@ fn a_fitted_mesh_that_costs_or_errs_more_than_is_asked_turns_red() {
         let mut scenes = [("pin".into(), mesh(5, 1e-5, 3000))];
         meshes.iter_mut().chain(scenes.iter_mut().map(|(_, mesh)| mesh)).for_each(spoil);
         let judge = |meshes: &[fitted::Mesh], scenes: &[(String, fitted::Mesh)]| {
-            let numbers = fitted::Numbers { meshes: meshes.into(), scenes: scenes.into() };
+            let numbers = fitted::Numbers { meshes: meshes.into(), revolved: meshes.into(), scenes: scenes.into() };
             let judged = numbers.judge().expect("judged");
-            assert_eq!(judged.len(), 9 + 3 * scenes.len());
+            assert_eq!(judged.len(), 2 * 9 + 3 * scenes.len());
             fails(&judged)
         };
         // Without another scene, and with one; without the meshes of the block no number of theirs could pass.
-        [judge(&meshes, &[]), judge(&[], &scenes) - 9]
+        [judge(&meshes, &[]) / 2, judge(&[], &scenes) - 2 * 9]
     };
     assert_eq!(judge(|_| {}), [0, 0]);
     assert_eq!(judge(|mesh| mesh.dofs += 1), [3, 1]);
