@@ -212,15 +212,15 @@ fn matrix_types_of_libraries_stay_inside_the_numerics() {
 
 /// Lines that a room may have; raised only by a commit that says what for.
 const BUDGETS: [(&str, usize); 9] = [
-    ("solver", 19_520),
+    ("solver", 19_700),
     ("drawing", 2_970),
-    ("case", 7_995),
-    ("oracle", 4_280),
-    ("study", 14_190),
-    ("referee", 5_660),
+    ("case", 8_215),
+    ("oracle", 4_370),
+    ("study", 14_480),
+    ("referee", 5_900),
     ("report", 3_390),
     ("cli", 4_440),
-    ("live", 480),
+    ("live", 500),
 ];
 
 #[test]
@@ -234,7 +234,7 @@ fn rooms_keep_to_their_budgets() {
 }
 
 /// Files and types that the studies may have together.
-const STUDIES: [usize; 2] = [60, 126];
+const STUDIES: [usize; 2] = [61, 127];
 
 #[test]
 fn studies_keep_to_their_files_and_types() {

@@ -73,7 +73,6 @@ impl Case {
 
     fn beside_closed_form(&self, run: &Run, bars: &[Barred], contact: usize) -> Vec<Judged> {
         let found = &run.contacts[contact];
-        let path = &self.scene.contacts[contact].path;
         let measures = &found.measures;
         let all = [
             (Number::Resultant, found.transmitted),
@@ -82,7 +81,7 @@ impl Case {
         ];
         let bounded = all.into_iter().filter(|(number, _)| !run.is_unbounded(contact, number));
         let all = bounded.map(|(number, value)| {
-            let quantity = Quantity::on(path, number);
+            let quantity = Quantity::on(&self.scene, contact, number);
             (self.reference(contact, &quantity), quantity.factor() * value, quantity)
         });
         let all =

@@ -5,7 +5,7 @@ use std::fmt;
 
 use crate::markdown;
 use crate::measure;
-use crate::scene::Path;
+use crate::scene::Scene;
 
 /// A quantity that can be held against something.
 #[derive(Clone, Debug, PartialEq)]
@@ -14,8 +14,8 @@ pub enum Quantity {
     Number {
         /// Which.
         of: measure::Quantity,
-        /// Whether it is told in degrees, as places and widths on an arc are.
-        on_arc: bool,
+        /// What it lies along.
+        along: Along,
     },
     /// Error of the pressure profile, relative in L2 over one and a half half-widths.
     Profile,
@@ -34,6 +34,17 @@ pub enum Quantity {
     },
 }
 
+/// What the contact coordinate of a number is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Along {
+    /// A length on a straight path; also of what lies nowhere.
+    Line,
+    /// An angle on an arc: places and widths are told in degrees.
+    Arc,
+    /// The radius of bodies of revolution: widths are radii of a circle.
+    Radius,
+}
+
 impl From<&'static str> for Quantity {
     fn from(name: &'static str) -> Self {
         Self::at(name, "")
@@ -43,7 +54,7 @@ impl From<&'static str> for Quantity {
 /// A number of a contact on a straight path.
 impl From<measure::Quantity> for Quantity {
     fn from(of: measure::Quantity) -> Self {
-        Self::Number { of, on_arc: false }
+        Self::Number { of, along: Along::Line }
     }
 }
 
@@ -53,15 +64,19 @@ impl Quantity {
         Self::Named { name: name.into(), at: at.into() }
     }
 
-    /// A number of a contact on a path.
-    pub fn on(path: &Path, of: measure::Quantity) -> Self {
-        if path.is_straight() { of.into() } else { Self::on_arc(of) }
+    /// A number of a contact of a scene.
+    pub fn on(scene: &Scene, contact: usize, of: measure::Quantity) -> Self {
+        match (scene.contacts[contact].path.is_straight(), scene.is_of_revolution()) {
+            (false, _) => Self::on_arc(of),
+            (true, false) => of.into(),
+            (true, true) => Self::Number { of, along: Along::Radius },
+        }
     }
 
     /// A number of a contact on an arc.
     pub fn on_arc(of: measure::Quantity) -> Self {
         let is_along = of.unit(true) != of.unit(false) || matches!(of, measure::Quantity::Pressure { .. });
-        Self::Number { of, on_arc: is_along }
+        Self::Number { of, along: if is_along { Along::Arc } else { Along::Line } }
     }
 
     /// The number of a run that it is, if it is one.
@@ -75,7 +90,9 @@ impl Quantity {
     /// The noun phrase, without the place.
     pub fn name(&self) -> &str {
         match self {
-            Self::Number { of, on_arc } => of.name(*on_arc),
+            Self::Number { of: measure::Quantity::HalfWidth, along: Along::Radius } => "contact radius",
+            Self::Number { of: measure::Quantity::SecondMomentWidth, along: Along::Radius } => "second-moment radius",
+            Self::Number { of, along } => of.name(*along == Along::Arc),
             Self::Profile => "error of the pressure profile in L2",
             Self::EdgeMeans => "share of the force elsewhere by edge means",
             Self::Departure => "largest departure of the pressure at any point, over the largest pressure",
@@ -87,7 +104,7 @@ impl Quantity {
     /// The unit of a number of a run; none of a pure number.
     pub fn unit(&self) -> Option<&'static str> {
         match self {
-            Self::Number { of, on_arc } => Some(of.unit(*on_arc).0),
+            Self::Number { of, along } => Some(of.unit(*along == Along::Arc).0),
             _ => None,
         }
     }
@@ -95,7 +112,7 @@ impl Quantity {
     /// What turns the number as it was measured into that unit.
     pub fn factor(&self) -> f64 {
         match self {
-            Self::Number { of, on_arc } => of.unit(*on_arc).1,
+            Self::Number { of, along } => of.unit(*along == Along::Arc).1,
             _ => 1.0,
         }
     }
@@ -103,12 +120,11 @@ impl Quantity {
     /// The contact coordinate that a number of a run is taken at, such as `s = 4 mm`; none where its name says all.
     pub fn coordinate(&self) -> Option<String> {
         match self {
-            Self::Number { of: measure::Quantity::Pressure { at }, on_arc: false } => {
-                Some(format!("s = {} mm", markdown::bound(*at)))
-            }
-            Self::Number { of: measure::Quantity::Pressure { at }, on_arc: true } => {
-                Some(format!("s = {}°", markdown::bound(at.to_degrees())))
-            }
+            Self::Number { of: measure::Quantity::Pressure { at }, along } => Some(match along {
+                Along::Line => format!("s = {} mm", markdown::bound(*at)),
+                Along::Radius => format!("r = {} mm", markdown::bound(*at)),
+                Along::Arc => format!("s = {}°", markdown::bound(at.to_degrees())),
+            }),
             Self::Number { of: measure::Quantity::HoopStress { at }, .. } => Some(format!("{:.0}°", at.to_degrees())),
             _ => None,
         }

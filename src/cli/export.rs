@@ -60,7 +60,6 @@ type Written = (String, Vec<u8>, &'static str);
 
 /// Every file.
 pub fn files(case: &Case, condensed: bool) -> Result<Vec<Written>, Error> {
-    Truth::refuse_revolution(case)?;
     let discretisation = case.meshed()?.discretisation;
     let run = Run::of(&discretisation, &Formulation::verification())?;
     let truth = Truth::of(case.clone())?;
@@ -71,7 +70,8 @@ pub fn files(case: &Case, condensed: bool) -> Result<Vec<Written>, Error> {
         sheet = format!("{sheet}\n{}", condensed::TEXT);
     }
     let table = profile::csv(&discretisation.scene, &run, Path::new("ours.csv"))?;
-    let scripts = problem::SCRIPTS.map(|(name, text, what)| (name.to_owned(), text.to_owned(), what));
+    let scripts =
+        problem::scripts(&case.scene).iter().map(|(name, text, what)| (name.to_string(), text.to_string(), *what));
     let files = vec![
         (named(".md"), sheet, "sheet: scene, equations, reference values"),
         (named(".msh"), gmsh::text(&discretisation.scene, &discretisation.mesh), "mesh for Gmsh 4.1"),

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use contact_vv::error::Error;
 use contact_vv::oracle::cross_code::independent::Script;
+use contact_vv::oracle::cross_code::revolution::Answer;
 use contact_vv::oracle::cross_code::{Code, DiscreteAnswer, DiscreteProblem, PhysicalAnswer, PhysicalScene};
 use numpy::{PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::exceptions::PyValueError;
@@ -44,20 +45,38 @@ pub fn discrete(code: Code, problem: &DiscreteProblem) -> Result<DiscreteAnswer,
 pub fn independent(script: Script, scene: &PhysicalScene, level: usize) -> Result<PhysicalAnswer, Error> {
     let scene = scene.clone();
     with_python(move |py| {
-        let given = PyDict::new(py);
-        given.set_item("case", &scene.case)?;
-        for (name, number) in &scene.numbers {
-            given.set_item(name, number)?;
-        }
-        given.set_item("stations", PyArray1::from_slice(py, &scene.stations))?;
-        let answer = py.import(script.module())?.call_method1("solve", (given, level, script.method()))?;
-        Ok(PhysicalAnswer {
-            half_width: answer.get_item("half_width")?.extract()?,
-            peak: answer.get_item("peak")?.extract()?,
-            resultant: answer.get_item("resultant")?.extract()?,
-            pressure: answer.get_item("pressure")?.extract::<PyReadonlyArray1<'_, f64>>()?.as_array().to_vec(),
-            dofs: answer.get_item("dofs")?.extract()?,
-        })
+        let given = given(py, &scene)?;
+        physical(&py.import(script.module())?.call_method1("solve", (given, level, script.method()))?)
+    })
+}
+
+/// Solves a scene of bodies of revolution on the mesh of a level by a script of `oracles/revolution`, by the name of its module.
+pub fn revolution(module: &str, scene: &PhysicalScene, level: usize) -> Result<Answer, Error> {
+    let (module, scene) = (module.to_owned(), scene.clone());
+    with_python(move |py| {
+        let answer = py.import(module)?.call_method1("solve", (given(py, &scene)?, level))?;
+        Ok(Answer { physical: physical(&answer)?, approach: answer.get_item("approach")?.extract()? })
+    })
+}
+
+/// The numbers of a scene.
+fn given<'py>(py: Python<'py>, scene: &PhysicalScene) -> PyResult<Bound<'py, PyDict>> {
+    let given = PyDict::new(py);
+    given.set_item("case", &scene.case)?;
+    for (name, number) in &scene.numbers {
+        given.set_item(name, number)?;
+    }
+    given.set_item("stations", PyArray1::from_slice(py, &scene.stations))?;
+    Ok(given)
+}
+
+fn physical(answer: &Bound<'_, PyAny>) -> PyResult<PhysicalAnswer> {
+    Ok(PhysicalAnswer {
+        half_width: answer.get_item("half_width")?.extract()?,
+        peak: answer.get_item("peak")?.extract()?,
+        resultant: answer.get_item("resultant")?.extract()?,
+        pressure: answer.get_item("pressure")?.extract::<PyReadonlyArray1<'_, f64>>()?.as_array().to_vec(),
+        dofs: answer.get_item("dofs")?.extract()?,
     })
 }
 

@@ -13,7 +13,7 @@ use std::thread;
 use contact_vv::checkout::root;
 use contact_vv::error::Error;
 use contact_vv::oracle::cross_code::independent::Folder;
-use contact_vv::oracle::cross_code::{SET_UP, scripts};
+use contact_vv::oracle::cross_code::{SET_UP, revolution, scripts};
 use pyo3::exceptions::PyModuleNotFoundError;
 use pyo3::prelude::*;
 use pyo3::{ffi, types::PyTracebackMethods};
@@ -89,7 +89,7 @@ fn boot() -> Result<(), Told> {
 fn prepare(py: Python<'_>) -> PyResult<()> {
     let path = py.import("sys")?.getattr("path")?;
     let own = Folder::ALL.into_iter().filter(|folder| folder.is_set_up());
-    for folder in [scripts()].into_iter().chain(own.map(Folder::path)) {
+    for folder in [scripts(), revolution::folder()].into_iter().chain(own.map(Folder::path)) {
         path.call_method1("insert", (0, folder.display().to_string()))?;
     }
     py.import("environment")?.call_method1("prepare", (root().join(INSTALLED).display().to_string(),))?;

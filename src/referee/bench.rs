@@ -29,7 +29,7 @@ pub const KNOWN: f64 = 1e-2;
 impl Bench<'_> {
     /// A number against what is known of it, relative to that, within the tolerance and its bar.
     pub fn near(&self, number: Quantity, value: f64, known: Known) -> Judged {
-        let quantity = case::Quantity::on(&self.profile.pair().path, number);
+        let quantity = case::Quantity::on(&self.profile.scene, self.profile.contact, number);
         let factor = quantity.factor();
         let known = Known { reference: known.reference.times(factor), bar: factor * known.bar };
         let share = known.bar / known.reference.value.abs();

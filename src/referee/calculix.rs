@@ -7,7 +7,7 @@ use crate::error::Error;
 use crate::mesh::Order;
 use crate::referee::answer::{Answer, Handed, Point, ordered, signed_coordinate};
 use crate::referee::asked::Asked;
-use crate::referee::export::deck::{GAPS, named};
+use crate::referee::export::deck::{GAPS, SECTORS, named};
 use crate::referee::source::Source;
 use crate::referee::state::State;
 use crate::referee::units::Role;
@@ -37,6 +37,8 @@ pub fn forces(file: &Path, text: &str, deck: &str, scene: &Scene, asked: &Asked)
     let force = source.factor(Role::Force, "the force", unit(Role::Force, "N"))?;
     let places = nodes_of_deck(&Source { file: &file.with_extension("inp"), text: deck })?;
     let order = asked.order.unwrap_or_else(|| order_of_deck(deck));
+    // Nodes of no cell have the forces of the sector into which ccx expands cells of revolution.
+    let whole = if scene.is_of_revolution() { SECTORS } else { 1.0 };
     let (mut contacts, mut read, mut notes) = (Vec::new(), Vec::new(), Vec::new());
     for (contact, pair) in scene.contacts.iter().enumerate() {
         let set = format!("{GAPS}{}", named(&[&pair.name]));
@@ -67,7 +69,7 @@ pub fn forces(file: &Path, text: &str, deck: &str, scene: &Scene, asked: &Asked)
                 return Err(wrong(format!("`{}` is no node with three forces", line.trim())));
             }
             let position = signed_coordinate(pair, place.map(|x| length * x));
-            Ok(Point { position, value: 0.0 - asked.sign() * force * value, area: None, gap: None })
+            Ok(Point { position, value: 0.0 - whole * asked.sign() * force * value, area: None, gap: None })
         };
         let points = lines.iter().map(point).collect::<Result<Vec<Point>, Error>>()?;
         let points = ordered(points, order, |message, remedy| source.refused(format!("set {set}: {message}"), remedy))?;
@@ -79,6 +81,7 @@ pub fn forces(file: &Path, text: &str, deck: &str, scene: &Scene, asked: &Asked)
         return Err(source.refused(message, remedy));
     }
     read.insert(0, "reactions behind the gap elements as contact forces, turned round".into());
+    read.extend(scene.is_of_revolution().then(|| "reactions of a sector of 2° times 180".to_owned()));
     read.push("places from the deck of the same name".into());
     notes.dedup();
     Ok(Answer { file: file.into(), code: Some("CalculiX".into()), read, notes, contacts, field: None })
@@ -140,6 +143,6 @@ fn order_of_deck(deck: &str) -> Order {
         .lines()
         .filter(|line| line.starts_with('*'))
         .map(upper)
-        .any(|line| line.contains("TYPE=CPE8") || line.contains("TYPE=CPS8"));
+        .any(|line| ["TYPE=CPE8", "TYPE=CPS8", "TYPE=CAX8"].iter().any(|kind| line.contains(kind)));
     if eight { Order::Quadratic } else { Order::Linear }
 }

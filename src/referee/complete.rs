@@ -40,7 +40,10 @@ pub fn all(truth: &Truth, answer: &Answer, handed: &Handed, profile: &Profile, t
     ];
     let force = |from: f64, to: f64| {
         let step = (to - from) / INTERVALS as f64;
-        let at = |k: usize| truth.pressure(contact, from + (k as f64 + 0.5) * step);
+        let at = |k: usize| {
+            let s = from + (k as f64 + 0.5) * step;
+            truth.pressure(contact, s) * if truth.case.scene.is_of_revolution() { s } else { 1.0 }
+        };
         (0..INTERVALS).map(at).filter(|pressure| pressure.is_finite()).sum::<f64>() * step
     };
     let whole = force(from, ours.edge());

@@ -41,18 +41,18 @@ pub struct Contact {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub order: Option<u8>,
     /// Contact coordinate of each point: distance from the middle of the contact on a straight path, angle from the load line on an arc;
-    /// negative on the other half.
+    /// negative on the other half. Of bodies of revolution the radius.
     pub position: Vec<f64>,
     /// Contact pressure per area of the undeformed path, positive in compression.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub pressure: Vec<f64>,
-    /// Nodal contact force along the normal, positive in compression: instead of the pressure.
+    /// Nodal contact force along the normal, positive in compression: instead of the pressure. Of bodies of revolution that of the whole ring.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub force: Vec<f64>,
     /// Remaining gap, positive where open; null where there is no other side.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub gap: Vec<Option<f64>>,
-    /// Tributary area of each point; follows from positions and order where it is left out.
+    /// Tributary area of each point; follows from positions and order where it is left out. Of bodies of revolution that of the whole ring.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub area: Vec<f64>,
     /// Mean pressures over the edges, where the code knows them.
@@ -232,7 +232,7 @@ fn edges_of(reader: &Reader) -> Result<Vec<EdgeState>, Error> {
         ends: [place * edge.from, place * edge.to],
         weight: area * edge.area,
         pressure: reader.asked.sign() * pressure * edge.pressure,
-        is_ring: false,
+        is_ring: reader.scene.is_of_revolution(),
     };
     let mut edges: Vec<EdgeState> = edges.iter().map(state).collect();
     edges.sort_by(|a, b| a.ends[0].total_cmp(&b.ends[0]));

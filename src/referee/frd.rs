@@ -48,7 +48,7 @@ pub fn parse(file: &Path, text: &str, scene: &Scene, asked: &Asked) -> Result<An
         return Err(source.refused(message, remedy));
     };
     let (gap, _) = column(Role::Gap, "COPEN");
-    let plane = Plane::of(&source)?;
+    let plane = Plane::of(&source, scene)?;
     let (values, strange) = plane.values(&block);
     let pair = &scene.contacts[contact];
     let places: Vec<[f64; 2]> = plane.places.iter().map(|place| place.map(|x| length * x)).collect();
@@ -71,7 +71,7 @@ pub fn parse(file: &Path, text: &str, scene: &Scene, asked: &Asked) -> Result<An
         );
         return Err(source.refused(message, EXPANDED));
     }
-    side.all_pressed(&source, pair, &places, value)?;
+    side.all_pressed(&source, (pair, scene.is_of_revolution()), &places, value)?;
     let order = asked.order.unwrap_or(side.order());
     let points = ordered(points, order, |message, remedy| source.refused(format!("contact block: {message}"), remedy))?;
     let mut read = vec![format!("{name} as pressure")];
@@ -80,7 +80,7 @@ pub fn parse(file: &Path, text: &str, scene: &Scene, asked: &Asked) -> Result<An
     read.push(format!("the contact block of {} is judged", head.state));
     let all: Vec<State> = heads.iter().map(|head| head.state).collect();
     let contacts = vec![Handed { contact, points, order, edges: vec![], forces: false }];
-    let field = displacements(&source, asked, None, Some(head.state.time))?;
+    let field = displacements((&source, scene), asked, None, Some(head.state.time))?;
     let code = Some("CalculiX".into());
     Ok(Answer { file: file.into(), code, read, notes: head.state.notes(&all), contacts, field })
 }
@@ -104,7 +104,7 @@ fn without_gaps(mut nodes: Vec<(f64, Option<Point>)>) -> (Vec<Point>, usize) {
 
 /// The displacements of a file, of a time where one is given; none where it has none, or their unit is not known. `ours` is the unit of our own decks.
 pub fn displacements(
-    source: &Source,
+    (source, scene): (&Source, &Scene),
     asked: &Asked,
     ours: Option<&str>,
     time: Option<f64>,
@@ -115,7 +115,8 @@ pub fn displacements(
     let Some(head) = heads.iter().rfind(is_it).filter(|_| unit.is_some()) else { return Ok(None) };
     let length = source.factor(Role::Position, "the place of a node", asked.unit(Role::Position).or(ours))?;
     let moved = source.factor(Role::Displacement, "the displacement", unit)?;
-    let (block, plane) = (block(source, head)?, Plane::of(source)?);
+    let (mut block, plane) = (block(source, head)?, Plane::of(source, scene)?);
+    block.rows.iter_mut().for_each(|(number, values)| plane.turn(*number, values));
     if let Some(number) = plane.all.keys().find(|number| !block.rows.contains_key(number)) {
         return Err(source.refused(format!("its block of displacements has no node {number}"), AGAIN));
     }
@@ -245,10 +246,12 @@ const KINDS: [Kind; 8] = [
 /// Types of lines, as which gap elements are written.
 const LINES: [&str; 2] = ["11", "12"];
 
-/// The mesh in the plane: nodes at the same place of the slice are one.
+/// The mesh in the plane: nodes at the same place of the slice are one, those of a sector of bodies of revolution at the same radius.
 struct Plane {
-    /// All nodes of the file.
-    all: BTreeMap<usize, [f64; 3]>,
+    /// All nodes of the file; of a sector turned into the plane.
+    all: BTreeMap<usize, [f64; 2]>,
+    /// Cosine and sine of the angles by which nodes of a sector were turned.
+    turned: BTreeMap<usize, [f64; 2]>,
     /// Nodes of the plane by the number of each node that stands for them.
     of: BTreeMap<usize, usize>,
     /// Their places.
@@ -257,9 +260,14 @@ struct Plane {
 }
 
 impl Plane {
-    fn of(source: &Source) -> Result<Self, Error> {
-        let all = nodes(source)?;
-        let mut plane = Self { all, of: BTreeMap::new(), places: vec![], cells: vec![] };
+    fn of(source: &Source, scene: &Scene) -> Result<Self, Error> {
+        let (mut all, mut turned) = (BTreeMap::new(), BTreeMap::new());
+        for (number, [x, y, z]) in nodes(source)? {
+            let (radius, is_turned) = (x.hypot(z), scene.is_of_revolution() && z.abs() > 0.0);
+            all.insert(number, [if is_turned { radius } else { x }, y]);
+            turned.extend(is_turned.then_some((number, [x / radius, z / radius])));
+        }
+        let mut plane = Self { all, turned, of: BTreeMap::new(), places: vec![], cells: vec![] };
         let mut lines = source.text.lines().skip_while(|line| !line.starts_with("    3C")).skip(1).peekable();
         while let Some(head) = lines.next_if(|line| line.starts_with(" -1")) {
             let kind = head.split_whitespace().nth(2).unwrap_or_default();
@@ -300,9 +308,10 @@ impl Plane {
         let own: Vec<usize> = (0..*corners).chain(mids..mids + in_plane - corners).map(|k| nodes[k]).collect();
         let place = |number: &usize| [self.all[number][0] + 0.0, self.all[number][1] + 0.0];
         let size = own.iter().map(|node| place(node)[0].abs().max(place(node)[1].abs())).fold(0.0, f64::max);
+        let same = if self.turned.is_empty() { SAME } else { SAME_RADIUS };
         let near = |a: &usize, b: &usize| {
             let (a, b) = (place(a), place(b));
-            (a[0] - b[0]).abs().max((a[1] - b[1]).abs()) <= SAME * size
+            (a[0] - b[0]).abs().max((a[1] - b[1]).abs()) <= same * size
         };
         let groups: Vec<Vec<usize>> = own
             .iter()
@@ -327,6 +336,13 @@ impl Plane {
         Some(())
     }
 
+    /// Turns the vector of a node of a sector into the plane.
+    fn turn(&self, number: usize, vector: &mut [f64]) {
+        if let (Some([cosine, sine]), [u, _, w, ..]) = (self.turned.get(&number), vector) {
+            (*u, *w) = (cosine * *u + sine * *w, cosine * *w - sine * *u);
+        }
+    }
+
     /// Means of the values of a block at each node of the plane, none where it has none; and how many of its nodes are not there. Where it names no
     /// node of a cell, those at the same place are meant.
     fn values(&self, block: &Block) -> (Vec<Option<Vec<f64>>>, usize) {
@@ -335,7 +351,7 @@ impl Plane {
         let mut at: BTreeMap<[u64; 2], Vec<usize>> = BTreeMap::new();
         self.places.iter().enumerate().for_each(|(node, [x, y])| at.entry(key(*x, *y)).or_default().push(node));
         let nodes = |number: &usize| match (is_direct, self.all.get(number)) {
-            (false, Some([x, y, _])) => at.get(&key(*x, *y)).cloned().unwrap_or_default(),
+            (false, Some([x, y])) => at.get(&key(*x, *y)).cloned().unwrap_or_default(),
             _ => self.of.get(number).copied().into_iter().collect(),
         };
         let mut sums = vec![(0.0, vec![0.0; block.components.len()]); self.places.len()];
@@ -353,6 +369,8 @@ impl Plane {
 
 /// Distance of nodes, over the largest coordinate of their cell, within which they are at the same place: six digits are written.
 const SAME: f64 = 2e-6;
+/// The same of radii, of which both coordinates are rounded.
+const SAME_RADIUS: f64 = 1e-5;
 
 /// Places of the nodes.
 fn nodes(source: &Source) -> Result<BTreeMap<usize, [f64; 3]>, Error> {

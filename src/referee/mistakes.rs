@@ -1,9 +1,9 @@
 //! Usual mistakes: what turns an answer that does not meet its truth into one that does is named.
 //!
 //! A mistake is a correction of positions and pressures. Loads, radii and moduli enter by the powers of Hertz's contact,
-//! `a ∝ √(PR/E*)`, `p ∝ √(PE*/R)`, and by those of a contact whose width is given.
+//! `a ∝ √(PR/E*)`, `p ∝ √(PE*/R)`, of bodies of revolution `a ∝ ∛(FR/E*)`, `p ∝ ∛(FE*²/R²)`, and by those of a contact whose width is given.
 
-use std::f64::consts::{FRAC_1_SQRT_2, PI, SQRT_2};
+use std::f64::consts::{FRAC_1_SQRT_2, PI, SQRT_2, TAU};
 
 use crate::case::Verdict;
 use crate::measure::Quantity;
@@ -11,7 +11,7 @@ use crate::referee::answer::{Handed, Point};
 use crate::referee::judge::{fails_by_width, judge};
 use crate::referee::profile::{Profile, tributary};
 use crate::referee::truth::Truth;
-use crate::scene::{PlaneHypothesis, Scene};
+use crate::scene::{ContactPair, PlaneHypothesis, Scene};
 use crate::solution::EdgeState;
 
 /// A correction, and what it says.
@@ -37,14 +37,73 @@ pub fn explain(truth: &Truth, handed: &Handed, tolerance: f64) -> Vec<String> {
 
 /// Every correction that is tried.
 fn corrections(truth: &Truth, handed: &Handed) -> Vec<Correction> {
+    let (scene, revolves) = (&truth.case.scene, truth.case.scene.is_of_revolution());
     let scales = scales(truth, handed).into_iter();
-    let scaled =
-        scales.map(|(says, [pressure, place])| Correction { says, corrected: scaled(handed, pressure, place) });
-    scaled.chain(shifts(handed)).chain(halves(handed)).collect()
+    let scaled = scales.map(|(says, [pressure, place])| Correction {
+        says,
+        corrected: scaled(handed, pressure, place, if revolves { place * place } else { place }),
+    });
+    let sides = if revolves { vec![] } else { halves(handed) };
+    scaled.chain(by_rings(scene, handed)).chain(shifts(scene, handed)).chain(sides).collect()
 }
 
 /// Factors on pressures and on positions.
 fn scales(truth: &Truth, handed: &Handed) -> Vec<(String, [f64; 2])> {
+    match truth.case.scene.is_of_revolution() {
+        true => of_revolution(&truth.case.scene, handed),
+        false => of_strips(truth, handed),
+    }
+    .into_iter()
+    .chain(units(&truth.case.scene.contacts[handed.contact]))
+    .collect()
+}
+
+/// Those of bodies of revolution: of a load so many times the scene's `a` and `p₀` are `∛` of it, of a contact of given radius p alone.
+fn of_revolution(scene: &Scene, handed: &Handed) -> Vec<(String, [f64; 2])> {
+    let say = |text: &str| text.to_owned();
+    let per_radian = "the load is 2π times the scene's: the whole force is given per radian";
+    let whole =
+        "the load is 1/2π of the scene's: it is given per radian, and the scene's is that of the whole circumference";
+    let half = "the load is half of the scene's: that is of the whole body of revolution";
+    let twice = "the load is twice the scene's: that is of the whole body of revolution";
+    let sector = "the load is 1/180 of the scene's: that of a sector of 2° for the whole one";
+    // Nodal forces per radian, or of a sector, are named as such.
+    let of_forces = handed.forces;
+    let loads = [
+        (per_radian, TAU, false),
+        (whole, TAU.recip(), of_forces),
+        (half, 0.5, false),
+        (twice, 2.0, false),
+        (sector, 1.0 / 180.0, of_forces),
+    ];
+    let of_load = |(says, times, is_named): (&str, f64, bool)| {
+        let of_hertz = (say(says), [times.cbrt().recip(); 2]);
+        let of_given_radius = (say(says), [times.recip(), 1.0]);
+        std::iter::once(of_hertz).chain((!is_named).then_some(of_given_radius))
+    };
+    let mut all = vec![
+        (say("pressures are negative in compression: hand them in with --tension-positive"), [-1.0, 1.0]),
+        (say("the radius is twice the scene's (a diameter for a radius)"), [4f64.cbrt(), 2f64.cbrt().recip()]),
+        (say("the radius is half of the scene's (a radius for a diameter)"), [4f64.cbrt().recip(), 2f64.cbrt()]),
+        (say("E* is half of the scene's (an elastic other side for a rigid one)"), [4f64.cbrt(), 2f64.cbrt().recip()]),
+        (say("E* is twice the scene's (a rigid other side for an elastic one)"), [4f64.cbrt().recip(), 2f64.cbrt()]),
+        (say("positions are doubled: a diameter for a radius"), [1.0, 0.5]),
+        (say("positions are halved: a radius for a diameter"), [1.0, 2.0]),
+    ];
+    all.extend(loads.into_iter().flat_map(of_load));
+    if handed.forces {
+        all.push((say("nodal forces are per radian: 2π is forgotten"), [TAU, 1.0]));
+        all.push((say("nodal forces are those of a sector of 2°: they are to be multiplied by 180"), [180.0, 1.0]));
+    }
+    let plane = Scene { plane: PlaneHypothesis::Stress, ..scene.clone() };
+    let pair = &scene.contacts[handed.contact];
+    let root = (plane.modulus_of(pair) / scene.modulus_of(pair)).cbrt();
+    all.push((say("E for E/(1−ν²): the modulus of the contact is that of plane stress"), [root.powi(-2), root]));
+    all
+}
+
+/// Those of strips.
+fn of_strips(truth: &Truth, handed: &Handed) -> Vec<(String, [f64; 2])> {
     let scene = &truth.case.scene;
     let pair = &scene.contacts[handed.contact];
     let say = |text: &str| text.to_owned();
@@ -90,6 +149,12 @@ fn scales(truth: &Truth, handed: &Handed) -> Vec<(String, [f64; 2])> {
         let text = format!("forces are per unit thickness, but the scene is {} mm thick", scene.thickness);
         all.push((text, [scene.thickness, 1.0]));
     }
+    all
+}
+
+/// Units that are called others.
+fn units(pair: &ContactPair) -> Vec<(String, [f64; 2])> {
+    let mut all = Vec::new();
     let places: &[(&str, f64)] = match pair.path.is_straight() {
         true => &[("", 1.0), ("positions in m are called mm", 1e3), ("positions in mm are called m", 1e-3)],
         false => &[
@@ -124,18 +189,28 @@ fn of_spheres(truth: &Truth, handed: &Handed) -> [[f64; 2]; 2] {
     [[peak(of_sphere), a / of_sphere], [peak(a), 1.0]]
 }
 
-/// Pressures times one factor, positions times another; forces and areas follow.
-fn scaled(handed: &Handed, pressure: f64, place: f64) -> Handed {
-    let value = if handed.forces { pressure * place } else { pressure };
+/// Forces that are pressures times lengths, of nodes or of the edges between them, on bodies of revolution: `2πr` is forgotten.
+fn by_rings(scene: &Scene, handed: &Handed) -> Vec<Correction> {
+    if !scene.is_of_revolution() || !handed.forces {
+        return vec![];
+    }
+    let points = handed.points.iter().map(|point| Point { value: scene.depth(point.position) * point.value, ..*point });
+    let corrected = Handed { points: points.collect(), edges: vec![], ..handed.clone() };
+    vec![Correction { says: "nodal forces are pressures times lengths: 2πr is forgotten".into(), corrected }]
+}
+
+/// Pressures times one factor, positions times another, areas times a third; forces follow.
+fn scaled(handed: &Handed, pressure: f64, place: f64, area: f64) -> Handed {
+    let value = if handed.forces { pressure * area } else { pressure };
     let point = |point: &Point| Point {
         position: place * point.position,
         value: value * point.value,
-        area: point.area.map(|area| place * area),
+        area: point.area.map(|own| area * own),
         gap: point.gap,
     };
     let edge = |edge: &EdgeState| EdgeState {
         ends: edge.ends.map(|end| place * end),
-        weight: place * edge.weight,
+        weight: area * edge.weight,
         pressure: pressure * edge.pressure,
         is_ring: edge.is_ring,
     };
@@ -147,7 +222,7 @@ fn scaled(handed: &Handed, pressure: f64, place: f64) -> Handed {
 }
 
 /// The values moved by one point, the end filled up; and all positions moved so that the centre of pressure lies in the middle.
-fn shifts(handed: &Handed) -> Vec<Correction> {
+fn shifts(scene: &Scene, handed: &Handed) -> Vec<Correction> {
     let values: Vec<f64> = handed.points.iter().map(|point| point.value).collect();
     let last = values.len() - 1;
     let moved = |values: Vec<f64>| {
@@ -156,9 +231,12 @@ fn shifts(handed: &Handed) -> Vec<Correction> {
     };
     let outwards = [&values[1..], &[0.0][..]].concat();
     let inwards = [&values[..1], &values[..last]].concat();
-    // Forces are what they are; pressures count by the length that belongs to them.
-    let lengths = if handed.forces { vec![1.0; values.len()] } else { tributary(&handed.points, handed.order) };
-    let forces: Vec<f64> = values.iter().zip(&lengths).map(|(value, length)| value * length).collect();
+    // Forces are what they are; pressures count by the area that belongs to them.
+    let areas = match handed.forces {
+        true => vec![1.0; values.len()],
+        false => tributary(scene, &scene.contacts[handed.contact], &handed.points, handed.order),
+    };
+    let forces: Vec<f64> = values.iter().zip(&areas).map(|(value, area)| value * area).collect();
     let moment: f64 = forces.iter().zip(&handed.points).map(|(force, point)| force * point.position).sum();
     let centre = moment / forces.iter().sum::<f64>();
     let points = handed.points.iter().map(|point| Point { position: point.position - centre, ..*point }).collect();

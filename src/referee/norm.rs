@@ -7,12 +7,15 @@ const READ: usize = 32;
 /// Points of all edges together from which on fewer of each will do: the edge at the end is a small part of the contact.
 const ALL: usize = 64_000;
 
-/// `√(Σ A (p̄ − p̄_ref)² / Σ A p̄_ref²)` of the means over edges, those of the truth by the midpoint rule.
+/// `√(Σ A (p̄ − p̄_ref)² / Σ A p̄_ref²)` of the means over edges, those of the truth by the midpoint rule, weighted by the radius over rings.
 pub fn of_means(edges: &[EdgeState], truth: impl Fn(f64) -> f64) -> f64 {
     let points = (ALL / edges.len().max(1)).clamp(1, READ);
     let mean = |edge: &EdgeState| {
         let at = |k: usize| edge.ends[0] + edge.length() * (k as f64 + 0.5) / points as f64;
-        (0..points).map(|k| truth(at(k))).sum::<f64>() / points as f64
+        match edge.is_ring {
+            false => (0..points).map(|k| truth(at(k))).sum::<f64>() / points as f64,
+            true => (0..points).map(|k| at(k) * truth(at(k))).sum::<f64>() / (0..points).map(at).sum::<f64>(),
+        }
     };
     let pairs: Vec<[f64; 3]> = edges.iter().map(|edge| [edge.weight, edge.pressure, mean(edge)]).collect();
     let error: f64 = pairs.iter().map(|[weight, own, wanted]| weight * (own - wanted).powi(2)).sum();

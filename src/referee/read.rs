@@ -8,7 +8,8 @@ use flate2::read::GzDecoder;
 
 use crate::case::Case;
 use crate::error::Error;
-use crate::referee::answer::Answer;
+use crate::markdown::significant;
+use crate::referee::answer::{Answer, Handed};
 use crate::referee::asked::Asked;
 use crate::referee::source::Source;
 use crate::referee::{calculix, document, foreign, frd, grid, pvd, table};
@@ -26,8 +27,27 @@ pub fn read(file: &Path, case: &Case, asked: &Asked) -> Result<Answer, Error> {
     parse(file, &bytes, case, asked)
 }
 
-/// The answer in the bytes of a file, which is only named; one that ends in .gz is decompressed.
+/// The answer in the bytes of a file, which is only named; one that ends in .gz is decompressed. Refuses radii below 0.
 pub fn parse(file: &Path, bytes: &[u8], case: &Case, asked: &Asked) -> Result<Answer, Error> {
+    let answer = by_ending(file, bytes, case, asked)?;
+    let ends = |handed: &Handed| Some([handed.points.first()?.position, handed.points.last()?.position]);
+    let beyond = |[least, most]: &[f64; 2]| *least < 0.0 - ROUNDING * most.abs();
+    match answer.contacts.iter().filter_map(ends).find(beyond).filter(|_| case.scene.is_of_revolution()) {
+        None => Ok(answer),
+        Some([least, _]) => {
+            let message = format!(
+                "it has a point at {} mm, and positions on bodies of revolution are radii from the axis on",
+                significant(least, 4)
+            );
+            Err(Error::file(file, message, "hand in the points of one side of the axis, at r ≥ 0"))
+        }
+    }
+}
+
+/// Part of the largest radius that rounding explains.
+const ROUNDING: f64 = 1e-9;
+
+fn by_ending(file: &Path, bytes: &[u8], case: &Case, asked: &Asked) -> Result<Answer, Error> {
     let ending = file.extension().map(|ending| ending.to_string_lossy().to_lowercase()).unwrap_or_default();
     if ending == "gz" {
         let within = file.with_extension("");
@@ -82,7 +102,7 @@ fn exported(file: &Path, table: &str, scene: &Scene, asked: &Asked) -> Result<An
     if fields.exists() {
         let read = bytes(&fields)?;
         let source = Source { file: &fields, text: text(&fields, &read)? };
-        answer.field = frd::displacements(&source, asked, calculix::is_ours(&deck).then_some("mm"), None)?;
+        answer.field = frd::displacements((&source, scene), asked, calculix::is_ours(&deck).then_some("mm"), None)?;
         answer.read.extend(answer.field.is_some().then(|| "displacements from the .frd of the same name".into()));
     }
     Ok(answer)

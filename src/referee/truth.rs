@@ -42,19 +42,8 @@ const OURS: &str = "our fine answer";
 const UNLIMITED: f64 = 1e6;
 
 impl Truth {
-    /// Refuses bodies of revolution, which are handed to no other code yet, and of which no answers are judged.
-    pub fn refuse_revolution(case: &Case) -> Result<(), Error> {
-        if !case.scene.is_of_revolution() {
-            return Ok(());
-        }
-        let message = "bodies of revolution can be neither exported nor judged yet";
-        let remedy = "use `contact-vv solve`, with --vtu for its fields, and a closed form as `oracle`";
-        Err(Error::at(case.name.as_str(), message, remedy))
-    }
-
     /// Solves the case on a mesh finer than its own, where that can be solved.
     pub fn of(case: Case) -> Result<Self, Error> {
-        Self::refuse_revolution(&case)?;
         let (discretisation, run) = match finer(&case) {
             Some(found) => found,
             None => {

@@ -250,6 +250,14 @@ pub fn remark(page: &str) -> &'static str {
         "truncated-hertz" => {
             "A block between the closed-form tractions of Hertz's half-space and a rigid parabola: all errors are discretisation errors.\n\n"
         }
+        "sphere" => {
+            "The sphere under uniform load is not quite Hertz's problem: the model error falls with a/R. Whether what is known of plane \
+             scenes holds for bodies of revolution: [Predicted against measured](stability.md).\n\n"
+        }
+        "truncated-sphere" | "cone" => {
+            "A block of revolution between the closed-form tractions of a half-space and a rigid profile: all errors are discretisation errors. \
+             Cells that end with the contact: [Meshes fitted to the contact](fitted.md); iterations: [Predicted against measured](stability.md).\n\n"
+        }
         "pin-rod" => {
             "No closed form: the formulations are held against one another, [reference answers](references.md) to five digits have bounds \
              of their own, and [independent codes](independent.md) solve the same problem. A [pin in a wide plate](case-pin-plate.md) is the \

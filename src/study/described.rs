@@ -138,6 +138,7 @@ fn contact(scene: &Scene, pair: &ContactPair) -> String {
     let other = pair.second.map_or("a rigid profile".into(), |body| format!("`{}`", scene.bodies[body].name));
     let (along, unit, per_unit) = match &pair.path {
         Path::Straight(line) if line.both_sides => (format!("x from {:?}, on both sides", line.origin), "mm", 1.0),
+        Path::Straight(line) if scene.is_of_revolution() => (format!("the radius x from {:?}", line.origin), "mm", 1.0),
         Path::Straight(line) => (format!("|x| from {:?}", line.origin), "mm", 1.0),
         Path::Arc(circle) => {
             let along = format!(
@@ -194,10 +195,21 @@ pub fn equations(plane: PlaneHypothesis) -> String {
         PlaneHypothesis::Strain | PlaneHypothesis::Axisymmetric => "λ = Eν/((1+ν)(1−2ν))",
         PlaneHypothesis::Stress => "λ = Eν/(1−ν²)",
     };
+    let [hoop, width] = match plane.is_of_revolution() {
+        true => [
+            "sym ∇u in (r, z) = (x, y) and ε_θ = u_r/r, all integrals with 2πr",
+            "The second-moment radius is √(5/2 ∫p r² dA / ∫p dA), dA = 2πr dr: that of a semi-ellipsoid is its radius; the contact radius is where the \
+             contact ends.",
+        ],
+        false => [
+            "sym ∇u",
+            "The second-moment width is 2 √(∫p s²/∫p) about the centre of pressure, on an arc the same of the angle; the half-width is half of what lies \
+             between the ends of the contact.",
+        ],
+    };
     format!(
-        "## Equations\n\nSmall strain: ε = sym ∇u, σ = λ tr ε I + 2μ ε with {lame} and μ = E/(2(1+ν)), div σ + b = 0. On the contact, with n the outward \
+        "## Equations\n\nSmall strain: ε = {hoop}, σ = λ tr ε I + 2μ ε with {lame} and μ = E/(2(1+ν)), div σ + b = 0. On the contact, with n the outward \
          normal of the first body on its undeformed path and w = (u₁ − u₂)·n (u₂ = 0 where the other side is rigid): g = g₀ − w ≥ 0, p = −n·σn ≥ 0, p g = 0, \
-         no shear. p is per area of the undeformed path. The second-moment width is 2 √(∫p s²/∫p) about the centre of pressure, on an arc the same of the \
-         angle; the half-width is half of what lies between the ends of the contact."
+         no shear. p is per area of the undeformed path. {width}"
     )
 }

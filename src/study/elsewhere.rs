@@ -18,11 +18,18 @@ pub fn paragraph(name: &str, scene: &Scene, mesh: &Mesh) -> String {
         format!("`{}`: λ = {lambda:.3}, μ = {:.3}", body.name, young / (2.0 * (1.0 + poisson)))
     };
     let plane = match scene.plane {
-        PlaneHypothesis::Strain => "as the scene is",
-        PlaneHypothesis::Axisymmetric => "and the bodies of revolution of the scene in coordinates RZ",
+        PlaneHypothesis::Strain => "In two dimensions both solve plane strain, as the scene is",
         PlaneHypothesis::Stress => {
-            "which E' = E (1 + 2ν)/(1 + ν)² and ν' = ν/(1 + ν), as below, make the plane stress of the scene"
+            "In two dimensions both solve plane strain, which E' = E (1 + 2ν)/(1 + ν)² and ν' = ν/(1 + ν), as below, make the plane stress of the scene"
         }
+        PlaneHypothesis::Axisymmetric => {
+            "MOOSE has bodies of revolution by `coord_type = RZ` in `[Mesh]`; MFEM's `ElasticityIntegrator` has no hoop strain, so that it needs the whole \
+             body in three dimensions"
+        }
+    };
+    let forces = match scene.is_of_revolution() {
+        true => "whole forces, all around".into(),
+        false => format!("per thickness {}", scene.thickness),
     };
     let rigid = match scene.contacts.iter().any(|pair| pair.second.is_none()) {
         true => {
@@ -41,7 +48,7 @@ pub fn paragraph(name: &str, scene: &Scene, mesh: &Mesh) -> String {
     let pressed: String = scene.contacts.iter().filter_map(pressed).collect();
     format!(
         "## In MOOSE and MFEM\n\nNo script of ours runs these two. `contact-vv export {name} DIR` writes `{name}.msh`; its physical numbers are boundaries \
-         and blocks in MOOSE, attributes in MFEM: {}. Units are mm, N, MPa; loads are per thickness {}. In two dimensions both solve plane strain, {plane}. \
+         and blocks in MOOSE, attributes in MFEM: {}. Units are mm, N, MPa; loads are {forces}. {plane}. \
          {rigid}{pressed}Their contact follows the deformed surfaces, ours the undeformed path: alike where displacements are small beside radii.\n\n\
          **MOOSE**: `FileMeshGenerator`, `[Physics/SolidMechanics/QuasiStatic]` with `strain = SMALL` and `add_variables = true` on these blocks, \
          `ComputeLinearElasticStress`, and\n\n```text\n{}```\n\n\
@@ -52,7 +59,6 @@ pub fn paragraph(name: &str, scene: &Scene, mesh: &Mesh) -> String {
          `registerMfemCouplingScheme` the attributes of both contact sides with `SINGLE_MORTAR`, `FRICTIONLESS`, `LAGRANGE_MULTIPLIER`; \
          `getMfemPressure` is the pressure. The miniapp solves once, with every pair closed: pairs that pull are to be opened, by an active set.",
         listed.join(", "),
-        scene.thickness,
         moose(scene, &numbers),
         scene.bodies.iter().map(lame).collect::<Vec<_>>().join("; "),
     )

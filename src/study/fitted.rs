@@ -3,7 +3,7 @@
 
 use rayon::prelude::*;
 
-use crate::case::library::{PinPlate, TruncatedHertz};
+use crate::case::library::{Indented, PinPlate, TruncatedHertz};
 use crate::case::{self, Case, Check, Judged, Reference};
 use crate::checkout::root;
 use crate::error::Error;
@@ -19,6 +19,8 @@ use crate::study::random::{Family, Site};
 /// What is asked: digits that order and layers are chosen for, relative error of peak and second-moment width, degrees
 /// of freedom.
 pub const ASKED: [(usize, f64, usize); 3] = [(4, 1e-4, 1000), (5, 1e-5, 1700), (6, 1e-6, 2700)];
+/// The same of the truncated sphere.
+pub const ASKED_OF_REVOLUTION: [(usize, f64, usize); 4] = [(3, 1e-3, 900), ASKED[0], ASKED[1], ASKED[2]];
 /// The same of other scenes: relative error and degrees of freedom.
 const ASKED_ELSEWHERE: (f64, usize) = (1e-5, 3000);
 /// Fitted meshes of which nothing is asked.
@@ -43,6 +45,8 @@ const fn fitted(order: Order, layers: usize) -> Fitted {
 pub struct Numbers {
     /// Of truncated Hertz, each under the worst of all loads.
     pub meshes: Vec<Mesh>,
+    /// The same of the truncated sphere.
+    pub revolved: Vec<Mesh>,
     /// Of other scenes, and their names.
     pub scenes: Vec<(String, Mesh)>,
 }
@@ -61,14 +65,19 @@ impl Study for Numbers {
 
     /// The checks; a mesh that was not solved has no number that could pass.
     fn judge(&self) -> Result<Vec<Judged>, Error> {
-        let own = ASKED.into_iter().flat_map(|(digits, error, dofs)| {
-            let fitted = Fitted::of_digits(digits);
-            let mesh = self.meshes.iter().find(|mesh| mesh.fitted == fitted);
-            let at = format!("order {}, layers {}", fitted.order.number(), fitted.layers);
-            let because = "what the order and the layers are chosen for; the worst of all loads";
-            let reference = Reference::analytic("Hertz", 0.0);
-            of(mesh, &at, reference, (error, because), Reference::own("asked of this accuracy", dofs as f64))
-        });
+        let asked = |meshes: &[Mesh], asked: &[(usize, f64, usize)], body: &str, hertz: &'static str| {
+            let own = asked.iter().flat_map(|&(digits, error, dofs)| {
+                let fitted = Fitted::of_digits(digits);
+                let mesh = meshes.iter().find(|mesh| mesh.fitted == fitted);
+                let at = format!("{body}order {}, layers {}", fitted.order.number(), fitted.layers);
+                let because = "what the order and the layers are chosen for; the worst of all loads";
+                let reference = Reference::analytic(hertz, 0.0);
+                of(mesh, &at, reference, (error, because), Reference::own("asked of this accuracy", dofs as f64))
+            });
+            own.collect::<Vec<_>>()
+        };
+        let own = asked(&self.meshes, &ASKED, "", "Hertz").into_iter();
+        let revolved = asked(&self.revolved, &ASKED_OF_REVOLUTION, "truncated sphere, ", "Hertz's sphere");
         let (error, dofs) = ASKED_ELSEWHERE;
         let elsewhere = self.scenes.iter().flat_map(|(scene, mesh)| {
             let reference = match mesh.exact {
@@ -78,7 +87,7 @@ impl Study for Numbers {
             let because = "five digits of a contact that no mesh knew the ends of";
             of(Some(mesh), scene, reference, (error, because), Reference::own("asked of five digits", dofs as f64))
         });
-        Ok(own.chain(elsewhere).collect())
+        Ok(own.chain(revolved).chain(elsewhere).collect())
     }
 
     /// A row a mesh.
@@ -90,11 +99,14 @@ impl Study for Numbers {
              up to an expected end e are closed, the pressure at the distance d from it is p √d = A₀ + B₀ d + C₀ d², and e moves by 2 A₀/B₀ \
              until that no longer matters. What such meshes take beside 8-node cells: [Speed against accuracy](timings.md); what those take that \
              `--accuracy` chooses by their error bars: [What is promised](promised.md).\n\n{}\n\
+             ## Truncated sphere\n\n\
+             The block of revolution under the loads of the same radii of contact, on meshes of the same cells.\n\n{}\n\
              ## Other scenes\n\n\
              Peak and second-moment width to five digits with at most {} degrees of freedom. Rectangles have frames of ever larger cells around a contact, \
              discs too where the contact is small, and rings rows of cells whose radii grow in geometric progression.\n\n",
             LOADS.len(),
             markdown::columns(&MESHES, findings.iter().flat_map(|found| &found.numbers.meshes)),
+            markdown::columns(&MESHES, findings.iter().flat_map(|found| &found.numbers.revolved)),
             ASKED_ELSEWHERE.1,
         ))
     }
@@ -128,13 +140,29 @@ pub fn under(factor: f64) -> TruncatedHertz {
 
 fn numbers() -> Result<Numbers, Error> {
     let asked = ASKED.map(|(digits, ..)| Fitted::of_digits(digits));
-    let meshes = OTHERS.into_iter().chain(asked).map(worst).collect::<Result<_, _>>()?;
-    Ok(Numbers { meshes, scenes: elsewhere()? })
+    let on_all = |drawn: Drawn| -> Result<Vec<Mesh>, Error> {
+        OTHERS.into_iter().chain(asked).map(|fitted| worst(fitted, drawn)).collect()
+    };
+    let plane = |factor: f64| {
+        let (drawn, hertz) = (under(factor), under(factor).closed_form());
+        (drawn.scene(), [hertz.peak_pressure(), hertz.half_width()])
+    };
+    let of_revolution = |factor: f64| {
+        let full = Indented::by_sphere(TruncatedHertz::default().a_over_r);
+        let drawn = full.contact.radius;
+        let block = Indented { drawn, ..Indented::by_sphere(factor * TruncatedHertz::default().a_over_r) };
+        (block.scene(), [block.contact.peak_pressure(), block.contact.radius])
+    };
+    Ok(Numbers { meshes: on_all(plane)?, revolved: on_all(of_revolution)?, scenes: elsewhere()? })
 }
 
+/// A scene under a part of the load that it is drawn for, by its half-width, with its peak pressure and half-width.
+type Drawn = fn(f64) -> (Scene, [f64; 2]);
+
 /// A mesh under the worst of all loads.
-fn worst(fitted: Fitted) -> Result<Mesh, Error> {
-    let all = LOADS.into_par_iter().map(|factor| solved(fitted, factor)).collect::<Result<Vec<Mesh>, Error>>()?;
+fn worst(fitted: Fitted, drawn: Drawn) -> Result<Mesh, Error> {
+    let all =
+        LOADS.into_par_iter().map(|factor| solved(fitted, drawn(factor))).collect::<Result<Vec<Mesh>, Error>>()?;
     let worse = |one: Mesh, other: Mesh| Mesh {
         dofs: one.dofs.max(other.dofs),
         in_all: one.in_all.max(other.in_all),
@@ -145,11 +173,8 @@ fn worst(fitted: Fitted) -> Result<Mesh, Error> {
 }
 
 /// A mesh under one load.
-fn solved(fitted: Fitted, factor: f64) -> Result<Mesh, Error> {
-    let numbers = under(factor);
-    let hertz = numbers.closed_form();
-    let answer = fitted.solve(&numbers.scene(), &Formulation::verification())?;
-    let truth = [hertz.peak_pressure(), hertz.half_width()];
+fn solved(fitted: Fitted, (scene, truth): (Scene, [f64; 2])) -> Result<Mesh, Error> {
+    let answer = fitted.solve(&scene, &Formulation::verification())?;
     let errors = errors(&answer.run, truth).map(|error| (error / ROUND_OFF).round() * ROUND_OFF);
     let in_all = answer.tried.iter().map(|one| one.dofs).sum();
     Ok(Mesh { fitted, dofs: answer.run.dofs, in_all, errors, exact: true })

@@ -16,7 +16,7 @@ use crate::mesh::Resolution;
 use crate::oracle::cross_code::PhysicalAnswer;
 use crate::oracle::cross_code::high::High;
 use crate::oracle::cross_code::independent::Independent;
-use crate::scene::ContactPair;
+use crate::scene::{ContactPair, Scene};
 use crate::solve::{Discretisation, Formulation, Run};
 use crate::study::about::{About, Found, Planned, Study};
 use crate::study::sheet::{FoundBy, Other, SHEETS, Sheet, Value, bounded, definition};
@@ -199,7 +199,7 @@ pub fn sheet(case: &Case, discretisation: &Discretisation, run: &Run, barred: &[
             of,
             quantity,
             unit,
-            definition: definition(&one.quantity, &case.scene.contacts[one.contact]),
+            definition: definition(&one.quantity, &case.scene, &case.scene.contacts[one.contact]),
             value,
             bound,
             found: FoundBy::EightNodeCells,
@@ -227,7 +227,7 @@ pub fn sheet(case: &Case, discretisation: &Discretisation, run: &Run, barred: &[
         values: barred.iter().map(value).collect(),
     };
     if let ([pair], Ok(answer)) = (&case.scene.contacts[..], reference::answer(&case.scene)) {
-        answer.known.iter().for_each(|known| sheet.takes(pair, known));
+        answer.known.iter().for_each(|known| sheet.takes(&case.scene, pair, known));
         let high = High::built_in()?;
         for own in sheet.values.iter_mut().filter(|own| own.of == pair.name) {
             let factor = if own.unit == "°" { 1f64.to_degrees() } else { 1.0 };
@@ -257,7 +257,7 @@ fn other(series: &[PhysicalAnswer], one: &Barred) -> Option<[f64; 2]> {
 impl Sheet {
     /// Takes a number of a contact that is known better; as the last of those of contacts where there was none of its
     /// name.
-    fn takes(&mut self, pair: &ContactPair, known: &Known) {
+    fn takes(&mut self, scene: &Scene, pair: &ContactPair, known: &Known) {
         let (quantity, (unit, factor)) = (known.quantity.key(), known.quantity.unit(!pair.path.is_straight()));
         let Known { value, bound, .. } = known.times(factor);
         match self.values.iter_mut().find(|own| own.of == pair.name && own.quantity == quantity) {
@@ -268,7 +268,7 @@ impl Sheet {
                 let (of, quantity) = (pair.name.clone(), quantity.into_owned());
                 let others = Vec::new();
                 let (found, confirmed_by) = (FoundBy::FittedCells, Vec::new());
-                let (definition, closed_form) = (definition(&known.quantity, pair), None);
+                let (definition, closed_form) = (definition(&known.quantity, scene, pair), None);
                 let row =
                     Value { of, quantity, unit, definition, value, bound, found, closed_form, others, confirmed_by };
                 self.values.insert(place, row);

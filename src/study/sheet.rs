@@ -10,7 +10,7 @@ use crate::measure::Quantity;
 use crate::oracle::ReferenceKind;
 use crate::oracle::cross_code::high::Way;
 use crate::oracle::cross_code::independent::Script;
-use crate::scene::ContactPair;
+use crate::scene::{ContactPair, Scene};
 
 /// The folder of the sheets.
 pub const SHEETS: &str = "snapshots/sheets";
@@ -36,9 +36,9 @@ pub struct Sheet {
     pub scene: Vec<String>,
     /// Where scene and closed form come from.
     pub sources: Vec<String>,
-    /// Plane `strain` or `stress`.
+    /// Plane `strain` or `stress`, or `axisymmetric` of bodies of revolution.
     pub plane: &'static str,
-    /// Thickness \[mm\]: forces are of all of it.
+    /// Thickness \[mm\]: forces are of all of it; 1 of bodies of revolution, whose forces are of the whole circumference.
     pub thickness: f64,
     /// Whether the scene is one half of a symmetric one: resultants are of the whole, loads and reactions of that half.
     pub half_of_symmetric: bool,
@@ -284,8 +284,14 @@ pub fn columns<'a>() -> [Column<(&'a Sheet, &'a Value)>; 13] {
 }
 
 /// What is meant by a number of a contact.
-pub fn definition(quantity: &Quantity, pair: &ContactPair) -> &'static str {
+pub fn definition(quantity: &Quantity, scene: &Scene, pair: &ContactPair) -> &'static str {
     match quantity {
+        Quantity::SecondMomentWidth if scene.is_of_revolution() => {
+            "√(5/2 ∫p r² dA / ∫p dA), the radius of a semi-ellipsoid of pressures"
+        }
+        Quantity::Resultant if scene.is_of_revolution() => {
+            "force on the whole circle of the contact along the axis, positive in compression"
+        }
         Quantity::PeakPressure => "largest pressure, positive in compression, per area of the undeformed path",
         Quantity::Pressure { .. } => {
             "pressure at a contact coordinate, positive in compression, per area of the undeformed path"

@@ -1,21 +1,24 @@
 //! Bodies of revolution: uniform stresses exact to round-off, Hertz's sphere by all nine, refusals.
 
-use std::f64::consts::PI;
+use std::f64::consts::{PI, TAU};
 use std::path::Path;
 use std::sync::Arc;
 
 use approx::assert_relative_eq;
 use contact_vv::algorithm::Iteration;
 use contact_vv::case::Case;
+use contact_vv::case::library::Indented;
 use contact_vv::cli::new::Template;
 use contact_vv::contact::Element;
-use contact_vv::measure::{Quantity, larger};
+use contact_vv::elasticity::element::CellStiffness;
+use contact_vv::measure::{Measures, Quantity, larger};
 use contact_vv::mesh::{Order, Resolution};
 use contact_vv::oracle::analytic::revolution::sphere::Sphere;
 use contact_vv::scene::{
     Action, BlockShape, Body, Component, ContactPair, Face, Grading, Load, Material, Path as Way, Place,
     PlaneHypothesis, Profile, ReferenceValues, Scene, Shape, StressField, Support,
 };
+use contact_vv::solution::{EdgeState, Part, PointState};
 use contact_vv::solve::{Discretisation, Formulation, Run};
 
 const ORDERS: [Order; 7] =
@@ -106,20 +109,92 @@ fn uniform_stresses_of_bodies_of_revolution_are_exact() {
 
 #[test]
 fn a_whole_force_is_spread_evenly_over_the_area_of_its_side() {
-    let (pressure, area) = (7.0, PI * 9.0);
-    for order in ORDERS {
+    let (radius, pressure) = (3.0, 7.0);
+    let area = PI * radius * radius;
+    for (order, element) in ORDERS.into_iter().flat_map(|order| Element::ALL.map(|element| (order, element))) {
         let mut scene = block(skewed(), 0.3, [0.0; 3], &[]);
         let action = Action::Total([0.0, -pressure * area]);
         scene.bodies[0].loads = vec![Load::OnSide { boundary: "far".into(), part: None, action }];
         let resolution = Resolution { elements: 2, refinement: 0, order };
         let discretisation = Discretisation::of(scene, resolution).expect("meshed");
-        let formulation = Formulation::new(Element::Line, Iteration::Kinematic);
+        // The springs of layers differ from edge to edge, and are iterated.
+        let formulation = Formulation::new(element, Iteration::Kinematic).tolerance(1e-11);
         let run = Run::of(&discretisation, &formulation).expect("solved");
+        let case = format!("{element:?}, {order:?}");
         assert_relative_eq!(run.transmitted(), pressure * area, max_relative = 1e-9);
         for point in &run.solution.points {
-            assert_relative_eq!(point.pressure, pressure, max_relative = 1e-9);
+            assert!((point.pressure / pressure - 1.0).abs() <= 1e-9, "{case}: {point:?}");
+            // None without an area: a node on the axis has one in linear cells alone, a third of that of its ring.
+            assert!(point.weight > 1e-3 * area / run.solution.points.len() as f64, "{case}: {point:?}");
         }
+        let counted = run.measures().half_width_nodes;
+        assert!((counted / radius - 1.0).abs() <= 1e-9, "{case}: counted {counted}");
     }
+}
+
+#[test]
+fn hoop_strain_on_the_axis_is_the_radial_one() {
+    // Of u_r = εr: σ_r = Eε/((1 + ν)(1 − 2ν)) and σ_z = 2νσ_r, wherever r is.
+    let (material, strain) = (Material::STEEL, 1e-3);
+    let points = [[0.0, 0.0], [2.0, 0.0], [2.0, 1.0], [0.0, 1.0]];
+    let moved = points.map(|[r, _]| [strain * r, 0.0]);
+    let nu = material.poisson;
+    let radial = material.young * strain / ((1.0 + nu) * (1.0 - 2.0 * nu));
+    let kernel = CellStiffness::of(Order::Linear, &material, PlaneHypothesis::Axisymmetric, 1.0);
+    for stress in kernel.stresses(&points, &moved, &[[-1.0, 0.3], [0.4, 0.3]]).expect("a sound cell") {
+        assert_relative_eq!(stress[0], radial, max_relative = 1e-12);
+        assert_relative_eq!(stress[1], 2.0 * nu * radial, max_relative = 1e-12);
+    }
+}
+
+#[test]
+fn the_axis_exerts_nothing_on_a_body_of_revolution() {
+    // Hoop stresses press on the axis from all sides, which cancel.
+    for order in ORDERS {
+        let resolution = Resolution { elements: 2, refinement: 0, order };
+        let discretisation = Discretisation::of(Indented::by_sphere(0.05).scene(), resolution).expect("meshed");
+        let run = Run::of(&discretisation, &Formulation::new(Element::Node, Iteration::Kinematic)).expect("solved");
+        let reactions = discretisation.reactions(&run.solution).expect("reactions");
+        assert_eq!(reactions.len(), 1, "the support of the axis");
+        assert!(reactions[0].force.abs() <= 1e-9 * run.transmitted(), "{order:?}: {:?}", reactions[0]);
+    }
+}
+
+/// Measures of so many rings on a radius with the means of a pressure over their areas; `force(r)` is that within r, over 2π.
+fn of_rings(count: usize, radius: f64, force: impl Fn(f64) -> f64) -> Measures {
+    let ends = |k: usize| [k, k + 1].map(|k| radius * k as f64 / count as f64);
+    let ring = |k: usize| {
+        let [a, b] = ends(k);
+        let area = 0.5 * (b - a) * (b + a);
+        EdgeState { ends: [a, b], weight: TAU * area, pressure: (force(b) - force(a)) / area, is_ring: true }
+    };
+    let edges: Vec<EdgeState> = (0..count).map(ring).collect();
+    let point = |edge: &EdgeState| PointState {
+        position: edge.position(),
+        weight: edge.weight,
+        pressure: edge.pressure,
+        gap: 0.0,
+    };
+    let points: Vec<PointState> = edges.iter().map(point).collect();
+    Measures::of(&block(rectangle(0.0), 0.3, [0.0; 3], &[]), 0, Part { points: &points, edges: &edges, nodes: 3 })
+}
+
+#[test]
+fn means_over_rings_are_means_over_their_areas() {
+    // p = 1 + r − r², ∫ p r dr = r²/2 + r³/3 − r⁴/4: 1 on the axis, 1.25 at r = 0.5.
+    let humped = of_rings(30, 1.5, |r| r * r * (0.5 + r / 3.0 - 0.25 * r * r));
+    assert_relative_eq!(humped.peak.pressure, 1.25, max_relative = 1e-10);
+    assert_relative_eq!(humped.peak.position, 0.5, max_relative = 1e-6);
+
+    // p = 3/2 √(1 − r)/r up to 1: the force beyond r is (1 − r)^{3/2}, whose 2/3-th power falls along a line to 0.
+    let smooth = of_rings(43, 2.0, |r| 1.0 - (1.0 - r).max(0.0).powf(1.5));
+    assert_relative_eq!(smooth.edge(), 1.0, max_relative = 1e-9);
+
+    // A semi-ellipsoid of radius 1.
+    let force = |r: f64| (1.0 - (1.0 - r * r).max(0.0).powf(1.5)) / 3.0;
+    let hertz = of_rings(43, 2.0, force);
+    assert_relative_eq!(hertz.peak.pressure, 1.0, max_relative = 1e-5);
+    assert_relative_eq!(hertz.pressure_at_origin, 1.0, max_relative = 1e-5);
 }
 
 /// Largest errors of `[σ_r, σ_θ, σ_z]` of a ring under inner pressure, of so many cells across, over the pressure.
@@ -210,7 +285,7 @@ fn what_bodies_of_revolution_cannot_have_is_refused() {
         (loads, "loads = [{ moment = { at = \"cut\", value = 5 } }]", "moment"),
         (loads, "loads = [{ pressure = { at = \"axis\", law = { uniform = 5 } } }]", "no area"),
         (loads, "supports = [{ at = \"axis\", component = \"x\", value = 0.1 }]", "stays there"),
-        ("{ hertz = { load = 750, radius = 50 } }", "{ flat-punch = { load = 750, half-width = 1 } }", "plane scenes"),
+        ("{ hertz = { load = 750, radius = 50 } }", "{ uniform = { pressure = 750, width = 1 } }", "plane scenes"),
     ] {
         let found = refused(what, by);
         assert!(found.contains(said), "{by}: {found}");

@@ -84,6 +84,7 @@ mod referee_series;
 mod referee_wild;
 mod references;
 mod revolution;
+mod revolution_referee;
 mod revolution_scripts;
 mod revolution_solved;
 mod rigid_pin;

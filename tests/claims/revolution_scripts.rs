@@ -1,8 +1,6 @@
 //! What other codes answered for bodies of revolution, held against the closed forms; `oracles/revolution/freeze.py` asks them.
 
-use std::collections::BTreeMap;
 use std::f64::consts::TAU;
-use std::path::Path;
 
 use contact_vv::error::Error;
 use contact_vv::measure::Quantity;
@@ -10,52 +8,19 @@ use contact_vv::mesh::{Order, Resolution};
 use contact_vv::oracle::analytic::revolution::indentation::Indentation;
 use contact_vv::oracle::analytic::revolution::sphere::Sphere;
 use contact_vv::oracle::cross_code::PhysicalScene;
-use contact_vv::oracle::cross_code::frozen::{hash_of, read_json};
+use contact_vv::oracle::cross_code::frozen::hash_of;
+use contact_vv::oracle::cross_code::revolution::{Answer, Asked, RENEW, Revolution, folder};
 use contact_vv::scene::{Material, Scene};
 use contact_vv::solve::{Discretisation, Formulation, Run};
-use serde::Deserialize;
 
-/// The frozen file.
-#[derive(Deserialize)]
-struct Frozen {
-    scripts: String,
-    scenes: BTreeMap<String, Asked>,
+fn frozen() -> Revolution {
+    Revolution::read().unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// A scene, and what every script answers.
-#[derive(Deserialize)]
-struct Asked {
-    scene: PhysicalScene,
-    answers: BTreeMap<String, Series>,
-}
-
-/// What a script answers, coarse to fine.
-#[derive(Deserialize)]
-struct Series {
-    series: Vec<Answer>,
-}
-
-/// An answer on one mesh.
-#[derive(Deserialize)]
-struct Answer {
-    half_width: f64,
-    peak: f64,
-    resultant: f64,
-    approach: f64,
-    pressure: Vec<f64>,
-}
-
-impl Frozen {
-    fn read() -> Self {
-        let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("oracles/frozen/revolution.json");
-        read_json(&file, "run `python3 oracles/revolution/freeze.py`").unwrap_or_else(|error| panic!("{error}"))
-    }
-
-    /// A scene and the finest answers, by script.
-    fn finest(&self, case: &str) -> (&PhysicalScene, Vec<(&str, &Answer)>) {
-        let Asked { scene, answers } = &self.scenes[case];
-        (scene, answers.iter().map(|(script, of)| (script.as_str(), &of.series[of.series.len() - 1])).collect())
-    }
+/// A scene and the finest answers, by script.
+fn finest<'a>(frozen: &'a Revolution, case: &str) -> (&'a PhysicalScene, Vec<(&'a str, &'a Answer)>) {
+    let Asked { scene, answers } = &frozen.scenes[case];
+    (scene, answers.iter().map(|(script, of)| (script.as_str(), &of.series[of.series.len() - 1])).collect())
 }
 
 /// Sphere and material of a scene.
@@ -82,15 +47,14 @@ fn within(name: &str, value: f64, reference: f64, tolerance: f64) {
 
 #[test]
 fn frozen_answers_of_revolution_are_those_of_the_scripts() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("oracles/revolution");
-    let scripts = hash_of(&folder).unwrap_or_else(|error| panic!("{error}"));
-    assert_eq!(Frozen::read().scripts, scripts, "run `python3 oracles/revolution/freeze.py`");
+    let scripts = hash_of(&folder()).unwrap_or_else(|error| panic!("{error}"));
+    assert_eq!(frozen().scripts, scripts, "{RENEW}");
 }
 
 #[test]
 fn other_codes_find_hertz_in_a_truncated_sphere() {
-    let frozen = Frozen::read();
-    let (scene, answers) = frozen.finest("truncated-sphere");
+    let frozen = frozen();
+    let (scene, answers) = finest(&frozen, "truncated-sphere");
     let (hertz, material) = sphere(scene);
     let expected = around(&scene.stations, |r| hertz.pressure(r));
     // The far face, a whole number of contact radii away, comes nearer by less than the half-space's infinity does.
@@ -103,13 +67,13 @@ fn other_codes_find_hertz_in_a_truncated_sphere() {
 
     assert_eq!(answers.len(), 4);
     for (script, answer) in answers {
-        within(&format!("{script}, radius"), answer.half_width, hertz.contact_radius(), RADIUS);
-        within(&format!("{script}, peak"), answer.peak, hertz.peak_pressure(), PEAK);
-        within(&format!("{script}, load"), answer.resultant, hertz.load, EQUILIBRIUM);
+        within(&format!("{script}, radius"), answer.physical.half_width, hertz.contact_radius(), RADIUS);
+        within(&format!("{script}, peak"), answer.physical.peak, hertz.peak_pressure(), PEAK);
+        within(&format!("{script}, load"), answer.physical.resultant, hertz.load, EQUILIBRIUM);
         // The boundary method has no far face.
         let approach = if script == "half_space" { hertz.approach() } else { hertz.approach() - sunk };
         within(&format!("{script}, approach"), answer.approach, approach, APPROACH);
-        for (found, expected) in answer.pressure.iter().zip(&expected) {
+        for (found, expected) in answer.physical.pressure.iter().zip(&expected) {
             let error = (found - expected).abs() / hertz.peak_pressure();
             assert!(error <= PROFILE, "{script}: {found} against {expected}, error {error:.1e}");
         }
@@ -129,19 +93,19 @@ const PROFILE: f64 = 5e-3;
 
 #[test]
 fn boundary_method_finds_sneddons_cone() {
-    let frozen = Frozen::read();
-    let (scene, answers) = frozen.finest("cone");
+    let frozen = frozen();
+    let (scene, answers) = finest(&frozen, "cone");
     let [(script, answer)] = answers[..] else { panic!("one script") };
     let (hertz, slope) = (sphere(scene).0, scene.numbers["slope"]);
     let cone = Indentation::smooth(hertz.modulus, hertz.contact_radius(), vec![[slope, 1.0]]);
     let expected = around(&scene.stations, |r| cone.pressure(r));
 
     assert_eq!(script, "half_space");
-    within("radius", answer.half_width, cone.second_moment_radius(), 2e-5);
-    within("load", answer.resultant, cone.load(), EQUILIBRIUM);
+    within("radius", answer.physical.half_width, cone.second_moment_radius(), 2e-5);
+    within("load", answer.physical.resultant, cone.load(), EQUILIBRIUM);
     within("approach", answer.approach, cone.approach(), 1e-5);
     // But for the first, where it is without limit, and pixels have means of squares.
-    for (found, expected) in answer.pressure.iter().zip(&expected).skip(1) {
+    for (found, expected) in answer.physical.pressure.iter().zip(&expected).skip(1) {
         let error = (found - expected).abs() / cone.pressure(0.5 * cone.radius);
         assert!(error <= 2e-3, "{found} against {expected}, error {error:.1e}");
     }
@@ -149,8 +113,8 @@ fn boundary_method_finds_sneddons_cone() {
 
 #[test]
 fn other_codes_and_ours_agree_on_a_whole_sphere_beside_hertz() -> Result<(), Error> {
-    let frozen = Frozen::read();
-    let (scene, answers) = frozen.finest("sphere");
+    let frozen = frozen();
+    let (scene, answers) = finest(&frozen, "sphere");
     let (hertz, material) = sphere(scene);
     let whole = Scene::sphere_on_plane(hertz.radius, material, hertz.contact_radius());
     let resolution = Resolution { elements: 12, refinement: 0, order: Order::Quadratic };
@@ -161,7 +125,7 @@ fn other_codes_and_ours_agree_on_a_whole_sphere_beside_hertz() -> Result<(), Err
 
     assert_eq!(answers.len(), 3);
     for (script, answer) in answers {
-        let theirs = [answer.half_width, answer.peak, answer.resultant, answer.approach];
+        let theirs = [answer.physical.half_width, answer.physical.peak, answer.physical.resultant, answer.approach];
         // Meshes of 12 and of 24 elements on the radius.
         let within_of = [("radius", 1e-3), ("peak", 1e-3), ("load", EQUILIBRIUM), ("approach", 5e-4)];
         for (((name, tolerance), ours), theirs) in within_of.into_iter().zip(ours).zip(theirs) {

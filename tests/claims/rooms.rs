@@ -156,24 +156,26 @@ fn mesh(digits: usize, error: f64, dofs: usize) -> fitted::Mesh {
 #[test]
 fn a_fitted_mesh_that_costs_or_errs_more_than_is_asked_turns_red() {
     let judge = |spoil: fn(&mut fitted::Mesh)| {
-        let mut meshes = fitted::ASKED.map(|(digits, error, dofs)| mesh(digits, error, dofs));
+        let asked = |(digits, error, dofs)| mesh(digits, error, dofs);
+        let (mut meshes, mut revolved) = (fitted::ASKED.map(asked), fitted::ASKED_OF_REVOLUTION.map(asked));
         let mut scenes = [("pin".into(), mesh(5, 1e-5, 3000))];
-        meshes.iter_mut().chain(scenes.iter_mut().map(|(_, mesh)| mesh)).for_each(spoil);
-        let judge = |meshes: &[fitted::Mesh], scenes: &[(String, fitted::Mesh)]| {
-            let numbers = fitted::Numbers { meshes: meshes.into(), scenes: scenes.into() };
+        let all = meshes.iter_mut().chain(&mut revolved);
+        all.chain(scenes.iter_mut().map(|(_, mesh)| mesh)).for_each(spoil);
+        let judge = |meshes: &[fitted::Mesh], revolved: &[fitted::Mesh], scenes: &[(String, fitted::Mesh)]| {
+            let numbers = fitted::Numbers { meshes: meshes.into(), revolved: revolved.into(), scenes: scenes.into() };
             let judged = numbers.judge().expect("judged");
-            assert_eq!(judged.len(), 9 + 3 * scenes.len());
+            assert_eq!(judged.len(), 21 + 3 * scenes.len());
             fails(&judged)
         };
-        // Without another scene, and with one; without the meshes of the block no number of theirs could pass.
-        [judge(&meshes, &[]), judge(&[], &scenes) - 9]
+        // Of the block, of the one of revolution, and of another scene; without their meshes no number of the blocks could pass.
+        [judge(&meshes, &[], &[]) - 12, judge(&[], &revolved, &[]) - 9, judge(&[], &[], &scenes) - 21]
     };
-    assert_eq!(judge(|_| {}), [0, 0]);
-    assert_eq!(judge(|mesh| mesh.dofs += 1), [3, 1]);
-    assert_eq!(judge(|mesh| mesh.errors[0] *= 1.01), [3, 1]);
-    assert_eq!(judge(|mesh| mesh.errors[1] *= 1.01), [3, 1]);
-    assert_eq!(judge(|mesh| mesh.errors[0] = f64::NAN), [3, 1]);
-    assert_eq!(judge(|mesh| mesh.errors = [f64::NAN; 2]), [6, 2]);
+    assert_eq!(judge(|_| {}), [0, 0, 0]);
+    assert_eq!(judge(|mesh| mesh.dofs += 1), [3, 4, 1]);
+    assert_eq!(judge(|mesh| mesh.errors[0] *= 1.01), [3, 4, 1]);
+    assert_eq!(judge(|mesh| mesh.errors[1] *= 1.01), [3, 4, 1]);
+    assert_eq!(judge(|mesh| mesh.errors[0] = f64::NAN), [3, 4, 1]);
+    assert_eq!(judge(|mesh| mesh.errors = [f64::NAN; 2]), [6, 8, 2]);
     // A mesh that was not solved.
-    assert_eq!(judge(|mesh| mesh.fitted.layers = 9)[0], 9);
+    assert_eq!(judge(|mesh| mesh.fitted.layers = 9)[..2], [9, 12]);
 }

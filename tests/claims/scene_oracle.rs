@@ -5,6 +5,7 @@ use std::path::Path;
 use approx::assert_relative_eq;
 use contact_vv::case::{Against, Case, Verdict, library};
 use contact_vv::oracle::ReferenceKind;
+use contact_vv::oracle::analytic::revolution::indentation::Indentation;
 
 use crate::scene_file::text_of;
 use crate::workbench::{block_text, parsed};
@@ -102,4 +103,58 @@ fn truncated_hertz_of_a_file_has_no_model_error_above_or_below_its_contact() {
     assert!(other.iter().any(|(_, verdict)| *verdict == Verdict::Fail), "{other:?}");
     let error = Case::parse(Path::new("truncated.toml"), &above.replace("half-width = 2 }", "half-width = 0 }"));
     assert!(error.map(|_| ()).expect_err("0").to_string().contains("`half-width` is 0"));
+}
+
+/// A block of revolution, 20 times as large as its contact of 2 mm, pressed on a rigid profile, with checks against an oracle.
+fn of_revolution(gap: &str, oracle: &str, load: f64, mesh: &str) -> String {
+    let check = |quantity: &str| format!("[[check]]\nquantity = \"{quantity}\"\ntolerance = 0.01\n");
+    let checks = ["pressure", "second-moment-width", "resultant"].map(check).concat();
+    let checks = checks.replace("\"pressure\"", "\"pressure\"\nat = 1");
+    format!(
+        "title = \"block\"\nplane = \"axisymmetric\"\n[[body]]\nname = \"block\"\nyoung = 210e3\npoisson = 0.3\n\
+         shape = {{ rectangle = {{ x = [0, 40], y = [0, 40], contact = \"bottom\" }} }}\n\
+         loads = [{{ traction = {{ at = \"far\", force = [0, {}] }} }}]\n\
+         [contact]\nfirst = \"block\"\ngap = {gap}\noracle = {oracle}\n{mesh}\n\
+         [reference]\npressure = 1000\nlength = 2\ngap = 0.02\n{checks}",
+        -load
+    )
+}
+
+#[test]
+fn closed_forms_of_revolution_of_a_file_are_met_and_refuse_other_gaps() {
+    let load = |powers: &[[f64; 2]]| Indentation::smooth(MODULUS, 2.0, powers.to_vec()).load();
+    let [cone, even] = [load(&[[0.02, 1.0]]), load(&[[5e-3, 2.0], [4e-4, 4.0]])];
+    let smooth = "stretch = 4\n[mesh]\nelements = 12\nper = 2";
+    let sharp = "stretch = 2\n[mesh]\nelements = 12\nper = 2\ngrowth = { along = 1.4, depth = 1.4, coarsest = 0.1, end = 0.02 }";
+    for (gap, oracle, load, mesh) in [
+        ("{ punch = 2 }", "{ flat-punch = { load = 1e4, half-width = 2 } }".to_owned(), 1e4, sharp),
+        ("{ wedge = 0.02 }", format!("{{ cone = {{ load = {cone}, slope = 0.02 }} }}"), cone, smooth),
+        (
+            "{ even = [5e-3, 4e-4] }",
+            format!("{{ polynomial = {{ load = {even}, coefficients = [5e-3, 4e-4, 0] }} }}"),
+            even,
+            smooth,
+        ),
+    ] {
+        let text = of_revolution(gap, &oracle, load, mesh);
+        let case = parsed(&text);
+        let meshed = case.meshed().expect("meshed");
+        let judged = case.judge(&meshed, &case.run(&meshed, case.formulation()).expect("solved")).expect("judged");
+        let found: Vec<_> = judged.iter().map(|one| (one.value, one.reference.clone(), one.verdict.clone())).collect();
+        assert!(found.len() >= 3 && found.iter().all(|(.., verdict)| *verdict == Verdict::Pass), "{gap}: {found:?}");
+
+        let refused = |text: &str| match Case::parse(Path::new("scene.toml"), text) {
+            Ok(_) => String::new(),
+            Err(error) => error.to_string(),
+        };
+        let other = refused(&text.replacen("0.02", "0.03", 1).replacen("5e-3", "6e-3", 1).replacen(
+            "half-width = 2",
+            "half-width = 1.9",
+            1,
+        ));
+        assert!(other.contains("that of the"), "{gap}: {other}");
+    }
+    let plane = block("{ wedge = 0.02 }", "{ cone = { load = 100, slope = 0.02 } }");
+    let error = Case::parse(Path::new("scene.toml"), &plane).map(|_| ()).expect_err("plane").to_string();
+    assert!(error.contains("bodies of revolution"), "{error}");
 }

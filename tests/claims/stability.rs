@@ -12,6 +12,7 @@ use contact_vv::stability::{Limit, halving, rate};
 use contact_vv::study::Study;
 use contact_vv::study::stability::Numbers;
 use contact_vv::study::stability::rates::{Before, Rate};
+use contact_vv::study::stability::revolution::{Revolved, judge_revolved};
 
 fn discretisation() -> Discretisation {
     let scene = library::find("truncated-hertz", None).expect("a scene of the library").scene;
@@ -247,4 +248,16 @@ fn the_limit_is_the_contact_that_kinematic_load_finds() {
             assert_relative_eq!(k * w, *p, max_relative = 1e-12);
         }
     }
+}
+
+#[test]
+fn laws_that_fail_on_bodies_of_revolution_turn_red() {
+    let row = Revolved { stretch: 1.9, iterations: 7, halving: 7, kept: 8, averaged: [21, 0], used: [16, 0] };
+    let red =
+        |rows: &[Revolved]| judge_revolved(rows).iter().map(|one| one.verdict != Verdict::Pass).collect::<Vec<_>>();
+    assert_eq!(red(&[row]), [false; 3]);
+    assert_eq!(red(&[row, Revolved { iterations: 6, ..row }]), [true, false, false]);
+    assert_eq!(red(&[row, Revolved { averaged: [21, 1], ..row }]), [false, true, false]);
+    assert_eq!(red(&[row, Revolved { used: [16, 1], ..row }]), [false, false, true]);
+    assert_eq!(red(&[]), [true; 3]);
 }

@@ -3,6 +3,7 @@
 mod newest;
 mod planted;
 mod readers;
+mod revolution;
 #[path = "../truth.rs"]
 mod truth;
 
@@ -16,6 +17,7 @@ fn main() {
     let findings = Findings::default();
     let mut tests = vec![planted::trial(), newest::trial()];
     tests.extend(study::live(LIVE).into_iter().map(|trial| truth(trial, findings.clone())));
+    tests.extend(revolution::trials());
     tests.extend(readers::trials());
     let conclusion = libtest_mimic::run(&arguments, tests);
     if !arguments.list {

@@ -67,6 +67,7 @@ pub(super) fn refuse_other_scene(
             bench.shaped(&Profile::Even { coefficients })
         }
         "wedge" => bench.wedge(),
+        "cone" => bench.shaped(&Profile::Wedge { slope: numbers.at("slope").number() }),
         "cosine" => {
             let [amplitude, wavelength] = ["amplitude", "wavelength"].map(|key| bench.length(key));
             bench.shaped(&Profile::Cosine { amplitude, wavelength })

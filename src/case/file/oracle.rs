@@ -15,6 +15,7 @@ use crate::oracle::analytic::lame::PressFit;
 use crate::oracle::analytic::on_arc::OnArc;
 use crate::oracle::analytic::persson::PinInHole;
 use crate::oracle::analytic::punch::FlatPunch;
+use crate::oracle::analytic::revolution::indentation::Indentation;
 use crate::oracle::analytic::revolution::sphere::Sphere;
 use crate::oracle::analytic::uniform::Uniform;
 use crate::oracle::analytic::waves::Waves;
@@ -34,7 +35,7 @@ pub(super) const ORACLE: Form = OneOf(&[
     ("persson", Table(&[must("load", Number), must("radius", Number), must("clearance", Number)])),
     // A press fit: radii of the bore, where the rings meet, and of the outside.
     ("lame", Table(&[must("radii", PAIR), must("interference", Number)])),
-    // A rigid flat punch.
+    // A rigid flat punch; of bodies of revolution the half-width is its radius.
     ("flat-punch", Table(&[must("load", Number), must("half-width", Number)])),
     // A uniform pressure on the whole width.
     ("uniform", Table(&[must("pressure", Number), must("width", Number)])),
@@ -46,6 +47,8 @@ pub(super) const ORACLE: Form = OneOf(&[
     ("polynomial", Table(&[must("load", Number), must("coefficients", PAIR)])),
     // A wedge with a round tip: the gap has the slope s/R up to `round`, b, and b/R beyond.
     ("wedge", Table(&[must("load", Number), must("radius", Number), must("round", Number)])),
+    // The cone g = r tan β, of bodies of revolution.
+    ("cone", Table(&[must("load", Number), must("slope", Number)])),
     // A sinusoidal gap, under the force on a whole wave.
     ("cosine", Table(&[must("load", Number), must("amplitude", Number), must("wavelength", Number)])),
 ]);
@@ -61,14 +64,30 @@ pub(super) fn read(given: Value, scene: &Scene, contact: usize) -> Result<Shared
     // Force per thickness [N/mm].
     let load = || Ok::<f64, Error>(units.force * t.at("load").positive()? / scene.thickness);
     let modulus = scene.modulus_of(pair);
+    let coefficients = || -> Result<[f64; 3], Error> {
+        let given = t.at("coefficients").exactly::<3>()?;
+        let mut coefficients = [0.0; 3];
+        for ((coefficient, given), power) in coefficients.iter_mut().zip(given).zip([2, 4, 6]) {
+            *coefficient = given.finite()? * units.length.powi(1 - power);
+        }
+        Ok(coefficients)
+    };
     if scene.is_of_revolution() {
-        return match name {
-            "hertz" => Ok(Arc::new(Sphere { load: load()?, radius: length("radius")?, modulus })),
+        let pressed = |powers: &[[f64; 2]]| Ok::<_, Error>(Indentation::of_load(load()?, modulus, powers, HALF_WIDTHS));
+        return Ok(match name {
+            "hertz" => Arc::new(Sphere { load: load()?, radius: length("radius")?, modulus }),
+            "flat-punch" => Arc::new(Indentation::flat(modulus, length("half-width")?, load()?)),
+            "polynomial" => {
+                let [second, fourth, sixth] = coefficients()?;
+                Arc::new(pressed(&[[second, 2.0], [fourth, 4.0], [sixth, 6.0]])?)
+            }
+            "cone" => Arc::new(pressed(&[[t.at("slope").positive()?, 1.0]])?),
             _ => {
                 let message = format!("`{name}` is a closed form of plane scenes, not of bodies of revolution");
-                Err(given.refused(message, "use `hertz` for spheres, or leave `oracle` out and give checks a `value`"))
+                let remedy = "use `hertz`, `flat-punch`, `polynomial` or `cone`, or leave `oracle` out and give checks a `value`";
+                return Err(given.refused(message, remedy));
             }
-        };
+        });
     }
     let closed: SharedOracle = match name {
         "hertz" => Arc::new(Hertz { load: load()?, radius: length("radius")?, modulus }),
@@ -105,11 +124,7 @@ pub(super) fn read(given: Value, scene: &Scene, contact: usize) -> Result<Shared
             width: length("width")?,
         }),
         "polynomial" => {
-            let given = t.at("coefficients").exactly::<3>()?;
-            let mut coefficients = [0.0; 3];
-            for ((coefficient, given), power) in coefficients.iter_mut().zip(given).zip([2, 4, 6]) {
-                *coefficient = given.finite()? * units.length.powi(1 - power);
-            }
+            let coefficients = coefficients()?;
             let gap = |a| EvenGap::polynomial(modulus, a, coefficients);
             Arc::new(EvenGap::of_load(load()?, HALF_WIDTHS, gap))
         }
@@ -120,6 +135,10 @@ pub(super) fn read(given: Value, scene: &Scene, contact: usize) -> Result<Shared
                 false => EvenGap::polynomial(modulus, a, [0.5 / radius, 0.0, 0.0]),
             };
             Arc::new(EvenGap::of_load(load()?, HALF_WIDTHS, gap))
+        }
+        "cone" => {
+            let message = "`cone` is a closed form of bodies of revolution, and the scene is plane";
+            return Err(given.refused(message, "use `wedge`, or give `plane = \"axisymmetric\"`"));
         }
         "cosine" => {
             let wavelength = length("wavelength")?;

@@ -32,8 +32,9 @@ pub(super) fn refuse_other_contacts(contacts: &[Value]) -> Result<(), Error> {
             return Err(given.refused(message, "leave `symmetric` out"));
         }
         if let Some(given) = contact.get("arc") {
-            let message = "contact along an arc is not computed for bodies of revolution";
-            return Err(given.refused(message, "leave `arc` out: the gap of spheres is given along y = 0"));
+            let message = "contact along an arc is not computed for bodies of revolution: areas and forces are taken over the radius";
+            let remedy = "leave `arc` out: the gap of spheres is given along y = 0; a ring on a shaft is a plane scene";
+            return Err(given.refused(message, remedy));
         }
         let is_off = |origin: &Value| origin.entries().first().is_some_and(|x| x.number().abs() > 0.0);
         if let Some(given) = contact.get("origin").filter(is_off) {

@@ -110,7 +110,7 @@ pub(super) fn check(
         _ if !is_straight => 1.0,
         _ => units.length,
     };
-    let quantity = case::Quantity::on(&pair.path, quantity);
+    let quantity = case::Quantity::on(scene, contact, quantity);
     let kind = table.get("kind").map(|kind| kind.choice("kind of reference", &KINDS)).transpose()?;
     let tolerance = table.at("tolerance").positive()?;
     let reference = match table.get("value") {

@@ -2,9 +2,11 @@
 
 use crate::case::definition::Case;
 use crate::case::library::{
-    Bars, Cylinder, CylinderModel, FlatPunch, OwnWeight, Patch, PinPlate, PinRod, PressFit, TruncatedHertz,
+    Bars, Cylinder, CylinderModel, FlatPunch, OwnWeight, Patch, PinPlate, PinRod, PressFit, Sphere, TruncatedHertz,
 };
-use crate::case::library::{bars, cylinder, flat_punch, own_weight, patch, pin_plate, pin_rod, truncated_hertz};
+use crate::case::library::{
+    bars, cylinder, flat_punch, indented, own_weight, patch, pin_plate, pin_rod, sphere, truncated_hertz,
+};
 use crate::error::{Error, meant};
 use crate::scene::PlaneHypothesis;
 
@@ -14,7 +16,7 @@ type Entry = (&'static str, &'static str, bool, fn(f64) -> Case);
 /// Default a/R of the scenes whose load can be set.
 const RATIO: f64 = 0.05;
 
-const ENTRIES: [Entry; 12] = [
+const ENTRIES: [Entry; 15] = [
     ("cylinder", cylinder::TITLE, true, |a_over_r| Cylinder { a_over_r, ..Default::default() }.case()),
     ("cylinder-half", "the same with the half cylinder modelled", true, |a_over_r| {
         Cylinder { a_over_r, model: CylinderModel::Half, ..Default::default() }.case()
@@ -35,6 +37,9 @@ const ENTRIES: [Entry; 12] = [
         PressFit { plane: PlaneHypothesis::Strain, ..Default::default() }.case()
     }),
     ("flat-punch", flat_punch::TITLE, false, |_| FlatPunch::default().case()),
+    ("sphere", sphere::TITLE, true, |a_over_r| Sphere { a_over_r, ..Default::default() }.case()),
+    ("truncated-sphere", indented::SPHERE, true, indented::truncated_sphere),
+    ("cone", indented::CONE, false, |_| indented::cone()),
 ];
 
 /// Names and titles.
@@ -59,7 +64,8 @@ pub fn find(name: &str, a_over_r: Option<f64>) -> Result<Case, Error> {
         None => RATIO,
         Some(ratio) if *is_loaded => allowed(name, ratio)?,
         Some(_) => {
-            let remedy = "leave it out, or solve cylinder, cylinder-half or truncated-hertz";
+            let loaded: Vec<&str> = ENTRIES.iter().filter(|entry| entry.2).map(|entry| entry.0).collect();
+            let remedy = format!("leave it out, or solve one of {}", loaded.join(", "));
             return Err(Error::at("solve", format!("`{name}` has no a/R"), remedy));
         }
     };

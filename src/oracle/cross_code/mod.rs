@@ -5,6 +5,8 @@
 //! * *The same physical problem* ([`PhysicalScene`]): scripts in `oracles/dolfinx`, `scikit_fem`, `boundary`, `getfem` and `calculix`
 //!   that share nothing ([`independent`]); agreement within the discretisation errors of both. Those of `oracles/high` are of high order ([`high`]).
 //!
+//! Bodies of revolution have scripts of their own ([`revolution`]).
+//!
 //! Both are read from what a live run left under `oracles/frozen` ([`frozen`]), or asked live ([`live`]).
 
 pub mod frozen;
@@ -12,6 +14,7 @@ pub mod high;
 pub mod independent;
 pub mod live;
 pub mod process;
+pub mod revolution;
 
 use std::collections::BTreeMap;
 use std::fmt;

@@ -7,16 +7,19 @@
 //! open everywhere, nothing holds a body before the first contact, and ccx would diverge, as in the case `patch`: weak springs do. It makes bricks of plane cells, and those in
 //! plane stress are too stiff where they are smaller than the thickness (the rigid pin: 2.8 % in the peak). Such decks have a slice as thin as
 //! the smallest contact edge, and a modulus as much larger, so that forces and displacements stay what they are.
+//!
+//! Of bodies of revolution ccx makes bricks of a sector of 2°. Loads on nodes of cells are whole forces, as in Abaqus; forces in gap elements,
+//! whose nodes belong to no cell, are those of the sector.
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
 use crate::contact::interface::ContactNode;
-use crate::elasticity::loads;
+use crate::elasticity::{axis, loads};
 use crate::error::Error;
 use crate::mesh::{Edge, Order};
 use crate::referee::export::rows::approach;
-use crate::scene::{Component, Load, Place, PlaneHypothesis};
+use crate::scene::{Component, Load, Place, PlaneHypothesis, ReferenceValues};
 use crate::solve::Discretisation;
 
 /// Stiffness of a closed gap element, over E t.
@@ -25,8 +28,12 @@ const STIFFNESS: f64 = 1e4;
 const TAIL: f64 = 1e-7;
 /// Stiffness of springs that hold a body before its first contact, over E t.
 const WEAK: f64 = 1e-7;
+/// Sectors of ccx in the circumference of bodies of revolution: by so much forces between nodes of no cell are smaller than the whole ones.
+pub const SECTORS: f64 = 180.0;
 /// Set of the fixed nodes behind the gap elements of a contact, before its name.
 pub const GAPS: &str = "GAPS_";
+/// Set of the nodes of a body on the axis of revolution, before its name.
+const AXIS: &str = "AXIS";
 
 /// The text of the file; nodes and cells are numbered from 1 on, as in the mesh.
 pub fn text(discretisation: &Discretisation) -> Result<String, Error> {
@@ -54,10 +61,8 @@ pub(super) fn kind(discretisation: &Discretisation) -> Result<&'static str, Erro
         (PlaneHypothesis::Strain, Order::Quadratic) => "CPE8",
         (PlaneHypothesis::Stress, Order::Linear) => "CPS4",
         (PlaneHypothesis::Stress, Order::Quadratic) => "CPS8",
-        (PlaneHypothesis::Axisymmetric, _) => {
-            let message = "no decks are written of bodies of revolution yet";
-            return Err(Error::at("export", message, "use `contact-vv solve`"));
-        }
+        (PlaneHypothesis::Axisymmetric, Order::Linear) => "CAX4",
+        (PlaneHypothesis::Axisymmetric, Order::Quadratic) => "CAX8",
         (_, order) => {
             let message =
                 format!("its cells have {} nodes, and other codes read those of 4 and 8", order.nodes_per_cell());
@@ -68,7 +73,7 @@ pub(super) fn kind(discretisation: &Discretisation) -> Result<&'static str, Erro
 
 /// Part of the thickness that the deck has: in plane stress no more than the shortest distance between contact nodes.
 fn slice(discretisation: &Discretisation) -> f64 {
-    if discretisation.scene.plane == PlaneHypothesis::Strain {
+    if discretisation.scene.plane != PlaneHypothesis::Stress {
         return 1.0;
     }
     let apart = |two: &[ContactNode]| {
@@ -104,7 +109,13 @@ impl Deck<'_> {
     fn head(&mut self) {
         let scene = &self.discretisation.scene;
         let name = scene.name.clone();
-        self.line(format!("** {name}: mm, N, MPa. Forces are those of the modelled part."));
+        let of = match scene.is_of_revolution() {
+            true => {
+                "Loads are whole forces; reactions behind gap elements are those of a sector of 2 degrees, 1/180 of them."
+            }
+            false => "Forces are those of the modelled part.",
+        };
+        self.line(format!("** {name}: mm, N, MPa. {of}"));
         let stretches: Vec<String> = scene
             .contacts
             .iter()
@@ -143,7 +154,10 @@ impl Deck<'_> {
                 body.material.young / slice,
                 body.material.poisson
             ));
-            self.line(format!("*SOLID SECTION, ELSET={name}, MATERIAL={name}\n{:.12e}", scene.thickness * slice));
+            self.line(format!("*SOLID SECTION, ELSET={name}, MATERIAL={name}"));
+            if !scene.is_of_revolution() {
+                self.line(format!("{:.12e}", scene.thickness * slice));
+            }
         }
     }
 
@@ -187,6 +201,15 @@ impl Deck<'_> {
                 self.line(format!("*BOUNDARY\n{at}, {0}, {0}, {1:.12e}", axis + 1, support.value));
                 held.extend(nodes.into_iter().map(|node| (node, axis)));
             }
+            let on_axis = axis::holds(scene, mesh, index);
+            let axis = mesh.bodies[index].nodes.clone().filter(|&node| on_axis(node) && !held.contains(&(node, 0)));
+            let axis: Vec<usize> = axis.collect();
+            if !axis.is_empty() {
+                let name = named(&[AXIS, &body.name]);
+                self.set(&name, axis.iter().map(|node| node + 1).collect());
+                self.line(format!("*BOUNDARY\n{name}, 1, 1"));
+                held.extend(axis.into_iter().map(|node| (node, 0)));
+            }
         }
         Ok(held)
     }
@@ -199,11 +222,17 @@ impl Deck<'_> {
             for load in &body.loads {
                 let Load::RigidFace { boundary, component, force } = load else { continue };
                 let nodes = mesh.nodes_at(scene, index, &Place::Boundary(boundary.clone()))?;
-                let [x, y] = mesh.points[nodes[0]];
-                self.nodes += 1;
-                let (common, axis) = (self.nodes, component.index());
-                self.line(format!("*NODE\n{common}, {x:.12e}, {y:.12e}\n*BOUNDARY\n{common}, {0}, {0}", 2 - axis));
-                for node in nodes.into_iter().filter(|node| !held.contains(&(*node, axis))) {
+                let axis = component.index();
+                let free = nodes.iter().filter(|node| !held.contains(&(**node, axis)));
+                // Of bodies of revolution it is one of theirs, on which a load is a whole force.
+                let followed = free.clone().next().filter(|_| scene.is_of_revolution());
+                let common = followed.map_or(self.nodes + 1, |node| node + 1);
+                if followed.is_none() {
+                    let [x, y] = mesh.points[nodes[0]];
+                    self.nodes += 1;
+                    self.line(format!("*NODE\n{common}, {x:.12e}, {y:.12e}\n*BOUNDARY\n{common}, {0}, {0}", 2 - axis));
+                }
+                for node in free.filter(|node| **node + 1 != common) {
                     self.equation(&[(node + 1, axis, 1.0), (common, axis, -1.0)]);
                 }
                 faces.push((common, *component, *force));
@@ -222,10 +251,12 @@ impl Deck<'_> {
     fn gaps(&mut self) {
         let discretisation = self.discretisation;
         let scene = &discretisation.scene;
-        let stiffness =
-            STIFFNESS * scene.thickness * scene.bodies.iter().map(|body| body.material.young).fold(0.0, f64::max);
+        let ReferenceValues { pressure, length, .. } = scene.reference;
+        // Of a sector that of a punch as wide as the reference length.
+        let across = if scene.is_of_revolution() { 2.0 * length / SECTORS } else { scene.thickness };
+        let stiffness = STIFFNESS * across * scene.bodies.iter().map(|body| body.material.young).fold(0.0, f64::max);
         let (mut held, weak) = (false, WEAK * stiffness / STIFFNESS);
-        let tail = TAIL * scene.reference.pressure * scene.reference.length * scene.thickness;
+        let tail = TAIL * pressure * length * across;
         for interface in &discretisation.interfaces {
             let (mut fixed, open) = (Vec::new(), interface.nodes.iter().all(|node| node.gap > 0.0));
             for node in interface.nodes.iter().filter(|node| node.gap.is_finite()) {

@@ -10,7 +10,7 @@ use crate::solve::{Discretisation, Element, Run};
 
 /// What a run found, with its edge means.
 pub fn answer(name: &str, discretisation: &Discretisation, run: &Run) -> Document {
-    let of = |(index, pair): (usize, &ContactPair)| contact(pair, run, index, order(discretisation, run));
+    let of = |(index, _): (usize, &ContactPair)| contact(discretisation, run, index);
     Document {
         case: Some(name.into()),
         code: Some(format!("contact-vv {}", env!("CARGO_PKG_VERSION"))),
@@ -53,9 +53,19 @@ fn order(discretisation: &Discretisation, run: &Run) -> Order {
     if run.formulation.element == Element::Node { discretisation.mesh.order } else { Order::Linear }
 }
 
-fn contact(pair: &ContactPair, run: &Run, index: usize, order: Order) -> Contact {
-    let factor = display_factor(&pair.path);
+/// Its contact points; of edges of order 2 and more with that on the axis of revolution, which has no area, so that edges are whole.
+fn points(discretisation: &Discretisation, run: &Run, index: usize, order: Order) -> Vec<PointState> {
     let points = run.solution.points_of(index);
+    let first = discretisation.interfaces[index].nodes.first();
+    let axis = first.filter(|node| order != Order::Linear && node.coordinate < points[0].position);
+    let axis = axis.map(|node| PointState { position: node.coordinate, weight: 0.0, ..points[0] });
+    axis.into_iter().chain(points.iter().copied()).collect()
+}
+
+fn contact(discretisation: &Discretisation, run: &Run, index: usize) -> Contact {
+    let pair = &discretisation.scene.contacts[index];
+    let (order, factor) = (order(discretisation, run), display_factor(&pair.path));
+    let points = points(discretisation, run, index, order);
     let list = |of: fn(&PointState) -> f64| points.iter().map(of).collect::<Vec<f64>>();
     let edge = |edge: &crate::solution::EdgeState| Edge {
         from: factor * edge.ends[0],

@@ -4,17 +4,17 @@
 use serde::Serialize;
 
 use crate::contact::Interface;
-use crate::elasticity::loads;
+use crate::elasticity::{axis, loads};
 use crate::error::Error;
 use crate::mesh::{Edge, candidates};
 use crate::referee::answer::Point;
 use crate::referee::export::deck::kind;
 use crate::referee::export::rows::{approach, retained};
 use crate::referee::profile::tributary;
-use crate::scene::{Load, Place, PlaneHypothesis};
+use crate::scene::{Load, Place, PlaneHypothesis, Scene};
 use crate::solve::Discretisation;
 
-/// Scripts that solve an exported case by another code, and what they share: name, text, what it is.
+/// Scripts that solve an exported plane case by another code, and what they share: name, text, what it is.
 pub const SCRIPTS: [(&str, &str, &str); 10] = [
     ("exported.py", include_str!("../../../oracles/peers/exported.py"), "what the scripts below share"),
     ("run_getfem.py", include_str!("../../../oracles/peers/run_getfem.py"), "solves it by GetFEM"),
@@ -28,12 +28,28 @@ pub const SCRIPTS: [(&str, &str, &str); 10] = [
     ("run_calculix.py", include_str!("../../../oracles/peers/run_calculix.py"), "solves it by CalculiX"),
 ];
 
+/// The same of bodies of revolution: none of the others knows a hoop strain.
+const OF_REVOLUTION: [(&str, &str, &str); 2] = [
+    SCRIPTS[0],
+    (
+        "run_revolution.py",
+        include_str!("../../../oracles/peers/run_revolution.py"),
+        "solves it by scikit-fem, dolfinx or CalculiX; for GetFEM, NGSolve, SfePy, Kratos, Akantu and FElupe bodies of revolution have no script",
+    ),
+];
+
+/// The scripts that can solve a scene.
+pub fn scripts(scene: &Scene) -> &'static [(&'static str, &'static str, &'static str)] {
+    if scene.is_of_revolution() { &OF_REVOLUTION } else { &SCRIPTS }
+}
+
 /// The problem; units mm, N, MPa, rad, nodes from 0 on, components 0 and 1.
 #[derive(Debug, Serialize)]
 struct Problem {
     /// Name of the case.
     case: String,
-    /// `strain` or `stress`.
+    /// `strain`, `stress` or `axisymmetric`: of these the thickness is 1, forces and areas are of the whole circumference, and nodes on the axis
+    /// are held along it.
     plane: &'static str,
     thickness: f64,
     /// Order of the cells.
@@ -88,7 +104,7 @@ struct Node {
     /// Outward normal of the first body.
     normal: [f64; 2],
     area: f64,
-    /// Initial gap; none where there is no other side.
+    /// Initial gap; none where there is no other side, and where the node has no area, as that of an edge of order 2 on the axis.
     gap: Option<f64>,
     /// Its approach: node, component, factor.
     row: Vec<(usize, usize, f64)>,
@@ -132,6 +148,10 @@ fn loaded(discretisation: &Discretisation, body: usize, problem: &mut Problem) -
         let nodes = mesh.nodes_at(scene, body, &support.at)?;
         problem.held.extend(nodes.into_iter().map(|node| (node, support.component.index(), support.value)));
     }
+    let on_axis = axis::holds(scene, mesh, body);
+    let free = |node: &usize| on_axis(*node) && !problem.held.iter().any(|(held, axis, _)| (held, axis) == (node, &0));
+    let axis: Vec<usize> = mesh.bodies[body].nodes.clone().filter(free).collect();
+    problem.held.extend(axis.into_iter().map(|node| (node, 0, 0.0)));
     for load in &scene.bodies[body].loads {
         let Load::RigidFace { boundary, component, force } = load else { continue };
         let nodes = mesh.nodes_at(scene, body, &Place::Boundary(boundary.clone()))?;
@@ -153,14 +173,13 @@ fn contact(discretisation: &Discretisation, interface: &Interface) -> Result<Con
     let places = interface.nodes.iter();
     let places: Vec<Point> =
         places.map(|node| Point { position: node.coordinate, value: 0.0, area: None, gap: None }).collect();
-    let across = pair.path.metric() * scene.thickness;
-    let areas = tributary(&places, mesh.order).into_iter().map(|length| length * across);
+    let areas = tributary(scene, pair, &places, mesh.order);
     let nodes = interface.nodes.iter().zip(areas).map(|(node, area)| Node {
         node: retained(discretisation, node.dof).0,
         position: node.coordinate,
         normal: node.normal,
         area,
-        gap: Some(node.gap).filter(|gap| gap.is_finite()),
+        gap: Some(node.gap).filter(|gap| gap.is_finite() && area > 0.0),
         row: approach(discretisation, node).into_iter().map(|(node, axis, factor)| (node - 1, axis, factor)).collect(),
     });
     let middle = interface.nodes.iter().min_by(|a, b| a.coordinate.abs().total_cmp(&b.coordinate.abs()));

@@ -120,7 +120,7 @@ impl Fit {
 }
 
 /// Coefficients of a polynomial by least squares over (weight, powers, value), and the root mean square of what remains.
-fn least_squares(
+pub(super) fn least_squares(
     count: usize,
     rows: impl ExactSizeIterator<Item = (f64, [f64; MOST], f64)> + Clone,
 ) -> (Vec<f64>, f64) {
@@ -142,7 +142,7 @@ fn least_squares(
 }
 
 /// So many powers from the zeroth on; zeros behind.
-fn powers(count: usize, of: impl Fn(i32) -> f64) -> [f64; MOST] {
+pub(super) fn powers(count: usize, of: impl Fn(i32) -> f64) -> [f64; MOST] {
     std::array::from_fn(|k| if k < count { of(k as i32) } else { 0.0 })
 }
 

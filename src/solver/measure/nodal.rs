@@ -5,10 +5,10 @@
 
 use std::ops::Range;
 
-use crate::measure::fit::{Fit, Peak, ROUNDING};
+use crate::measure::fit::{Fit, Peak, ROUNDING, least_squares, powers};
 use crate::measure::peak::{DROP, PARABOLA, QUARTIC, on_one_side};
 use crate::measure::profile;
-use crate::mesh::lobatto::lagrange;
+use crate::mesh::lobatto::{self, lagrange, legendre};
 use crate::solution::{Part, PointState};
 
 /// Nodes of an edge beyond which its points tell the profile better than means over edges.
@@ -23,6 +23,13 @@ const SQUARES: usize = 4;
 /// Most coefficients of a polynomial over few points, and over many.
 const SEXTIC: usize = 7;
 const OCTIC: usize = 9;
+/// Fewest nodes inside the first edge that tell the pressure on the axis, those of order 6.
+const INNER: usize = 5;
+/// Parts of that edge over which its shape functions are integrated, and Lobatto points of each.
+const PARTS: usize = 4;
+const RULE: usize = 9;
+/// Departure from the polynomial, over the pressure, up to which its means are those of a profile that it draws.
+const DEPARTS: f64 = 1e-4;
 /// Part of a stretch, from its end on, in which points tell where it ends.
 const OUTER: f64 = 0.35;
 
@@ -52,11 +59,49 @@ pub fn read(part: Part, centre: f64) -> Option<Reading> {
         true => around(&points, origin, DROP, FEWEST).value(0.0).unwrap_or(f64::NAN),
         false => 0.0,
     };
+    if let Some(pressure) = on_axis(part).filter(|_| highest == origin) {
+        let peak = Peak { position: 0.0, pressure };
+        return Some(Reading {
+            peak,
+            through_points: around(&points, highest, 0.0, THROUGH).top().pressure,
+            at_origin: pressure,
+        });
+    }
     Some(Reading {
         peak: if flat { Peak { position: centre, ..peak } } else { peak },
         through_points: around(&points, highest, 0.0, THROUGH).top().pressure,
         at_origin,
     })
+}
+
+/// Pressure on the axis of a body of revolution, whose largest it is, by the means that the nodes of the first edge carry.
+///
+/// The pressure of a node is `∫ N_a p r dr / ∫ N_a r dr`; where an edge reaches far, as on meshes fitted to the contact, such means lie
+/// above and below the profile from node to node, and a polynomial through them misses the axis. The even polynomial of one coefficient
+/// fewer than there are nodes inside the edge whose own means are theirs halves that at order 6 and 7, at order 8 it leaves a third. None
+/// where points are no nodes, are [few](INNER), or one does not press, or where the means depart from it.
+fn on_axis(part: Part) -> Option<f64> {
+    let first = part.edges.first().filter(|edge| edge.is_ring && edge.ends[0].abs() <= ROUNDING * edge.ends[1])?;
+    let nodes: Vec<f64> = lobatto::points(part.nodes).iter().map(|x| 0.5 * (1.0 + x)).collect();
+    let inside = part.nodes.checked_sub(2).filter(|inside| *inside >= INNER)?;
+    let points = part.points.get(..inside)?;
+    let is_node = |(point, node): (&PointState, &f64)| {
+        point.pressure > 0.0 && (point.position / first.ends[1] - node).abs() <= ROUNDING
+    };
+    if !points.iter().zip(&nodes[1..]).all(is_node) {
+        return None;
+    }
+    // Exact on each part for polynomials of degree 15, beyond which `N_a r^{2k+1}` there has next to nothing.
+    let rule = lobatto::points(RULE).iter().map(|&x| (x, 1.0 / legendre(RULE - 1, x)[1].powi(2)));
+    let part_of = |k: usize| rule.clone().map(move |(x, weight)| ((k as f64 + 0.5 * (1.0 + x)) / PARTS as f64, weight));
+    let at: Vec<_> = (0..PARTS).flat_map(part_of).map(|(x, weight)| (x, weight * x, lagrange(&nodes, x))).collect();
+    let rows = points.iter().zip(1..).map(|(point, a): (_, usize)| {
+        let over = |k: i32| at.iter().map(|(x, area, shapes)| area * shapes[a].0 * x.powi(2 * k)).sum::<f64>();
+        (point.weight, powers(inside - 1, |k| over(k) / over(0)), point.pressure)
+    });
+    let rows: Vec<_> = rows.collect();
+    let (coefficients, misfit) = least_squares(inside - 1, rows.into_iter());
+    (misfit <= DEPARTS * coefficients[0]).then_some(coefficients[0])
 }
 
 /// Whether the points of a contact are many because its edges have many nodes; of others a few may be cut into many pieces

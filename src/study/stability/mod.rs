@@ -1,12 +1,14 @@
-//! Predicted against measured, one iteration at a time; in a folder, since its four predictions have little in common.
+//! Predicted against measured, one iteration at a time; in a folder, since its five predictions have little in common.
 //!
 //! * `rates` — asymptotic rates of constant and varying stiffness, a posteriori and by Hertz's closed form alone.
+//! * `revolution` — what the atlas says of plane scenes, on bodies of revolution.
 //! * `springs` — constant stiffness towards given springs, varying stiffness next to the contact.
 //!
 //! Below is the page. Each prediction is made and measured by a function, judged by `judge_…` and shown by `table_of_…`. Rules that fail,
 //! and the halving law of kinematic load, are those of the atlas.
 
 pub mod rates;
+pub mod revolution;
 pub mod springs;
 
 use crate::case::Judged;
@@ -16,6 +18,7 @@ use crate::solve::{Element, Iteration};
 use crate::study::about::{About, Found, Planned, Study};
 use crate::study::method::Method;
 use rates::{Before, Rate, SCENES};
+use revolution::Revolved;
 use springs::{Basin, Towards};
 
 /// What came out of a trial.
@@ -25,6 +28,8 @@ pub enum Numbers {
     Rates(Vec<Rate>),
     /// Rates of varying stiffness before anything is solved.
     Before(Vec<Before>),
+    /// Bodies of revolution.
+    Revolved(Vec<Revolved>),
     /// Constant stiffness towards fixed springs.
     Towards(Vec<Towards>),
     /// Varying stiffness with `correction`.
@@ -53,6 +58,10 @@ impl Study for Numbers {
             let run = move || rates::before(stretched).map(Numbers::Before);
             Planned::new("rate of varying stiffness before the contact is solved", name, run)
         }));
+        trials.extend(revolution::SCENES.map(|(name, scene)| {
+            let run = move || revolution::revolved(scene).map(Numbers::Revolved);
+            Planned::new("laws of the plane on bodies of revolution", name, run)
+        }));
         trials.extend(by_element("constant stiffness, fixed target springs", |e| {
             springs::towards(e).map(Numbers::Towards)
         }));
@@ -67,6 +76,7 @@ impl Study for Numbers {
         Ok(match self {
             Numbers::Rates(starts) => rates::judge_rates(starts),
             Numbers::Before(meshes) => vec![rates::judge_before(meshes)],
+            Numbers::Revolved(rows) => revolution::judge_revolved(rows),
             Numbers::Towards(starts) => springs::judge_towards(starts),
             Numbers::Basin(starts) => vec![springs::judge_basin(starts)],
         })
@@ -74,11 +84,13 @@ impl Study for Numbers {
 
     /// A subsection for each prediction.
     fn section(findings: &[Found<Self>]) -> Result<String, Error> {
-        let (mut rates, mut before, mut basin, mut towards) = (Vec::new(), Vec::new(), Vec::new(), String::new());
+        let (mut rates, mut before, mut basin, mut revolved) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+        let mut towards = String::new();
         for Found { case, name, numbers, .. } in findings {
             match numbers {
                 Numbers::Rates(starts) => rates.extend(starts.iter().map(|start| (*name, start))),
                 Numbers::Before(meshes) => before.extend(meshes.iter().map(|mesh| (*name, mesh))),
+                Numbers::Revolved(rows) => revolved.extend(rows.iter().map(|row| (*name, row))),
                 Numbers::Basin(starts) => basin.extend(starts.iter().map(|start| (*name, start))),
                 Numbers::Towards(starts) => {
                     let title = format!("{case}, {name}: starts κ₀ from 1e-6 to 1e6 by how they end");
@@ -95,6 +107,8 @@ impl Study for Numbers {
             &rates::table_of_before(&before),
             BASIN,
             &springs::table_of_basin(&basin),
+            REVOLVED,
+            &revolution::table_of_revolved(&revolved),
         ]
         .concat())
     }
@@ -126,3 +140,9 @@ contact, which only the solved contact tells.\n\n";
 const BASIN: &str = "\n## Varying stiffness with `correction`\n\n\
 *A posteriori.* Next to the contact it is stable while 2 (S + K*) − max(K*, K₀) is positive definite on the closed points: near the edge, where \
 k* → 0, κ₀ must remain below about twice the stiffness of the bodies. From equal springs, farther away, that is no promise: *Where methods fail* has how such runs end.\n\n";
+
+const REVOLVED: &str = "\n## Bodies of revolution\n\n\
+What the [atlas](atlas.md) says of plane scenes, on blocks of revolution pressed by a paraboloid and by a cone. *A priori*: kinematic load \
+starts with contact up to L, and each iteration opens what pulls. Contact kept up to L is the profile's own less a flat punch of that \
+radius; under a paraboloid it presses up to √((2L³ + a³)/3L). Next to the contact this halves L² − a², as in the plane; from far it leaves \
+two thirds of L². Starts κ₀ from 1e-6 to 1e6.\n\n";

@@ -1,0 +1,295 @@
+//! Answers on bodies of revolution: judged by rings, usual mistakes named, spoiled ones refused; what `export` writes of them.
+
+use std::f64::consts::{PI, TAU};
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
+
+use approx::assert_relative_eq;
+use contact_vv::case::{Case, Verdict};
+use contact_vv::cli::export;
+use contact_vv::cli::new::Template;
+use contact_vv::mesh::{Order, Resolution};
+use contact_vv::referee::export::{deck, own};
+use contact_vv::referee::judge::ENGINEERING;
+use contact_vv::referee::units::Role;
+use contact_vv::referee::{Asked, Truth, Verdicts, calculix, read, verdicts};
+use contact_vv::solve::{Discretisation, Element, Formulation, Iteration, Run};
+
+fn sphere() -> Case {
+    Case::parse(Path::new("sphere.toml"), &Template::Sphere.text()).expect("a case")
+}
+
+/// The case, what it is judged by, and our run on the mesh that is exported.
+fn solved() -> (Truth, Discretisation, Run) {
+    let case = sphere();
+    let discretisation = case.meshed().expect("meshed").discretisation;
+    let run = Run::of(&discretisation, &Formulation::verification()).expect("solved");
+    (Truth::of(case).expect("solved"), discretisation, run)
+}
+
+fn judged(truth: &Truth, name: &str, text: &str, asked: &Asked) -> Verdicts {
+    let answer = read::parse(Path::new(name), text.as_bytes(), &truth.case, asked).expect("read");
+    verdicts(truth, answer, ENGINEERING).expect("judged")
+}
+
+/// Names of what is not met.
+fn failed(found: &Verdicts) -> Vec<String> {
+    let all = found.ruled.iter().flat_map(|ruled| &ruled.judged);
+    all.filter(|one| one.verdict == Verdict::Fail).map(|one| one.check.quantity.to_string()).collect()
+}
+
+/// Nodal forces of a run, with that of the axis, as a table.
+fn forces(run: &Run, of: impl Fn(f64, f64) -> f64) -> String {
+    let mut text = String::from("position [mm],force [N]\n0,0\n");
+    for point in run.solution.points_of(0) {
+        let _ = writeln!(text, "{},{}", point.position, of(point.position, point.weight * point.pressure));
+    }
+    text
+}
+
+fn pressures(run: &Run, place: f64, pressure: f64) -> String {
+    let mut text = String::from("position [mm],pressure [MPa]\n");
+    for point in run.solution.points_of(0) {
+        let _ = writeln!(text, "{},{}", place * point.position, pressure * point.pressure);
+    }
+    text
+}
+
+/// An answer by nodes of 8-node cells.
+fn by_nodes() -> Asked {
+    Asked { order: Some(Order::Quadratic), ..Asked::default() }
+}
+
+#[test]
+fn our_own_answer_of_a_sphere_is_judged_as_what_solve_says() {
+    let (truth, discretisation, _) = solved();
+    for (element, order) in [
+        (Element::Node, Order::Quadratic),
+        (Element::Line, Order::Quadratic),
+        (Element::Node, Order::Linear),
+        (Element::Node, Order::Sextic),
+    ] {
+        let resolution = Resolution { order, ..truth.case.resolution };
+        let own = match order {
+            Order::Quadratic => None,
+            _ => Some(Discretisation::of(truth.case.scene.clone(), resolution).expect("meshed")),
+        };
+        let discretisation = own.as_ref().unwrap_or(&discretisation);
+        let run = Run::of(discretisation, &Formulation::new(element, Iteration::Kinematic).tolerance(1e-8));
+        let run = run.expect("solved");
+        let text = serde_json::to_string(&own::answer("sphere", discretisation, &run)).expect("JSON");
+        let found = judged(
+            &truth,
+            "ours.json",
+            &text.replace("\"sphere\"", &format!("{:?}", truth.case.name)),
+            &Asked::default(),
+        );
+        assert!(found.met() && found.mistakes.is_empty(), "{element:?}, {order:?}: {:?}", failed(&found));
+        let (theirs, ours) = (&found.ruled[0].measures, &run.contacts[0].measures);
+        for (theirs, ours) in [
+            (theirs.peak.pressure, ours.peak.pressure),
+            (theirs.second_moment_width, ours.second_moment_width),
+            (theirs.resultant, ours.resultant),
+            (theirs.edge(), ours.edge()),
+        ] {
+            assert_relative_eq!(theirs, ours, max_relative = 1e-9);
+        }
+    }
+}
+
+#[test]
+fn forces_and_pressures_of_rings_add_up_to_the_whole_load() {
+    let (truth, _, run) = solved();
+    for (text, asked) in [(forces(&run, |_, force| force), by_nodes()), (pressures(&run, 1.0, 1.0), Asked::default())] {
+        let found = judged(&truth, "theirs.csv", &text, &asked);
+        assert!(found.met() && found.mistakes.is_empty(), "{:?}", failed(&found));
+        let named: Vec<String> = found.ruled[0].judged.iter().map(|one| one.check.quantity.to_string()).collect();
+        for name in ["second-moment radius [mm]", "contact resultant [N]"] {
+            assert!(named.iter().any(|own| own == name), "{name}: {named:?}");
+        }
+        // Pressures at nodes alone are joined by straight lines.
+        assert_relative_eq!(found.ruled[0].measures.resultant, 750.0, max_relative = 6e-3);
+    }
+    let found = judged(&truth, "theirs.csv", &forces(&run, |_, force| force), &by_nodes());
+    assert_relative_eq!(found.ruled[0].measures.resultant, 750.0, max_relative = 1e-9);
+}
+
+#[test]
+fn usual_mistakes_on_bodies_of_revolution_are_named() {
+    let (truth, _, run) = solved();
+    let cube = TAU.cbrt();
+    for (text, asked, says) in [
+        (forces(&run, |_, force| force / TAU), by_nodes(), "2π is forgotten"),
+        (forces(&run, |r, force| force / (TAU * r)), by_nodes(), "2πr is forgotten"),
+        (forces(&run, |_, force| force / 180.0), by_nodes(), "sector of 2°"),
+        (pressures(&run, cube, cube), Asked::default(), "the whole force is given per radian"),
+        (pressures(&run, cube.recip(), cube.recip()), Asked::default(), "it is given per radian"),
+        (pressures(&run, 2f64.cbrt(), 4f64.cbrt().recip()), Asked::default(), "a diameter for a radius"),
+        (pressures(&run, 1.0, -1.0), Asked::default(), "--tension-positive"),
+        (pressures(&run, 1.0, 1e6), Asked::default(), "Pa are called MPa"),
+    ] {
+        let found = judged(&truth, "theirs.csv", &text, &asked);
+        assert!(!found.met(), "{says}");
+        assert!(found.mistakes.iter().any(|told| told.contains(says)), "{says}: {:?}", found.mistakes);
+    }
+}
+
+#[test]
+fn spoiled_answers_on_bodies_of_revolution_are_refused_by_name() {
+    let (truth, _, run) = solved();
+    let text = pressures(&run, 1.0, 1.0);
+    let third = text.lines().take(8).collect::<Vec<_>>().join("\n");
+    let mirrored = text.clone() + "-0.5,0\n";
+    let strange = text.replacen(",1", ",NaN", 1);
+    for (text, says) in [
+        (third, "stop at"),
+        (mirrored, "radii from the axis on"),
+        (strange, "no number"),
+        (text.replace("[MPa]", "[N/mm]"), "the unit `N/mm`"),
+        (forces(&run, |_, force| force).replace("[N]", "[N/mm]"), "the unit `N/mm`"),
+    ] {
+        let read = read::parse(Path::new("theirs.csv"), text.as_bytes(), &truth.case, &Asked::default());
+        let error = read.and_then(|answer| verdicts(&truth, answer, ENGINEERING)).expect_err(says);
+        assert!(error.to_string().contains(says), "{says}: {error}");
+    }
+}
+
+#[test]
+fn exported_decks_of_revolution_have_whole_loads_and_give_whole_forces() {
+    let (truth, discretisation, run) = solved();
+    let text = deck::text(&discretisation).expect("a deck");
+    assert!(text.contains("TYPE=CAX8") && !text.contains("TYPE=CP"), "cells of revolution");
+    assert!(text.contains("*NSET, NSET=AXIS_SPHERE") && text.contains("AXIS_SPHERE, 1, 1"), "the axis stays");
+    let loads = text.lines().skip_while(|line| *line != "*CLOAD").skip(1).take_while(|line| !line.starts_with('*'));
+    let whole: f64 =
+        loads.map(|line| line.rsplit(", ").next().expect("a force").parse::<f64>().expect("a number")).sum();
+    assert_relative_eq!(whole, -750.0, max_relative = 1e-9);
+    // What ccx prints of the set behind the gap elements: reactions of a sector of 2°, that of the axis first.
+    let set = "GAPS_SPHERE_ON_RIGID";
+    let listed = text.lines().skip_while(|line| *line != format!("*NSET, NSET={set}")).skip(1);
+    let numbers = listed.take_while(|line| !line.starts_with('*')).map(|line| line.trim_end_matches(','));
+    let own = std::iter::once(0.0).chain(run.solution.points_of(0).iter().map(|point| point.weight * point.pressure));
+    let mut table = format!(" forces (fx,fy,fz) for set {set} and time  0.1000000E+01\n\n");
+    for (number, force) in numbers.zip(own) {
+        let _ = writeln!(table, "{number:>10} {:e} 0.0 0.0", -force / 180.0);
+    }
+    let answer = calculix::forces(Path::new("s.dat"), &table, &text, &truth.case.scene, &Asked::default());
+    let found = verdicts(&truth, answer.expect("read"), ENGINEERING).expect("judged");
+    assert!(found.met() && found.mistakes.is_empty(), "{:?}", failed(&found));
+    assert_relative_eq!(found.ruled[0].measures.resultant, 750.0, max_relative = 1e-9);
+}
+
+#[test]
+fn export_writes_of_bodies_of_revolution_what_can_solve_them_alone() {
+    let files = export::files(&sphere(), true).expect("exported");
+    let named = |name: &str| files.iter().find(|(own, ..)| own == name);
+    for plane_alone in
+        ["run_getfem.py", "run_ngsolve.py", "run_sfepy.py", "run_kratos.py", "run_felupe.py", "run_calculix.py"]
+    {
+        assert!(named(plane_alone).is_none(), "{plane_alone}");
+    }
+    let (.., what) = named("run_revolution.py").expect("a script");
+    assert!(what.contains("scikit-fem, dolfinx or CalculiX") && what.contains("NGSolve"));
+    let problem: serde_json::Value =
+        serde_json::from_slice(&named("problem.json").expect("a problem").1).expect("JSON");
+    assert_eq!(problem["plane"], "axisymmetric");
+    let nodes = problem["contacts"][0]["nodes"].as_array().expect("nodes");
+    let area: f64 = nodes.iter().map(|node| node["area"].as_f64().expect("an area")).sum();
+    assert_relative_eq!(area, PI, max_relative = 1e-4);
+    // The node on the axis has no area, and no other side.
+    assert!(nodes[0]["gap"].is_null() && nodes[1]["gap"].is_number());
+    let force: f64 = problem["forces"].as_array().expect("forces").iter().map(|row| row[2].as_f64().expect("N")).sum();
+    assert_relative_eq!(force, -750.0, max_relative = 1e-9);
+    let sheet = String::from_utf8(files[0].1.clone()).expect("text");
+    assert!(sheet.contains("whole forces") && sheet.contains("2πr") && sheet.contains("coord_type = RZ"));
+    assert!(!sheet.contains("per thickness") && !sheet.contains("N/mm |"), "{sheet}");
+}
+
+/// A slice of two cells about the axis as ccx writes it with OUTPUT=3D: nodes at −1°, 0° and 1°, none doubled on the axis.
+fn slice(stretch: f64) -> String {
+    let mut nodes = Vec::new();
+    for [x, y] in [[5.0, 0.0], [10.0, 0.0], [10.0, 5.0], [5.0, 5.0]] {
+        let angle = 1f64.to_radians();
+        nodes.extend([-angle, angle].map(|angle| (x, y, angle)));
+    }
+    let [mut places, mut moved] = [const { String::new() }; 2];
+    for (k, (r, y, angle)) in nodes.iter().enumerate() {
+        let place = [r * angle.cos(), *y, r * angle.sin()];
+        let vector = [stretch * place[0], 0.0, stretch * place[2]];
+        let line = |of: [f64; 3]| format!(" -1{:>10}{:>12.5E}{:>12.5E}{:>12.5E}\n", k + 1, of[0], of[1], of[2]);
+        places += &line(place);
+        moved += &line(vector);
+    }
+    format!(
+        "    1C\n    2C                             8                                     1\n{places} -3\n    3C                             1\n\
+         \x20-1         1    1    0    1\n -2         1         3         5         7         2         4         6         8\n -3\n\
+         \x20 100CL  101 1.000000000           8                     0    1           1\n -4  DISP        4    1\n -5  D1          1    2    1    0\n\
+         \x20-5  D2          1    2    2    0\n -5  D3          1    2    3    0\n -5  ALL         1    2    0    0    1ALL\n{moved} -3\n 9999\n"
+    )
+}
+
+#[test]
+fn sectors_of_ccx_are_turned_into_the_plane() {
+    let case = sphere();
+    let text = slice(0.01);
+    let source = contact_vv::referee::source::Source { file: Path::new("slice.frd"), text: &text };
+    let units = vec![(Role::Position, "mm".to_owned()), (Role::Displacement, "mm".to_owned())];
+    let asked = Asked { units, ..Asked::default() };
+    let field = contact_vv::referee::frd::displacements((&source, &case.scene), &asked, None, None);
+    let field = field.expect("read").expect("a field");
+    assert_eq!((field.points.len(), field.cells.len()), (4, 1));
+    for (point, moved) in field.points.iter().zip(&field.displacement) {
+        assert_relative_eq!(moved[0], 0.01 * point[0], max_relative = 1e-4);
+        assert!(moved[1].abs() <= 1e-12 && [5.0, 10.0].iter().any(|r| (point[0] - r).abs() <= 1e-4));
+    }
+}
+
+/// A ring on a rigid plane under a uniform pressure on its other end.
+const RING: &str = r#"
+title = "ring on a rigid plane"
+plane = "axisymmetric"
+[[body]]
+name = "ring"
+young = 210e3
+poisson = 0.3
+shape = { rectangle = { x = [10, 20], y = [0, 15], contact = "bottom" } }
+loads = [{ traction = { at = "far", value = [0, -75] } }]
+[contact]
+first = "ring"
+gap = { uniform = 0 }
+stretch = 20
+[mesh]
+elements = 4
+per = 10
+"#;
+
+#[test]
+fn contact_of_a_ring_begins_at_its_inner_radius() {
+    let case = Case::parse(&PathBuf::from("ring.toml"), RING).expect("a case");
+    let load = 75.0 * PI * (400.0 - 100.0);
+    for order in [Order::Linear, Order::Quadratic, Order::Sextic] {
+        let resolution = Resolution { order, ..case.resolution };
+        let discretisation = Discretisation::of(case.scene.clone(), resolution).expect("meshed");
+        for formulation in Formulation::compared() {
+            let run = Run::of(&discretisation, &formulation).expect("solved");
+            let name = format!("{}, {order:?}", formulation.name());
+            assert!(run.solution.converged(), "{name}");
+            assert_relative_eq!(run.transmitted(), load, max_relative = 1e-9);
+            for point in run.solution.points_of(0) {
+                assert!(
+                    (point.pressure / 75.0 - 1.0).abs() <= 1e-6,
+                    "{name}: {} at {}",
+                    point.pressure,
+                    point.position
+                );
+            }
+            let stretch = run.measures().stretches[0];
+            assert_relative_eq!(stretch.begin, 10.0, max_relative = 1e-9);
+            assert_relative_eq!(stretch.end, 20.0, max_relative = 1e-9);
+        }
+    }
+    let truth = Truth::of(case).expect("solved");
+    let found = judged(&truth, "theirs.csv", "position [mm],pressure [MPa]\n10,75\n15,75\n20,75\n", &Asked::default());
+    assert!(found.met(), "{:?}", failed(&found));
+    assert_relative_eq!(found.ruled[0].measures.resultant, load, max_relative = 1e-9);
+}
