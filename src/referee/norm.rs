@@ -10,12 +10,15 @@ const ALL: usize = 64_000;
 /// `√(Σ A (p̄ − p̄_ref)² / Σ A p̄_ref²)` of the means over edges, those of the truth by the midpoint rule.
 pub fn of_means(edges: &[EdgeState], truth: impl Fn(f64) -> f64) -> f64 {
     let points = (ALL / edges.len().max(1)).clamp(1, READ);
-    let mean = |edge: &EdgeState| {
-        let at = |k: usize| edge.ends[0] + edge.length() * (k as f64 + 0.5) / points as f64;
-        (0..points).map(|k| truth(at(k))).sum::<f64>() / points as f64
-    };
-    let pairs: Vec<[f64; 3]> = edges.iter().map(|edge| [edge.weight, edge.pressure, mean(edge)]).collect();
+    let pairs: Vec<[f64; 3]> =
+        edges.iter().map(|edge| [edge.weight, edge.pressure, mean(edge.ends, points, &truth)]).collect();
     let error: f64 = pairs.iter().map(|[weight, own, wanted]| weight * (own - wanted).powi(2)).sum();
     let scale: f64 = pairs.iter().map(|[weight, _, wanted]| weight * wanted.powi(2)).sum();
     (error / scale).sqrt()
+}
+
+/// Mean of a function over a stretch, by the midpoint rule on so many points.
+pub fn mean([from, to]: [f64; 2], points: usize, of: impl Fn(f64) -> f64) -> f64 {
+    let at = |k: usize| from + (to - from) * (k as f64 + 0.5) / points as f64;
+    (0..points).map(|k| of(at(k))).sum::<f64>() / points as f64
 }

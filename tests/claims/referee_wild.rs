@@ -154,6 +154,7 @@ fn what_is_no_number_in_a_table_is_named_with_its_line_and_what_to_change() {
             "x [mm]  p [MPa]\n0  3\n1  2\n2  1\n\nx [mm]  p [MPa]\n3  1\n4  1\n5  0\n",
             ["theirs.csv:6", "printed in pages"],
         ),
+        ("x [mm],p [MPa]\n0,3\n1,2\nx [mm],p [MPa]\n3,1\n4,0\n", ["theirs.csv:4", "begins another table"]),
         ("# x [mm] p [MPa]\n0 3\n1 2\n2 1\n\n\n0.5 3\n1.5 2\n2.5 1\n", ["theirs.csv:7", "begins another table"]),
         ("x [mm],p [MPa]\n0,3\n1,2\n2,1\n# second\n0.5,3\n1.5,2\n2.5,1\n", ["theirs.csv:6", "begins another table"]),
         (
