@@ -216,6 +216,8 @@ def main():
     for key in list(kept["found"]):
         if key not in every or kept["files"].get(every[key]["file"]) != now(every[key]["file"]):
             del kept["found"][key]
+    changed = tuple(f"{file}:" for file, mark in kept["files"].items() if not (ROOT / file).exists() or now(file) != mark)
+    kept["reach"] = {name: one for name, one in kept["reach"].items() if not any(key.startswith(changed) for key in one["reached"])}
     kept["files"] = {every[key]["file"]: now(every[key]["file"]) for key in drawn} | {
         file: mark for file, mark in kept["files"].items() if (ROOT / file).exists() and now(file) == mark}
     modules = tuple(asked.claims.split(","))
