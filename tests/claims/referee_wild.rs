@@ -407,6 +407,21 @@ fn a_resultant_without_a_load_is_that_of_one_solve_with_its_bar() {
 }
 
 #[test]
+fn loads_tell_the_force_of_a_contact_where_its_body_is_free_along_them_and_its_other_contacts_are_told() {
+    let cases = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/cases");
+    let told = |file: &str, wanted: &[bool]| {
+        let truth = Truth::of(Case::read(&cases.join(file)).expect("a case")).expect("solved");
+        let found: Vec<bool> = (0..wanted.len()).map(|contact| truth.is_told_by_loads(contact)).collect();
+        assert_eq!(found, wanted, "{file}");
+    };
+    assert!(TRUTH.is_told_by_loads(0));
+    // From the upper plate to the roller and on to the lower one; not of a plate on two supports, nor of rings that press each other.
+    told("roller-between-plates.toml", &[true, true]);
+    told("plate-on-two-supports.toml", &[false, false]);
+    told("press-fit.toml", &[false]);
+}
+
+#[test]
 fn a_stated_model_error_counts_for_every_quantity_it_is_stated_for() {
     let text = std::fs::read_to_string(folder().join("tiny.toml")).expect("a scene");
     let stated = |quantity: &str| {
