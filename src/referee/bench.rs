@@ -77,9 +77,7 @@ impl Bench<'_> {
 
     /// The longest edge around the ends of what was handed in \[mm, or rad\].
     pub fn size_at_end(&self) -> f64 {
-        let stretches = &self.measures.stretches;
-        let ends: Vec<f64> =
-            stretches.first().map(|one| one.begin).into_iter().chain(stretches.last().map(|one| one.end)).collect();
+        let ends = [self.measures.begin(), self.measures.edge()];
         let near = |edge: &&EdgeState| {
             ends.iter().any(|end| edge.ends[0] - edge.length() <= *end && *end <= edge.ends[1] + edge.length())
         };

@@ -3,11 +3,10 @@
 use crate::error::Error;
 use crate::markdown::significant;
 use crate::measure::{display_factor, larger};
-use crate::referee::mistakes;
 use crate::referee::profile::Profile;
 use crate::referee::source::Source;
 use crate::referee::truth::Truth;
-use crate::referee::{Answer, Handed};
+use crate::referee::{Answer, Handed, mistakes, norm};
 
 /// Pressure at an end, over the largest, from which on the contact does not end there.
 const PRESSED: f64 = 0.02;
@@ -38,14 +37,12 @@ pub fn all(truth: &Truth, answer: &Answer, handed: &Handed, profile: &Profile, t
         (first, [from, first.position], EDGES * begin.length()),
         (last, [last.position, ours.edge()], EDGES * end.length()),
     ];
-    let force = |from: f64, to: f64| {
-        let step = (to - from) / INTERVALS as f64;
-        let at = |k: usize| {
-            let s = from + (k as f64 + 0.5) * step;
-            truth.pressure(contact, s) * if truth.case.scene.is_of_revolution() { s } else { 1.0 }
-        };
-        (0..INTERVALS).map(at).filter(|pressure| pressure.is_finite()).sum::<f64>() * step
+    let is_ring = truth.case.scene.is_of_revolution();
+    let carried = |s: f64| {
+        let pressure = truth.pressure(contact, s) * if is_ring { s } else { 1.0 };
+        if pressure.is_finite() { pressure } else { 0.0 }
     };
+    let force = |from: f64, to: f64| (to - from) * norm::mean([from, to], INTERVALS, carried);
     let whole = force(from, ours.edge());
     for (stop, [begin, end], near) in cuts.into_iter().filter(|(stop, ..)| is_pressed(stop.pressure)) {
         // An answer away from the contact has none of it.

@@ -120,7 +120,6 @@ impl Placed<'_> {
 fn shapes(cell: &Cell, [x, y]: [f64; 2]) -> Vec<(f64, [f64; 2])> {
     match (cell.corners, cell.nodes.len()) {
         (3, n) => triangle(n, [1.0 - x - y, x, y]),
-        (_, 9) => biquadratic([x, y]),
         (_, n) => shape_functions::cell(n, [x, y]),
     }
 }
@@ -140,16 +139,4 @@ fn triangle(nodes: usize, area: [f64; 3]) -> Vec<(f64, [f64; 2])> {
         (4.0 * area[k] * area[next], [a[0] + b[0], a[1] + b[1]])
     };
     (0..3).map(corner).chain((0..3).map(middle)).collect()
-}
-
-/// Products of parabolas: corners, middles of 01, 12, 23, 30, centre.
-fn biquadratic([x, y]: [f64; 2]) -> Vec<(f64, [f64; 2])> {
-    let of = |x: f64| [(0.5 * x * (x - 1.0), x - 0.5), (1.0 - x * x, -2.0 * x), (0.5 * x * (x + 1.0), x + 0.5)];
-    let (along, across) = (of(x), of(y));
-    let places = [[0, 0], [2, 0], [2, 2], [0, 2], [1, 0], [2, 1], [1, 2], [0, 1], [1, 1]];
-    let product = |[i, j]: [usize; 2]| {
-        let ((n, slope), (m, rise)) = (along[i], across[j]);
-        (n * m, [slope * m, n * rise])
-    };
-    places.into_iter().map(product).collect()
 }

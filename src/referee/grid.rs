@@ -27,11 +27,9 @@ const USUAL: [(Role, &[&str]); 4] = [
 /// The answer in the bytes of a file.
 pub fn parse(file: &Path, bytes: &[u8], scene: &Scene, asked: &Asked) -> Result<Answer, Error> {
     let source = Source { file, text: "" };
-    let wanted = match (&asked.contact, scene.contacts.len()) {
-        (None, several) if several > 1 => (0..several).collect(),
-        (name, _) => {
-            vec![contact_named(scene, name.as_deref(), |message, remedy| source.refused(message, remedy))?]
-        }
+    let wanted = match &asked.contact {
+        None => (0..scene.contacts.len()).collect(),
+        name => vec![contact_named(scene, name.as_deref(), |message, remedy| source.refused(message, remedy))?],
     };
     let xml = file.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("vtu"));
     let mut grid = if xml { vtu::parse(file, bytes)? } else { vtk::parse(file, bytes)? };

@@ -10,15 +10,18 @@ const ALL: usize = 64_000;
 /// `√(Σ A (p̄ − p̄_ref)² / Σ A p̄_ref²)` of the means over edges, those of the truth by the midpoint rule, weighted by the radius over rings.
 pub fn of_means(edges: &[EdgeState], truth: impl Fn(f64) -> f64) -> f64 {
     let points = (ALL / edges.len().max(1)).clamp(1, READ);
-    let mean = |edge: &EdgeState| {
-        let at = |k: usize| edge.ends[0] + edge.length() * (k as f64 + 0.5) / points as f64;
-        match edge.is_ring {
-            false => (0..points).map(|k| truth(at(k))).sum::<f64>() / points as f64,
-            true => (0..points).map(|k| at(k) * truth(at(k))).sum::<f64>() / (0..points).map(at).sum::<f64>(),
-        }
+    let of = |edge: &EdgeState| match edge.is_ring {
+        false => mean(edge.ends, points, &truth),
+        true => mean(edge.ends, points, |s| s * truth(s)) / mean(edge.ends, points, |s| s),
     };
-    let pairs: Vec<[f64; 3]> = edges.iter().map(|edge| [edge.weight, edge.pressure, mean(edge)]).collect();
+    let pairs: Vec<[f64; 3]> = edges.iter().map(|edge| [edge.weight, edge.pressure, of(edge)]).collect();
     let error: f64 = pairs.iter().map(|[weight, own, wanted]| weight * (own - wanted).powi(2)).sum();
     let scale: f64 = pairs.iter().map(|[weight, _, wanted]| weight * wanted.powi(2)).sum();
     (error / scale).sqrt()
+}
+
+/// Mean of a function over a stretch, by the midpoint rule on so many points.
+pub fn mean([from, to]: [f64; 2], points: usize, of: impl Fn(f64) -> f64) -> f64 {
+    let at = |k: usize| from + (to - from) * (k as f64 + 0.5) / points as f64;
+    (0..points).map(|k| of(at(k))).sum::<f64>() / points as f64
 }

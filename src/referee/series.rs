@@ -50,23 +50,22 @@ pub fn all(truth: &Truth, answers: &[Verdicts]) -> Vec<Series> {
 }
 
 /// The series of a contact.
-fn of(truth: &Truth, answers: &[Verdicts], contact: usize) -> Option<Series> {
-    let ruled: Vec<&Ruled> =
-        answers.iter().filter_map(|one| one.ruled.iter().find(|ruled| ruled.contact == contact)).collect();
-    let handed: Vec<Profile> = answers
-        .iter()
-        .filter_map(|one| one.answer.of(contact))
-        .map(|one| Profile::of(&truth.case.scene, one))
-        .collect();
-    if ruled.len() < 2 || ruled.len() != answers.len() || handed.len() != ruled.len() {
+fn of<'a>(truth: &Truth, answers: &'a [Verdicts], contact: usize) -> Option<Series> {
+    let one = |one: &'a Verdicts| {
+        let profile = Profile::of(&truth.case.scene, one.answer.of(contact)?);
+        Some((one.ruled.iter().find(|ruled| ruled.contact == contact)?, profile))
+    };
+    // None where an answer lacks the contact.
+    let all = answers.iter().map(one).collect::<Option<Vec<(&Ruled, Profile)>>>()?;
+    if all.len() < 2 {
         return None;
     }
     let width = truth.known(contact, &Quantity::SecondMomentWidth);
     let peak = truth.known(contact, &Quantity::PeakPressure);
     let reach = truth.run.contacts[contact].measures.edge().abs();
     let sizes: Vec<f64> =
-        handed.iter().map(|profile| mean_edge(&profile.edges, reach) / width.reference.value).collect();
-    let values = |of: fn(&Measures) -> f64| ruled.iter().map(|one| of(&one.measures)).collect::<Vec<f64>>();
+        all.iter().map(|(_, profile)| mean_edge(&profile.edges, reach) / width.reference.value).collect();
+    let values = |of: fn(&Measures) -> f64| all.iter().map(|(ruled, _)| of(&ruled.measures)).collect::<Vec<f64>>();
     let mut numbers = vec![along(WIDTH, width, values(|measures| measures.second_moment_width), &sizes)];
     if !truth.is_unbounded(contact) {
         numbers.push(along(PEAK, peak, values(|measures| measures.peak.pressure), &sizes));

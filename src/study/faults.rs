@@ -11,7 +11,7 @@ use crate::checkout::root;
 use crate::error::Error;
 use crate::markdown::{self, Column};
 use crate::study::about::{About, Found, Planned, Study};
-use crate::study::present::{FAULTS, Record};
+use crate::study::present::{FAULTS, Record, Room, rooms};
 
 /// The faults to plant.
 const LIST: &str = "tests/faults/faults.toml";
@@ -84,12 +84,29 @@ impl Study for Numbers {
         Ok(format!(
             "Faults planted one at a time on a copy of the tree (`tests/faults`), and how many checks of each kind turned red, of the suite \
              and of the worked scene files. *Sources* is the digest (SHA-256) of what a fault was planted on: {}. The terminal says at every report \
-             how many are not of the present sources.\n\n{}\n",
+             how many are not of the present sources.\n\n{}\n\n\
+             Operators and values that a program changes one at a time (`tests/mutants/room.py`), of a sample by chance, and how many turn a claim red; \
+             those that give the same answers are not counted.\n\n{}\n",
             planted_on(&faults),
-            markdown::columns(&columns, &faults)
+            markdown::columns(&columns, &faults),
+            markdown::columns(&ROOMS, &rooms()?)
         ))
     }
 }
+
+/// The table of mutants.
+const ROOMS: [Column<Room>; 7] = [
+    ("folder", |room| format!("`{}`", room.room)),
+    ("sources", |room| digits(&room.sources)),
+    ("mutants", |room| room.mutants.to_string()),
+    ("equivalent", |room| room.equivalent.to_string()),
+    ("tried", |room| room.by_claims.of.to_string()),
+    ("caught", |room| room.by_claims.caught.to_string()),
+    ("share caught, interval of 95 %", |room| {
+        let [low, high] = room.by_claims.interval.map(|part| 100.0 * part);
+        format!("{low:.0} to {high:.0} %")
+    }),
+];
 
 #[derive(Deserialize)]
 struct List {
@@ -149,8 +166,11 @@ fn planted_on(faults: &[&Fault]) -> String {
 
 /// The first digits of the digest of its sources.
 fn shown(fault: &Fault) -> String {
-    let digits = |sources: &String| format!("`{}`", sources.chars().take(DIGITS).collect::<String>());
-    fault.sources.as_ref().map_or("sources not recorded".into(), digits)
+    fault.sources.as_ref().map_or("sources not recorded".into(), |sources| digits(sources))
+}
+
+fn digits(sources: &str) -> String {
+    format!("`{}`", sources.chars().take(DIGITS).collect::<String>())
 }
 
 /// How many checks of a kind turned red.

@@ -47,6 +47,42 @@ pub struct Entry {
     pub sources: Option<String>,
 }
 
+/// What claims catch of the mutants of a folder (`tests/mutants/room.py`).
+#[derive(Clone, Debug, Deserialize)]
+pub struct Room {
+    /// The folder.
+    pub room: String,
+    /// Digest of the sources that its mutants were made of.
+    pub sources: String,
+    /// All of its mutants.
+    pub mutants: usize,
+    /// Those that no test can catch.
+    pub equivalent: usize,
+    /// Those that were tried, by chance.
+    pub by_claims: Caught,
+}
+
+/// How many of some mutants were caught.
+#[derive(Clone, Debug, Deserialize)]
+pub struct Caught {
+    /// Those that turned a claim red.
+    pub caught: usize,
+    /// All that count.
+    pub of: usize,
+    /// The interval of 95 % of their share (Wilson).
+    pub interval: [f64; 2],
+}
+
+/// The rooms of the record of mutants.
+pub fn rooms() -> Result<Vec<Room>, Error> {
+    #[derive(Deserialize)]
+    struct Rooms {
+        rooms: Vec<Room>,
+    }
+    let [.., Made { file, renew, .. }] = MADE;
+    Ok(read_json::<Rooms>(&root().join(file), renew)?.rooms)
+}
+
 impl Made {
     /// Reads it.
     pub fn read(&self) -> Result<Record<Entry>, Error> {

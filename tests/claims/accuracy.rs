@@ -1,5 +1,7 @@
 //! An accuracy that is asked for is met, or said not to be.
 
+use std::f64::consts::{FRAC_PI_2, SQRT_2};
+
 use approx::assert_relative_eq;
 use contact_vv::accuracy::longest::longest;
 use contact_vv::accuracy::{self, Answer, Asked, Quantity, ends, fitted, percentage};
@@ -196,6 +198,48 @@ fn contact_end_is_found_within_a_tenth_of_an_element() {
                 (found - edge) / element
             );
         }
+    }
+}
+
+#[test]
+fn candidates_may_go_as_far_as_the_sides_of_the_bodies_and_the_gap_do() {
+    let block = |sides: [f64; 2], gap: &str| {
+        let both = if sides[0] < 0.0 { "both-sides = true\n" } else { "" };
+        let contact = format!(
+            "{both}gap = {{ {gap} }}\nstretch = 1\n[reference]\nlength = 1\npressure = 1\n[mesh]\nelements = 8\nper = 1"
+        );
+        parsed(&block_text(sides, 30.0, "traction = { at = \"far\", value = [0, -1] }", &contact)).scene
+    };
+    let library = |name: &str| library::find(name, None).expect("known").scene;
+    let (on, across) = ([0.0, 60.0], [-45.0, 50.0]);
+    for (scene, wanted) in [
+        (block(on, "parabola = 50"), 60.0),
+        (block(across, "parabola = 50"), 45.0),
+        (block([-45.0, 40.0], "parabola = 50"), 40.0),
+        (block(on, "punch = 7"), 7.0),
+        (block(on, "table = [[0, 0], [4, 0.1], [9, 1]]"), 9.0),
+        (block(on, "table = [[0, 0], [4, 0.1], [9, 1]], smooth = true"), 9.0),
+        (block(across, "table = [[-6, 1], [0, 0], [4, 0.1], [9, 1]]"), 6.0),
+        (block(across, "table = [[-9, 1], [0, 0], [4, 0.1], [5, 1]]"), 5.0),
+        (block(on, "cosine = { amplitude = 0.01, wavelength = 40 }"), 20.0),
+        // On a circle up to 45°, on an arc up to 90°.
+        (block(on, "circle = 20"), 20.0 / SQRT_2),
+        (block(on, "circles = [20, -30]"), 20.0 / SQRT_2),
+        (block(on, "circles = [50, 30]"), 30.0 / SQRT_2),
+        (library("cylinder"), Cylinder::default().radius / SQRT_2),
+        (library("press-fit"), FRAC_PI_2),
+        (library("pin-rod"), FRAC_PI_2),
+    ] {
+        assert_relative_eq!(longest(&scene, scene.contact()), wanted, max_relative = 1e-9);
+    }
+    // A little less than halfway to the next contact of the same side.
+    let (path, text) =
+        files().into_iter().find(|(path, _)| path.ends_with("plate-on-two-supports.toml")).expect("the file");
+    let scene = Case::parse(&path, &text).expect("sound").scene;
+    let [left, right] = [0, 1].map(|contact: usize| scene.contacts[contact].path.origin()[0]);
+    for pair in &scene.contacts {
+        let side = (50.0 - pair.path.origin()[0]).min(pair.path.origin()[0] + 50.0);
+        assert_relative_eq!(longest(&scene, pair), side.min(0.49 * (right - left).abs()), max_relative = 1e-9);
     }
 }
 

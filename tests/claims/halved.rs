@@ -180,3 +180,25 @@ fn contact_that_stays_open_meets_nothing_and_neighbours_share_no_node() {
         assert!(answer.unmet.is_some());
     }
 }
+
+#[test]
+fn several_contacts_are_found_from_guesses_ten_times_too_long_or_too_short() {
+    let text = text_of("plate-on-two-supports.toml").replace("elements = 16\nper = 0.8", "accuracy = \"3 %\"");
+    let widths = ["0.1", "1.0", "20"].map(|guess| {
+        let scene = parsed(&text.replace("stretch = 1.0", &format!("stretch = {guess}"))).scene;
+        let answer = accuracy::solve(&scene, &Formulation::verification(), &Asked::new(3e-2)).expect("solved");
+        assert!(answer.unmet.is_none(), "{guess}: {:?}", answer.unmet);
+        assert!(answer.tried.iter().all(|tried| tried.dofs < 20_000), "{guess}: {:?}", answer.tried);
+        [0, 1].map(|contact| {
+            let (half_width, pair) =
+                (answer.run.contacts[contact].measures.half_width(), &answer.scene.contacts[contact]);
+            // Candidates go little farther than what was found on a cheap mesh, by whole elements.
+            assert!((1.2..1.5).contains(&(pair.stretch / half_width)), "{guess}: {} {half_width}", pair.stretch);
+            half_width
+        })
+    });
+    for [left, right] in widths {
+        assert_relative_eq!(left, widths[1][0], max_relative = 3e-2);
+        assert_relative_eq!(right, widths[1][1], max_relative = 3e-2);
+    }
+}

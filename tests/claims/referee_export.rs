@@ -1,5 +1,6 @@
 //! What is exported is the case: its mesh for Gmsh is read back as it was, and its answers are judged as what `solve` says.
 
+use std::collections::BTreeMap;
 use std::path::Path;
 use std::process::Command;
 
@@ -7,12 +8,13 @@ use approx::assert_relative_eq;
 use contact_vv::case::library::{NAMES, find};
 use contact_vv::case::{Case, Verdict};
 use contact_vv::cli::vtu;
+use contact_vv::elasticity::loads;
 use contact_vv::mesh::{Mesh, Order, Resolution};
 use contact_vv::referee::export::{deck, gmsh};
 use contact_vv::referee::judge::ENGINEERING;
 use contact_vv::referee::units::Role;
 use contact_vv::referee::{Asked, Truth, Verdicts, read, verdicts};
-use contact_vv::scene::Shape;
+use contact_vv::scene::{Load, Place, Shape};
 use contact_vv::solve::{Discretisation, Formulation, Run};
 
 use crate::outputs::contact_vv;
@@ -199,6 +201,134 @@ fn export_writes_all_that_is_needed_and_its_answers_are_met() {
         assert!(sound && table.contains("meets all"), "{table}{error}");
         let (sound, _, error) = contact_vv(&["judge", case, &empty]);
         assert!(!sound && error.contains("neither pressures nor forces"), "{error}");
+    }
+}
+
+/// The blocks of a deck: a keyword with its options, and rows of words.
+fn blocks(deck: &str) -> Vec<(&str, Vec<Vec<&str>>)> {
+    let mut all: Vec<(&str, Vec<Vec<&str>>)> = Vec::new();
+    for line in deck.lines().filter(|line| !line.starts_with("**")) {
+        match (line.strip_prefix('*'), all.last_mut()) {
+            (Some(head), _) => all.push((head, vec![])),
+            (None, last) => last.expect("a keyword").1.push(line.split(',').map(str::trim).collect()),
+        }
+    }
+    all
+}
+
+fn number<T: std::str::FromStr>(word: &str) -> T {
+    word.parse().unwrap_or_else(|_| panic!("`{word}` is no number"))
+}
+
+/// A number of every node, from 1 on, and component that a deck prescribes: displacements, or forces.
+fn prescribed(deck: &[(&str, Vec<Vec<&str>>)], keyword: &str) -> BTreeMap<[usize; 2], f64> {
+    let nodes = |name: &str| {
+        let set = deck.iter().find(|(head, _)| *head == format!("NSET, NSET={name}"));
+        set.map_or_else(
+            || vec![number(name)],
+            |(_, rows)| rows.iter().map(|row| number(row[0])).collect::<Vec<usize>>(),
+        )
+    };
+    let mut all = BTreeMap::new();
+    for row in deck.iter().filter(|(head, _)| *head == keyword).flat_map(|(_, rows)| rows) {
+        let (last, value) = if keyword == "CLOAD" { (1, 2) } else { (2, 3) };
+        let value = row.get(value).map_or(0.0, |word| number(word));
+        for axis in number::<usize>(row[1])..=number(row[last]) {
+            all.extend(nodes(row[0]).into_iter().map(|node| ([node, axis], value)));
+        }
+    }
+    all
+}
+
+#[test]
+fn exported_decks_prescribe_what_the_scene_does_and_their_equations_hold_of_our_own_displacements() {
+    for case in every_case() {
+        let order = case.resolution.order.min(Order::Quadratic);
+        let on = Discretisation::of(case.scene.clone(), Resolution { order, ..case.resolution }).expect("meshed");
+        // None is written of bodies of revolution.
+        let Ok(text) = deck::text(&on) else { continue };
+        let (scene, name, count, deck) = (&case.scene, &case.name, on.mesh.points.len(), blocks(&text));
+        let rows = |begin: &'static str| {
+            deck.iter().filter(move |(head, _)| head.starts_with(begin)).flat_map(|(_, rows)| rows)
+        };
+        let run = Run::of(&on, &Formulation::verification()).expect("solved");
+        let moved = on.displacement_under(run.share(), &run.solution);
+        let [mut held, mut forces] = [const { BTreeMap::new() }; 2];
+        let near = |a: f64, b: f64, size: f64| assert!((a - b).abs() <= 1e-8 * size, "{name}: {a} for {b}");
+        // A contact node follows the approach of both sides, and a gap element lies between it and a fixed node.
+        let size = moved.iter().flatten().fold(0.0_f64, |most, x| most.max(x.abs()));
+        let mut follow: BTreeMap<usize, Vec<f64>> = BTreeMap::new();
+        for (_, terms) in deck.iter().filter(|(head, _)| *head == "EQUATION") {
+            assert_eq!(terms.len() - 1, number::<usize>(terms[0][0]), "{name}");
+            let terms = || {
+                terms[1..].iter().map(|row| (number::<usize>(row[0]), number::<usize>(row[1]), number::<f64>(row[2])))
+            };
+            let (own, _, factor) = terms().find(|(node, ..)| *node > count).expect("a node beside the mesh");
+            let sum: f64 = terms()
+                .filter(|(node, ..)| *node <= count)
+                .map(|(node, axis, one)| one * moved[node - 1][axis - 1])
+                .sum();
+            follow.entry(own).or_default().push(0.0 - sum / factor);
+        }
+        let (stiffness, springs) = (rows("GAP,").map(|row| number::<f64>(row[5])), rows("SPRING,").collect::<Vec<_>>());
+        let young = scene.bodies.iter().map(|body| body.material.young).fold(0.0, f64::max);
+        stiffness.for_each(|own| near(own, 1e4 * young * scene.thickness, 100.0 * own));
+        let gaps: Vec<(usize, f64)> = deck
+            .iter()
+            .filter_map(|(head, rows)| Some((number(head.strip_prefix("GAP, ELSET=GAP")?), number(rows[0][0]))))
+            .collect();
+        let mut gap = gaps.iter();
+        let mut sprung = 0;
+        for (contact, interface) in on.interfaces.iter().enumerate() {
+            let own =
+                interface.nodes.iter().zip(run.solution.points_of(contact)).filter(|(node, _)| node.gap.is_finite());
+            for (node, point) in own {
+                let (of, width) = *gap.next().expect("a gap element");
+                near(width, node.gap, node.gap.abs());
+                near(follow.remove(&of).expect("an equation")[0], node.gap - point.gap, size);
+                held.extend([[of, 2], [of, 3], [of + 1, 1], [of + 1, 2], [of + 1, 3]].map(|key| (key, 0.0)));
+                sprung += usize::from(interface.nodes.iter().all(|node| node.gap > 0.0));
+            }
+        }
+        assert!(gap.next().is_none() && rows("ELEMENT, TYPE=SPRING1").count() == sprung, "{name}");
+        assert_eq!(springs.is_empty(), sprung == 0, "{name}");
+        springs
+            .iter()
+            .skip(1)
+            .for_each(|row| near(number(row[0]), 1e-7 * young * scene.thickness, 1e-7 * young * 100.0));
+        for (index, body) in scene.bodies.iter().enumerate() {
+            for support in &body.supports {
+                let nodes = on.mesh.nodes_at(scene, index, &support.at).expect("nodes");
+                held.extend(nodes.into_iter().map(|node| ([node + 1, support.component.index() + 1], support.value)));
+            }
+            for (node, force) in
+                on.mesh.bodies[index].nodes.clone().zip(loads::at_nodes(scene, &on.mesh, index).expect("loads"))
+            {
+                forces.extend(
+                    [0, 1].map(|axis| ([node + 1, axis + 1], force[axis])).into_iter().filter(|(_, x)| x.abs() > 0.0),
+                );
+            }
+            for load in &body.loads {
+                let Load::RigidFace { boundary, component, force } = load else { continue };
+                let nodes = on.mesh.nodes_at(scene, index, &Place::Boundary(boundary.clone())).expect("nodes");
+                let (common, all) = follow.pop_first().expect("a node that the face follows");
+                all.iter().for_each(|one| near(*one, moved[nodes[0]][component.index()], size));
+                held.insert([common, 2 - component.index()], 0.0);
+                forces.insert([common, component.index() + 1], *force);
+            }
+        }
+        for (keyword, wanted) in [("BOUNDARY", held), ("CLOAD", forces)] {
+            let found = prescribed(&deck, keyword);
+            assert!(found.keys().eq(wanted.keys()), "{name}, {keyword}");
+            found.values().zip(wanted.values()).for_each(|(a, b)| near(*a, *b, b.abs()));
+        }
+        // Every node and element has a number of its own, from 1 on.
+        for keyword in ["NODE", "ELEMENT"] {
+            let own = deck.iter().filter(|(head, _)| head.split(',').next() == Some(keyword));
+            let mut numbers: Vec<usize> = own.flat_map(|(_, rows)| rows).map(|row| number(row[0])).collect();
+            numbers.sort_unstable();
+            assert!(numbers.iter().copied().eq(1..=numbers.len()), "{name}, {keyword}");
+        }
     }
 }
 

@@ -4,6 +4,7 @@ use std::path::Path;
 
 use contact_vv::case::Case;
 use contact_vv::case::library::find;
+use contact_vv::measure::Quantity;
 use contact_vv::mesh::Order;
 use contact_vv::referee::judge::ENGINEERING;
 use contact_vv::referee::{Asked, Truth, read, verdicts};
@@ -326,4 +327,24 @@ fn every_number_that_is_judged_has_the_value_of_its_closed_form() {
         }
     }
     assert!(wrong.is_empty(), "{wrong:#?}");
+}
+
+#[test]
+fn an_end_is_that_of_the_closed_form_to_one_edge_of_the_mesh_around_it() {
+    let (truth, a) = (scene("strain", 1.0), RIGHT.half_width());
+    let peak = 2.0 * RIGHT.force / (std::f64::consts::PI * a);
+    // Edges of 0.2 a, and from 0.8 a on those of 0.02 a, or the other way round.
+    for (end, inner, outer) in [(0.02, 10, 100), (0.1, 100, 10)] {
+        let inside = (0..inner).map(|k| 0.8 * f64::from(k) / f64::from(inner));
+        let places = inside.chain((0..=outer).map(|k| 0.8 + f64::from(k) * end)).take_while(|x| *x <= 1.5);
+        let rows = places.map(|x| format!("{:e},{:e}\n", a * x, peak * (1.0 - x * x).max(0.0).sqrt()));
+        let text = format!("position [mm],pressure [MPa]\n{}", rows.collect::<String>());
+        let answer = read::parse(Path::new("a.csv"), text.as_bytes(), &truth.case, &Asked::default()).expect("read");
+        let found = verdicts(&truth, answer, ENGINEERING).expect("judged");
+        let all = &found.ruled[0].judged;
+        let own = all.iter().find(|one| one.check.quantity.to_string().contains("end of the contact")).expect("judged");
+        assert_eq!(own.reference.name, truth.closed(&Quantity::HalfWidth).expect("Hertz").name);
+        let allowed = ENGINEERING * a + end * a + truth.known(0, &Quantity::End(0)).bar;
+        assert!((own.check.tolerance - allowed).abs() <= 1e-9, "{} for {allowed}", own.check.tolerance);
+    }
 }

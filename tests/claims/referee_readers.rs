@@ -323,6 +323,17 @@ fn every_unit_of_every_quantity_is_what_it_is_by_definition() {
             .collect();
         let units: serde_json::Map<String, serde_json::Value> =
             columns.iter().map(|(role, unit, _)| (role.name().to_owned(), (*unit).into())).collect();
+        // Means over edges are in the same units.
+        let mut lists = lists;
+        let own =
+            |role: Role, k: usize| number(role, k) / columns.iter().find(|one| one.0 == role).map_or(1.0, |one| one.2);
+        let edge = |k: usize| {
+            let [from, to] = [k, k + 1].map(|k| own(Role::Position, k));
+            serde_json::json!({ "from": from, "to": to, "area": own(Role::Area, k), "pressure": own(Role::Pressure, k) })
+        };
+        if asked != Role::Force {
+            lists.insert("edges".into(), (0..NODES - 1).rev().map(edge).collect::<Vec<_>>().into());
+        }
         // As programs of Windows write it.
         let json = "\u{feff}".to_owned() + &serde_json::json!({ "units": units, "contacts": [lists] }).to_string();
         for (name, text) in [("a.csv", &table), ("a.json", &json)] {
@@ -338,6 +349,13 @@ fn every_unit_of_every_quantity_is_what_it_is_by_definition() {
                 ] {
                     assert_relative_eq!(found, wanted, max_relative = 1e-9, epsilon = 1e-12);
                 }
+            }
+            for (k, edge) in answer.contacts[0].edges.iter().enumerate() {
+                let [found, wanted] = [
+                    [edge.ends[0], edge.ends[1], edge.weight, edge.pressure],
+                    [place(k), place(k + 1), number(Role::Area, k), pressure(place(k))],
+                ];
+                (0..4).for_each(|k| assert_relative_eq!(found[k], wanted[k], max_relative = 1e-9, epsilon = 1e-12));
             }
         }
         if [Role::Position, Role::Pressure, Role::Gap].contains(&asked) {

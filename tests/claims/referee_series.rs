@@ -39,8 +39,17 @@ fn verdicts_of(series: &Series) -> Vec<&Verdict> {
 
 #[test]
 fn series_that_goes_elsewhere_is_found_and_one_that_is_not_halved_is_not_extrapolated() {
-    let truth = Truth::of(TruncatedHertz::default().case()).expect("solved");
-    let right = series::all(&truth, &answers(&truth, &HALVED, 1.0)).pop().expect("a series");
+    let closed = TruncatedHertz::default();
+    let truth = Truth::of(closed.case()).expect("solved");
+    let all = answers(&truth, &HALVED, 1.0);
+    // Two meshes are a series without a limit, one is none.
+    assert_eq!([1, 2].map(|count| series::all(&truth, &all[..count]).len()), [0, 1]);
+    let right = series::all(&truth, &all).pop().expect("a series");
+    for (along, value) in right.along.iter().zip([closed.half_width(), closed.case().reference_pressure(0, 0.0)]) {
+        for (own, error) in along.values.iter().zip(&along.errors) {
+            assert!((own / value - 1.0 - error).abs() <= 1e-9, "{}: {own}, {error}", along.name);
+        }
+    }
     assert!(verdicts_of(&right).iter().all(|verdict| **verdict == Verdict::Pass), "{right:?}");
     assert!(right.sizes.windows(2).all(|two| (two[0] / two[1] - 2.0).abs() < 0.1), "{:?}", right.sizes);
     let elsewhere = series::all(&truth, &answers(&truth, &HALVED, 1.05)).pop().expect("a series");

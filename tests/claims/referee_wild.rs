@@ -154,6 +154,7 @@ fn what_is_no_number_in_a_table_is_named_with_its_line_and_what_to_change() {
             "x [mm]  p [MPa]\n0  3\n1  2\n2  1\n\nx [mm]  p [MPa]\n3  1\n4  1\n5  0\n",
             ["theirs.csv:6", "printed in pages"],
         ),
+        ("x [mm],p [MPa]\n0,3\n1,2\nx [mm],p [MPa]\n3,1\n4,0\n", ["theirs.csv:4", "begins another table"]),
         ("# x [mm] p [MPa]\n0 3\n1 2\n2 1\n\n\n0.5 3\n1.5 2\n2.5 1\n", ["theirs.csv:7", "begins another table"]),
         ("x [mm],p [MPa]\n0,3\n1,2\n2,1\n# second\n0.5,3\n1.5,2\n2.5,1\n", ["theirs.csv:6", "begins another table"]),
         (
@@ -403,6 +404,21 @@ fn a_resultant_without_a_load_is_that_of_one_solve_with_its_bar() {
     assert!((found[0].0 - found[1].0).abs() <= found[0].1 + found[1].1, "{found:?}");
     let loaded = judged(parsed("a.csv", ellipse::text(), &Asked::default()).expect("read")).expect("judged");
     assert_eq!(row(&loaded, &Quantity::Resultant.into()).reference.name, "equilibrium with the load");
+}
+
+#[test]
+fn loads_tell_the_force_of_a_contact_where_its_body_is_free_along_them_and_its_other_contacts_are_told() {
+    let cases = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/cases");
+    let told = |file: &str, wanted: &[bool]| {
+        let truth = Truth::of(Case::read(&cases.join(file)).expect("a case")).expect("solved");
+        let found: Vec<bool> = (0..wanted.len()).map(|contact| truth.is_told_by_loads(contact)).collect();
+        assert_eq!(found, wanted, "{file}");
+    };
+    assert!(TRUTH.is_told_by_loads(0));
+    // From the upper plate to the roller and on to the lower one; not of a plate on two supports, nor of rings that press each other.
+    told("roller-between-plates.toml", &[true, true]);
+    told("plate-on-two-supports.toml", &[false, false]);
+    told("press-fit.toml", &[false]);
 }
 
 #[test]

@@ -10,10 +10,12 @@ import concurrent.futures
 import functools
 import hashlib
 import json
+import math
 import os
 import pathlib
 import re
 import resource
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -33,15 +35,16 @@ OPTIONS = {"cwd": TREE, "env": os.environ | {"CARGO_TARGET_DIR": str(BUILD), "IN
 # What is compiled quicker than it saves time, for a few claims of each mutant.
 SETTINGS = {"contact-vv.opt-level": 0, "contact-vv-drawing.opt-level": 0, "signorini.opt-level": 2, "signorini.codegen-units": 16}
 QUICK = [word for key, value in SETTINGS.items() for word in ("--config", f"profile.release.package.{key}={value}")]
-# Seconds that a claim may take, silence after which it is called endless, and of claims that are run together.
-LONGEST, PATIENCE, TOGETHER = 20, 300, [2, 10, 60, 1e9]
+# Silence after which a claim is called endless, and seconds of claims that are run together.
+PATIENCE, TOGETHER = 300, [2, 10, 60, 1e9]
 # Bytes and seconds of a processor that a mutant may take: seconds of a clock are many where others work.
 MEMORY, PROCESSOR = 6 << 30, 60
 
 
 def needed(modules):
-    """The modules of claims that begin so, with those that they use."""
+    """The modules of claims whose names begin so, with those that they use."""
     own = {path.stem: path.read_text() for path in (ROOT / "tests/claims").glob("*.rs")}
+    modules = tuple(name.split("::")[0] for name in modules)
     found, left = set(), [name for name in own if name.startswith(modules) and name != "main"]
     while left:
         name = left.pop()
@@ -89,6 +92,8 @@ def compiled(all_of_them, kept, modules):
     told = subprocess.run([*command, "--message-format=json"], **OPTIONS, check=True, capture_output=True, text=True)
     built = map(json.loads, told.stdout.splitlines())
     program = next(one["executable"] for one in built if one.get("target", {}).get("name") == "claims" and one.get("executable"))
+    # What is compiled meanwhile does not change it.
+    program = shutil.copy2(program, PLACE / f"claims-{os.getpid()}")
     return program, {number: one for number, one in chosen.items() if number in done}
 
 
@@ -96,15 +101,15 @@ def save(kept):
     KEPT.write_text(json.dumps(kept, indent=0))
 
 
-def limited():
+def limited(processor):
     resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
-    resource.setrlimit(resource.RLIMIT_CPU, (PROCESSOR, PROCESSOR))
+    resource.setrlimit(resource.RLIMIT_CPU, (processor, processor))
 
 
-def claim(program, names, patience=PATIENCE, **environment):
+def claim(program, names, processor=PROCESSOR, **environment):
     """The first of some claims that fails, or how they broke off; none where all pass."""
-    options = OPTIONS | {"env": OPTIONS["env"] | environment, "preexec_fn": limited}
-    run = Run([program, "--exact", "--test-threads=1", *names], patience, **options)
+    options = OPTIONS | {"env": OPTIONS["env"] | environment, "preexec_fn": lambda: limited(processor)}
+    run = Run([program, "--exact", "--test-threads=1", *names], PATIENCE, **options)
     last = None
     for line in run.lines():
         if told := re.match(r"test (\S+) ", line):
@@ -114,7 +119,7 @@ def claim(program, names, patience=PATIENCE, **environment):
     return f"{last}: {run.broken()}" if run.broken() else ("it broke off" if run.process.returncode else None)
 
 
-def reach(program, by_number, kept, pool, modules):
+def reach(program, by_number, kept, pool, modules, longest):
     """Which mutants each claim reaches and in what time; of those that are known only what has changed is run."""
     listed = subprocess.run([program, "--list"], **OPTIONS, check=True, capture_output=True, text=True)
     names = [line.removesuffix(": test") for line in listed.stdout.splitlines() if line.endswith(": test")]
@@ -124,17 +129,17 @@ def reach(program, by_number, kept, pool, modules):
     def record(name):
         with tempfile.NamedTemporaryFile("r", suffix=".reached") as log:
             begin = time.monotonic()
-            red = claim(program, [name], LONGEST + 10, MUTANT_LOG=log.name)
+            red = claim(program, [name], longest, MUTANT_LOG=log.name)
             seconds = time.monotonic() - begin
             numbers = {int(number) for number in log.read().split()}
         return {"mark": mark(name), "seconds": seconds, "red": red, "reached": sorted(by_number[n]["key"] for n in numbers if n in by_number)}
 
-    known = kept["reach"] = {name: one for name, one in kept["reach"].items() if name in names and one["mark"] == mark(name)}
+    known = kept["reach"] = {name: one for name, one in kept["reach"].items() if name in names and one["mark"] == mark(name) and not one["red"]}
     left = [name for name in names if name not in known and name.startswith(modules) and not name.startswith("architecture")]
     for name, one in zip(left, pool.map(record, left)):
         known[name] = one
         save(kept)
-    return {name: one for name, one in known.items() if not one["red"] and one["seconds"] < LONGEST}
+    return {name: one for name, one in known.items() if not one["red"]}
 
 
 def caught_by(program, number, claims):
@@ -152,8 +157,8 @@ def caught_by(program, number, claims):
     return None, time.monotonic() - begin
 
 
-def tried(program, by_number, kept, claims, pool, order):
-    """Tries every mutant that is not known as caught."""
+def tried(program, by_number, kept, claims, pool, order, until):
+    """Tries every mutant that is not known as caught, up to a time."""
     reaching = collections.defaultdict(list)
     for name, one in sorted(claims.items(), key=lambda item: item[1]["seconds"]):
         for key in one["reached"]:
@@ -161,9 +166,12 @@ def tried(program, by_number, kept, claims, pool, order):
     left = [number for number, one in by_number.items() if not kept["found"].get(one["key"], {}).get("by")]
     # By chance: what is interrupted has tried a fair sample.
     left.sort(key=lambda number: order(by_number[number]["key"]))
-    results = pool.map(lambda number: caught_by(program, number, reaching[by_number[number]["key"]]), left)
-    for number, (red, seconds) in zip(left, results):
-        key = by_number[number]["key"]
+    late = lambda: time.monotonic() > until
+    results = pool.map(lambda number: None if late() else caught_by(program, number, reaching[by_number[number]["key"]]), left)
+    for number, result in zip(left, results):
+        if result is None:
+            continue
+        key, (red, seconds) = by_number[number]["key"], result
         kept["found"][key] = {"by": red, "seconds": round(seconds, 1), "claims": len(reaching[key])}
         print(f"{key}: {red or 'MISSED'} ({seconds:.1f} s, {len(reaching[key])} claims)", flush=True)
         save(kept)
@@ -189,9 +197,12 @@ def main():
     parser.add_argument("--sample", type=int, help="so many of them, by chance")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--fresh", action="store_true", help="forget what was found before")
-    parser.add_argument("--claims", default="", help="only claims of the modules that begin so, separated by commas")
+    parser.add_argument("--claims", default="", help="only claims whose names, with those of their modules, begin so, separated by commas")
+    parser.add_argument("--longest", type=int, default=20, help="leave out claims that take more seconds of a processor")
+    parser.add_argument("--minutes", type=float, default=math.inf, help="try no more mutants after this time")
     parser.add_argument("--jobs", type=int, default=2)
     asked = parser.parse_args()
+    until = time.monotonic() + 60 * asked.minutes
     PLACE.mkdir(parents=True, exist_ok=True)
     kept = {"refused": {}, "reach": {}, "found": {}, "files": {}}
     if KEPT.exists() and not asked.fresh:
@@ -205,14 +216,17 @@ def main():
     for key in list(kept["found"]):
         if key not in every or kept["files"].get(every[key]["file"]) != now(every[key]["file"]):
             del kept["found"][key]
+    changed = tuple(f"{file}:" for file, mark in kept["files"].items() if not (ROOT / file).exists() or now(file) != mark)
+    kept["reach"] = {name: one for name, one in kept["reach"].items() if not any(key.startswith(changed) for key in one["reached"])}
     kept["files"] = {every[key]["file"]: now(every[key]["file"]) for key in drawn} | {
         file: mark for file, mark in kept["files"].items() if (ROOT / file).exists() and now(file) == mark}
     modules = tuple(asked.claims.split(","))
     program, by_number = compiled({number: every[key] | {"key": key} for number, key in enumerate(sorted(drawn), 1)}, kept, modules)
     print(f"{len(drawn)} mutants, of which {len(by_number)} are compiled", flush=True)
     with concurrent.futures.ThreadPoolExecutor(asked.jobs) as pool:
-        claims = reach(program, by_number, kept, pool, modules)
-        tried(program, by_number, kept, claims, pool, order)
+        claims = reach(program, by_number, kept, pool, modules, asked.longest)
+        tried(program, by_number, kept, claims, pool, order, until)
+    pathlib.Path(program).unlink()
     record = json.loads(RECORD.read_text())
     others = [one for one in record.get("rooms", []) if one["room"] not in rooms]
     record["rooms"] = sorted([*others, *(told(room, every, kept, listed) for room in rooms)], key=lambda one: one["room"])
