@@ -61,8 +61,10 @@ fn our_own_displacements_are_in_equilibrium_and_have_our_energy_on_every_case() 
         let [fine, coarse] = truth.exported.get().expect("solved").1;
         let allowed = ENGINEERING + (fine - coarse).abs() / fine;
         assert!((energy.check.tolerance - allowed).abs() <= 1e-9, "{name}: {}", energy.check.tolerance);
-        // Supports along x lie at x = 0, and sides that stay flat move along y.
-        assert_eq!(named("stretched along x").len(), 1, "{name}");
+        // Its supports along x lie at x = 0, and the side that stays flat moves along y.
+        if name == "pin-rod" {
+            assert_eq!(named("stretched along x").len(), 1);
+        }
     }
 }
 
