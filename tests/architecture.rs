@@ -212,9 +212,9 @@ fn matrix_types_of_libraries_stay_inside_the_numerics() {
 
 /// Lines that a room may have; raised only by a commit that says what for.
 const BUDGETS: [(&str, usize); 9] = [
-    ("solver", 19_540),
+    ("solver", 19_520),
     ("drawing", 2_970),
-    ("case", 8_025),
+    ("case", 8_010),
     ("oracle", 4_260),
     ("study", 14_140),
     ("referee", 5_900),
