@@ -103,13 +103,11 @@ fn lends_to_axis(points: &mut [PointState], handed: &Handed) -> bool {
 fn begun(scene: &Scene, handed: &Handed, across: bool) -> Option<Handed> {
     let [first, second] = [handed.points[0], handed.points[1]];
     let (length, revolves) = (second.position - first.position, scene.is_of_revolution());
-    let is_ring = revolves && !scene.begins_on_axis(handed.contact);
     let near = first.position < length || revolves && first.position <= length * (1.0 + SAME);
     if across
         || scene.contacts[handed.contact].path.has_both_sides()
         || first.position <= SAME * second.position
         || !near
-        || is_ring
         || handed.order != Order::Linear
         || handed.forces
         || first.area.is_some() && !revolves

@@ -45,7 +45,7 @@ impl Side {
                 let face = face(*contact, name, ["far", "far"])?;
                 let height = if face == Face::Bottom { y[0] } else { y[1] };
                 let place = Place::Straight { from: x[0], height };
-                let length = if path.has_both_sides() { (x[1] - origin).min(origin - x[0]) } else { x[1] - origin };
+                let length = if path.has_both_sides() { (x[1] - origin).min(origin - x[0]) } else { x[1] - x[0] };
                 let curves = vec![Curve::Line(x.map(|x| [x, height]))];
                 Self { outward: Some(face == Face::Bottom), curves, place, across: None, length }
             }
@@ -191,14 +191,12 @@ impl Side {
         let on_axis = |x: f64, size: f64| (x - x0).abs() <= 1e-9 * size;
         let one_side = path.is_straight() && !path.has_both_sides();
         match (&self.place, path) {
-            (Place::Straight { from, .. }, _) if one_side && !wanted.is_ring(*from) && !on_axis(*from, self.length) => {
-                misfit(
-                    format!("does not begin at {line}"),
-                    wanted.remedy(
-                        "the contact begins on the symmetry line: move the bodies there, or give `both-sides = true`",
-                    ),
-                )
-            }
+            (Place::Straight { from, .. }, _) if one_side && !on_axis(*from, self.length) => misfit(
+                format!("does not begin at {line}"),
+                wanted.remedy(
+                    "the contact begins on the symmetry line: move the bodies there, or give `both-sides = true`",
+                ),
+            ),
             (Place::Straight { height, .. }, Path::Straight(_)) if !wanted.near(*height, y0) => misfit(
                 format!("does not lie at {level}"),
                 "the contact runs along that line: move the bodies there, give its `origin`, or `gap = \"drawn\"`",
@@ -233,8 +231,7 @@ impl Side {
         let Wanted { path, line, level, is_first, .. } = wanted;
         let begin = pieces.iter().flatten().map(|point| path.coordinate(*point)).fold(f64::INFINITY, f64::min);
         let left = pieces.iter().flatten().map(|point| point[0]).fold(f64::INFINITY, f64::min);
-        let off = begin > 1e-6 * self.length && !wanted.is_ring(left)
-            || left < path.origin()[0] - 1e-6 * self.length * path.metric();
+        let off = begin > 1e-6 * self.length || left < path.origin()[0] - 1e-6 * self.length * path.metric();
         if off && !path.has_both_sides() {
             return misfit(
                 format!("does not begin on the symmetry line {line}"),
@@ -347,15 +344,10 @@ struct Wanted<'a> {
 }
 
 impl Wanted<'_> {
-    /// Whether a side that begins at x is that of a ring, which bodies of revolution may be: the contact then begins at that radius.
-    fn is_ring(&self, x: f64) -> bool {
-        self.plane.is_of_revolution() && x > 0.0
-    }
-
-    /// What mends a side that lies elsewhere along the path: of bodies of revolution flat sides may begin anywhere.
+    /// What mends a side that lies elsewhere along the path: of bodies of revolution only one place is right.
     fn remedy(&self, in_the_plane: impl Into<String>) -> String {
         match self.plane.is_of_revolution() {
-            true => "bodies of revolution lie at x ≥ 0, and a disc or a ring of them touches on the axis x = 0".into(),
+            true => "bodies of revolution lie at x ≥ 0, and their contact begins on the axis x = 0".into(),
             false => in_the_plane.into(),
         }
     }

@@ -1,26 +1,9 @@
 //! What a scene of bodies of revolution cannot have.
 
 use crate::error::{Error, Part, Place};
-use crate::scene::{Path, Scene, Shape};
-
-/// Part of the largest radius up to which a body reaches the axis.
-const ON_AXIS: f64 = 1e-9;
+use crate::scene::{Path, Scene};
 
 impl Scene {
-    /// Whether the first body of a contact reaches the axis x = 0, so that the contact may begin there; rings of revolution do not.
-    pub fn begins_on_axis(&self, contact: usize) -> bool {
-        let ends = |places: &mut dyn Iterator<Item = f64>| {
-            places.fold([f64::INFINITY, 0.0], |[least, most]: [f64; 2], x| [least.min(x), most.max(x)])
-        };
-        let [least, most] = match &self.bodies[self.contacts[contact].first].shape {
-            Shape::Rectangle { x, .. } => *x,
-            Shape::Blocks(blocks) => ends(&mut blocks.iter().flat_map(|block| block.corners.map(|[x, _]| x))),
-            Shape::Given(mesh) => ends(&mut mesh.points.iter().map(|[x, _]| *x)),
-            Shape::Disc { .. } | Shape::Ring { .. } | Shape::Eye { .. } => return true,
-        };
-        least <= ON_AXIS * most
-    }
-
     /// Refuses a thickness, contacts along an arc, off the axis or on both sides of it, and halves, where bodies are of
     /// revolution.
     pub(super) fn refuse_beside_revolution(&self) -> Result<(), Error> {
