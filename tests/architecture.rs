@@ -41,7 +41,7 @@ const ALLOWED: [(&str, May); 26] = [
     ("algorithm", Only(&["error", "named", "condensation", "contact", "solution", "measure"])),
     ("stability", Only(&["error", "condensation", "contact", "solution", "measure", "algorithm"])),
     ("solve", AllAboveBut(&["checkout", "drawing", "markdown", "stability"])),
-    ("accuracy", Only(&["error", "scene", "mesh", "solution", "measure", "algorithm", "solve"])),
+    ("accuracy", Only(&["error", "named", "scene", "mesh", "solution", "measure", "algorithm", "solve"])),
     ("oracle", Only(&["error", "checkout", "scene", "measure", "uncertainty"])),
     ("case", AllAboveBut(&["named", "drawing"])),
     ("referee", AllAboveBut(&[])),
@@ -216,7 +216,7 @@ const BUDGETS: [(&str, usize); 9] = [
     ("drawing", 2_970),
     ("case", 8_215),
     ("oracle", 4_370),
-    ("study", 14_480),
+    ("study", 14_640),
     ("referee", 5_900),
     ("report", 3_390),
     ("cli", 4_440),
@@ -234,7 +234,7 @@ fn rooms_keep_to_their_budgets() {
 }
 
 /// Files and types that the studies may have together.
-const STUDIES: [usize; 2] = [61, 127];
+const STUDIES: [usize; 2] = [62, 131];
 
 #[test]
 fn studies_keep_to_their_files_and_types() {

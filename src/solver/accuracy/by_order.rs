@@ -12,10 +12,18 @@ use crate::solve::{Discretisation, Element, Formulation, Run};
 
 /// Relative error asked for up to which such cells pay, and the same of the half-width.
 const PAYS: [f64; 2] = [1e-3 * (1.0 + 1e-9), 1e-2 * (1.0 + 1e-9)];
-/// The meshes: order and layers, and cells on each piece of the contact side; the first is tried for two digits, the second for three.
-///
-/// The order tells the peak; what is left in the half-width falls to a third with every layer, whatever the order.
-const MESHES: [(Order, usize, usize); 7] = [
+/// Meshes whose peak and second-moment width are as good as is asked: order and layers, and cells on each piece of the contact side. The first
+/// is tried for three digits, the next one for four, and so on.
+const OF_PEAK: [(Order, usize, usize); 6] = [
+    (Order::Quintic, 1, 1),
+    (Order::Sextic, 1, 1),
+    (Order::Septic, 2, 1),
+    (Order::Octic, 3, 1),
+    (Order::Octic, 5, 2),
+    (Order::Octic, 7, 3),
+];
+/// Those whose half-width is, the first for two digits: what is left in it falls to a third with every layer, whatever the order.
+const OF_ENDS: [(Order, usize, usize); 7] = [
     (Order::Quintic, 1, 1),
     (Order::Sextic, 1, 1),
     (Order::Sextic, 4, 1),
@@ -24,8 +32,6 @@ const MESHES: [(Order, usize, usize); 7] = [
     (Order::Octic, 8, 2),
     (Order::Octic, 10, 3),
 ];
-/// Digits for which the first mesh is tried.
-const FEWEST_DIGITS: usize = 2;
 
 /// Part of what is asked that ends at rest may leave, as a move that they no longer make, over the half-width: its square is what matters.
 const REST: f64 = 0.02;
@@ -38,8 +44,12 @@ pub(super) fn applies(formulation: &Formulation, asked: &Asked) -> bool {
         matches!(quantity, Quantity::PeakPressure | Quantity::HalfWidth | Quantity::SecondMomentWidth)
     };
     let [without, with] = PAYS;
-    let pays = if asked.quantities.contains(&Quantity::HalfWidth) { with } else { without };
+    let pays = if asks_for_ends(asked) { with } else { without };
     asked.relative <= pays && formulation.element == Element::Node && asked.quantities.iter().all(known)
+}
+
+fn asks_for_ends(asked: &Asked) -> bool {
+    asked.quantities.contains(&Quantity::HalfWidth)
 }
 
 /// The first such mesh whose bars are within what is asked; none where no mesh can be fitted to the contact, or none of them is enough.
@@ -50,7 +60,12 @@ pub(super) fn found(around: &Fitted, rungs: &mut Rungs) -> Result<Option<Rung>, 
     let mut before = f64::INFINITY;
     let at_rest = (REST * asked).sqrt();
     let digits = (-asked.log10() + 1e-9).floor() as usize;
-    for (order, layers, elements) in MESHES.into_iter().skip(digits.saturating_sub(FEWEST_DIGITS)) {
+    let meshes = if asks_for_ends(rungs.asked) {
+        OF_ENDS.get(digits.saturating_sub(2)..)
+    } else {
+        OF_PEAK.get(digits.saturating_sub(3)..)
+    };
+    for &(order, layers, elements) in meshes.unwrap_or_default() {
         let mesh = crate::solve::Fitted { order, layers };
         let Ok(mut answer) = mesh.around(&scene, &first, &rungs.formulation, at_rest) else { return Ok(None) };
         if !answer.is_where_it_was_sought() {

@@ -14,6 +14,8 @@ use crate::solve::{Discretisation, Displaced, Element, Fitted, Formulation, Iter
 
 /// Part of a number's scale that round-off may leave.
 const ROUND_OFF: f64 = 1e-9;
+/// How often that may be in a force that statics give.
+const STATICS: f64 = 10.0;
 /// Imbalance of a body up to which a run whose iteration has converged says something, and how much of it a bar has: the stiffness of a
 /// thin ring leaves forces no better than 1e-7 to 1e-5, whatever is iterated.
 const UNBALANCED: (f64, f64) = (1e-4, 10.0);
@@ -43,9 +45,9 @@ const ALTERNATES: f64 = 1.01;
 const BY_NEXT: [f64; 2] = [2.0, 4.0];
 const READ: f64 = 0.6;
 const BY_POINTS: f64 = 2.4;
-/// Factor on the square of how far an end may be off, over the half-width, that tells the error of a half-width; of a peak it is 1/2: at the
-/// end the potential energy is the least.
-const MISFIT: f64 = 2.0;
+/// Factor on the square of how far an end may be off, over the half-width: 2 tells the error of a half-width, 1/2 that of a peak, since at the
+/// end the potential energy is the least; and half of 2 for that of the force, with whose root both grow.
+const MISFIT: f64 = 3.0;
 /// Factor on the difference to the mesh of gentler growth, on which what far cells leave is a quarter as large.
 const FAR: f64 = 1.5;
 /// Of the relative bar of a contact's force, the part that it adds to its other numbers: pressures and lengths grow with the root of the
@@ -221,7 +223,15 @@ impl Family {
         };
         let imbalance = self.coarse.iter().map(|other| other.imbalance).fold(0.0, f64::max);
         let lost = if imbalance > BALANCED { UNBALANCED.1 * imbalance * reading.scale.abs() } else { 0.0 };
-        self.of_coarser(run, reading, discrete).and(far + self.of_force(run, reading, discrete) + lost)
+        let own = self.of_coarser(run, reading, discrete);
+        // What statics give is the same wherever the contact ends.
+        let scale = reading.scale.abs();
+        let is_of_statics = own.rest <= STATICS * ROUND_OFF * scale;
+        let lines = match reading.quantity {
+            Quantity::Resultant if self.next.is_some() && !is_of_statics => self.misfit * scale,
+            _ => 0.0,
+        };
+        own.and(far + self.of_force(run, reading, discrete) + lost + lines)
     }
 
     /// The mesh's part of a number; NaN where no mesh tells.
@@ -291,7 +301,9 @@ impl Family {
             };
             let factor = if self.by_points { BY_POINTS * factor } else { factor };
             let apart = (discrete - value_of(&next.readings, contact, quantity)).abs();
-            let rest = factor * apart + (self.misfit + ROUND_OFF) * quantity.scale(measures).abs() + read;
+            let scale = quantity.scale(measures).abs();
+            let misfit = if *quantity == Quantity::Resultant { 0.0 } else { self.misfit };
+            let rest = factor * apart + (misfit + ROUND_OFF) * scale + read;
             return Evidence { row, apart: 0.0, hidden: 0.0, rest };
         }
         let is_force = matches!(quantity, Quantity::Resultant | Quantity::Reaction { .. });

@@ -107,7 +107,8 @@ fn hold(sample: &[&Record], constants: [f64; 2]) -> bool {
     let mut families: BTreeMap<Family, [usize; 2]> = BTreeMap::new();
     for one in sample {
         let bar = bar(one, constants);
-        if !(one.error.0 <= most * bar) {
+        let is_far = one.error.0.total_cmp(&(most * bar)).is_gt();
+        if is_far {
             return false;
         }
         let [all, beyond] = families.entry(one.family).or_default();
