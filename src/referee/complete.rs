@@ -13,7 +13,7 @@ const PRESSED: f64 = 0.02;
 /// Share of the force that may lie behind it.
 const DROPPED: f64 = 1e-3;
 /// Edges of the answer within which an end counts as that of the contact.
-const EDGES: f64 = 1.0 + 1e-6;
+const EDGES: f64 = 1.0 + 1e-3;
 /// Intervals over which the force behind it is summed.
 const INTERVALS: usize = 2000;
 

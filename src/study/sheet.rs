@@ -132,6 +132,8 @@ const PENALTY: f64 = 2e-4;
 const SPREAD: f64 = 3.0;
 /// Part of the largest value of a unit that is as good as nothing.
 const SMALL: f64 = 1e-3;
+/// Bound over a value from which on that says nothing.
+const TELLING: f64 = 0.25;
 /// Relative bound within which our value tells a closed form of the very scene from one of an idealised scene.
 const TELLS: f64 = 1e-5;
 
@@ -240,7 +242,7 @@ impl Sheet {
         let says_something = |one: &&Value| {
             let sizes = self.values.iter().filter(|other| other.unit == one.unit).map(|other| other.value.abs());
             let largest = sizes.fold(0.0, f64::max);
-            one.bound.is_nan() || one.bound < 0.5 * one.value.abs() || one.bound <= SMALL * largest
+            one.bound.is_nan() || one.bound < TELLING * one.value.abs() || one.bound <= SMALL * largest
         };
         let values = self.values.iter().filter(says_something);
         Self { values: values.map(|value| value.published(is_exact)).collect(), ..self.clone() }

@@ -77,7 +77,7 @@ fn half_width_is_half_of_begin_to_end_and_no_second_moment() {
         [(Quantity::PeakPressure, measures.peak.pressure, 1522.4), (Quantity::HalfWidth, measures.half_width(), 5.343)]
     {
         let bar = bars.of(0, &quantity).expect("a bar").total();
-        assert!((found - right).abs() <= bar && bar < 0.35 * right, "{found} ± {bar}, {right}");
+        assert!((found - right).abs() <= bar && bar < 0.36 * right, "{found} ± {bar}, {right}");
     }
     assert!((measures.half_width() - 5.343).abs() < 0.12, "{}", measures.half_width());
     assert!(measures.second_moment_width > 7.0, "{}", measures.second_moment_width);
