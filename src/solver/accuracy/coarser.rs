@@ -39,7 +39,7 @@ pub fn coarser(scene: &Scene, resolution: Resolution) -> Vec<(Scene, Resolution)
 }
 
 /// The next mesh of those that end with the contact: cells of the next order with a layer more, and beyond the highest order twice as many
-/// cells with [`MORE`] layers more.
+/// cells with two layers more.
 pub fn finer(scene: &Scene, resolution: Resolution) -> (Scene, Resolution) {
     let next = Order::numbered(usize::from(resolution.order.number()) + 1);
     let (layers, resolution) = match next {
