@@ -3,7 +3,7 @@
 >>> import contact_vv
 >>> run = contact_vv.solve("cylinder", element="line")
 >>> print(run.numbers["second-moment-width"])
-2.50061 ± 0.0035
+2.50061 ± 0.0038
 >>> bool(contact_vv.judge("cylinder", run.s, run.p, area=run.contacts[0].area))
 True
 
