@@ -212,7 +212,7 @@ fn matrix_types_of_libraries_stay_inside_the_numerics() {
 
 /// Lines that a room may have; raised only by a commit that says what for.
 const BUDGETS: [(&str, usize); 9] = [
-    ("solver", 19_710),
+    ("solver", 19_720),
     ("drawing", 2_970),
     ("case", 8_215),
     ("oracle", 4_370),

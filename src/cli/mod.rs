@@ -121,6 +121,8 @@ enum Command {
     Met,
     /// Survey whether error bars hold and write snapshots/coverage.csv; interrupted, it resumes.
     Coverage,
+    /// Survey what the constants of error bars are derived from and write snapshots/counted.csv; interrupted, it resumes.
+    Counted,
     /// Measure speed against accuracy on one thread and write snapshots/timings; other codes are asked where installed.
     Timings {
         /// Solve one mesh, elements per half-width and refinement, and print the largest memory of the process in bytes.
@@ -197,9 +199,8 @@ pub fn main() -> ExitCode {
         Command::Atlas => survey::atlas().map(|()| Exit::Well),
         Command::Converged => survey::run(&promised::converged::SURVEY).map(|()| Exit::Well),
         Command::Met => survey::run(&promised::met::SURVEY).map(|()| Exit::Well),
-        Command::Coverage => survey::run(&promised::counted::SURVEY)
-            .and_then(|()| survey::run(&promised::bars::SURVEY))
-            .map(|()| Exit::Well),
+        Command::Coverage => survey::run(&promised::bars::SURVEY).map(|()| Exit::Well),
+        Command::Counted => survey::run(&promised::counted::SURVEY).map(|()| Exit::Well),
         Command::Timings { memory: Some(mesh), .. } => {
             growth::memory_of_one_solve(mesh[0] as usize, mesh[1]).map(say).map(|()| Exit::Well)
         }

@@ -132,8 +132,6 @@ const PENALTY: f64 = 2e-4;
 const SPREAD: f64 = 3.0;
 /// Part of the largest value of a unit that is as good as nothing.
 const SMALL: f64 = 1e-3;
-/// Bound over a value from which on that says nothing.
-const TELLING: f64 = 0.25;
 /// Relative bound within which our value tells a closed form of the very scene from one of an idealised scene.
 const TELLS: f64 = 1e-5;
 
@@ -238,11 +236,11 @@ impl Sheet {
     /// Its values as data.
     pub fn published(&self) -> Self {
         let is_exact = self.values.iter().all(Value::holds_closed_form);
-        // The place of the peak of a uniform pressure may be anywhere, and what a point force makes has no limit.
+        // The place of the peak of a uniform pressure may be anywhere.
         let says_something = |one: &&Value| {
             let sizes = self.values.iter().filter(|other| other.unit == one.unit).map(|other| other.value.abs());
             let largest = sizes.fold(0.0, f64::max);
-            one.bound.is_nan() || one.bound < TELLING * one.value.abs() || one.bound <= SMALL * largest
+            one.bound.is_nan() || one.bound < 0.5 * one.value.abs() || one.bound <= SMALL * largest
         };
         let values = self.values.iter().filter(says_something);
         Self { values: values.map(|value| value.published(is_exact)).collect(), ..self.clone() }

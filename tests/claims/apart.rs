@@ -52,7 +52,7 @@ fn program_without_its_checkout_lists_solves_exports_judges_and_verifies() {
 #[test]
 fn what_needs_the_checkout_says_so() {
     let folder = tempfile::tempdir().expect("a folder");
-    for command in ["report", "verdicts", "atlas", "converged", "met", "coverage", "timings", "scoreboard"] {
+    for command in ["report", "verdicts", "atlas", "converged", "met", "coverage", "counted", "timings", "scoreboard"] {
         let (code, told) = apart(folder.path(), &[command]);
         assert!(code == Some(2) && told.contains("checkout"), "{command}: {code:?}, {told}");
     }

@@ -30,7 +30,7 @@ fn widest(text: &str) -> usize {
 fn every_command_shows_examples_that_are_understood() {
     let mut examples = 0;
     // Surveys take no arguments that an example could show.
-    let surveys = ["atlas", "converged", "met", "coverage", "timings", "freeze"];
+    let surveys = ["atlas", "converged", "met", "coverage", "counted", "timings", "freeze"];
     for (name, command) in commands() {
         let shown = command.get_after_help().map(ToString::to_string).unwrap_or_default();
         assert!(surveys.contains(&name.as_str()) || shown.contains("Examples:\n  contact-vv"), "{name}: {shown}");

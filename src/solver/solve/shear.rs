@@ -4,6 +4,7 @@ use crate::elasticity::{shape_functions, stress};
 use crate::error::Error;
 use crate::measure::Measures;
 use crate::mesh::candidates;
+use crate::scene::Load;
 use crate::solve::Discretisation;
 
 /// Half-widths below the surface down to which the largest shear stress is looked for: under Hertz it lies at 0.79 of one, under
@@ -49,7 +50,7 @@ impl Discretisation {
     /// the ends of the closed stretches, down to two half-widths. Stresses are looked at where that is.
     ///
     /// None where it lies on the surface or at the lower end of that: at a corner, or under a pressure that varies too little
-    /// for a largest value inside.
+    /// for a largest value inside. None beside a force at a point either, where stresses have no limit.
     pub fn shear_below(
         &self,
         displacement: &[[f64; 2]],
@@ -80,11 +81,21 @@ impl Discretisation {
                 }
             }
         }
-        let Some((cell, at)) = best else { return Ok(None) };
+        let Some((cell, at)) = best.filter(|(cell, _)| !self.is_at_force(body, *cell)) else { return Ok(None) };
         let (depth, shear) = below.largest_around(cell, at, &stress);
         let inside = depth > ROUNDING * below.deepest && depth < below.deepest;
         samples.retain(|sample| sample[0] <= below.deepest);
         Ok(inside.then_some(Shear { stress: shear, depth, samples }))
+    }
+
+    /// Whether a force acts at a node of a cell.
+    fn is_at_force(&self, body: usize, cell: usize) -> bool {
+        let acts_at = |load: &Load| match load {
+            Load::Force { at, .. } => self.mesh.node_at(&self.scene, body, *at).ok(),
+            _ => None,
+        };
+        let mut nodes = self.scene.bodies[body].loads.iter().filter_map(acts_at);
+        nodes.any(|node| self.mesh.cell(cell).contains(&node))
     }
 }
 

@@ -14,7 +14,7 @@ use crate::error::Error;
 use crate::markdown;
 use crate::mesh::Resolution;
 use crate::named::named_enum;
-use crate::solve::{Ended, Formulation, Iteration};
+use crate::solve::{Element, Ended, Formulation, Iteration};
 use crate::study::method::Method;
 use crate::study::records;
 
@@ -325,9 +325,14 @@ pub fn recommendation(digests: &[Digest]) -> String {
     };
     let fewest = served("fewest iterations", &|method| !method.is_accelerated());
     let constant = served("one factorisation only", &|method| method.algorithm == Iteration::Constant);
-    let widest = reliable.iter().filter(|(_, safe)| is_widest(&reliable, safe));
-    let widest = widest.map(|(method, safe)| ("nothing known of the stiffness", *method, None, *safe));
-    let rows: Vec<Advice> = fewest.into_iter().chain(constant).chain(widest).collect();
+    let widest: Vec<_> = reliable.iter().filter(|(_, safe)| is_widest(&reliable, safe)).collect();
+    let of_element = |element: Element| {
+        let own = widest.iter().filter(|(method, _)| method.element == element);
+        let (method, safe) = own.min_by_key(|(_, safe)| safe.iterations)?;
+        Some(("nothing known of the stiffness", *method, None, *safe))
+    };
+    let rows: Vec<Advice> =
+        fewest.into_iter().chain(constant).chain(Element::ALL.into_iter().filter_map(of_element)).collect();
     let mut text = format!(
         "Names are `element.algorithm.rule`: what is pressed, how its stiffness changes, and by which formula; `+` is what the program adds \
          to the paper's. From {points} runs over candidate surface, mesh and both paper scenes, {predicted} of them beside a prediction:\n\n{}",
@@ -338,7 +343,7 @@ pub fn recommendation(digests: &[Digest]) -> String {
     if !nowhere.is_empty() {
         let _ = writeln!(
             text,
-            "\n**What fails**: {}. From no initial stiffness do all of their runs end right; some do from some.",
+            "\n**What fails**: {}. From no initial stiffness do all of their runs end right.",
             nowhere.join(", ")
         );
     }

@@ -13,7 +13,7 @@ use crate::study::random::family::JUDGED;
 use crate::study::random::{Family, Site};
 use crate::study::records::{Millionths, Survey, are_like};
 
-/// The survey, which the command of the bars runs too.
+/// The survey.
 pub const SURVEY: Survey<Site, Record> = Survey {
     name: "counted",
     head: || COLUMNS.map(String::from).into(),
@@ -65,7 +65,7 @@ fn record(site: &Site) -> Result<Vec<Record>, Error> {
         let told = one.told?;
         let rest = told.rest + one.bar.iteration + one.bar.penalty;
         let over = |value: f64| Millionths(value / size);
-        let is_told = rest.is_finite() && error.is_finite() && error > ROUND_OFF * size;
+        let is_told = told.bar().is_finite() && rest.is_finite() && error.is_finite() && error > ROUND_OFF * size;
         is_told.then(|| Record {
             family: site.family,
             number: site.number,
@@ -107,13 +107,14 @@ fn hold(sample: &[&Record], constants: [f64; 2]) -> bool {
     let mut families: BTreeMap<Family, [usize; 2]> = BTreeMap::new();
     for one in sample {
         let bar = bar(one, constants);
-        let is_far = one.error.0.total_cmp(&(most * bar)).is_gt();
-        if is_far {
+        // A bar that is no number holds nothing.
+        let is_within = |bars: f64| one.error.0 <= bars * bar;
+        if !is_within(most) {
             return false;
         }
         let [all, beyond] = families.entry(one.family).or_default();
         *all += 1;
-        *beyond += usize::from(one.error.0 > bar);
+        *beyond += usize::from(!is_within(1.0));
     }
     families.values().all(|[all, beyond]| *beyond as f64 <= share * *all as f64)
 }
