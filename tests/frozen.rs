@@ -12,13 +12,13 @@ use contact_vv::case::file::files_in;
 use contact_vv::case::library::{NAMES, find};
 use contact_vv::error::Error;
 use contact_vv::markdown::significant;
+use contact_vv::mesh::Mesh;
 use contact_vv::mesh::Order;
-use contact_vv::mesh::{Mesh, Resolution};
 use contact_vv::scene::Scene;
 use contact_vv::solve::{Discretisation, Fitted, Formulation, Run};
 use contact_vv::study::promised::bars::setup;
 use contact_vv::study::random::family::{self, FAMILIES};
-use contact_vv::study::random::{Family, Site};
+use contact_vv::study::random::{Family, Sample, Site};
 use libtest_mimic::{Failed, Trial};
 
 /// Scenes of a family: cells of both orders, all elements, iterations that end late and early, and penalties.
@@ -74,24 +74,12 @@ fn meshes() -> Result<String, Failed> {
     let mut text = String::new();
     for (name, _) in NAMES {
         let case = find(name, None).map_err(said)?;
-        meshed(&mut text, name, &case.scene, case.resolution)?;
+        moments(&mut text, name, &case.scene, &Mesh::of(&case.scene, case.resolution).map_err(said)?);
     }
     for case in files()? {
-        meshed(&mut text, &case.name, &case.scene, case.resolution)?;
-    }
-    for family in FAMILIES {
-        for site in family::unseen(family).take(EACH) {
-            let (scene, resolution, _) = setup(&site, &site.sample().map_err(said)?);
-            meshed(&mut text, &site.key(), &scene, resolution)?;
-        }
+        moments(&mut text, &case.name, &case.scene, &Mesh::of(&case.scene, case.resolution).map_err(said)?);
     }
     Ok(text)
-}
-
-/// Lines of a scene.
-fn meshed(text: &mut String, name: &str, scene: &Scene, resolution: Resolution) -> Result<(), Failed> {
-    moments(text, name, scene, &Mesh::of(scene, resolution).map_err(said)?);
-    Ok(())
 }
 
 /// A line for each body.
@@ -109,29 +97,30 @@ fn moments(text: &mut String, name: &str, scene: &Scene, mesh: &Mesh) {
     }
 }
 
-/// Meshes fitted to the contacts of library and scene files and of random scenes, and what they say; which scenes are refused.
+/// Meshes fitted to the contacts of library and scene files, and what they say; which scenes are refused.
 fn fitted() -> Result<String, Failed> {
-    let mut scenes = Vec::new();
-    for (name, _) in NAMES {
-        scenes.push((name.to_string(), find(name, None).map_err(said)?.scene));
-    }
-    scenes.extend(files()?.into_iter().map(|case| (case.name, case.scene)));
-    for site in FAMILIES.into_iter().flat_map(|family| family::unseen(family).take(FITTED)) {
-        scenes.push((site.key(), site.sample().map_err(said)?.scene));
-    }
     let mut text = String::new();
-    for (name, scene) in scenes {
-        let mesh = Fitted { order: Order::Quartic, layers: 1 };
-        let Ok(answer) = mesh.solve(&scene, &Formulation::verification()) else {
-            let _ = writeln!(text, "{name}: refused");
-            continue;
-        };
-        let scene = &answer.discretisation.scene;
-        moments(&mut text, &name, scene, &answer.discretisation.mesh);
-        let found = bars(&answer.discretisation, &answer.run, &[]).map_err(said)?;
-        told(&mut text, &name, scene, &answer.run, &found);
+    for (name, _) in NAMES {
+        fit(&mut text, name, &find(name, None).map_err(said)?.scene)?;
+    }
+    for case in files()? {
+        fit(&mut text, &case.name, &case.scene)?;
     }
     Ok(text)
+}
+
+/// Lines of a mesh fitted to the contacts of a scene.
+fn fit(text: &mut String, name: &str, scene: &Scene) -> Result<(), Failed> {
+    let mesh = Fitted { order: Order::Quartic, layers: 1 };
+    let Ok(answer) = mesh.solve(scene, &Formulation::verification()) else {
+        let _ = writeln!(text, "{name}: refused");
+        return Ok(());
+    };
+    let scene = &answer.discretisation.scene;
+    moments(text, name, scene, &answer.discretisation.mesh);
+    let found = bars(&answer.discretisation, &answer.run, &[]).map_err(said)?;
+    told(text, name, scene, &answer.run, &found);
+    Ok(())
 }
 
 /// Every number of the scene files, with its bar.
@@ -145,22 +134,28 @@ fn scene_files() -> Result<String, Failed> {
     Ok(text)
 }
 
-/// Every number of some random scenes of a family.
+/// Meshes and numbers of some random scenes of a family, of the first of them on fitted meshes too.
 fn random(family: Family) -> Result<(), Failed> {
-    let mut text = String::new();
-    for site in family::unseen(family).take(EACH) {
-        solved(&mut text, &site).map_err(said)?;
+    let (mut text, mut on_fitted) = (String::new(), String::new());
+    for (k, site) in family::unseen(family).take(EACH).enumerate() {
+        let sample = site.sample().map_err(said)?;
+        solved(&mut text, &site, &sample).map_err(said)?;
+        if k < FITTED {
+            fit(&mut on_fitted, &format!("{}, fitted", site.key()), &sample.scene)?;
+        }
     }
-    freeze("random", Some(family.name()), text)
+    freeze("random", Some(family.name()), text + &on_fitted)
 }
 
-fn solved(text: &mut String, site: &Site) -> Result<(), Error> {
-    let sample = site.sample()?;
-    let (scene, resolution, formulation) = setup(site, &sample);
+/// Lines of a scene on the mesh that its bars are tested with.
+fn solved(text: &mut String, site: &Site, sample: &Sample) -> Result<(), Error> {
+    let (scene, resolution, formulation) = setup(site, sample);
     let discretisation = Discretisation::of(scene, resolution)?;
+    let scene = &discretisation.scene;
+    moments(text, &site.key(), scene, &discretisation.mesh);
     let run = Run::of(&discretisation, &formulation)?;
     let found = bars(&discretisation, &run, &sample.displaced())?;
-    told(text, &site.key(), &discretisation.scene, &run, &found);
+    told(text, &site.key(), scene, &run, &found);
     Ok(())
 }
 

@@ -7,10 +7,12 @@ use std::fmt::Write;
 
 use contact_vv::case::Verdict;
 use contact_vv::case::library::{NAMES, find};
+use contact_vv::error::Error;
 use contact_vv::markdown::significant;
 use contact_vv::solve::Run;
 use contact_vv::solve::{Discretisation, Formulation};
-use contact_vv::study::{self, promised};
+use contact_vv::study::{self, Finding};
+use contact_vv::{checkout, report};
 use libtest_mimic::{Arguments, Failed, Trial};
 use truth::{Findings, counted, truth};
 
@@ -25,7 +27,9 @@ fn main() {
     let arguments = Arguments::from_args();
     let findings = Findings::default();
     // Truth lock: all checks of a trial hold.
-    let mut tests: Vec<Trial> = study::trials().into_iter().map(|trial| truth(trial, findings.clone())).collect();
+    let trials = study::trials();
+    let titles: Vec<String> = trials.iter().map(study::Trial::title).collect();
+    let mut tests: Vec<Trial> = trials.into_iter().map(|trial| truth(trial, findings.clone())).collect();
     tests.extend(FROZEN.into_iter().flat_map(runs));
     tests.extend(frozen::trials());
     tests.push(Trial::test("every snapshot belongs to a run of the suite", no_stray_snapshot));
@@ -33,18 +37,32 @@ fn main() {
     if arguments.list {
         conclusion.exit();
     }
-    let findings = findings.lock().expect("no test panics while keeping");
+    let mut findings = findings.lock().expect("no test panics while keeping").clone();
     println!("{}, {FROZEN_ANSWERS}", counted(&findings));
-    let bars = study::on_bars(&findings).expect("judged");
-    let all = matches!(bars.numbers(), Some(promised::Numbers::Checks(all, _)) if *all > 0);
-    // Of some trials only there may be none to judge.
-    let beyond = bars.judged.iter().filter(|one| all && one.verdict != Verdict::Pass);
-    let beyond: Vec<String> = beyond.map(|one| format!("{}: {}", one.requirement(), one.value)).collect();
-    if !beyond.is_empty() {
-        println!("{}", beyond.join("\n"));
-        std::process::exit(1);
+    // Of some trials only there may be no bar to judge, and there is no report.
+    if findings.len() == titles.len() {
+        findings.sort_by_key(|one| titles.iter().position(|title| *title == format!("{} × {}", one.case, one.name)));
+        whole(findings).unwrap_or_else(|missed| {
+            println!("{missed}");
+            std::process::exit(1);
+        });
     }
     conclusion.exit();
+}
+
+/// What all trials together are held to: the error bars of their checks, and the report as it is committed.
+fn whole(mut findings: Vec<Finding>) -> Result<(), String> {
+    let said = |error: Error| error.to_string();
+    let bars = study::on_bars(&findings).map_err(said)?;
+    let beyond = bars.judged.iter().filter(|one| one.verdict != Verdict::Pass);
+    let mut missed: Vec<String> = beyond.map(|one| format!("{}: {}", one.requirement(), one.value)).collect();
+    findings.push(bars);
+    let report = report::compose(&findings).map_err(said)?;
+    if let Some(difference) = report::difference(&report, &checkout::root()).map_err(said)? {
+        missed.push(difference.text(report::diff::written::LINES).trim_end().into());
+        missed.push("the report is not what the code makes: `cargo run --release` writes it".into());
+    }
+    if missed.is_empty() { Ok(()) } else { Err(missed.join("\n")) }
 }
 
 /// Drift lock: counts and measures of the nine formulations of a scene are what they were.

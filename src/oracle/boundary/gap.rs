@@ -20,20 +20,23 @@ pub fn slope(profile: &Profile, s: f64) -> f64 {
             let wave = 2.0 * PI / wavelength;
             amplitude * wave * (wave * s).sin()
         }
-        Profile::Table(ref points) => through(points, s, |[a, b], _| (b[1] - a[1]) / (b[0] - a[0])),
-        Profile::Smooth(ref cubic) => through(&cubic.points, s, |_, s| cubic.slope(s)),
+        Profile::Table(ref points) => on_its_side(points, s, |at| secant(points, at)),
+        Profile::Smooth(ref cubic) => on_its_side(&cubic.points, s, |at| cubic.slope(at)),
         _ => f64::NAN,
     }
 }
 
 /// Slope by points, which tell one side of an even gap where they begin at 0.
-fn through(points: &[[f64; 2]], s: f64, of: impl Fn([[f64; 2]; 2], f64) -> f64) -> f64 {
+fn on_its_side(points: &[[f64; 2]], s: f64, of: impl Fn(f64) -> f64) -> f64 {
     let even = points.first().is_none_or(|[first, _]| *first >= 0.0);
-    let (side, at) = if even { (1f64.copysign(s), s.abs()) } else { (1.0, s) };
-    let after = points.partition_point(|point| point[0] < at).max(1);
-    let ends = after.checked_sub(1).and_then(|before| points.get(before..=after));
-    match ends {
-        Some(&[a, b]) if at >= a[0] => side * of([a, b], at),
+    if even { 1f64.copysign(s) * of(s.abs()) } else { of(s) }
+}
+
+/// Slope between two neighbouring points; NaN before the first and beyond the last.
+fn secant(points: &[[f64; 2]], s: f64) -> f64 {
+    let after = points.partition_point(|point| point[0] < s).max(1);
+    match points.get(after - 1..=after) {
+        Some(&[a, b]) if s >= a[0] => (b[1] - a[1]) / (b[0] - a[0]),
         _ => f64::NAN,
     }
 }

@@ -15,8 +15,8 @@ use nalgebra::Complex;
 use super::{gap, quadrature};
 use crate::scene::Profile;
 
-/// Panels of a search for the largest pressure are looked at in so many places.
-const PLACES: usize = 8;
+/// A search for the largest pressure looks at so many places on 0.2 rad of a stretch, and at least on a part between two breaks.
+const PLACES: [f64; 2] = [8.0, 2.0];
 /// Iterations of the golden section that follows.
 const SECTIONS: usize = 60;
 /// Angle within which a place is that of a break \[rad\].
@@ -158,7 +158,7 @@ impl HalfPlane {
             parts.push(end);
             for part in parts.windows(2) {
                 let [from, to] = [0, 1].map(|k| ((part[k] - centre) / half).clamp(-1.0, 1.0).acos());
-                let number = (PLACES as f64 * ((from - to) / 0.2).max(1.0)).ceil();
+                let number = (PLACES[0] * (from - to) / 0.2).max(PLACES[1]).ceil();
                 let at = |k: usize| from + (to - from) * k as f64 / number;
                 places.extend((0..number as usize).map(|k| centre + half * at(k).cos()));
             }

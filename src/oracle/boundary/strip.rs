@@ -22,8 +22,10 @@ const TERMS: usize = 32;
 const POINTS: usize = 256;
 /// q beyond which F is that of the half-plane: e^−40.
 const FARTHEST: f64 = 20.0;
-/// Places that are looked at, on the contact and beyond it.
+/// Places that are looked at on the contact.
 const PLACES: usize = 200;
+/// Places that are looked at beyond it, where the surface takes a quadrature each.
+const BEYOND: usize = 40;
 /// Iterations of Newton's method for the top.
 const ITERATIONS: usize = 8;
 
@@ -112,12 +114,12 @@ impl Strip {
         let found =
             OnStrip { half_width, terms: answer.iter().take(TERMS).copied().collect(), approach: answer[TERMS] };
         let open = |k: usize| {
-            let x = a + (open_to - a) * (k as f64 + 1.0) / PLACES as f64;
+            let x = a + (open_to - a) * (k as f64 + 1.0) / BEYOND as f64;
             let under: f64 = moved(x).iter().zip(&found.terms).map(|(value, term)| value * term).sum();
             profile.gap(x) + under - found.approach >= 0.0
         };
         let pressed = |k: usize| found.pressure(a * k as f64 / PLACES as f64) > 0.0;
-        ((0..PLACES).all(pressed) && (0..PLACES).all(open)).then_some(found)
+        ((0..PLACES).all(pressed) && (0..BEYOND).all(open)).then_some(found)
     }
 }
 
