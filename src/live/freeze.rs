@@ -95,7 +95,7 @@ pub fn independent() -> Result<Vec<String>, Error> {
             let same_scene = known.is_some_and(|asked| asked.scene == physical);
             let now = match (kept, version, newest::python().filter(|_| folder == Folder::Dolfinx)) {
                 (.., Some(python)) => {
-                    let (now, series) = newest::series(&python, script, &physical)?;
+                    let (now, series) = newest::series(&python, script, &physical, LEVELS)?;
                     versions.remove("dolfinx");
                     apart.extend(now.get("dolfinx").map(|version| (folder, version.clone())));
                     series

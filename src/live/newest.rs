@@ -9,7 +9,6 @@ use contact_vv::oracle::cross_code::independent::Script;
 use contact_vv::oracle::cross_code::process::{self, run_by};
 use contact_vv::oracle::cross_code::{DiscreteAnswer, PhysicalAnswer, PhysicalScene, SET_UP, scripts};
 use contact_vv::study::cross_code::Twin;
-use contact_vv::study::independent::benchmark::LEVELS;
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
 use serde_json::{Value, json};
@@ -40,10 +39,15 @@ pub fn discrete(python: &Path, twins: &[Twin]) -> Result<(Versions, Vec<Discrete
     asked(python, twins.iter().map(|twin| json!(twin.problem)).collect())
 }
 
-/// What a script of its folder answers to a scene on all meshes, with the versions that do.
-pub fn series(python: &Path, script: Script, scene: &PhysicalScene) -> Result<(Versions, Vec<PhysicalAnswer>), Error> {
+/// What a script of its folder answers to a scene on its coarsest meshes, with the versions that do.
+pub fn series(
+    python: &Path,
+    script: Script,
+    scene: &PhysicalScene,
+    levels: usize,
+) -> Result<(Versions, Vec<PhysicalAnswer>), Error> {
     let (folder, module, method) = (script.folder().path(), script.module(), script.method());
-    let request = json!({"folder": folder, "module": module, "method": method, "levels": LEVELS, "scene": scene});
+    let request = json!({"folder": folder, "module": module, "method": method, "levels": levels, "scene": scene});
     let (versions, series) = asked::<Vec<PhysicalAnswer>>(python, vec![request])?;
     Ok((versions, series.concat()))
 }

@@ -15,7 +15,8 @@ use truth::{Findings, counted, truth};
 fn main() {
     let arguments = Arguments::from_args();
     let findings = Findings::default();
-    let mut tests = vec![planted::trial(), newest::trial()];
+    let mut tests = planted::trials();
+    tests.push(newest::trial());
     tests.extend(study::live(LIVE).into_iter().map(|trial| truth(trial, findings.clone())));
     tests.extend(revolution::trials());
     tests.extend(readers::trials());
