@@ -216,7 +216,7 @@ const BUDGETS: [(&str, usize); 9] = [
     ("drawing", 2_970),
     ("case", 8_215),
     ("oracle", 4_370),
-    ("study", 14_640),
+    ("study", 14_680),
     ("referee", 5_900),
     ("report", 3_390),
     ("cli", 4_440),

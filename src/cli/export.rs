@@ -62,12 +62,10 @@ type Written = (String, Vec<u8>, &'static str);
 pub fn files(case: &Case, condensed: bool) -> Result<Vec<Written>, Error> {
     let discretisation = case.meshed()?.discretisation;
     let run = Run::of(&discretisation, &Formulation::verification())?;
-    let truth = Truth::of(case.clone())?;
     let named = |ending: &str| format!("{}{ending}", plain(&case.name));
-    let sheet = references::sheet(case, &truth.discretisation, &truth.run, &truth.bars)?;
-    let mut sheet = sheet::file(&sheet).1;
+    let mut sheet = sheet(case)?;
     if condensed {
-        sheet = format!("{sheet}\n{}", condensed::TEXT);
+        sheet += &format!("\n{}", condensed::TEXT);
     }
     let table = profile::csv(&discretisation.scene, &run, Path::new("ours.csv"))?;
     let scripts =
@@ -96,6 +94,16 @@ pub fn files(case: &Case, condensed: bool) -> Result<Vec<Written>, Error> {
         )
     });
     Ok(files.into_iter().chain(scripts).map(bytes).chain(matrices).collect())
+}
+
+/// The text of its sheet, which is made anew for a scene file.
+fn sheet(case: &Case) -> Result<String, Error> {
+    let is_built_in = case.places.is_none();
+    if let Some(made) = sheet::of_library(&case.name).filter(|_| is_built_in) {
+        return Ok(made.into());
+    }
+    let truth = Truth::of(case.clone())?;
+    Ok(sheet::file(&references::sheet(case, &truth.discretisation, &truth.run, &truth.bars)?).1)
 }
 
 fn document(document: &Document) -> String {

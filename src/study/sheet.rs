@@ -12,6 +12,10 @@ use crate::oracle::cross_code::high::Way;
 use crate::oracle::cross_code::independent::Script;
 use crate::scene::{ContactPair, Scene};
 
+macro_rules! made {
+    ($($name:literal),* $(,)?) => { [$(($name, include_str!(concat!("../../snapshots/sheets/", $name, ".md")))),*] };
+}
+
 /// The folder of the sheets.
 pub const SHEETS: &str = "snapshots/sheets";
 /// The values of all sheets.
@@ -20,6 +24,24 @@ pub const JSON: &str = "snapshots/references.json";
 pub const CSV: &str = "snapshots/references.csv";
 /// The values of all sheets as they were when the program was built, for which no checkout is needed.
 pub const BUILT_IN: &str = include_str!("../../snapshots/references.json");
+/// The sheets of the library, as they were then too: to make one anew takes references of high order.
+const MADE: &[(&str, &str)] = &made![
+    "bars",
+    "cone",
+    "cylinder",
+    "cylinder-between-plates",
+    "cylinder-half",
+    "flat-punch",
+    "own-weight",
+    "patch",
+    "pin-plate",
+    "pin-rod",
+    "press-fit",
+    "press-fit-strain",
+    "sphere",
+    "truncated-hertz",
+    "truncated-sphere",
+];
 /// Identifier of the schema of the values; another one where a reader of this would be misled.
 const ID: &str = "urn:contact-vv:references:1";
 
@@ -366,6 +388,11 @@ pub fn file(sheet: &Sheet) -> (String, String) {
         markdown::columns(&VALUES, values),
     );
     (format!("{name}.md"), text)
+}
+
+/// The text of the sheet of a case of the library, as it was when the program was built.
+pub fn of_library(name: &str) -> Option<&'static str> {
+    MADE.iter().find(|(known, _)| *known == name).map(|(_, text)| *text)
 }
 
 /// A value with its bound.

@@ -1,5 +1,7 @@
 //! The scoreboard is computed from files as other codes wrote them: what is planted in them, or in the record, is found.
 
+use std::sync::LazyLock;
+
 use contact_vv::case::Verdict;
 use contact_vv::study::Study;
 use contact_vv::study::scoreboard::board::{Board, Ended, Told};
@@ -9,6 +11,12 @@ fn of(case: &str, board: &Board) -> Numbers {
     numbers(case, &named(case).expect("a case"), board).expect("judged")
 }
 
+/// All cases as they are frozen.
+static ALL: LazyLock<[Numbers; CASES.len()]> = LazyLock::new(|| {
+    let board = Board::load().expect("frozen");
+    CASES.map(|case| of(case, &board))
+});
+
 /// Which checks of a case do not pass.
 fn not_passed(numbers: &Numbers) -> Vec<String> {
     let judged = numbers.judge().expect("judged").into_iter();
@@ -17,8 +25,6 @@ fn not_passed(numbers: &Numbers) -> Vec<String> {
 
 #[test]
 fn every_code_of_the_scoreboard_is_judged_from_the_file_that_it_wrote_on_at_least_five_cases() {
-    let board = Board::load().expect("frozen");
-    let all = CASES.map(|case| of(case, &board));
     for (code, ending) in [
         ("CalculiX", ".frd.gz"),
         ("CalculiX", ".dat"),
@@ -32,7 +38,7 @@ fn every_code_of_the_scoreboard_is_judged_from_the_file_that_it_wrote_on_at_leas
         ("scikit-fem", ".csv"),
         ("dolfinx", ".json"),
     ] {
-        let read = all.iter().filter(|numbers| {
+        let read = ALL.iter().filter(|numbers| {
             numbers.rows.iter().any(|row| {
                 let file = if let Ended::Answered { file, .. } = &row.told.ended { file.as_str() } else { "" };
                 row.setting.code.name() == code && file.ends_with(ending) && row.scored.is_ok()
@@ -73,9 +79,7 @@ fn what_is_planted_in_the_record_or_the_files_turns_a_check_of_the_scoreboard_re
 
 #[test]
 fn the_best_setting_is_the_one_with_the_least_that_is_not_met() {
-    let board = Board::load().expect("frozen");
-    for case in CASES {
-        let numbers = of(case, &board);
+    for (case, numbers) in CASES.iter().zip(ALL.iter()) {
         for code in contact_vv::study::scoreboard::board::Code::ALL {
             let Some(best) = numbers.best(|setting| setting.code == code) else { continue };
             let own = numbers.rows.iter().filter(|row| row.setting.code == code);
@@ -86,9 +90,7 @@ fn the_best_setting_is_the_one_with_the_least_that_is_not_met() {
 
 #[test]
 fn frozen_answers_are_of_the_present_meshes_and_judged_as_they_were_when_they_were_written() {
-    let board = Board::load().expect("frozen");
-    for case in CASES {
-        let numbers = of(case, &board);
+    for (case, numbers) in CASES.iter().zip(ALL.iter()) {
         assert_eq!(numbers.dofs[0], numbers.dofs[1], "{case}");
         for row in &numbers.rows {
             let (Ended::Answered { file, found, .. }, Ok(scored)) = (&row.told.ended, &row.scored) else { continue };
