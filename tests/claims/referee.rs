@@ -5,6 +5,7 @@ use std::path::Path;
 use approx::assert_relative_eq;
 use contact_vv::case::library::{NAMES, TruncatedHertz, find};
 use contact_vv::case::{Case, Verdict};
+use contact_vv::measure::Quantity;
 use contact_vv::mesh::{Order, Resolution};
 use contact_vv::referee::export::own;
 use contact_vv::referee::judge::ENGINEERING;
@@ -210,6 +211,29 @@ fn tension_penetration_and_pressure_across_a_gap_are_found() {
     assert!(failed(&soft).iter().any(|name| name.contains("penetration")), "{:?}", failed(&soft));
     let apart = judged(&truth, &with_gaps(|_, p| 1e-6 * p), &Asked::default());
     assert!(failed(&apart).iter().any(|name| name.contains("gap under pressure")), "{:?}", failed(&apart));
+}
+
+#[test]
+fn what_our_own_answer_departs_from_a_closed_form_lets_nobody_else_depart() {
+    let mut truth = truth();
+    let own = Sampled::of(&truth, false);
+    let pressures = own.pressures.iter().map(|p| 1.05 * p).collect();
+    let high = Sampled { places: own.places.clone(), pressures }.text();
+    let before = failed(&judged(&truth, &high, &Asked::default()));
+    assert!(before.iter().any(|name| name.contains("peak pressure")), "{before:?}");
+    // A fault of ours by as much.
+    truth.bars.iter_mut().for_each(|one| one.value *= 1.05);
+    truth.run.solution.edges.iter_mut().for_each(|edge| edge.pressure *= 1.05);
+    assert_eq!(failed(&judged(&truth, &high, &Asked::default())), before);
+}
+
+#[test]
+fn the_profile_of_a_contact_off_its_origin_is_not_held_against_a_closed_form_about_it() {
+    let file = format!("{}/tests/cases/eccentric-to-accuracy.toml", env!("CARGO_MANIFEST_DIR"));
+    let eccentric = Truth::of(Case::read(Path::new(&file)).expect("read")).expect("solved");
+    assert!(!eccentric.has_closed_profile() && truth().has_closed_profile());
+    let middle = eccentric.pressure(0, 5.0);
+    assert!((middle - eccentric.ours(0, &Quantity::PeakPressure).reference.value).abs() <= 1e-2 * middle, "{middle}");
 }
 
 #[test]
