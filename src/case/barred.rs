@@ -103,8 +103,8 @@ impl Case {
         judged.collect()
     }
 
-    /// What the case states that its closed form is off: for the quantity, else the most that it states for any.
-    fn model_error(&self, contact: usize, quantity: &Quantity) -> f64 {
+    /// What the case states that its closed form is off: for the quantity, else the most that it states for any, else for all.
+    pub fn model_error(&self, contact: usize, quantity: &Quantity) -> f64 {
         let analytic = |check: &&Check| match &check.against {
             Against::Oracle => true,
             Against::Value(reference) => reference.kind == ReferenceKind::Analytic,
@@ -113,7 +113,7 @@ impl Case {
         let stated =
             || self.checks.iter().filter(|check| check.contact == contact && check.model > 0.0).filter(analytic);
         let own = stated().find(|check| check.quantity == *quantity).map(|check| check.model);
-        own.unwrap_or_else(|| stated().map(|check| check.model).fold(0.0, f64::max))
+        own.unwrap_or_else(|| stated().map(|check| check.model).fold(self.model, f64::max))
     }
 
     /// What the closed forms say that the run contradicts, with both numbers: another load than the contact carries, or a contact

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use crate::accuracy::Asked;
-use crate::case::check::{Check, Reference};
+use crate::case::check::{Against, Check, Reference};
 use crate::case::file::Places;
 use crate::case::quantity::Quantity;
 use crate::measure::Quantity as Number;
@@ -32,6 +32,8 @@ pub struct Case {
     pub formulations: Vec<Formulation>,
     /// Independent truth of each contact, in the order of the scene; what is left out has none.
     pub oracles: Vec<Option<SharedOracle>>,
+    /// What its closed forms may be off of the scene, relative, where no check states it: 0 where they are of the very scene.
+    pub model: f64,
     /// What shall hold; a case without checks is reported.
     pub checks: Vec<Check>,
     /// Where bodies and contacts stand in its file; none where it is built in.
@@ -50,6 +52,7 @@ impl Case {
             accuracy: None,
             formulations: vec![Formulation::verification()],
             oracles: Vec::new(),
+            model: 0.0,
             checks: Vec::new(),
             places: None,
         }
@@ -58,6 +61,15 @@ impl Case {
     /// The same, its first contact held against an oracle.
     pub fn against(self, oracle: impl Oracle + Send + Sync + 'static) -> Self {
         Self { oracles: vec![Some(Arc::new(oracle))], ..self }
+    }
+
+    /// The same held to checks, each of which by its oracle leaves what closed forms leave.
+    pub fn held_to(self, checks: impl IntoIterator<Item = Check>) -> Self {
+        let leaving = |check: Check| match check.against {
+            Against::Oracle => check.leaving(self.model),
+            _ => check,
+        };
+        Self { checks: checks.into_iter().map(leaving).collect(), ..self }
     }
 
     /// The same under another name.

@@ -120,25 +120,34 @@ pub fn worst<'a>(judged: impl IntoIterator<Item = &'a Judged>) -> Option<&'a Ver
     judged.into_iter().map(|judged| &judged.verdict).max_by_key(|verdict| verdict.severity())
 }
 
-/// What is asked, once each, with its runs, the worst first: a self-consistency asked of several runs is one requirement, any other
-/// check is one by itself.
+/// Errors below are round-off, and shares of the tolerance that differ by less are alike: which of such runs is worst, machines disagree.
+const ROUND_OFF: f64 = 5e-10;
+const ALIKE: f64 = 1e-6;
+
+/// What is asked, once each, with its runs, the worst first: checks that hold the same quantity to the same tolerance of the same
+/// reference ask one thing of several runs; of a self-consistency the runs may have places, references and tolerances of their own.
 pub fn requirements<'a, T>(checks: impl IntoIterator<Item = (T, &'a Judged)>) -> Vec<Vec<(T, &'a Judged)>> {
     let mut all: Vec<Vec<(T, &Judged)>> = Vec::new();
-    let mut known: BTreeMap<[&str; 2], usize> = BTreeMap::new();
+    let mut known = BTreeMap::new();
     for (run, one) in checks {
-        let next = all.len();
-        let is_shared = one.reference.kind == ReferenceKind::SelfConsistency;
-        let asked = [one.check.quantity.name(), &one.reference.name];
-        let place = if is_shared { *known.entry(asked).or_insert(next) } else { next };
+        let Judged { check, reference, .. } = one;
+        let is_shared = reference.kind == ReferenceKind::SelfConsistency;
+        let numbers = [reference.value, check.tolerance].map(f64::to_bits);
+        let own = (!is_shared).then(|| (check.quantity.place(), check.contact, numbers));
+        let place = *known.entry((check.quantity.name(), &reference.name, own)).or_insert(all.len());
         match all.get_mut(place) {
             Some(runs) => runs.push((run, one)),
             None => all.push(vec![(run, one)]),
         }
     }
     for runs in &mut all {
+        let share = |one: &Judged| match one.error < ROUND_OFF {
+            true => 0.0,
+            false => (one.share_of_tolerance() / ALIKE).round(),
+        };
         let is_worse = |a: &Judged, b: &Judged| {
             let severity = a.verdict.severity().cmp(&b.verdict.severity());
-            severity.then(a.share_of_tolerance().total_cmp(&b.share_of_tolerance()))
+            severity.then(share(a).total_cmp(&share(b)))
         };
         runs.sort_by(|(_, a), (_, b)| is_worse(b, a));
     }

@@ -99,12 +99,7 @@ impl Truth {
     /// What the case states that its closed form may be off of a number, relative; 0 where it states nothing.
     pub fn model(&self, quantity: &Quantity) -> f64 {
         let known_by = quantity.known_by(self.case.scene.contact());
-        self.stated(|own| own.number() == Some(known_by))
-    }
-
-    /// The largest model error that the case states for some quantities, relative.
-    fn stated(&self, is_it: impl Fn(&case::Quantity) -> bool) -> f64 {
-        self.case.checks.iter().filter(|check| is_it(&check.quantity)).map(|check| check.model).fold(0.0, f64::max)
+        self.case.model_error(0, &case::Quantity::on(&self.case.scene, 0, known_by.clone()))
     }
 
     /// Whether equilibrium tells the force of a contact: loads act on a body of it that no support holds along the load line, and the forces of
@@ -166,7 +161,7 @@ impl Truth {
     pub fn of_profile(&self, contact: usize) -> Known {
         let closed = self.closed_profile();
         let bar = match closed {
-            Some(_) => self.stated(|own| matches!(own, case::Quantity::Profile | case::Quantity::Departure)),
+            Some(_) => self.case.model_error(contact, &case::Quantity::Profile),
             None => {
                 let of_peak = |one: &&Barred| one.contact == contact && one.quantity == Quantity::PeakPressure;
                 self.bars.iter().filter(of_peak).map(Barred::relative).fold(0.0, larger)

@@ -29,7 +29,7 @@ pub const STATEMENTS: &str = "snapshots/statements.csv";
 
 /// Errors are written in steps of this: below half of it they are round-off, which differs from machine to machine, and 0.
 const ROUND_OFF: f64 = 1e-9;
-/// Case of a check that several runs are asked for.
+/// Case of a check that runs of several cases are asked for.
 pub const EVERY_RUN: &str = "every run";
 
 /// The record as files: their paths below the project folder, and their texts.
@@ -124,7 +124,7 @@ impl fmt::Display for Mark {
     }
 }
 
-/// A check as the record has it, of a self-consistency that every run is asked for that of the worst; the first six columns are its
+/// A check as the record has it, of one that several runs are asked for that of the worst; the first six columns are its
 /// key, and no two checks have the same.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct CheckRow {
@@ -223,11 +223,14 @@ impl CheckRow {
         if runs.len() == 1 {
             return own;
         }
-        let places = [&own.trial, &own.place].into_iter().filter(|place| !place.is_empty());
-        let at: Vec<&str> = places.map(String::as_str).collect();
-        let worst = format!("{} × {}", own.case, at.join(", "));
-        let [trial, place] = [String::new(), String::new()];
-        Self { case: EVERY_RUN.into(), trial, place, runs: runs.len(), worst, ..own }
+        // Checks against a truth have one place.
+        let is_there = runs.iter().all(|(_, one)| place(&one.check.quantity, one.check.contact) == own.place);
+        let of_case = runs.iter().all(|(one, _)| one.case == finding.case);
+        let at = [&own.trial, &own.place].into_iter().filter(|at| !at.is_empty()).map(String::as_str);
+        let worst = format!("{} × {}", own.case, at.collect::<Vec<_>>().join(", "));
+        let case = if of_case { own.case.clone() } else { EVERY_RUN.into() };
+        let place = if is_there { own.place.clone() } else { String::new() };
+        Self { case, trial: String::new(), place, runs: runs.len(), worst, ..own }
     }
 }
 

@@ -21,7 +21,7 @@ pub fn once<'a>(judged: impl IntoIterator<Item = &'a Judged>) -> Vec<&'a Judged>
     requirements.iter().map(|runs| runs[0].1).collect()
 }
 
-/// Numbers of checks that passed, failed and were not run; one that is asked of every run is one check.
+/// Numbers of checks that passed, failed and were not run; one that is asked of several runs is one check.
 pub fn counts<'a>(judged: impl IntoIterator<Item = &'a Judged>) -> [usize; 3] {
     let mut counts = [0; 3];
     for one in once(judged) {

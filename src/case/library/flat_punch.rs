@@ -50,7 +50,7 @@ impl FlatPunch {
     /// The case, with `p = P / π√(a² − x²)`.
     pub fn case(&self) -> Case {
         let oracle = punch::FlatPunch { load: self.load, half_width: self.half_width };
-        Case::of("flat-punch", TITLE, self.scene(), 24).against(oracle)
+        Case { model: self.size.powi(-2), ..Case::of("flat-punch", TITLE, self.scene(), 24).against(oracle) }
     }
 }
 
@@ -63,10 +63,7 @@ pub(super) fn cases() -> Vec<Case> {
     let check = Check::near(Quantity::Pressure { at: 0.0 }, Against::Oracle, 5e-3, because);
     let of = |size| {
         let case = FlatPunch { size, ..Default::default() }.case();
-        Case {
-            checks: vec![check.clone().leaving(f64::powi(size, -2))],
-            ..case.named(format!("flat punch, block {size} half-widths"))
-        }
+        case.named(format!("flat punch, block {size} half-widths")).held_to([check.clone()])
     };
     [20.0, 40.0].map(of).into()
 }
