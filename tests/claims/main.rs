@@ -26,6 +26,7 @@ mod barred;
 mod bars;
 mod both_sides;
 mod boundary;
+mod bounded;
 mod command_line;
 mod compare;
 mod condensation;

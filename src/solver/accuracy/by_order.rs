@@ -7,8 +7,10 @@ use crate::accuracy::fitted::{self, Fitted};
 use crate::accuracy::rungs::{Rung, Rungs};
 use crate::accuracy::{Asked, Quantity};
 use crate::error::Error;
-use crate::mesh::{Order, Resolution};
-use crate::solve::{Discretisation, Element, Formulation, Run};
+use crate::mesh::Order;
+use crate::scene::Scene;
+use crate::solve::edge_fitted::{self, Sought};
+use crate::solve::{Element, Formulation, Run};
 
 /// Relative error asked for up to which such cells pay, and the same of the half-width.
 const PAYS: [f64; 2] = [1e-3 * (1.0 + 1e-9), 1e-2 * (1.0 + 1e-9)];
@@ -52,13 +54,20 @@ fn asks_for_ends(asked: &Asked) -> bool {
     asked.quantities.contains(&Quantity::HalfWidth)
 }
 
-/// The first such mesh whose bars are within what is asked; none where no mesh can be fitted to the contact, or none of them is enough.
-pub(super) fn found(around: &Fitted, rungs: &mut Rungs) -> Result<Option<Rung>, Error> {
+/// What came of such meshes.
+pub(super) enum Found {
+    /// The bars of one are within what is asked.
+    Met(Rung),
+    /// Those of none are; the best of them, where any was solved.
+    Unmet(Option<Rung>),
+}
+
+/// The first such mesh whose bars are within what is asked.
+pub(super) fn found(around: &Fitted, rungs: &mut Rungs) -> Result<Found, Error> {
     let asked = rungs.asked.relative;
     let scene = around.plan(fitted::FEWEST).scene(&around.scene);
-    let Some(first) = rungs.first.as_ref().map(|first| first.run.clone()) else { return Ok(None) };
-    let mut before = f64::INFINITY;
-    let at_rest = (REST * asked).sqrt();
+    let Some(first) = rungs.first.as_ref().map(|first| first.run.clone()) else { return Ok(Found::Unmet(None)) };
+    let mut best: Option<Rung> = None;
     let digits = (-asked.log10() + 1e-9).floor() as usize;
     let meshes = if asks_for_ends(rungs.asked) {
         OF_ENDS.get(digits.saturating_sub(2)..)
@@ -67,38 +76,47 @@ pub(super) fn found(around: &Fitted, rungs: &mut Rungs) -> Result<Option<Rung>, 
     };
     for &(order, layers, elements) in meshes.unwrap_or_default() {
         let mesh = crate::solve::Fitted { order, layers };
-        let Ok(mut answer) = mesh.around(&scene, &first, &rungs.formulation, at_rest) else { return Ok(None) };
-        if !answer.is_where_it_was_sought() {
-            // Two stretches that the first mesh took for one have no lines: they are sought on finer ones.
-            let Ok(other) = mesh.solve_with_ends(&scene, &rungs.formulation, at_rest) else { return Ok(None) };
-            answer = other;
-        }
+        let Some(answer) = sought(mesh, elements, (&scene, &first), rungs) else { break };
         answer.tried.iter().for_each(|tried| rungs.sought(tried));
-        let resolution = Resolution { elements, refinement: 0, order };
-        let is_solved = answer.discretisation.resolution == resolution;
-        let (discretisation, run) = match is_solved {
-            true => (answer.discretisation, Some(answer.run)),
-            false => (Discretisation::of(answer.discretisation.scene, resolution)?, None),
-        };
+        let discretisation = answer.discretisation;
         // Counted as the 8-node cells that have as many nodes along a side.
-        if discretisation.mesh.cells() as f64 * (0.5 * order.intervals() as f64).powi(2) > rungs.asked.most_cells {
-            return Ok(None);
+        if discretisation.mesh.cells() as f64 * (0.5 * order.intervals() as f64).powi(2) > rungs.asked.most_cells
+            || !answer.run.solution.converged()
+        {
+            break;
         }
-        let run = run.map_or_else(|| Run::of(&discretisation, &rungs.formulation), Ok)?;
-        if !run.solution.converged() {
-            return Ok(None);
-        }
-        let mut rung = rungs.remember(&discretisation, run, "order");
+        let mut rung = rungs.remember(&discretisation, answer.run, "order");
         rungs.look(&discretisation, &mut rung)?;
         let estimate = rung.error;
         if estimate <= asked {
-            return Ok(Some(rung));
+            return Ok(Found::Met(rung));
+        }
+        let before = best.as_ref().map_or(f64::INFINITY, |best| best.error);
+        if best.is_none() || estimate < before {
+            best = Some(rung);
         }
         // What is not smooth within a cell gains nothing by its order.
         if estimate > SLOW * before && estimate > NEAR * asked {
-            return Ok(None);
+            break;
         }
-        before = estimate;
     }
-    Ok(None)
+    Ok(Found::Unmet(best))
+}
+
+/// A mesh whose lines lie on the ends of the contact that a run shows; none where none can be fitted, or is allowed.
+fn sought(
+    mesh: crate::solve::Fitted,
+    elements: usize,
+    (scene, first): (&Scene, &Run),
+    rungs: &mut Rungs,
+) -> Option<edge_fitted::Answer> {
+    let permits = |dofs| rungs.watch.permits(dofs);
+    let at_rest = (REST * rungs.asked.relative).sqrt();
+    let sought = Sought { elements, permits: &permits, ..Sought::new(scene, &rungs.formulation, at_rest) };
+    let found = match mesh.around(first, &sought) {
+        // Two stretches that the first mesh took for one have no lines: they are sought on finer ones.
+        Ok(answer) if !answer.is_where_it_was_sought() => mesh.found(&sought),
+        found => found,
+    };
+    found.map_err(|error| rungs.is_refused(&error)).ok()
 }
