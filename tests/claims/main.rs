@@ -27,6 +27,7 @@ mod bars;
 mod both_sides;
 mod boundary;
 mod bounded;
+mod cheapest;
 mod command_line;
 mod compare;
 mod condensation;

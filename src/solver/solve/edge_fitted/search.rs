@@ -85,6 +85,8 @@ pub struct Sought<'a> {
     pub elements: usize,
     /// Move of an end, over the half-width, that no longer matters.
     pub at_rest: f64,
+    /// Whether the run that tells where the contacts are is one on such a mesh, so that no coarse ones are solved first.
+    pub is_near: bool,
     /// Which meshes are solved.
     pub permits: Permits<'a>,
 }
@@ -92,7 +94,7 @@ pub struct Sought<'a> {
 impl<'a> Sought<'a> {
     /// On one cell a piece, however many dofs that has.
     pub fn new(scene: &'a Scene, formulation: &'a Formulation, at_rest: f64) -> Self {
-        Self { scene, formulation, elements: 1, at_rest, permits: &|_| Ok(()) }
+        Self { scene, formulation, elements: 1, at_rest, is_near: false, permits: &|_| Ok(()) }
     }
 }
 
@@ -142,11 +144,12 @@ impl Fitted {
 
     /// The same where a run on another mesh tells about where the contacts are.
     pub fn around(self, first: &Run, sought: &Sought) -> Result<Answer, Error> {
-        let Sought { scene, formulation, elements, at_rest, permits } = *sought;
+        let Sought { scene, formulation, elements, at_rest, is_near, permits } = *sought;
         let mut ends = found(first);
         let mut tried = Vec::new();
         ends.refuse(scene)?;
-        for (mesh, elements, enough) in [(COARSE, 1, NEAR), (self, elements, at_rest)] {
+        let meshes = [(COARSE, 1, NEAR), (self, elements, at_rest)];
+        for &(mesh, elements, enough) in &meshes[usize::from(is_near)..] {
             let last = mesh == self;
             for left in (0..MESHES).rev() {
                 ends.join(scene, (enough * 2f64.powi(left as i32)).min(TOGETHER));
