@@ -60,7 +60,15 @@ fn bound_that_is_not_reached_changes_nothing() {
     assert_eq!((bounded.run.dofs, bounded.dofs_in_all()), (free.run.dofs, free.dofs_in_all()));
     // One dof less than the largest mesh, and it is.
     let largest = told.into_iter().max().expect("told");
-    assert!(self::bounded(&hertz, &node, 1e-3, largest - 1).1.iter().all(|dofs| *dofs < largest));
+    let (short, told) = self::bounded(&hertz, &node, 1e-3, largest - 1);
+    assert!(told.iter().all(|dofs| *dofs < largest));
+    // It is that of the error bars, which have only coarser ones then.
+    let of_bars = |answer: &Answer| {
+        let alike = answer.tried.iter().filter(|tried| tried.dofs == free.run.dofs);
+        alike.map(|tried| tried.coarser).max()
+    };
+    assert!(of_bars(&free) >= Some(largest), "{:?}", free.tried);
+    assert!(of_bars(&short).is_some_and(|dofs| dofs < largest), "{:?}", short.tried);
 }
 
 #[test]
