@@ -25,6 +25,12 @@ pub struct Document {
     unmet: Option<String>,
     /// The largest estimate of the quantities asked for.
     estimate: Number,
+    /// Most degrees of freedom that a mesh may have; left out where that is not bounded.
+    #[serde(rename = "freedoms_at_most", skip_serializing_if = "Option::is_none")]
+    most_dofs: Option<usize>,
+    /// Those of the mesh that would have been next, where that bound ended the search.
+    #[serde(rename = "freedoms_of_next", skip_serializing_if = "Option::is_none")]
+    next: Option<usize>,
     /// Degrees of freedom of the mesh chosen.
     #[serde(rename = "freedoms")]
     dofs: usize,
@@ -122,6 +128,8 @@ impl Document {
             asked: asked.relative.into(),
             met: answer.unmet.is_none(),
             unmet: answer.unmet.clone(),
+            most_dofs: asked.most_dofs,
+            next: answer.next,
             estimate: answer.estimate().into(),
             dofs: answer.run.dofs,
             dofs_in_all: answer.dofs_in_all(),

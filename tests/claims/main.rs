@@ -26,6 +26,8 @@ mod barred;
 mod bars;
 mod both_sides;
 mod boundary;
+mod bounded;
+mod cheapest;
 mod command_line;
 mod compare;
 mod condensation;

@@ -68,7 +68,9 @@ impl Found {
             checks = checks.into_iter().map(|check| check.as_far_as(accepted)).collect();
         }
         checks.extend(accurate.iter().map(|(asked, answer)| met(asked, answer)));
-        let bars = with_bars.then(|| accuracy::bars(&discretisation, &run, &problem.displaced())).transpose()?;
+        let most_dofs = accurate.as_ref().and_then(|(asked, _)| asked.most_dofs);
+        let barred = || accuracy::bars_up_to(most_dofs, &discretisation, &run, &problem.displaced());
+        let bars = with_bars.then(barred).transpose()?;
         if let Some(bars) = bars.as_ref().filter(|_| run.solution.converged()) {
             checks = checks.into_iter().map(|check| check.with_bar(&bars.all)).collect();
         }
@@ -110,7 +112,7 @@ fn solved(problem: &Case, formulation: &Formulation, mesh: Mesh, stages: &Stages
         }
         Mesh::Accurate(asked) => {
             stages.search();
-            let answer = accuracy::solve(&problem.scene, formulation, &asked)?;
+            let answer = accuracy::solve_telling(&problem.scene, formulation, &asked, &|next| stages.next(next))?;
             let discretisation = meshed(answer.scene.clone(), answer.resolution)?;
             let run = answer.run.clone();
             Ok((discretisation, run, Some((asked, answer))))

@@ -67,6 +67,9 @@ pub struct Arguments {
     /// 8-node cells.
     #[arg(long, value_name = "PERCENT", allow_hyphen_values = true)]
     accuracy: Option<String>,
+    /// Most degrees of freedom of a mesh that is solved for the accuracy, those of error bars among them.
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    max_dofs: Option<usize>,
     /// What shall fall below the tolerance; error by default, which alone says something of the answer.
     #[arg(long, value_parser = choice(Criterion::TOLD))]
     criterion: Option<Criterion>,
@@ -122,6 +125,13 @@ impl Arguments {
                     .map_err(|expected| Error::value("solve", "--accuracy", text, expected, accuracy::remedy()))?,
             )
             .map(|relative| Asked { relative, ..of_file.unwrap_or_else(|| Asked::new(relative)) }),
+        };
+        let asked = match (asked, self.max_dofs) {
+            (None, Some(_)) => {
+                let message = "--max-dofs cannot be used: it bounds the search for an accuracy, and none is asked for";
+                return Err(Error::at("solve", message, "leave it out, or give --accuracy"));
+            }
+            (asked, most_dofs) => asked.map(|asked| Asked { most_dofs, ..asked }),
         };
         let order = self.order.is_some() && !self.fitted;
         let given = [("--resolution", self.resolution.is_some()), ("--order", order)];
@@ -195,7 +205,11 @@ impl Arguments {
 
     /// The mesh fitted to the contact that is asked for; none where it is not.
     pub fn fitted(&self) -> Result<Option<Fitted>, Error> {
-        let given = [("--resolution", self.resolution.is_some()), ("--accuracy", self.accuracy.is_some())];
+        let given = [
+            ("--resolution", self.resolution.is_some()),
+            ("--accuracy", self.accuracy.is_some()),
+            ("--max-dofs", self.max_dofs.is_some()),
+        ];
         match given.into_iter().find(|(_, given)| *given && self.fitted) {
             Some((option, _)) => {
                 let message = format!("{option} cannot be used: --fitted chooses the mesh by --order alone");

@@ -16,12 +16,14 @@ pub struct Asked {
     pub quantities: Vec<Quantity>,
     /// Most cells of a mesh that is tried.
     pub most_cells: f64,
+    /// Most dofs of any mesh that is solved, those of the error bars among them; none where there is no bound.
+    pub most_dofs: Option<usize>,
 }
 
 impl Asked {
     /// A relative error in peak and half-width, by meshes of any size that is solved at all.
     pub fn new(relative: f64) -> Self {
-        Self { relative, quantities: Quantity::ASKED.into(), most_cells: MOST[0] }
+        Self { relative, quantities: Quantity::ASKED.into(), most_cells: MOST[0], most_dofs: None }
     }
 }
 
@@ -38,6 +40,8 @@ pub struct Answer {
     pub estimates: Vec<Barred>,
     /// Why the accuracy is not met; none where it is.
     pub unmet: Option<String>,
+    /// Dofs of the mesh that would have been next, where more than are allowed ended the search.
+    pub next: Option<usize>,
     /// Every mesh solved, in order.
     pub tried: Vec<Tried>,
 }

@@ -17,11 +17,12 @@
 use crate::accuracy::family::{Evidence, Family, discrete_of};
 use crate::accuracy::reading::{self, Reading, of_discrete, value_of};
 use crate::accuracy::recovered::{Recovered, recovered};
+use crate::accuracy::watch::up_to;
 use crate::algorithm::StiffnessRule;
 use crate::error::Error;
 use crate::measure::{Measures, Quantity, larger};
 use crate::solution::PointState;
-use crate::solve::{Change, Discretisation, Displaced, Element, Formulation, Origin, Run};
+use crate::solve::{Change, Discretisation, Displaced, Element, Formulation, Origin, Permits, Run};
 
 /// Part of the bar of a largest value within which those elsewhere may be the true one: their errors are alike.
 const FLAT: f64 = 0.5;
@@ -122,14 +123,24 @@ impl Bars {
 
 /// The bars of a run on its mesh; displacements are those of loaded sides, and what is wanted besides.
 pub fn bars(discretisation: &Discretisation, run: &Run, wanted: &[Displaced]) -> Result<Bars, Error> {
-    let family = Family::of(discretisation, &run.formulation, Some(wanted));
+    bars_up_to(None, discretisation, run, wanted)
+}
+
+/// The same by meshes of so many dofs at most.
+pub fn bars_up_to(
+    most_dofs: Option<usize>,
+    discretisation: &Discretisation,
+    run: &Run,
+    wanted: &[Displaced],
+) -> Result<Bars, Error> {
+    let family = Family::permitted(discretisation, &run.formulation, Some(wanted), &up_to(most_dofs));
     let all = of_family(discretisation, run, &family, Some(wanted))?;
     Ok(Bars { all, meshes: family.meshes(), dofs: family.dofs() })
 }
 
-/// The bars of what pressures alone tell.
-pub(super) fn of_contacts(discretisation: &Discretisation, run: &Run) -> Bars {
-    let family = Family::of(discretisation, &run.formulation, None);
+/// The bars of what pressures alone tell, by meshes that are permitted.
+pub(super) fn of_contacts(discretisation: &Discretisation, run: &Run, permits: Permits) -> Bars {
+    let family = Family::permitted(discretisation, &run.formulation, None, permits);
     let all = of_pressures(discretisation, run, &family);
     Bars { all, meshes: family.meshes(), dofs: family.dofs() }
 }

@@ -73,9 +73,11 @@ impl Evenly {
                 return Err(Error::at(Place::Solve(found.scene.name.clone()), what, remedy));
             }
             match rungs.solve(laid, "contact length") {
+                Err(error) if rungs.first.is_some() && rungs.is_refused(&error) => break,
                 Err(error) if attempt + 1 == TRIES || !found.lengthens(&error) => return Err(error),
                 Err(_) => {}
                 Ok((_, rung)) => {
+                    let rung = rungs.first.insert(rung);
                     let stretches = |scene: &Scene| scene.contacts.iter().map(|pair| pair.stretch).collect::<Vec<_>>();
                     let before = stretches(&found.scene);
                     if found.fits(&rung.run) || stretches(&found.scene) == before {

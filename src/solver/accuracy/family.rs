@@ -10,7 +10,7 @@ use crate::measure::{Measures, Quantity, Stretch, larger};
 use crate::mesh::Order;
 use crate::scene::{ContactPair, Place};
 use crate::solve::run::BALANCED;
-use crate::solve::{Discretisation, Displaced, Element, Fitted, Formulation, Iteration, Run, Settings};
+use crate::solve::{Discretisation, Displaced, Element, Fitted, Formulation, Iteration, Permits, Run, Settings};
 
 /// Part of a number's scale that round-off may leave.
 const ROUND_OFF: f64 = 1e-9;
@@ -131,6 +131,16 @@ impl Family {
     /// What coarser meshes say of the numbers that a contact element finds on a mesh, with the settings of a formulation, and of the
     /// displacements that are wanted; without those of the contacts alone.
     pub fn of(discretisation: &Discretisation, formulation: &Formulation, wanted: Option<&[Displaced]>) -> Self {
+        Self::permitted(discretisation, formulation, wanted, &|_| Ok(()))
+    }
+
+    /// The same by meshes that are permitted.
+    pub(super) fn permitted(
+        discretisation: &Discretisation,
+        formulation: &Formulation,
+        wanted: Option<&[Displaced]>,
+        permits: Permits,
+    ) -> Self {
         let Formulation { element, layer_thickness, settings, .. } = *formulation;
         let settings = Settings { tolerance: TOLERANCE.min(settings.tolerance), ..Settings::default() };
         let formulation = Formulation { layer_thickness, settings, ..Formulation::new(element, Iteration::Kinematic) };
@@ -138,7 +148,7 @@ impl Family {
         let on_ends = scene.contacts.iter().any(|pair| !pair.ends.places.is_empty());
         // A mesh too coarse to hold the contact says nothing.
         let said = |(scene, resolution)| {
-            let coarse = Discretisation::of(scene, resolution).ok()?;
+            let coarse = Discretisation::permitted(scene, resolution, permits).ok()?;
             let run = Run::of(&coarse, &formulation).ok()?;
             is_found(&run, on_ends).then(|| said(&coarse, &run, wanted))?
         };

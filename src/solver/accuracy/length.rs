@@ -62,7 +62,10 @@ pub(super) fn found(scene: &Scene, rungs: &mut Rungs) -> Result<Result<Fitted, (
                 elements *= 2;
                 continue;
             }
-            Err(error) => return Err(error),
+            Err(error) => match last {
+                Some(rung) if rungs.is_refused(&error) => return Ok(Err((rung, error.message))),
+                _ => return Err(error),
+            },
             Ok((_, rung)) => rung,
         };
         match guess(&plan, &rung, longest) {

@@ -19,6 +19,7 @@
 //! * `search` — finer and finer meshes, until the bars of one are within what is asked.
 //! * [`mod@reference`] — numbers to five digits, by meshes fitted to the contact.
 //! * [`told`] — of what a number is, its name, and its unit.
+//! * `watch` — which meshes are solved, and what is told of each before it is.
 //! * `slow` — the mesh chosen by kinematic load, and run by another algorithm.
 //!
 //! An accuracy is met by the bars that every solve has (`bar`). Elements along the contact and growth away from it are refined together: refining
@@ -50,6 +51,7 @@ mod search;
 mod sizes;
 mod slow;
 pub mod told;
+mod watch;
 
 use crate::error::{Error, Place};
 use crate::mesh::Resolution;
@@ -58,9 +60,10 @@ use crate::solve::{Formulation, Iteration};
 
 pub use crate::measure::Quantity;
 pub use answer::{Answer, Asked, Tried, TriedContact};
-pub use bar::{Bar, Barred, Bars, bars, of_family};
+pub use bar::{Bar, Barred, Bars, bars, bars_up_to, of_family};
 pub use family::{Evidence, Family};
 pub use told::Told;
+pub use watch::{Next, Tell};
 
 /// Smallest and largest relative error that may be asked for.
 pub const RANGE: [f64; 2] = [1e-6, 0.2];
@@ -96,13 +99,18 @@ pub const UNKINKED: &str = "add `smooth = true` to the table, or give `elements`
 ///
 /// An error is returned where not even a first mesh can be solved.
 pub fn solve(scene: &Scene, formulation: &Formulation, asked: &Asked) -> Result<Answer, Error> {
+    solve_telling(scene, formulation, asked, &|_| ())
+}
+
+/// The same with someone who is told of each mesh before it is solved.
+pub fn solve_telling(scene: &Scene, formulation: &Formulation, asked: &Asked, tell: Tell) -> Result<Answer, Error> {
     formulation.validate(scene)?;
     if scene.contacts.iter().any(|pair| !pair.profile.kinks().is_empty()) {
         return Err(Error::at(Place::Solve(scene.name.clone()), KINKED, UNKINKED));
     }
     let kinematic = formulation.algorithm == Iteration::Kinematic;
     let solve = if kinematic { search::solve } else { slow::solve };
-    solve(scene, formulation, asked)
+    solve(scene, formulation, asked, tell)
 }
 
 /// The scene on the first mesh of the search.

@@ -3,8 +3,9 @@
 use crate::accuracy::answer::{largest, quoted};
 use crate::accuracy::bar::of_contacts;
 use crate::accuracy::laid::Laid;
+use crate::accuracy::watch::{Tell, Watch};
 use crate::accuracy::{Answer, Asked, Barred, Quantity, Tried, TriedContact, ends};
-use crate::error::Error;
+use crate::error::{Error, Kind};
 use crate::measure::larger;
 use crate::mesh::Resolution;
 use crate::scene::{ContactPair, Scene};
@@ -33,6 +34,10 @@ pub(super) struct Rungs<'a> {
     pub(super) formulation: Formulation,
     pub(super) asked: &'a Asked,
     pub(super) tried: Vec<Tried>,
+    /// Which meshes are solved.
+    pub(super) watch: Watch<'a>,
+    /// Dofs of the smallest mesh that was refused for them.
+    next: Option<usize>,
     /// The mesh on which the contact was found.
     pub(super) first: Option<Rung>,
     /// State of the last mesh, from which the next one starts.
@@ -59,8 +64,18 @@ impl Rung {
 
 impl<'a> Rungs<'a> {
     /// Nothing is known yet.
-    pub(super) fn new(formulation: Formulation, asked: &'a Asked) -> Self {
-        Self { formulation, asked, tried: Vec::new(), first: None, last: None, without_limit: Vec::new() }
+    pub(super) fn new(formulation: Formulation, asked: &'a Asked, tell: Tell<'a>) -> Self {
+        let watch = Watch::new(asked.relative, asked.most_dofs, tell);
+        Self {
+            formulation,
+            asked,
+            tried: Vec::new(),
+            watch,
+            next: None,
+            first: None,
+            last: None,
+            without_limit: Vec::new(),
+        }
     }
 
     /// Looks at the bars of the mesh solved last, and at whether its peaks have a limit.
@@ -72,7 +87,7 @@ impl<'a> Rungs<'a> {
         for (meshes, contact) in self.without_limit.iter_mut().zip(&rung.run.contacts) {
             *meshes = if contact.unbounded.is_some() { *meshes + 1 } else { 0 };
         }
-        let bars = of_contacts(discretisation, &rung.run);
+        let bars = of_contacts(discretisation, &rung.run, &|dofs| self.watch.permits(dofs));
         rung.estimates = quoted(&bars, &rung.run, self.asked);
         if let Some(tried) = self.tried.last_mut() {
             tried.coarser = bars.dofs;
@@ -82,7 +97,15 @@ impl<'a> Rungs<'a> {
             |one: &Barred| one.quantity == Quantity::PeakPressure && self.without_limit[one.contact] >= WITHOUT_LIMIT;
         let relative = rung.estimates.iter().filter(|one| !no_mesh(one)).map(Barred::relative);
         rung.error = if rung.estimates.is_empty() { f64::NAN } else { relative.fold(0.0, larger) };
+        self.watch.estimated(rung.error);
         Ok(())
+    }
+
+    /// Takes why a mesh was not solved; whether it has more dofs than are allowed.
+    pub(super) fn is_refused(&mut self, error: &Error) -> bool {
+        let Kind::TooManyDofs { dofs } = error.kind else { return false };
+        self.next = Some(self.next.map_or(dofs, |next| next.min(dofs)));
+        true
     }
 
     fn asks_for_peak(&self) -> bool {
@@ -92,7 +115,7 @@ impl<'a> Rungs<'a> {
     /// Solves on a mesh from the active set of the one before.
     pub(super) fn solve(&mut self, laid: Laid, purpose: &'static str) -> Result<(Discretisation, Rung), Error> {
         let Laid { scene, resolution, growth } = laid;
-        let discretisation = Discretisation::of(scene, resolution)?;
+        let discretisation = self.watch.discretised(scene, resolution)?;
         let run = match &self.last {
             Some(before) => Run::from_origin(Origin::From(before), &discretisation, &self.formulation, Change::NONE)?,
             None => Run::of(&discretisation, &self.formulation)?,
@@ -107,6 +130,7 @@ impl<'a> Rungs<'a> {
 
     /// Takes a mesh that was solved into the list.
     pub(super) fn remember(&mut self, discretisation: &Discretisation, run: Run, purpose: &'static str) -> Rung {
+        self.watch.took(&run);
         let (scene, resolution) = (discretisation.scene.clone(), discretisation.resolution);
         let pressed = |(contact, pair)| ends::pressed(run.solution.part(contact), pair)[1];
         self.tried.push(Tried {
@@ -147,8 +171,18 @@ impl<'a> Rungs<'a> {
             run = run.with_limits(&Discretisation::of(scene.clone(), resolution)?)?;
         }
         let unbounded = of_peak && run.contacts.iter().any(|contact| contact.unbounded.is_some());
-        let unmet = if unbounded { Some(UNBOUNDED.to_owned()) } else { unmet };
-        Ok(Answer { scene, resolution, run, estimates, unmet, tried: self.tried })
+        let next = self.next.filter(|_| unmet.is_some() && !run.is_open());
+        let unmet = match next.zip(self.asked.most_dofs) {
+            _ if unbounded => Some(UNBOUNDED.to_owned()),
+            Some((next, most)) => {
+                let until = largest(&estimates);
+                let until =
+                    if until.is_nan() { "no error is known".into() } else { format!("{:.2e} % is met", 100.0 * until) };
+                Some(format!("the next mesh would have {next} dofs, more than the {most} allowed; until then {until}"))
+            }
+            None => unmet,
+        };
+        Ok(Answer { scene, resolution, run, estimates, unmet, next, tried: self.tried })
     }
 }
 

@@ -1,12 +1,12 @@
 //! Finer and finer meshes of one family, until the error bars of one are within what is asked.
 
-use crate::accuracy::by_order;
+use crate::accuracy::by_order::{self, Found};
 use crate::accuracy::evenly::{self, Evenly};
 use crate::accuracy::fitted;
 use crate::accuracy::layout::Layout;
 use crate::accuracy::length;
 use crate::accuracy::rungs::{Rung, Rungs};
-use crate::accuracy::{Answer, Asked};
+use crate::accuracy::{Answer, Asked, Tell};
 use crate::error::{Error, Kind, Place};
 use crate::mesh::Resolution;
 use crate::scene::Scene;
@@ -26,27 +26,29 @@ const IDLE: (f64, usize) = (0.9, 3);
 const MOST: usize = 24;
 
 /// The mesh by kinematic load.
-pub(super) fn solve(scene: &Scene, formulation: &Formulation, asked: &Asked) -> Result<Answer, Error> {
+pub(super) fn solve(scene: &Scene, formulation: &Formulation, asked: &Asked, tell: Tell) -> Result<Answer, Error> {
     let mut formulation = formulation.clone();
     let settings = &mut formulation.settings;
     settings.tolerance = settings.tolerance.min(ITERATION * asked.relative).max(1e-12);
-    let mut rungs = Rungs::new(formulation, asked);
+    let mut rungs = Rungs::new(formulation, asked, tell);
+    let mut by_order = None;
     let layout = if evenly::applies(scene) {
         Layout::Evenly(Evenly::found(scene, &mut rungs)?)
     } else {
         match length::found(scene, &mut rungs)? {
             Ok(fitted) => {
-                let by_order = by_order::applies(&rungs.formulation, asked);
-                let found = if by_order { by_order::found(&fitted, &mut rungs)? } else { None };
-                if let Some(rung) = found {
-                    return rungs.answer(rung, None);
+                if by_order::applies(&rungs.formulation, asked) {
+                    match by_order::found(&fitted, &mut rungs)? {
+                        Found::Met(rung) => return rungs.answer(rung, None),
+                        Found::Unmet(best) => by_order = best,
+                    }
                 }
                 Layout::Fitted(fitted)
             }
             Err((rung, why)) => return rungs.answer(rung, Some(why)),
         }
     };
-    refine(layout, rungs, scene)
+    refine(layout, rungs, scene, by_order)
 }
 
 /// The scene on the first mesh of the search.
@@ -54,8 +56,9 @@ pub(super) fn first(scene: &Scene) -> (Scene, Resolution) {
     if evenly::applies(scene) { evenly::first(scene) } else { length::first(scene) }
 }
 
-/// Meshes of a layout, each as much finer as the bars of the one before ask for.
-fn refine(mut layout: Layout, mut rungs: Rungs, scene: &Scene) -> Result<Answer, Error> {
+/// Meshes of a layout, each as much finer as the bars of the one before ask for; where none of them is enough, the best of them and of
+/// another one.
+fn refine(mut layout: Layout, mut rungs: Rungs, scene: &Scene, other: Option<Rung>) -> Result<Answer, Error> {
     let mut elements = layout.begins(rungs.asked.relative);
     let mut best: Option<Rung> = None;
     let mut why = "the mesh leaves too large an error".to_owned();
@@ -102,7 +105,8 @@ fn refine(mut layout: Layout, mut rungs: Rungs, scene: &Scene) -> Result<Answer,
             break;
         }
     }
-    match best.or_else(|| rungs.first.take()) {
+    let is_better = |other: &Rung| best.as_ref().is_none_or(|best| best.error.is_nan() || other.error < best.error);
+    match other.filter(is_better).or(best).or_else(|| rungs.first.take()) {
         Some(best) => rungs.answer(best, Some(why)),
         None => {
             let remedy = "give `elements` and `per` instead of the accuracy";
@@ -133,6 +137,7 @@ fn attempt(layout: &mut Layout, rungs: &mut Rungs, elements: usize) -> Result<At
         Ok(solved) => solved,
         Err(error @ Error { kind: Kind::DegenerateCell, .. }) => return Ok(Attempt::Stopped(error.to_string(), None)),
         Err(error) if layout.lengthens(&error) => return Ok(Attempt::Short),
+        Err(error) if rungs.is_refused(&error) => return Ok(Attempt::TooLarge(error.message)),
         Err(error) => return Err(error),
     };
     if !rung.run.solution.converged() {

@@ -5,10 +5,10 @@
 //! iterations; one to what the mesh leaves of the accuracy they often do. The error of that iteration is known
 //! (`src/solver/algorithm/target.rs`) and is part of the estimate.
 
-use crate::accuracy::Barred;
 use crate::accuracy::answer::{largest, quoted};
 use crate::accuracy::bar::of_contacts;
-use crate::accuracy::{Answer, Asked, Tried, search};
+use crate::accuracy::watch::up_to;
+use crate::accuracy::{Answer, Asked, Barred, Tell, Tried, search};
 use crate::error::Error;
 use crate::scene::Scene;
 use crate::solution::Outcome;
@@ -26,10 +26,10 @@ const LEAST: f64 = 0.1;
 const CLOSER: [f64; 2] = [0.1, 0.01];
 
 /// The mesh by kinematic load, its run by the formulation asked.
-pub(super) fn solve(scene: &Scene, formulation: &Formulation, asked: &Asked) -> Result<Answer, Error> {
+pub(super) fn solve(scene: &Scene, formulation: &Formulation, asked: &Asked, tell: Tell) -> Result<Answer, Error> {
     let choosing = formulation.by_kinematic_load();
     let of_mesh = Asked { relative: MESH * asked.relative, ..asked.clone() };
-    let mut answer = search::solve(scene, &choosing, &of_mesh)?;
+    let mut answer = search::solve(scene, &choosing, &of_mesh, tell)?;
     let mut formulation = formulation.clone();
     let room = ITERATION * (asked.relative - answer.estimate());
     let room = if room > 0.0 { room } else { LEAST * asked.relative };
@@ -39,7 +39,7 @@ pub(super) fn solve(scene: &Scene, formulation: &Formulation, asked: &Asked) -> 
         let mut run = Run::of(&discretisation, &formulation)?;
         let limits = answer.run.contacts.iter().map(|contact| contact.unbounded);
         run.contacts.iter_mut().zip(limits).for_each(|(contact, unbounded)| contact.unbounded = unbounded);
-        let estimates = quoted(&of_contacts(&discretisation, &run), &run, asked);
+        let estimates = quoted(&of_contacts(&discretisation, &run, &up_to(asked.most_dofs)), &run, asked);
         Ok((run, estimates))
     };
     let (mut run, mut estimates) = by(1.0)?;

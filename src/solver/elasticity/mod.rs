@@ -98,6 +98,11 @@ impl Numbering {
         };
         Ok(Self { bodies: (0..scene.bodies.len()).map(number).collect::<Result<_, Error>>()? })
     }
+
+    /// Number of unknown displacement components.
+    pub fn dofs(&self) -> usize {
+        self.bodies.iter().map(|(_, dofs)| dofs.equations).sum()
+    }
 }
 
 impl ElasticSystem {

@@ -30,4 +30,9 @@ pub enum Kind {
         /// rises towards the end, shows it.
         deepest: Option<(Coordinate, f64)>,
     },
+    /// A mesh of more dofs than are allowed.
+    TooManyDofs {
+        /// Those it would have.
+        dofs: usize,
+    },
 }

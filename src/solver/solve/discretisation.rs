@@ -10,6 +10,9 @@ use crate::mesh::{Mesh, Resolution};
 use crate::scene::{ContactPair, Scene};
 use crate::solve::{Change, Formulation};
 
+/// What refuses a mesh of so many dofs before anything of it is assembled.
+pub type Permits<'a> = &'a (dyn Fn(usize) -> Result<(), Error> + Sync);
+
 /// A scene meshed, assembled and condensed: what all nine formulations share.
 #[derive(Debug)]
 pub struct Discretisation {
@@ -38,9 +41,19 @@ impl Discretisation {
     }
 
     /// The same, timed by a clock, which may tell of every stage as it begins.
-    pub fn timed(scene: Scene, resolution: Resolution, mut clock: Clock) -> Result<Self, Error> {
+    pub fn timed(scene: Scene, resolution: Resolution, clock: Clock) -> Result<Self, Error> {
+        Self::made(scene, resolution, &|_| Ok(()), clock)
+    }
+
+    /// The same where its dofs are permitted.
+    pub fn permitted(scene: Scene, resolution: Resolution, permits: Permits) -> Result<Self, Error> {
+        Self::made(scene, resolution, permits, Clock::silent())
+    }
+
+    fn made(scene: Scene, resolution: Resolution, permits: Permits, mut clock: Clock) -> Result<Self, Error> {
         let mesh = clock.time(Stage::Mesh, || Mesh::of(&scene, resolution))?;
         let numbering = clock.time(Stage::Ordering, || Numbering::of(&scene, &mesh))?;
+        permits(numbering.dofs())?;
         let assembled = || ElasticSystem::assemble_numbered(&scene, &mesh, numbering, &|_| 1.0);
         let system = clock.time(Stage::Assembly, assembled)?;
         Self::condensed(scene, resolution, mesh, system, clock)

@@ -70,7 +70,7 @@ pub use crate::contact::Element;
 pub use crate::elasticity::shape_functions::values as shapes;
 pub use crate::scene::Displaced;
 pub use change::Change;
-pub use discretisation::Discretisation;
+pub use discretisation::{Discretisation, Permits};
 pub use edge_fitted::Fitted;
 pub use ended::Ended;
 pub use equilibrium::Equilibrium;

@@ -9,7 +9,7 @@ use crate::error::{Error, Part};
 use crate::measure::Stretch;
 use crate::mesh::Resolution;
 use crate::scene::{Ends, Grading, Scene};
-use crate::solve::{Discretisation, Formulation};
+use crate::solve::{Discretisation, Formulation, Permits};
 
 /// Growth, and the coarsest cell over the body, of meshes that know where the contact ends.
 const GROWTH: f64 = 4.0;
@@ -72,14 +72,20 @@ impl Closed {
     }
 
     /// The scene with mesh lines on the ends, on a mesh that grows fast away from them.
-    pub(super) fn discretised(&self, scene: &Scene, mesh: Fitted) -> Result<Discretisation, Error> {
+    pub(super) fn discretised(
+        &self,
+        scene: &Scene,
+        mesh: Fitted,
+        elements: usize,
+        permits: Permits,
+    ) -> Result<Discretisation, Error> {
         let mut scene = scene.clone();
         for (pair, stretches) in scene.contacts.iter_mut().zip(&self.stretches) {
             pair.ends = Ends { places: places(stretches), layers: mesh.layers, off: 0.0 };
         }
         scene.grading = Grading { along: GROWTH, depth: GROWTH, first: 1.0, coarsest: 1.0, end: 1.0, ..scene.grading };
-        let resolution = Resolution { elements: 1, refinement: 0, order: mesh.order };
-        let made = Discretisation::of(scene, resolution).map_err(on_fitted)?;
+        let resolution = Resolution { elements, refinement: 0, order: mesh.order };
+        let made = Discretisation::permitted(scene, resolution, permits).map_err(on_fitted)?;
         for (pair, interface) in made.scene.contacts.iter().zip(&made.interfaces) {
             let corners: Vec<f64> = interface.contact_edges().flat_map(|edge| edge.ends).collect();
             let has = |place: f64| corners.iter().any(|corner| (corner - place).abs() <= SAME * pair.stretch);

@@ -20,5 +20,5 @@ mod search;
 mod told;
 
 pub use fitted::Fitted;
-pub use search::{Answer, Tried};
+pub use search::{Answer, Sought, Tried};
 pub(super) use told::of_lines;

@@ -3,12 +3,12 @@
 use super::closed::Closed;
 use super::fitted::Fitted;
 use super::refused::{REMEDY, on_fitted, refuse_given};
-use crate::error::Error;
+use crate::error::{Error, Kind};
 use crate::mesh::size::solvable;
 use crate::mesh::{Order, Resolution};
 use crate::scene::Scene;
 use crate::solution::Outcome;
-use crate::solve::{Discretisation, Formulation, Run};
+use crate::solve::{Discretisation, Formulation, Permits, Run};
 
 /// A mesh on which an end was sought.
 #[derive(Clone, Copy, Debug, serde::Serialize)]
@@ -74,6 +74,30 @@ const TOGETHER: f64 = 0.1;
 /// Most meshes of each kind.
 const MESHES: usize = 5;
 
+/// What is sought on fitted meshes.
+#[derive(Clone, Copy)]
+pub struct Sought<'a> {
+    /// The scene.
+    pub scene: &'a Scene,
+    /// How it is solved.
+    pub formulation: &'a Formulation,
+    /// Cells on each piece of the contact side, between its ends.
+    pub elements: usize,
+    /// Move of an end, over the half-width, that no longer matters.
+    pub at_rest: f64,
+    /// Whether the run that tells where the contacts are is one on such a mesh, so that no coarse ones are solved first.
+    pub is_near: bool,
+    /// Which meshes are solved.
+    pub permits: Permits<'a>,
+}
+
+impl<'a> Sought<'a> {
+    /// On one cell a piece, however many dofs that has.
+    pub fn new(scene: &'a Scene, formulation: &'a Formulation, at_rest: f64) -> Self {
+        Self { scene, formulation, elements: 1, at_rest, is_near: false, permits: &|_| Ok(()) }
+    }
+}
+
 impl Fitted {
     /// Solves a scene on such a mesh, whose ends are found on the way, as well as peak and second-moment width need it.
     pub fn solve(self, scene: &Scene, formulation: &Formulation) -> Result<Answer, Error> {
@@ -82,6 +106,12 @@ impl Fitted {
 
     /// The same with ends that move no farther than so many half-widths.
     pub fn solve_with_ends(self, scene: &Scene, formulation: &Formulation, at_rest: f64) -> Result<Answer, Error> {
+        self.found(&Sought::new(scene, formulation, at_rest))
+    }
+
+    /// The same from nothing but the scene.
+    pub fn found(self, sought: &Sought) -> Result<Answer, Error> {
+        let Sought { scene, formulation, permits, .. } = *sought;
         refuse_given(scene)?;
         let mut tried = Vec::new();
         let mut refused = None;
@@ -90,11 +120,11 @@ impl Fitted {
             if refused.is_some() && solvable(scene, resolution).is_err() {
                 break;
             }
-            let made = Discretisation::of(scene.clone(), resolution).map_err(on_fitted)?;
+            let made = Discretisation::permitted(scene.clone(), resolution, permits).map_err(on_fitted)?;
             let first = Run::of(&made, &formulation.by_kinematic_load())?;
             found(&first).refuse(scene)?;
             tried.push(Tried { order: FIRST.order, dofs: first.dofs, cells: made.mesh.cells(), moved: f64::NAN });
-            match self.around(scene, &first, formulation, at_rest) {
+            match self.around(&first, sought) {
                 Ok(mut answer) => {
                     tried.append(&mut answer.tried);
                     // An iteration that did not converge says nothing of the mesh.
@@ -105,6 +135,7 @@ impl Fitted {
                     let message = "the contact is not closed where its ends were found: the mesh that it was sought on is too coarse";
                     refused = Some(Error::at(scene.name.as_str(), message, REMEDY));
                 }
+                Err(error @ Error { kind: Kind::TooManyDofs { .. }, .. }) => return Err(error),
                 Err(error) => refused = Some(error),
             }
         }
@@ -112,15 +143,17 @@ impl Fitted {
     }
 
     /// The same where a run on another mesh tells about where the contacts are.
-    pub fn around(self, scene: &Scene, first: &Run, formulation: &Formulation, at_rest: f64) -> Result<Answer, Error> {
+    pub fn around(self, first: &Run, sought: &Sought) -> Result<Answer, Error> {
+        let Sought { scene, formulation, elements, at_rest, is_near, permits } = *sought;
         let mut ends = found(first);
         let mut tried = Vec::new();
         ends.refuse(scene)?;
-        for (mesh, enough) in [(COARSE, NEAR), (self, at_rest)] {
+        let meshes = [(COARSE, 1, NEAR), (self, elements, at_rest)];
+        for &(mesh, elements, enough) in &meshes[usize::from(is_near)..] {
             let last = mesh == self;
             for left in (0..MESHES).rev() {
                 ends.join(scene, (enough * 2f64.powi(left as i32)).min(TOGETHER));
-                let mut discretisation = ends.discretised(scene, mesh)?;
+                let mut discretisation = ends.discretised(scene, mesh, elements, permits)?;
                 let moves = ends.moves(&discretisation)?;
                 let moved = moves.iter().flatten().flatten().fold(0.0_f64, |most, one| most.max(one.by.abs()));
                 let (dofs, cells) = (discretisation.system.dofs(), discretisation.mesh.cells());
