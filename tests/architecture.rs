@@ -212,14 +212,14 @@ fn matrix_types_of_libraries_stay_inside_the_numerics() {
 
 /// Lines that a room may have; raised only by a commit that says what for.
 const BUDGETS: [(&str, usize); 9] = [
-    ("solver", 19_720),
+    ("solver", 20_060),
     ("drawing", 2_970),
     ("case", 8_215),
     ("oracle", 4_370),
-    ("study", 14_640),
+    ("study", 14_670),
     ("referee", 5_900),
-    ("report", 3_390),
-    ("cli", 4_440),
+    ("report", 3_515),
+    ("cli", 4_890),
     ("live", 500),
 ];
 

@@ -7,6 +7,7 @@ mod primary;
 mod problem;
 mod spacing;
 mod unseen;
+mod von_mises;
 mod workbench;
 
 mod accelerated;
@@ -26,6 +27,7 @@ mod barred;
 mod bars;
 mod both_sides;
 mod boundary;
+mod brief;
 mod command_line;
 mod compare;
 mod condensation;

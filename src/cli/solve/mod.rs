@@ -4,10 +4,11 @@
 //! * [`found`] — what that asks, and what comes of it.
 //! * `remedy` — what to do where it does not converge.
 //! * `stages` — the stage it is in, on a terminal.
-//! * `table` — the result in lines.
+//! * `brief` — the result in some eight lines; `table` — all of it.
 //! * [`curve`] — the load–approach curve.
 //! * [`profile`] — the pressure profile as CSV.
 
+mod brief;
 pub mod curve;
 pub mod found;
 pub mod options;
@@ -78,9 +79,11 @@ fn asked(arguments: &Arguments, mut problem: Case) -> Result<Question, Error> {
 fn shown(arguments: &Arguments, document: String, found: &Found) -> Result<Exit, Error> {
     if arguments.json.as_deref() == Some(Path::new(STDOUT)) {
         say(document);
-    } else {
+    } else if arguments.all {
         table::print(found);
         found.accurate.iter().for_each(cli::accuracy::print);
+    } else {
+        brief::print(found);
     }
     let Found { problem, discretisation, run, .. } = found;
     if let Some(remedy) = remedy(run) {

@@ -80,6 +80,9 @@ pub struct Arguments {
     /// Most iterations, over all increments; 2000 by default.
     #[arg(long, value_name = "N", alias = "max-steps", allow_negative_numbers = true)]
     max_iterations: Option<usize>,
+    /// Print every number, bar and check, and what the supports exert; without it the lines that one quotes.
+    #[arg(long)]
+    pub all: bool,
     /// Do not solve coarser meshes for error bars.
     #[arg(long)]
     pub no_error_bar: bool,
