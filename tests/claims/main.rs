@@ -56,6 +56,7 @@ mod growth;
 mod halved;
 mod high_order;
 mod high_scripts;
+mod html;
 mod incompressible;
 mod independent;
 mod lagrange_fields;

@@ -2,6 +2,7 @@
 //!
 //! * [`options`] — what the user asks for.
 //! * [`found`] — what that asks, and what comes of it.
+//! * [`html`] — the same as one file to send.
 //! * `remedy` — what to do where it does not converge.
 //! * `stages` — the stage it is in, on a terminal.
 //! * `brief` — the result in some eight lines; `table` — all of it.
@@ -11,6 +12,7 @@
 mod brief;
 pub mod curve;
 pub mod found;
+pub mod html;
 pub mod options;
 pub mod profile;
 mod remedy;
@@ -112,6 +114,9 @@ fn write_files(arguments: &Arguments, document: &str, found: &Found) -> Result<(
     }
     if let Some(path) = &arguments.vtu {
         files.push((path, vtu::text(discretisation, run)?));
+    }
+    if let Some(path) = &arguments.html {
+        files.push((path, html::text(found)?));
     }
     if let Some(path) = &arguments.plot {
         let sheet = pictures::solve::sheet(problem, discretisation, run)?;
