@@ -66,6 +66,7 @@ mod mesh;
 mod mesh_files;
 mod met;
 mod new_scenes;
+mod one_page;
 mod options;
 mod oracles;
 mod outputs;
