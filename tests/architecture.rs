@@ -212,14 +212,14 @@ fn matrix_types_of_libraries_stay_inside_the_numerics() {
 
 /// Lines that a room may have; raised only by a commit that says what for.
 const BUDGETS: [(&str, usize); 9] = [
-    ("solver", 19_980),
+    ("solver", 20_400),
     ("drawing", 2_970),
-    ("case", 8_215),
+    ("case", 8_240),
     ("oracle", 4_370),
-    ("study", 14_680),
+    ("study", 14_720),
     ("referee", 5_900),
-    ("report", 3_390),
-    ("cli", 4_490),
+    ("report", 3_520),
+    ("cli", 5_000),
     ("live", 500),
 ];
 

@@ -149,16 +149,26 @@ pub fn print((asked, answer): &(Asked, Answer)) {
         let of = if contacts.len() > 1 { format!("{}, ", contacts[quoted.contact].name) } else { String::new() };
         say(of + &sentence(quoted));
     }
+    say(ended(answer));
+    say(meshes(answer));
+}
+
+/// What was asked, and whether it is met, in a line.
+pub fn outcome((asked, answer): &(Asked, Answer)) -> String {
+    format!("{} % asked, {}", in_percent(asked.relative), ended(answer))
+}
+
+/// Whether what was asked is met.
+fn ended(answer: &Answer) -> String {
     match &answer.unmet {
-        None => say(format!(
+        None => format!(
             "met with {} dofs; {} meshes were tried, with {} dofs in all, those of the coarser ones of their bars among them",
             answer.run.dofs,
             answer.tried.len(),
             answer.dofs_in_all()
-        )),
-        Some(why) => say(format!("NOT met: {why}; the result is the best that was found")),
+        ),
+        Some(why) => format!("NOT met: {why}; the result is the best that was found"),
     }
-    say(meshes(answer));
 }
 
 /// Mesh, iteration and penalty over the value.

@@ -55,12 +55,12 @@ impl Document {
     }
 }
 
-/// Prints every number with its bar.
-pub fn print(found: &Found) {
-    let Some(Bars { all, meshes, .. }) = &found.bars else { return };
-    let mut table = table(["of", "quantity", "value ± bound", "unit", "mesh", "iteration", "penalty"]);
-    let mut unknown: Vec<(&str, String)> = Vec::new();
-    for one in all {
+/// Heads of the columns of numbers with their bars.
+pub const HEAD: [&str; 7] = ["of", "quantity", "value ± bound", "unit", "mesh", "iteration", "penalty"];
+
+/// Every number with its bar, and the parts of that.
+pub fn rows(found: &Found) -> Vec<[String; 7]> {
+    let row = |one: &Barred| {
         let Told { of, quantity, unit, factor } = Told::of(&found.problem.scene, &found.run, one);
         let Bar { mesh, iteration, penalty } = one.bar;
         let part = |part: f64| if part.is_nan() { "unknown".into() } else { markdown::significant(factor * part, 2) };
@@ -69,9 +69,20 @@ pub fn print(found: &Found) {
             value if value.is_nan() => "unknown".into(),
             value => format!("{} ± {}", markdown::value(factor * value), part(one.bar.total())),
         };
+        [of, quantity, value, unit.into(), part(mesh), part(iteration), part(penalty)]
+    };
+    found.bars.iter().flat_map(|bars| &bars.all).map(row).collect()
+}
+
+/// Prints every number with its bar.
+pub fn print(found: &Found) {
+    let Some(Bars { all, meshes, .. }) = &found.bars else { return };
+    let (mut table, rows) = (table(HEAD), rows(found));
+    let mut unknown: Vec<(&str, String)> = Vec::new();
+    for (one, [of, quantity, ..]) in all.iter().zip(&rows) {
         unknown.extend(one.unknown.map(|why| (why, format!("{quantity} of `{of}`"))));
-        table.add_row([of, quantity, value, unit.into(), part(mesh), part(iteration), part(penalty)]);
     }
+    table.add_rows(rows);
     say(table);
     for (why, numbers) in in_order(unknown) {
         let of = if numbers.len() == all.len() { "every number".into() } else { numbers.join(", ") };

@@ -16,6 +16,7 @@ In a checkout, `cargo run --release --` stands for `contact-vv`.";
 pub const REPORT: &str = "\
 Examples:
   contact-vv report
+  contact-vv report --only cylinder
   contact-vv report --check";
 
 /// Of `solve`.

@@ -59,10 +59,10 @@ use crate::cli::terminal::{say, show};
 use crate::error::Error;
 use crate::referee::document;
 use crate::report;
+use crate::study::promised;
 use crate::study::sheet::{self, SHEETS};
 use crate::study::timings::growth;
 use crate::study::timings::precision::Series;
-use crate::study::{Room, promised};
 
 /// Contact elements and iterations for frictionless elastic contact in 2D, verified.
 ///
@@ -82,9 +82,9 @@ enum Command {
         /// Write nothing; show what differs and fail when the page, a chart or the record is stale.
         #[arg(long)]
         check: bool,
-        /// Solve one study alone and write its page and its charts.
-        #[arg(long, value_name = "NAME", conflicts_with = "check", value_parser = suite::study())]
-        study: Option<&'static Room>,
+        /// Solve one case or one study alone, write its page and its charts, and print the page.
+        #[arg(long, value_name = "CASE|STUDY", conflicts_with = "check")]
+        only: Option<String>,
         #[command(subcommand)]
         part: Option<Part>,
     },
@@ -189,11 +189,11 @@ enum Part {
 /// Runs the command line. Exit codes: 0 all is well, 1 a check failed or the page is stale, 2 the input is wrong, 3 a run did
 /// not converge or holds no contact.
 pub fn main() -> ExitCode {
-    let outcome = match Cli::parse().command.unwrap_or(Command::Report { check: false, study: None, part: None }) {
+    let outcome = match Cli::parse().command.unwrap_or(Command::Report { check: false, only: None, part: None }) {
         Command::Report { part: Some(Part::Diff(arguments)), .. } => {
             root().and_then(|root| review::run(&arguments, &root))
         }
-        Command::Report { study: Some(room), .. } => study_command(room).map(Exit::checked),
+        Command::Report { only: Some(name), .. } => only_command(&name).map(Exit::checked),
         Command::Report { check, .. } => report_command(check).map(Exit::checked),
         Command::Verdicts => writable::checkout().map(|()| Exit::checked(suite::verdicts())),
         Command::Atlas => survey::atlas().map(|()| Exit::Well),
@@ -288,13 +288,15 @@ fn report_command(check: bool) -> Result<bool, Error> {
     Ok(sound && difference.is_none())
 }
 
-/// Whether all checks of a study pass; its page and its charts are written.
-fn study_command(room: &Room) -> Result<bool, Error> {
+/// Whether all checks of a case or a study pass; its page and its charts are written, and the page is printed.
+fn only_command(name: &str) -> Result<bool, Error> {
     let root = root()?;
     refuse_read_only(&root)?;
-    let findings = suite::of(room)?;
-    let files = report::of_study(room, &findings)?;
+    let only = report::Only::named(name)?;
+    let findings = suite::of(&only.trials())?;
+    let files = only.files(&findings)?;
     report::files::write_all(&files, &root)?;
+    files.first().iter().for_each(|(_, page)| say(page.trim_end()));
     say(format!("written: {}", files.iter().map(|(path, _)| path.as_str()).collect::<Vec<_>>().join(", ")));
     Ok(suite::all_pass(&findings))
 }

@@ -21,6 +21,9 @@ pub struct Arguments {
     base: Option<String>,
     /// Commit that is compared with it; without it, the working tree.
     commit: Option<String>,
+    /// Fail too where a tolerance was loosened that no error bar explains, a check is gone, or one is asked of fewer runs.
+    #[arg(long)]
+    strict: bool,
     /// Write Markdown, with charts before and after side by side.
     #[arg(long)]
     markdown: bool,
@@ -47,7 +50,7 @@ pub fn run(arguments: &Arguments, root: &Path) -> Result<Exit, Error> {
     } else {
         say(difference.text(arguments.limit).trim_end());
     }
-    Ok(Exit::checked(!difference.worse))
+    Ok(Exit::checked(!(difference.worse || arguments.strict && difference.laxer)))
 }
 
 /// Where the charts of a tree are: at an address, in the working tree, or written out.

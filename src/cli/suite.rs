@@ -2,7 +2,6 @@
 
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 
-use clap::builder::{PossibleValuesParser, TypedValueParser};
 use rayon::prelude::*;
 
 use crate::case::{Judged, Verdict};
@@ -10,17 +9,11 @@ use crate::cli::json::{Answer, Line};
 use crate::cli::terminal::{progress, say};
 use crate::error::Error;
 use crate::study::present::{MADE, Made};
-use crate::study::{self, Finding, Room, Trial};
+use crate::study::{self, Finding, Trial};
 
-/// The parser of an option that names a study.
-pub fn study() -> impl TypedValueParser<Value = &'static Room> {
-    PossibleValuesParser::new(Room::ALL.iter().map(|room| room.name))
-        .try_map(|given| Room::ALL.iter().find(|room| room.name == given).ok_or("no such study"))
-}
-
-/// Runs the trials of one study.
-pub fn of(room: &Room) -> Result<Vec<Finding>, Error> {
-    run_all(&(room.plan)(), |_, _| ()).into_iter().collect()
+/// Runs some trials, those of a page.
+pub fn of(trials: &[Trial]) -> Result<Vec<Finding>, Error> {
+    run_all(trials, |_, _| ()).into_iter().collect()
 }
 
 /// Runs every trial, two or more at a time, in the order of the page; the first that breaks off ends it.

@@ -50,7 +50,10 @@ pub fn table<'a>(head: impl IntoIterator<Item = &'a str>) -> Table {
 pub fn table_on<'a>(columns: u16, head: impl IntoIterator<Item = &'a str>) -> Table {
     let mut table = Table::new();
     table.load_style(presets::NOTHING).set_content_arrangement(ContentArrangement::Dynamic).set_width(columns);
-    table.set_header(head);
+    let head: Vec<&str> = head.into_iter().collect();
+    if !head.is_empty() {
+        table.set_header(head);
+    }
     table
 }
 

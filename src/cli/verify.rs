@@ -128,7 +128,7 @@ fn checks(verified: &[Result<Verified, Error>]) -> Table {
 }
 
 /// What was found, with its error bar where it has one.
-fn bounded(one: &Judged) -> String {
+pub fn bounded(one: &Judged) -> String {
     let value = markdown::value(one.value);
     match one.bar {
         None => value,
@@ -152,8 +152,13 @@ fn counted(judged: &[Judged], scope: Scope) -> String {
     }
 }
 
-/// A check that did not pass, with its numbers.
+/// A check with its numbers, behind the name of its file.
 pub fn told(name: &str, check: &Judged) -> String {
+    format!("{name}: {}", verdict(check))
+}
+
+/// A check with its verdict and its numbers.
+pub fn verdict(check: &Judged) -> String {
     let limit = if check.check.tolerance > 0.0 {
         format!(", at most {}", markdown::error(check.check.tolerance))
     } else {
@@ -161,7 +166,7 @@ pub fn told(name: &str, check: &Judged) -> String {
     };
     let bar = check.bar_as_error().map_or_else(String::new, |bar| format!(", bar {}", error_bar(bar)));
     format!(
-        "{name}: {} — {}: {} is {}, reference {}, error {}{bar}{limit}",
+        "{} — {}: {} is {}, reference {}, error {}{bar}{limit}",
         check.verdict,
         check.requirement(),
         check.check.quantity,

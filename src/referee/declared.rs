@@ -64,7 +64,8 @@ fn not_handed_in(check: &Check) -> [String; 2] {
             | Quantity::Approach
             | Quantity::Reaction { .. }
             | Quantity::Shear { .. }
-            | Quantity::ShearDepth { .. },
+            | Quantity::ShearDepth { .. }
+            | Quantity::VonMises { .. },
         ) => GRID,
         _ => "nothing: no reader takes it from an answer, `contact-vv solve` tells it",
     };

@@ -1,6 +1,7 @@
 //! The report: `VALIDATION.md`, the pages behind it and their charts, made from the findings of the suite and from nothing else.
 //!
 //! * [`page`] — the whole of it.
+//! * [`only`] — one page of it.
 //! * [`front`] — the front page.
 //! * [`case_page`], [`study_page`] — a page a case, and a study.
 //! * [`checks_page`] — the page on all checks.
@@ -24,6 +25,7 @@ pub mod grouped;
 mod heading;
 pub mod links;
 pub mod matrix;
+pub mod only;
 pub mod page;
 pub mod pictures;
 pub mod record;
@@ -33,4 +35,5 @@ pub mod symbols;
 pub mod told;
 
 pub use files::{difference, write};
+pub use only::Only;
 pub use page::{compose, of_study};

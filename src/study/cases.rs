@@ -19,16 +19,37 @@ use crate::solve::{Formulation, Run};
 use crate::study::about::{About, Found, Planned, Study};
 use crate::study::drawn::{label, picture, style};
 
-fn files() -> Result<Vec<Planned<Numbers>>, Error> {
-    let files = file::files_in(&root().join("tests/cases"))?;
+/// Folder of the scene files of the checkout.
+const FILES: &str = "tests/cases";
+
+/// Name of a scene file, and its case where that can be read.
+type File = (String, Result<Case, Error>);
+
+/// The scene files by their names, each as a case of that name.
+fn files() -> Result<Vec<File>, Error> {
     let of = |path: PathBuf| {
         let name = path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
-        match Case::read(&path) {
-            Ok(case) => trials(case.named(name)),
-            Err(error) => vec![broken(&name, error)],
-        }
+        let case = Case::read(&path).map(|case| case.named(name.clone()));
+        (name, case)
     };
-    Ok(files.into_iter().flat_map(of).collect())
+    Ok(file::files_in(&root().join(FILES))?.into_iter().map(of).collect())
+}
+
+/// Names by which a case may be asked for, and the page that it is on: its own, that of the page, and the path of its file.
+pub fn names() -> Result<Vec<[String; 2]>, Error> {
+    let built_in = library::all().into_iter().map(|case| (case.name.clone(), page(&case)));
+    let files = files()?.into_iter().filter_map(|(name, case)| Some((name, page(&case.ok()?))));
+    let all = built_in.chain(files);
+    let of = |(name, page): (String, String)| {
+        [name.clone(), page.clone(), format!("{FILES}/{name}")].map(|name| [name, page.clone()])
+    };
+    Ok(all.flat_map(of).collect())
+}
+
+/// The trials of the cases that share a page.
+pub fn of_page(name: &str) -> Vec<Planned<Numbers>> {
+    let files = files().unwrap_or_default().into_iter().filter_map(|(_, case)| case.ok());
+    library::all().into_iter().chain(files).filter(|case| page(case) == name).flat_map(trials).collect()
 }
 
 /// A trial that ends in an error: what could not be read is not left out.
@@ -76,7 +97,12 @@ impl Study for Numbers {
     /// All cases of the library, then the scene files of the checkout.
     fn plan() -> Vec<Planned<Self>> {
         let built_in = library::all().into_iter().flat_map(trials);
-        built_in.chain(files().unwrap_or_else(|error| vec![broken("scene files", error)])).collect()
+        let of = |(name, case): File| match case {
+            Ok(case) => trials(case),
+            Err(error) => vec![broken(&name, error)],
+        };
+        let files = files().map(|files| files.into_iter().flat_map(of).collect());
+        built_in.chain(files.unwrap_or_else(|error| vec![broken("scene files", error)])).collect()
     }
 
     /// The checks of the case, and those of every run.

@@ -143,6 +143,11 @@ pub fn trials() -> Vec<Trial> {
     Room::ALL.iter().flat_map(|room| (room.plan)()).collect()
 }
 
+/// The trials of the cases that share a page.
+pub fn on_page(page: &str) -> Vec<Trial> {
+    cases::of_page(page).into_iter().map(judged).collect()
+}
+
 /// The finding on the error bars of all checks, made of the findings of the others.
 pub fn on_bars(findings: &[Finding]) -> Result<Finding, Error> {
     let checks = findings

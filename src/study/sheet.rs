@@ -339,6 +339,7 @@ pub fn definition(quantity: &Quantity, scene: &Scene, pair: &ContactPair) -> &'s
         Quantity::Approach => "approach of the bodies, positive where they have come nearer",
         Quantity::Shear { .. } => "largest in-plane shear stress (σ₁ − σ₂)/2 below the contact",
         Quantity::ShearDepth { .. } => "depth of the largest shear stress below the surface",
+        Quantity::VonMises { .. } => "largest von Mises stress of the body, with the stress across the plane",
     }
 }
 

@@ -73,7 +73,7 @@ fn angles_are_told_and_judged_in_degrees_where_they_are_given_in_degrees() {
     let folder = tempfile::tempdir().expect("a folder");
     let at = |name: &str| folder.path().join(name).display().to_string();
     let csv = at("p.csv");
-    let (sound, table, _) = contact_vv(&["solve", &scene("press-fit"), "--csv", &csv]);
+    let (sound, table, _) = contact_vv(&["solve", &scene("press-fit"), "--all", "--csv", &csv]);
     assert!(sound && table.contains("contact pressure at s = 45° [MPa]") && !table.contains("0.785"), "{table}");
     let mut rows = csv::Reader::from_path(&csv).expect("a table");
     assert_eq!(rows.headers().expect("a head").get(0), Some("position [deg]"));

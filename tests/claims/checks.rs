@@ -128,7 +128,7 @@ fn check_that_asks_for_more_than_another_formulation_accepts_is_not_judged_and_a
     // Of a file's own formulation every check is judged.
     let path = crate::outputs::scene("eccentric-load");
     let told = |options: &[&str]| {
-        let all = [&["solve", &path, "--no-error-bar"], options].concat();
+        let all = [&["solve", &path, "--all", "--no-error-bar"], options].concat();
         let (well, text, _) = crate::outputs::contact_vv(&all);
         (well, text.contains("not judged"))
     };

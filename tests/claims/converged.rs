@@ -41,7 +41,7 @@ fn penalty_tells_what_its_springs_cost() {
         sound && json["contacts"][0]["penalty_error"]["half_width"].as_f64().is_some_and(|error| error > 0.5),
         "{json}"
     );
-    let (_, table, _) = contact_vv(&[&penalty[..], &["--element", "node"]].concat());
+    let (_, table, _) = contact_vv(&[&penalty[..], &["--element", "node", "--all"]].concat());
     assert!(table.contains("springs of the penalty cost -36.58 % of the peak"), "{table}");
 }
 

@@ -119,7 +119,7 @@ fn what_moved_among_the_checks_is_told_as_what_it_is() {
             changed(&|rows| rows.iter_mut().for_each(spoiled)),
             true,
             &[
-                "Verdicts that got WORSE: 30 checks (30 analytic)",
+                "Verdicts that got WORSE against closed forms, other codes and measurements: 30 checks (30 analytic)",
                 "10 checks of 2 cases, half-width against Hertz; most pin × run 4: pass → FAIL",
                 "Error bars that moved: 30 checks of 30, 30 wider",
             ],
@@ -183,6 +183,50 @@ fn loosened_tolerance_is_told_first_even_of_a_renamed_check() {
         assert!(text.contains("tolerance 1.0 % → 5.0 %"), "{text}");
         assert!(!worse && !text.contains("GONE") && !text.contains("Numbers that moved"), "{text}");
     }
+}
+
+#[test]
+fn failures_against_truths_come_first_and_stale_records_are_one_last_line() {
+    let mut rows = checks();
+    let own = |case: &str, against: &str| CheckRow {
+        kind: "self-consistency".into(),
+        against: against.into(),
+        ..check(case, "all scenes", "recomputed record", 0.0)
+    };
+    rows.extend([own("bars", "snapshots/coverage.csv"), own("atlas", "snapshots/met.csv"), own("swapped", "itself")]);
+    let before = tree(&record::numbered(rows.clone()));
+    let fail = |row: &mut CheckRow, share: f64| {
+        (row.error, row.share, row.verdict) = (share * row.tolerance, share, Mark::Fail);
+    };
+    // Ten fail against Hertz, the last by most; all that is held against itself or a record does by more.
+    (0..10).for_each(|k| fail(&mut rows[3 * k], 2.0 + k as f64));
+    fail(&mut rows[4], 50.0);
+    rows[30..].iter_mut().for_each(|row| fail(row, 1000.0));
+    // A tolerance that is three bars, and one that somebody loosened.
+    (rows[1].tolerance, rows[1].bar) = (2.0 * rows[1].tolerance, rows[1].bar.map(|bar| 2.0 * bar));
+    rows[2].tolerance *= 2.0;
+    let after = tree(&record::numbered(rows));
+    let difference = Difference::of(&before, &after);
+    let (text, _) = told(&before, &after);
+    let lines: Vec<&str> = text.lines().collect();
+    assert!(lines[1].starts_with("Verdicts that got WORSE against closed forms"), "{text}");
+    assert!(lines[2].contains("→ 50 %") && lines[3].contains("10 checks of 2 cases"), "{text}");
+    let at = |start: &str| {
+        lines.iter().position(|line| line.starts_with(start)).unwrap_or_else(|| panic!("{start}: {text}"))
+    };
+    let order = [
+        "Tolerances LOOSENED: 1 check",
+        "Verdicts that got WORSE: 1 check",
+        "Tolerances wider as the error bars that they follow: 1 check",
+    ];
+    assert!(order.map(at).is_sorted(), "{text}");
+    assert_eq!(lines.last(), Some(&"STALE records: 2 (`snapshots/coverage.csv`, `snapshots/met.csv`)"), "{text}");
+    assert!(difference.worse && difference.laxer);
+    // What follows a bar alone is not laxer; what is gone is.
+    let mut rows = checks();
+    (rows[1].tolerance, rows[1].bar) = (2.0 * rows[1].tolerance, rows[1].bar.map(|bar| 2.0 * bar));
+    assert!(!Difference::of(&tree(&checks()), &tree(&rows)).laxer);
+    assert!(Difference::of(&tree(&checks()), &tree(&checks()[1..])).laxer);
 }
 
 #[test]

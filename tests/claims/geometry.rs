@@ -154,7 +154,7 @@ fn ring_on_a_flat_takes_every_option_and_its_own_answer_is_met() {
     let at = |name: &str| folder.join(name).to_string_lossy().into_owned();
     std::fs::write(folder.join("ring.toml"), ring()).expect("written");
     for option in [["--fitted", "--force"], ["--accuracy", "0.5 %"], ["--order", "5"]] {
-        let (passed, text, error) = contact_vv(&[&["solve", &at("ring.toml")][..], &option[..]].concat());
+        let (passed, text, error) = contact_vv(&[&["solve", &at("ring.toml"), "--all"][..], &option[..]].concat());
         assert!(passed && text.contains("resultant 2000.0"), "{option:?}: {text}{error}");
         let peak = text.lines().find(|line| line.contains("peak-pressure ")).expect("a bar").to_owned();
         assert!(!peak.contains("unknown"), "{option:?}: {peak}");

@@ -193,7 +193,7 @@ fn table_tells_the_reactions_the_error_bars_and_the_notes_of_the_document() {
     let doubtful = folder.path().join("doubtful.toml").display().to_string();
     std::fs::write(&doubtful, crate::plausible::BLOCKS.replace("young = 200000", "young = 200")).expect("written");
     for (file, noted) in [(scene("blocks"), false), (scene("two-cylinders"), false), (doubtful, true)] {
-        let (_, table, _) = contact_vv(&["solve", &file]);
+        let (_, table, _) = contact_vv(&["solve", &file, "--all"]);
         let document = json(&["solve", &file]);
         let list = |of: &serde_json::Value| of.as_array().expect("a list").clone();
         let text =
@@ -230,14 +230,14 @@ fn table_tells_the_reactions_the_error_bars_and_the_notes_of_the_document() {
         let notes = document["contacts"][0]["notes"].as_array().cloned().unwrap_or_default();
         assert_eq!(notes.is_empty(), !noted, "{notes:?}");
         assert!(notes.iter().all(|note| begin(&format!("note: {}", note.as_str().expect("a text"))) == 1), "{table}");
-        assert!(!contact_vv(&["solve", &file, "--no-error-bar"]).1.contains('±'));
+        assert!(!contact_vv(&["solve", &file, "--all", "--no-error-bar"]).1.contains('±'));
         assert!(json(&["solve", &file, "--no-error-bar"])["error_bars"].is_null());
     }
 }
 
 #[test]
 fn bar_of_a_mesh_made_elsewhere_is_unknown() {
-    let (_, table, _) = contact_vv(&["solve", &scene("rings-from-gmsh")]);
+    let (_, table, _) = contact_vv(&["solve", &scene("rings-from-gmsh"), "--all"]);
     assert!(table.contains("± unknown") && table.contains("`--accuracy`"), "{table}");
 }
 

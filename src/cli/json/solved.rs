@@ -10,6 +10,7 @@ use crate::cli::solve::found::Found;
 use crate::cli::{accuracy, bars};
 use crate::solution::IterationError;
 
+use super::body::Body;
 use super::contact::Contact;
 use super::{Checked, Number, OracleReading, oracle};
 
@@ -64,6 +65,8 @@ pub struct Solved<'a> {
     iteration_error: IterationParts,
     /// The contacts, in the order of the scene.
     contacts: Vec<Contact<'a>>,
+    /// The bodies, in the order of the scene.
+    bodies: Vec<Body<'a>>,
     /// What is left over of loads, contact and reactions of a body, over the largest of them, at the worst body.
     imbalance: Number,
     /// What the supports exert.
@@ -151,6 +154,7 @@ impl<'a> Solved<'a> {
             contacts: (0..run.contacts.len())
                 .map(|contact| Contact::of(problem, run, contact, found.notes_of(contact)))
                 .collect(),
+            bodies: found.stresses.iter().map(|stress| Body::of(found, stress)).collect(),
             imbalance: run.imbalance().into(),
             reactions,
             error_bars: bars::Document::all(found),

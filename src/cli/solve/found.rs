@@ -7,7 +7,7 @@ use crate::cli::reactions::{self, ReactionReading};
 use crate::cli::solve::stages::Stages;
 use crate::clock::{Clock, Stage};
 use crate::error::Error;
-use crate::solve::{Discretisation, Fitted, Formulation, Run};
+use crate::solve::{Discretisation, Fitted, Formulation, Run, VonMises};
 
 /// What is to be solved, by what, and on which mesh.
 pub struct Question {
@@ -43,6 +43,8 @@ pub struct Found {
     pub is_mesh_given: bool,
     /// What its supports exert.
     pub reactions: Vec<ReactionReading>,
+    /// The largest von Mises stress of every body.
+    pub stresses: Vec<VonMises>,
     /// How far each number may be from the truth; none where that was not asked for.
     pub bars: Option<Bars>,
     /// The file's own checks, and that of the accuracy asked for.
@@ -75,7 +77,9 @@ impl Found {
             checks = checks.into_iter().map(|check| check.with_bar(&bars.all)).collect();
         }
         let reactions = reactions::readings(&discretisation, &run)?;
-        Ok(Self { problem, discretisation, run, doubts, is_mesh_given, reactions, bars, checks, accurate })
+        let displacement = discretisation.displacement_under(run.share(), &run.solution);
+        let stresses = discretisation.largest_von_mises(&run, &displacement)?;
+        Ok(Self { problem, discretisation, run, doubts, is_mesh_given, reactions, stresses, bars, checks, accurate })
     }
 
     /// What must be known of a contact before it is quoted.

@@ -2,14 +2,17 @@
 //!
 //! * [`options`] — what the user asks for.
 //! * [`found`] — what that asks, and what comes of it.
+//! * [`html`] — the same as one file to send.
 //! * `remedy` — what to do where it does not converge.
 //! * `stages` — the stage it is in, on a terminal.
-//! * `table` — the result in lines.
+//! * `brief` — the result in some eight lines; `table` — all of it.
 //! * [`curve`] — the load–approach curve.
 //! * [`profile`] — the pressure profile as CSV.
 
+mod brief;
 pub mod curve;
 pub mod found;
+pub mod html;
 pub mod options;
 pub mod profile;
 mod remedy;
@@ -78,9 +81,11 @@ fn asked(arguments: &Arguments, mut problem: Case) -> Result<Question, Error> {
 fn shown(arguments: &Arguments, document: String, found: &Found) -> Result<Exit, Error> {
     if arguments.json.as_deref() == Some(Path::new(STDOUT)) {
         say(document);
-    } else {
+    } else if arguments.all {
         table::print(found);
         found.accurate.iter().for_each(cli::accuracy::print);
+    } else {
+        brief::print(found);
     }
     let Found { problem, discretisation, run, .. } = found;
     if let Some(remedy) = remedy(run) {
@@ -109,6 +114,9 @@ fn write_files(arguments: &Arguments, document: &str, found: &Found) -> Result<(
     }
     if let Some(path) = &arguments.vtu {
         files.push((path, vtu::text(discretisation, run)?));
+    }
+    if let Some(path) = &arguments.html {
+        files.push((path, html::text(found)?));
     }
     if let Some(path) = &arguments.plot {
         let sheet = pictures::solve::sheet(problem, discretisation, run)?;

@@ -9,7 +9,7 @@ use crate::algorithm::{Acceleration, Criterion, Spring, StiffnessRule, Stiffness
 use crate::case::Case;
 use crate::cli::choice::{self, choice};
 use crate::cli::outputs::{self, Output, STDOUT};
-use crate::cli::solve::{curve, profile};
+use crate::cli::solve::{curve, html, profile};
 use crate::cli::{json, vtu};
 use crate::drawing;
 use crate::error::Error;
@@ -83,6 +83,9 @@ pub struct Arguments {
     /// Most iterations, over all increments; 2000 by default.
     #[arg(long, value_name = "N", alias = "max-steps", allow_negative_numbers = true)]
     max_iterations: Option<usize>,
+    /// Print every number, bar and check, and what the supports exert; without it the lines that one quotes.
+    #[arg(long)]
+    pub all: bool,
     /// Do not solve coarser meshes for error bars.
     #[arg(long)]
     pub no_error_bar: bool,
@@ -101,6 +104,9 @@ pub struct Arguments {
     /// Draw the deformed shape with its stresses, the pressure and the iteration error of every iteration as SVG.
     #[arg(long, value_name = "FILE.svg")]
     pub plot: Option<PathBuf>,
+    /// Write input, pictures, numbers with bars, checks and notes as one file for a browser, which needs no other.
+    #[arg(long, value_name = "FILE.html")]
+    pub html: Option<PathBuf>,
     /// Replace files that are not earlier outputs of the same option; files that are read, and other outputs, are never replaced.
     #[arg(long)]
     force: bool,
@@ -259,19 +265,27 @@ impl Arguments {
             Output::of("--curve", &self.curve, curve::is_curve),
             Output::of("--vtu", &self.vtu, vtu::is_ours),
             Output::of("--plot", &self.plot, drawing::is_drawing),
+            Output::of("--html", &self.html, html::is_ours),
         ];
         outputs::refuse("solve", files, &case.read_files(), self.force)
     }
 
     /// Refuses names of outputs that would not tell their format.
     pub fn refuse_endings(&self) -> Result<(), Error> {
-        let outputs = [("--csv", &self.csv), ("--curve", &self.curve), ("--vtu", &self.vtu), ("--plot", &self.plot)];
+        let outputs = [
+            ("--csv", &self.csv),
+            ("--curve", &self.curve),
+            ("--vtu", &self.vtu),
+            ("--plot", &self.plot),
+            ("--html", &self.html),
+        ];
         let to_stdout = |path: &Option<PathBuf>| path.as_deref() == Some(Path::new(STDOUT));
         if let Some((option, _)) = outputs.into_iter().find(|(_, path)| to_stdout(path)) {
             let remedy = "name a file; `--json -` writes to standard output";
             return Err(Error::value("solve", option, STDOUT, "this output goes to a file", remedy));
         }
         outputs::refuse_plot("solve", &self.plot)?;
+        outputs::refuse_ending("solve", "--html", &self.html, ["html", "pages are HTML"])?;
         if let Some(path) = self.vtu.as_ref().filter(|path| path.extension().is_none_or(|end| end != "vtu")) {
             let remedy = "end the file name in .vtu, by which ParaView knows the format";
             return Err(Error::value("solve", "--vtu", path.display(), "fields are VTK unstructured grids", remedy));

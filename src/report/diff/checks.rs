@@ -1,24 +1,30 @@
 //! The record of checks, column by column: what a change in each means, the most important first.
 
 use std::collections::BTreeSet;
+use std::path::Path;
 
 use super::pairs::{Pair, Pairs, is_moved};
 use super::told::Told;
 use super::words::{counted, differ, some, tally};
 use crate::case::Relation;
 use crate::markdown::{self, significant};
+use crate::oracle::ReferenceKind;
 use crate::report::grouped::{largest_first, sorted};
 use crate::report::record::{CheckRow, Mark};
 
+/// Folder of what is recorded.
+const SNAPSHOTS: &str = "snapshots";
 /// Digits that the record has.
 const DIGITS: usize = 4;
 
-/// Limits and verdicts; then what went, came, is asked of fewer runs or was renamed.
+/// Verdicts that got worse against a truth, limits, and other verdicts; then what went, came, is asked of fewer runs or was renamed.
+///
+/// Verdicts are told by error over tolerance; [`stale`] records apart.
 pub fn asked(pairs: &Pairs) -> Vec<Told> {
     let both = &pairs.both;
-    let limits = |loosened: bool, how: &str| {
+    let limits = |is_one: fn(&Pair) -> bool, how: &str| {
         let heading = |own: &[Pair]| format!("Tolerances {how}: {}", counted(own.len(), "check"));
-        changes(both, |pair| is_loosened(pair) == Some(loosened), heading, moved_limit, wider, moved_limit)
+        changes(both, is_one, heading, moved_limit, wider, moved_limit)
     };
     let verdicts = |how: &str, is_one: fn(&Pair) -> bool| {
         let kinds = |own: &[Pair]| tally(own.iter().map(|[_, after]| after.kind.clone()));
@@ -29,9 +35,16 @@ pub fn asked(pairs: &Pairs) -> Vec<Told> {
     let [before, after] =
         [cases(both.iter().map(|p| p[0]), &pairs.gone), cases(both.iter().map(|p| p[1]), &pairs.came)];
     let told = [
-        limits(true, "LOOSENED"),
-        limits(false, "tightened"),
-        verdicts("WORSE", is_worse),
+        verdicts("WORSE against closed forms, other codes and measurements", |pair| {
+            is_worse(pair) && is_of_truth(pair)
+        }),
+        limits(is_loosened_by_hand, "LOOSENED"),
+        verdicts("WORSE", |pair| is_worse(pair) && !is_of_truth(pair) && !is_of_record(pair)),
+        limits(
+            |pair| is_loosened(pair) == Some(true) && follows_from_bar(pair),
+            "wider as the error bars that they follow",
+        ),
+        limits(|pair| is_loosened(pair) == Some(false), "tightened"),
         verdicts("better", |[before, after]| after.verdict < before.verdict),
         of_one_record("Checks that are GONE", &pairs.gone, &after, "the whole case is gone"),
         of_one_record("New checks", &pairs.came, &before, "a new case"),
@@ -44,6 +57,20 @@ pub fn asked(pairs: &Pairs) -> Vec<Told> {
 /// Whether a verdict got worse, or what came fails.
 pub fn worse(pairs: &Pairs) -> bool {
     pairs.both.iter().any(is_worse) || pairs.came.iter().any(|row| row.verdict == Mark::Fail)
+}
+
+/// Records that the present code no longer gives: one line.
+pub fn stale(pairs: &Pairs) -> Option<Told> {
+    let own = pairs.both.iter().filter(|pair| is_worse(pair) && is_of_record(pair));
+    let records: BTreeSet<&str> = own.map(|[_, after]| after.against.as_str()).collect();
+    let heading = format!("STALE records: {} ({})", records.len(), some(records.iter().copied()));
+    (!records.is_empty()).then(|| Told::new(heading, Vec::new()))
+}
+
+/// Whether something is accepted now that was not, or is no longer asked: a limit that no bar explains, a check that is gone, fewer runs.
+pub fn is_laxer(pairs: &Pairs) -> bool {
+    let fewer = |[before, after]: &Pair| after.runs < before.runs;
+    !pairs.gone.is_empty() || pairs.both.iter().any(|pair| is_loosened_by_hand(pair) || fewer(pair))
 }
 
 /// Shares of the tolerance.
@@ -153,6 +180,30 @@ fn is_loosened(pair: &Pair) -> Option<bool> {
     // NaN is looser.
     let kept = if from_below { new >= old } else { new <= old };
     Some(pair[0].relation != pair[1].relation || !kept)
+}
+
+/// Relative difference that rounding leaves between a tolerance and a bar of four digits each.
+const ROUNDING: f64 = 1e-3;
+
+/// Whether tolerance and error bar of a check moved by one factor: the tolerance is a multiple of the bar.
+fn follows_from_bar(pair: &Pair) -> bool {
+    let [before, after] = pair.map(|row| row.bar.unwrap_or(f64::NAN) / row.tolerance);
+    let is_tolerance = matches!(limit(pair), Some(("tolerance", _))) && pair[0].relation == pair[1].relation;
+    is_tolerance && (after - before).abs() <= ROUNDING * before.abs()
+}
+
+fn is_loosened_by_hand(pair: &Pair) -> bool {
+    is_loosened(pair) == Some(true) && !follows_from_bar(pair)
+}
+
+/// Whether a check is held against something that is not this code.
+fn is_of_truth([_, after]: &Pair) -> bool {
+    after.kind != ReferenceKind::SelfConsistency.to_string()
+}
+
+/// Whether a check holds this code against a record of its own.
+fn is_of_record(pair: &Pair) -> bool {
+    !is_of_truth(pair) && Path::new(&pair[1].against).starts_with(SNAPSHOTS)
 }
 
 /// How much wider, whichever way.

@@ -39,6 +39,8 @@ pub struct Difference {
     pub told: Vec<Told>,
     /// Whether a verdict got worse, or a new check fails.
     pub worse: bool,
+    /// Whether a limit that no error bar explains got wider, or something is asked no longer, or of fewer runs.
+    pub laxer: bool,
 }
 
 impl Difference {
@@ -76,7 +78,14 @@ impl Difference {
         told.extend(charts::told(&charts));
         told.extend(pages(&others));
         told.extend(timings::told(&timings));
-        Self { names: trees.map(|tree| tree.name.clone()), notes, told, worse: checks::worse(&pairs) }
+        told.extend(checks::stale(&pairs));
+        Self {
+            names: trees.map(|tree| tree.name.clone()),
+            notes,
+            told,
+            worse: checks::worse(&pairs),
+            laxer: checks::is_laxer(&pairs),
+        }
     }
 }
 

@@ -6,6 +6,8 @@ use super::told::Told;
 /// Lines that a difference has at most, where nothing else is asked for.
 pub const LINES: usize = 40;
 
+/// Rows of what is told first that come before any other.
+const FIRST: usize = 8;
 /// Longest row of a terminal \[characters\].
 const WIDTH: usize = 220;
 
@@ -50,6 +52,10 @@ impl Difference {
     fn shown(&self, lines: usize) -> Vec<(&Told, usize)> {
         let mut shown: Vec<(&Told, usize)> = self.told.iter().map(|told| (told, 0)).collect();
         let mut room = lines.saturating_sub(1 + shown.len());
+        if let Some((told, rows)) = shown.first_mut() {
+            *rows = told.rows.len().min(FIRST).min(room);
+            room -= *rows;
+        }
         loop {
             let before = room;
             for (told, rows) in &mut shown {

@@ -53,6 +53,9 @@ const FAR: f64 = 1.5;
 /// Of the relative bar of a contact's force, the part that it adds to its other numbers: pressures and lengths grow with the root of the
 /// force (Hertz).
 const FORCE: f64 = 0.5;
+/// Factor, of 4-node cells and of others, on what tells a largest von Mises stress, over what tells a largest shear stress inside: it may lie on the surface of a body, where
+/// stresses extrapolated to nodes are less accurate.
+const SURFACE: [f64; 2] = [3.0, 2.0];
 /// From which multiple of the first body's elements on those of the second hide a part of their own, and the factor on its exponent: what
 /// they leave falls faster (half-width, peak and second-moment width of two cylinders, one to four elements of the second on the
 /// half-width).
@@ -200,7 +203,8 @@ impl Family {
 
     /// Why they do not tell the mesh's part of a number.
     pub(super) fn why_unknown(&self, quantity: &Quantity, measures: &Measures) -> &'static str {
-        let is_largest = matches!(quantity, Quantity::PeakPressure | Quantity::Shear { .. });
+        let is_largest =
+            matches!(quantity, Quantity::PeakPressure | Quantity::Shear { .. } | Quantity::VonMises { .. });
         match () {
             _ if is_largest && self.rises_to_end(measures) => {
                 "the pressure rises up to the last element of the contact"
@@ -258,7 +262,8 @@ impl Family {
             | Quantity::HalfWidth
             | Quantity::SecondMomentWidth
             | Quantity::Shear { .. }
-            | Quantity::ShearDepth { .. } => discrete.abs(),
+            | Quantity::ShearDepth { .. }
+            | Quantity::VonMises { .. } => discrete.abs(),
             Quantity::Begin(_) | Quantity::End(_) => measures.half_width(),
             _ => return 0.0,
         };
@@ -333,7 +338,7 @@ impl Family {
                 [width_of(quantity, measures), self.missed_by_end(measures)]
             }
             // Below a sharp top the shear stress is missed as its pressure is.
-            Quantity::Shear { .. } => {
+            Quantity::Shear { .. } | Quantity::VonMises { .. } => {
                 let peak = measures.peak.pressure;
                 [reading.scale, reading.value.abs() * self.above(measures) / peak]
             }
@@ -343,8 +348,12 @@ impl Family {
             _ => [reading.scale, 0.0],
         };
         let read = read + self.undrawn(quantity, reading.value, contact, measures);
-        let apart = factor * known.into_iter().fold(0.0, f64::max);
-        Evidence { row, apart, hidden: hidden * scale.abs(), rest: (missed + ROUND_OFF) * scale.abs() + read }
+        let surface = match quantity {
+            Quantity::VonMises { .. } => SURFACE[usize::from(self.order != Order::Linear)],
+            _ => 1.0,
+        };
+        let apart = surface * factor * known.into_iter().fold(0.0, f64::max);
+        Evidence { row, apart, hidden: surface * hidden * scale.abs(), rest: (missed + ROUND_OFF) * scale.abs() + read }
     }
 
     /// Error over the elements of a much coarser second body, on the half-width: pressures swing from one of its nodes to the next.
@@ -391,7 +400,7 @@ impl Family {
         let rises = if self.rises_to_end(measures) { f64::NAN } else { 0.0 };
         match quantity {
             PeakPressure => peak * measures.peak.pressure + rises,
-            Quantity::Shear { .. } => shear * value.abs() + rises,
+            Quantity::Shear { .. } | Quantity::VonMises { .. } => shear * value.abs() + rises,
             HalfWidth | Begin(_) | End(_) => end * self.sizes[contact],
             SecondMomentWidth => width * self.sizes[contact],
             _ => 0.0,

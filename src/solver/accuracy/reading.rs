@@ -21,9 +21,11 @@ impl Reading {
     /// What its bar must stay below to say anything: the number itself; of what may vanish, as ends, centres, moments, reactions and
     /// displacements do, its scale. Where a maximum lies is told within whatever it may be: where values come near the largest.
     pub(super) fn size(&self) -> f64 {
-        use Quantity::{HalfWidth, PeakPlace, PeakPressure, Resultant, SecondMomentWidth, Shear, ShearDepth};
+        use Quantity::{HalfWidth, PeakPlace, PeakPressure, Resultant, SecondMomentWidth, Shear, ShearDepth, VonMises};
         match self.quantity {
-            PeakPressure | HalfWidth | SecondMomentWidth | Resultant | Shear { .. } => self.value.abs(),
+            PeakPressure | HalfWidth | SecondMomentWidth | Resultant | Shear { .. } | VonMises { .. } => {
+                self.value.abs()
+            }
             PeakPlace | ShearDepth { .. } => f64::INFINITY,
             _ => self.scale.abs(),
         }

@@ -1,9 +1,10 @@
-//! Numbers of a run that take the displacement of every node: reactions, displacements, approach, shear stress below a contact.
+//! Numbers of a run that take the displacement of every node: reactions, displacements, approach, shear stress below a contact, von Mises
+//! stress of a body.
 
 use crate::accuracy::reading::Reading;
 use crate::error::Error;
 use crate::measure::Quantity;
-use crate::scene::Place;
+use crate::scene::{ContactPair, Place};
 use crate::solve::{Discretisation, Displaced, Reaction, Run, Shear};
 
 /// Part of the largest force that a support at a point may exert: with more, the displacement there has no limit, and with it
@@ -44,6 +45,15 @@ pub(super) fn recovered(discretisation: &Discretisation, run: &Run, wanted: &[Di
         let [stress, depth] = [Quantity::Shear { body }, Quantity::ShearDepth { body }];
         readings.push(Reading { contact, quantity: stress, value: shear.stress, scale: measures.peak.pressure });
         readings.push(Reading { contact, quantity: depth, value: shear.depth, scale: width });
+    }
+    for stress in discretisation.largest_von_mises(run, &displacement)? {
+        let body = stress.body;
+        // Elements and peak are those of the first contact that it takes part in.
+        let takes_part = |pair: &ContactPair| pair.bodies().any(|own| own == body);
+        let contact = discretisation.scene.contacts.iter().position(takes_part).unwrap_or(0);
+        let scale = run.contacts[contact].measures.peak.pressure;
+        let reading = |value: f64| Reading { contact, quantity: Quantity::VonMises { body }, value, scale };
+        readings.extend(stress.largest.map(|largest| reading(largest.stress)));
     }
     Ok(Recovered { readings, shears })
 }

@@ -38,6 +38,7 @@ impl Told {
             }
             Quantity::Shear { body } => (of_body(*body), below("largest shear")),
             Quantity::ShearDepth { body } => (of_body(*body), below("depth of largest shear")),
+            Quantity::VonMises { body } => (of_body(*body), "largest von Mises".into()),
             Quantity::Begin(k) | Quantity::End(k) if run.contacts[one.contact].measures.stretches.len() > 1 => {
                 (pair.name.clone(), format!("{key} of stretch {}", k + 1))
             }

@@ -66,6 +66,11 @@ pub enum Quantity {
         /// Index of the body.
         body: usize,
     },
+    /// Largest von Mises stress of a body \[MPa\].
+    VonMises {
+        /// Index of the body.
+        body: usize,
+    },
 }
 
 impl Quantity {
@@ -90,6 +95,7 @@ impl Quantity {
             Self::Approach => "approach",
             Self::Shear { .. } => "shear",
             Self::ShearDepth { .. } => "shear-depth",
+            Self::VonMises { .. } => "von-mises",
         })
     }
 
@@ -115,6 +121,7 @@ impl Quantity {
             Self::Approach => "approach",
             Self::Shear { .. } => "largest shear stress below the contact",
             Self::ShearDepth { .. } => "depth of the largest shear stress",
+            Self::VonMises { .. } => "largest von Mises stress",
         }
     }
 
@@ -125,7 +132,8 @@ impl Quantity {
             | Self::Pressure { .. }
             | Self::HoopStress { .. }
             | Self::PinHoopStress { .. }
-            | Self::Shear { .. } => ("MPa", 1.0),
+            | Self::Shear { .. }
+            | Self::VonMises { .. } => ("MPa", 1.0),
             Self::Resultant | Self::Across | Self::Reaction { .. } => ("N", 1.0),
             Self::Moment => ("N mm", 1.0),
             Self::Displacement(_) | Self::Approach | Self::ShearDepth { .. } => ("mm", 1.0),

@@ -109,9 +109,10 @@ impl Face<'_> {
     fn corner(&self, node: usize) -> Option<(f64, Option<[f64; 2]>)> {
         let [leaving, arriving] = self.outline(node)?;
         let is_face = |edge: &Edge| self.edges.iter().any(|own| own[..2] == edge[..2]);
+        let points = &self.discretisation.mesh.points;
         // Directions away from the node; the body lies to the left of the leaving one.
         let face_leaves = is_face(&leaving);
-        let [from, to] = [self.tangent(&leaving, -1.0), self.tangent(&arriving, 1.0).map(|x| 0.0 - x)];
+        let [from, to] = [tangent(points, &leaving, -1.0), tangent(points, &arriving, 1.0).map(|x| 0.0 - x)];
         let (face, side) = if face_leaves { (from, to) } else { (to, from) };
         let face = self.along_path(node, face);
         let cross = face[0] * side[1] - face[1] * side[0];
@@ -132,17 +133,6 @@ impl Face<'_> {
         let is_outer = |edge: &&Edge| !edges.iter().any(|other| other[0] == edge[1] && other[1] == edge[0]);
         let of = |end: usize| edges.iter().filter(is_outer).find(|edge| edge[end] == node).cloned();
         Some([of(0)?, of(1)?])
-    }
-
-    /// Unit direction of an edge, from its first node to its last, at one of them.
-    fn tangent(&self, edge: &Edge, xi: f64) -> [f64; 2] {
-        let points = &self.discretisation.mesh.points;
-        let shapes = shape_functions::edge(edge.len(), xi);
-        let slope =
-            |k: usize| -> f64 { shapes.iter().zip(edge).map(|((_, slope), &node)| slope * points[node][k]).sum() };
-        let [dx, dy] = [slope(0), slope(1)];
-        let length = dx.hypot(dy);
-        [dx / length, dy / length]
     }
 
     /// A direction along the face; on an arc that of the path, which chords of it miss by half of what they turn.
@@ -173,4 +163,13 @@ impl Face<'_> {
         let (_, component) = supported.chain(flat).find(|(name, _)| holds(name))?;
         Some([along[component.index()], outwards[component.index()]])
     }
+}
+
+/// Unit direction of an edge, from its first node to its last, at a natural coordinate of it.
+pub(super) fn tangent(points: &[[f64; 2]], edge: &Edge, xi: f64) -> [f64; 2] {
+    let shapes = shape_functions::edge(edge.len(), xi);
+    let slope = |k: usize| -> f64 { shapes.iter().zip(edge).map(|((_, slope), &node)| slope * points[node][k]).sum() };
+    let [dx, dy] = [slope(0), slope(1)];
+    let length = dx.hypot(dy);
+    [dx / length, dy / length]
 }

@@ -58,14 +58,19 @@ impl Discretisation {
     ///
     /// A hoop strain is `u_r/r` of the node, as accurate as displacements; on the axis `σ_θ = σ_r`.
     pub fn stress_across(&self, fields: &Fields) -> Vec<f64> {
-        let mut across = vec![0.0; fields.stress.len()];
+        self.across(&fields.displacement, &fields.stress)
+    }
+
+    /// The same of displacements and stresses of all nodes.
+    pub(super) fn across(&self, displacement: &[[f64; 2]], stress: &[[f64; 3]]) -> Vec<f64> {
+        let mut across = vec![0.0; stress.len()];
         for (index, (body, part)) in self.scene.bodies.iter().zip(&self.mesh.bodies).enumerate() {
             let on_axis = axis::holds(&self.scene, &self.mesh, index);
             for node in part.nodes.clone() {
-                let hoop_strain = fields.displacement[node][0] / self.mesh.points[node][0];
+                let hoop_strain = displacement[node][0] / self.mesh.points[node][0];
                 across[node] = match on_axis(node) {
-                    true => fields.stress[node][0],
-                    false => stress::across(fields.stress[node], self.scene.plane, &body.material, hoop_strain),
+                    true => stress[node][0],
+                    false => stress::across(stress[node], self.scene.plane, &body.material, hoop_strain),
                 };
             }
         }

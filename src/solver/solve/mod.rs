@@ -16,6 +16,7 @@
 //! * [`mod@reactions`] — what the supports exert.
 //! * [`mod@displaced`] — displacements of sides and points, the approach of bodies.
 //! * [`mod@shear`] — the largest shear stress below a contact.
+//! * [`mod@von_mises`] — the largest von Mises stress of a body; [`mod@without_limit`] — places at which it has none.
 //! * [`mod@number`] — how every number that one quotes is taken from a solution.
 //! * `uncondensed` — its pressures once more without condensation.
 //! * [`curve`] — what every load increment came to.
@@ -62,7 +63,9 @@ pub mod unbounded;
 mod uncondensed;
 mod unheld;
 mod validity;
+pub mod von_mises;
 pub mod wedge;
+pub mod without_limit;
 
 pub use crate::algorithm::problem::LIMITS;
 pub use crate::algorithm::{Iteration, Settings};
@@ -80,3 +83,5 @@ pub use origin::Origin;
 pub use reactions::Reaction;
 pub use run::Run;
 pub use shear::Shear;
+pub use von_mises::VonMises;
+pub use without_limit::WithoutLimit;

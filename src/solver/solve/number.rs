@@ -39,6 +39,11 @@ impl Discretisation {
                 let own = reactions.iter().find(|reaction| [reaction.body, reaction.support] == [*body, *support]);
                 own.map_or(f64::NAN, |reaction| reaction.force)
             }
+            Quantity::VonMises { body } => {
+                let displacement = self.displacement_under(run.share(), &run.solution);
+                let all = self.largest_von_mises(run, &displacement)?;
+                all[*body].largest.map_or(f64::NAN, |largest| largest.stress)
+            }
             of_pressures if of_pressures.is_of_pressures() => of_pressures.of(measures),
             other => {
                 let displacement = self.displacement_under(run.share(), &run.solution);

@@ -13,7 +13,7 @@ const DEPTH: f64 = 2.0;
 /// A largest value found beyond that is none of this contact; so far it is looked for.
 const BEYOND: f64 = 1.2;
 /// Part of the largest stress at a node that a cell must have at one of its own for places between them to be looked at.
-const NEAR: f64 = 0.8;
+pub(super) const NEAR: f64 = 0.8;
 /// Parts of a cell's side at whose ends stresses are looked at, and halvings of them around the largest.
 const PARTS: usize = 8;
 const HALVINGS: usize = 8;
@@ -214,7 +214,7 @@ fn largest_shear([x, y, xy]: [f64; 3]) -> f64 {
 }
 
 /// Natural coordinates of the places of a cell that are looked at, with the shape functions there.
-fn grid(nodes: usize) -> Vec<([f64; 2], Vec<f64>)> {
+pub(super) fn grid(nodes: usize) -> Vec<([f64; 2], Vec<f64>)> {
     let natural = |k: usize| 2.0 * k as f64 / PARTS as f64 - 1.0;
     let all = (0..=PARTS).flat_map(|i| (0..=PARTS).map(move |j| [natural(i), natural(j)]));
     all.map(|at| (at, shapes(nodes, at))).collect()

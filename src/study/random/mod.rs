@@ -107,6 +107,7 @@ fn pair(draw: &mut Draw, number: usize) -> Result<Sample, Error> {
             Quantity::Reaction { body, support } => (0, Quantity::Reaction { body: body + bodies, support }),
             Quantity::Displacement(one) => (0, Quantity::Displacement(Displaced { body: one.body + bodies, ..one })),
             Quantity::Shear { body } => (1, Quantity::Shear { body: body + bodies }),
+            Quantity::VonMises { body } => (1, Quantity::VonMises { body: body + bodies }),
             Quantity::ShearDepth { body } => (1, Quantity::ShearDepth { body: body + bodies }),
             of_contact => (1, of_contact),
         };

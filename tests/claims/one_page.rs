@@ -1,0 +1,35 @@
+//! One page of the report, by the name of its case or study.
+
+use std::path::Path;
+use std::process::Command;
+
+#[test]
+fn one_page_of_a_case_is_that_of_the_report_and_a_mistyped_name_is_told_with_its_like() {
+    let folder = tempfile::tempdir().expect("a folder");
+    std::fs::write(folder.path().join("Cargo.toml"), "").expect("written");
+    for inside in ["pages", "charts", "sheets"] {
+        std::fs::create_dir_all(folder.path().join("snapshots").join(inside)).expect("made");
+    }
+    let report = |name: &str| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_contact-vv"));
+        let output = command.args(["report", "--only", name]).current_dir(&folder).output().expect("started");
+        let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
+        (output.status.code(), text(&output.stdout), text(&output.stderr))
+    };
+    for (name, page) in [
+        ("blocks.toml", "case-blocks-toml"),
+        ("tests/cases/moment.toml", "case-moment-toml"),
+        ("press-fit", "case-press-fit"),
+    ] {
+        let (code, shown, error) = report(name);
+        let file = format!("snapshots/pages/{page}.md");
+        let read = |root: &Path| std::fs::read_to_string(root.join(&file)).expect("a page");
+        let committed = read(Path::new(env!("CARGO_MANIFEST_DIR")));
+        assert_eq!(code, Some(0), "{name}: {error}");
+        assert!(read(folder.path()) == committed && shown.starts_with(committed.trim_end()), "{name}: {shown:.300}");
+        assert!(shown.trim_end().ends_with(&file), "{name}");
+    }
+    let (code, shown, error) = report("bloks.toml");
+    assert_eq!((code, shown.as_str()), (Some(2), ""));
+    assert!(error.contains("did you mean `blocks.toml`?") && error.contains("fitted"), "{error}");
+}

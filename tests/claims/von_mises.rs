@@ -1,0 +1,182 @@
+//! The largest von Mises stress of a body against closed forms with its bar, and places at which it is no number.
+
+use std::path::Path;
+
+use contact_vv::accuracy::{Barred, Quantity, bars};
+use contact_vv::case::Case;
+use contact_vv::case::library::PressFit;
+use contact_vv::elasticity::stress::{across, von_mises};
+use contact_vv::mesh::{Order, Resolution};
+use contact_vv::scene::{Load, PlaneHypothesis, Scene, StressField};
+use contact_vv::solve::{Discretisation, Formulation, Run, VonMises, shapes};
+use contact_vv::study::promised::bars::setup;
+use contact_vv::study::random::{Family, Site};
+
+use crate::workbench::parsed;
+
+/// A run of a scene, told which of its peaks have no limit.
+fn solved(scene: Scene, resolution: Resolution, formulation: &Formulation) -> (Discretisation, Run) {
+    let discretisation = Discretisation::of(scene, resolution).expect("meshed");
+    let run = Run::of(&discretisation, formulation).expect("solved");
+    let run = run.with_limits(&discretisation).expect("told");
+    (discretisation, run)
+}
+
+/// The largest stress of a body with its bar; none where it has none.
+fn of_body(discretisation: &Discretisation, run: &Run, body: usize) -> Option<Barred> {
+    let all = bars(discretisation, run, &[]).expect("bars").all;
+    all.into_iter().find(|one| one.quantity == Quantity::VonMises { body })
+}
+
+#[test]
+fn largest_stresses_of_pressed_rings_are_those_of_lame() {
+    for plane in [PlaneHypothesis::Stress, PlaneHypothesis::Strain] {
+        let case = PressFit { plane, ..PressFit::default() };
+        let PressFit { inner, interface, outer, materials, .. } = case;
+        let [a, b, c] = [inner, interface, outer].map(|radius| radius.powi(2));
+        for (order, elements) in [(Order::Linear, 24), (Order::Quadratic, 8), (Order::Quadratic, 12)] {
+            let resolution = Resolution { elements, refinement: 0, order };
+            let (discretisation, run) = solved(case.scene(), resolution, &Formulation::verification());
+            let pressure = run.contacts[0].measures.peak.pressure;
+            // Radial and hoop stress at the bore of the inner ring, and at that of the outer one.
+            let states = [[0.0, -2.0 * pressure * b / (b - a)], [-pressure, pressure * (c + b) / (c - b)]];
+            for (body, [radial, hoop]) in states.into_iter().enumerate() {
+                let plane_state = [radial, hoop, 0.0];
+                let truth = von_mises(plane_state, across(plane_state, plane, &materials[body], 0.0));
+                let found = of_body(&discretisation, &run, body).expect("told");
+                let (error, bar) = ((found.value - truth).abs(), found.bar.total());
+                assert!(
+                    error <= bar && bar <= 0.3 * truth,
+                    "{plane:?} {order:?} {elements} {body}: {error} of {bar}, {truth}"
+                );
+            }
+        }
+    }
+}
+
+/// The largest von Mises stress that a field has in a body, at places of its cells.
+fn of_field(discretisation: &Discretisation, body: usize, StressField(field): &StressField) -> f64 {
+    const PARTS: usize = 8;
+    let (scene, mesh) = (&discretisation.scene, &discretisation.mesh);
+    let natural = |k: usize| 2.0 * (k as f64 + 0.5) / PARTS as f64 - 1.0;
+    let nodes = mesh.order.nodes_per_cell();
+    let places = (0..PARTS).flat_map(|i| (0..PARTS).map(move |j| [natural(i), natural(j)]));
+    let weights: Vec<Vec<f64>> = places.map(|place| shapes(nodes, place)).collect();
+    let value = |point: [f64; 2]| {
+        let tensor = field(point);
+        von_mises(tensor, across(tensor, scene.plane, &scene.bodies[body].material, 0.0))
+    };
+    let inside = |cell: &[usize], weights: &[f64]| {
+        [0, 1].map(|k| cell.iter().zip(weights).map(|(&node, weight)| weight * mesh.points[node][k]).sum())
+    };
+    // Where the cell has nothing large at its middle, there is nothing to look for.
+    let cells: Vec<&[usize]> = mesh.bodies[body].cells.clone().map(|cell| mesh.cell(cell)).collect();
+    let middles: Vec<f64> = cells.iter().map(|cell| value(inside(cell, &shapes(nodes, [0.0; 2])))).collect();
+    let most = middles.iter().copied().fold(0.0, f64::max);
+    let near = cells.into_iter().zip(middles).filter(|(_, middle)| *middle >= 0.5 * most);
+    near.flat_map(|(cell, _)| weights.iter().map(move |weights| value(inside(cell, weights)))).fold(0.0, f64::max)
+}
+
+#[test]
+fn bars_of_largest_stresses_hold_on_random_scenes_of_closed_form() {
+    let families = [Family::Polynomial, Family::Hertz, Family::Skew, Family::Hump];
+    let (mut all, mut beyond, mut wide) = (0, Vec::new(), 0);
+    for (family, number) in families.into_iter().flat_map(|family| (0..6).map(move |turn| (family, 90_000 + turn))) {
+        let site = Site { family, number };
+        let (scene, resolution, formulation) = setup(&site, &site.sample().expect("a scene"));
+        let (discretisation, run) = solved(scene, resolution, &formulation);
+        for body in 0..discretisation.scene.bodies.len() {
+            let loads = &discretisation.scene.bodies[body].loads;
+            let field =
+                loads.iter().find_map(|load| if let Load::Stress { field, .. } = load { Some(field) } else { None });
+            let Some(found) = of_body(&discretisation, &run, body) else { continue };
+            let Some(field) = field else { continue };
+            let truth = of_field(&discretisation, body, field);
+            let (error, bar) = ((found.value - truth).abs(), found.bar.total());
+            all += 1;
+            wide += usize::from(!(bar <= 0.5 * truth));
+            if !bar.is_nan() && !(error <= bar) {
+                beyond.push((site.key(), body, error / bar));
+            }
+        }
+    }
+    // As for the other numbers: 95 % within, none beyond three bars.
+    assert!(all >= 20 && 3 * wide <= all, "{wide} of {all} say nothing");
+    assert!(20 * beyond.len() <= all && beyond.iter().all(|(.., bars)| *bars <= 3.0), "{all}: {beyond:?}");
+}
+
+/// The largest stresses of a scene file, body by body.
+fn stresses(case: &Case) -> (Discretisation, Vec<VonMises>) {
+    let (discretisation, run) = solved(case.scene.clone(), case.resolution, &Formulation::verification());
+    let displacement = discretisation.displacement_under(run.share(), &run.solution);
+    let stresses = discretisation.largest_von_mises(&run, &displacement).expect("recovered");
+    (discretisation, stresses)
+}
+
+const BLOCK: &str = "plane = \"strain\"\nthickness = 1\n[[body]]\nname = \"block\"\nyoung = 1e5\npoisson = 0.3\n\
+    shape = { rectangle = { x = [0, 10], y = [0, 10], contact = \"bottom\" } }\n\
+    supports = [{ at = \"left\", component = \"x\" }]\nloads = [{ traction = { at = \"far\", value = [0, -100] } }]\n\
+    [contact]\nfirst = \"block\"\ngap = { parabola = 200 }\nstretch = 5\n[mesh]\nelements = 8\nper = 1\n";
+const RECTANGLE: &str = "{ rectangle = { x = [0, 10], y = [0, 10], contact = \"bottom\" } }";
+/// The same, twice as wide from half of its height on: a re-entrant corner at (10, 5).
+const STEP: &str = "{ blocks = [\
+    { corners = [[0, 0], [10, 0], [10, 5], [0, 5]], elements = [20, 10], bottom = \"contact\", left = \"left\" }, \
+    { corners = [[0, 5], [10, 5], [10, 10], [0, 10]], elements = [20, 10], left = \"left\" }, \
+    { corners = [[10, 5], [20, 5], [20, 10], [10, 10]], elements = [20, 10], top = \"far\" }] }";
+
+#[test]
+fn no_stress_is_quoted_beside_a_force_at_a_point_nor_a_corner_nor_a_pressure_without_limit() {
+    let of = |from: &str, to: &str| {
+        assert!(BLOCK.contains(from));
+        let text = BLOCK.replace(from, to);
+        // Blocks bring their own elements.
+        stresses(&parsed(&if to == STEP { text.replace("elements = 8\nper = 1\n", "") } else { text }))
+    };
+    let (_, plain) = of("", "");
+    assert!(plain[0].largest.is_some() && plain[0].without_limit.is_empty(), "{plain:?}");
+    let load = "{ traction = { at = \"far\", value = [0, -100] } }";
+    let at_point = "{ force = { at = [0, 10], value = [0, -1000] } }";
+    for (from, to, because, at) in [
+        (load, at_point, "a force at a point", [0.0, 10.0]),
+        (RECTANGLE, STEP, "a corner", [10.0, 5.0]),
+        (
+            "gap = { parabola = 200 }\nstretch = 5",
+            "gap = { punch = 4 }\nstretch = 4",
+            "a contact pressure without limit",
+            [4.0, 0.0],
+        ),
+    ] {
+        let (discretisation, all) = of(from, to);
+        let VonMises { largest, without_limit, .. } = &all[0];
+        assert!(largest.is_none(), "{because}: {largest:?}");
+        let place = |node: usize| discretisation.mesh.points[node];
+        let near = |[x, y]: [f64; 2]| (x - at[0]).abs() < 0.2 && (y - at[1]).abs() < 0.2;
+        assert!(
+            without_limit.iter().any(|one| one.because == because && near(place(one.node))),
+            "{because}: {without_limit:?}"
+        );
+    }
+}
+
+#[test]
+fn stress_of_a_fixed_block_is_quoted_with_the_corner_that_has_none() {
+    // Fixed along both directions at its foot, far from the contact.
+    let fixed = "supports = [{ at = \"left\", component = \"x\" }, { at = \"far\", component = \"x\" }, { at = \"far\", component = \"y\" }]\n";
+    let below = format!(
+        "[[body]]\nname = \"foot\"\nyoung = 1e5\npoisson = 0.3\n\
+         shape = {{ rectangle = {{ x = [0, 40], y = [-40, 0], contact = \"top\" }} }}\n{fixed}[contact]\nsecond = \"foot\"\n"
+    );
+    let (discretisation, all) = stresses(&parsed(&BLOCK.replace("[contact]\n", &below)));
+    let VonMises { largest, without_limit, .. } = &all[1];
+    let largest = largest.expect("below the contact");
+    assert!(largest.at[1] > -10.0, "{largest:?}");
+    let corners: Vec<[f64; 2]> = without_limit.iter().map(|one| discretisation.mesh.points[one.node]).collect();
+    assert_eq!(corners, [[40.0, -40.0]]);
+    // A smooth hole and rings have none, drawn by chords or by curves.
+    for file in ["press-fit", "rings-from-gmsh", "three-rings", "rubber-roller", "whole-disc", "hollow-circle"] {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("tests/cases/{file}.toml"));
+        let (_, all) = stresses(&Case::read(&path).expect("a case"));
+        let none = all.iter().flat_map(|one| &one.without_limit).filter(|one| one.because == "a corner").count();
+        assert_eq!(none, 0, "{file}: {all:?}");
+    }
+}
