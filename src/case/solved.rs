@@ -120,9 +120,11 @@ fn convergence(run: &Run) -> Check {
 /// What a run converges to.
 const EXACT: &str = "the discrete solution";
 
-/// That an accuracy is met, by the estimate.
+/// That an accuracy is met, by the estimate, which tells nothing where it is within what was asked and the search says otherwise.
 pub fn met(asked: &Asked, answer: &Answer) -> Judged {
-    estimated(if answer.unmet.is_none() { answer.estimate() } else { f64::NAN }, asked.relative)
+    let estimate = answer.estimate();
+    let is_contradicted = answer.unmet.is_some() && estimate <= asked.relative;
+    estimated(if is_contradicted { f64::NAN } else { estimate }, asked.relative)
 }
 
 /// The same of an estimated error; NaN where the search says that it is not met.

@@ -137,19 +137,27 @@ fn check_that_asks_for_more_than_another_formulation_accepts_is_not_judged_and_a
 }
 
 #[test]
-fn self_consistency_of_several_runs_is_one_check_and_as_bad_as_its_worst_run() {
+fn what_is_asked_of_several_runs_is_one_check_and_as_bad_as_its_worst_run() {
     let own = |error: f64| Check::error("imbalance", Reference::own("zero", 0.0), 1e-9, "statics").judge(error);
     let hertz = |value: f64| Check::near("width", Reference::analytic("Hertz", 2.0), 0.1, "a reason").judge(value);
     let absent =
         || Check::none("imbalance", "statics").not_run(ReferenceKind::SelfConsistency, "zero", "no run".into());
     let fold = |all: &[Judged]| told::counts(all);
-    assert_eq!(fold(&[own(1e-12), own(1e-10), own(0.0), hertz(2.1), hertz(2.1)]), [3, 0, 0]);
+    assert_eq!(fold(&[own(1e-12), own(1e-10), own(0.0), hertz(2.1), hertz(2.15)]), [2, 0, 0]);
+    assert_eq!(fold(&[hertz(2.1), hertz(2.3), hertz(f64::NAN)]), [0, 1, 0]);
+    // Another reference, or another tolerance, is another check.
+    let other = |reference: f64, tolerance: f64| {
+        Check::near("width", Reference::analytic("Hertz", reference), tolerance, "a reason").judge(2.0)
+    };
+    assert_eq!(fold(&[hertz(2.0), other(2.05, 0.1), other(2.0, 0.2), other(2.0, 0.1)]), [3, 0, 0]);
     assert_eq!(fold(&[own(1e-12), own(1e-8), own(0.0), hertz(2.1)]), [1, 1, 0]);
     assert_eq!(fold(&[own(1e-12), own(f64::NAN), hertz(2.1)]), [1, 1, 0]);
     assert_eq!(fold(&[own(1e-12), absent(), hertz(2.1)]), [1, 0, 1]);
-    let runs = [own(1e-12), own(1e-10), own(0.0)];
-    let named = ["a", "b", "c"].into_iter().zip(&runs);
-    let asked: Vec<Vec<&str>> =
-        requirements(named).iter().map(|runs| runs.iter().map(|(name, _)| *name).collect()).collect();
-    assert_eq!(asked, [["b", "a", "c"]]);
+    let in_order = |runs: [Judged; 3]| -> Vec<Vec<&str>> {
+        let named = ["a", "b", "c"].into_iter().zip(&runs);
+        requirements(named).iter().map(|runs| runs.iter().map(|(name, _)| *name).collect()).collect()
+    };
+    assert_eq!(in_order([own(6e-10), own(9e-10), own(0.0)]), [["b", "a", "c"]]);
+    // Of round-off machines disagree which is worst.
+    assert_eq!(in_order([own(1e-12), own(1e-10), own(0.0)]), [["a", "b", "c"]]);
 }

@@ -82,6 +82,8 @@ fn cases_are_off_their_closed_forms_by_no_more_than_they_say() {
     // What is not stated is seen.
     case.checks.iter_mut().for_each(|check| check.model = 0.0);
     assert!(held(&case).iter().any(|one| one.verdict == Verdict::Fail));
-    let punch = FlatPunch { size: 20.0, ..Default::default() }.case();
-    assert!(held(&punch).iter().any(|one| one.verdict == Verdict::Fail), "a finite block, and no check says so");
+    let mut punch = FlatPunch { size: 20.0, ..Default::default() }.case();
+    assert!(held(&punch).iter().all(|one| one.verdict == Verdict::Pass), "a finite block, as the case says");
+    punch.model = 0.0;
+    assert!(held(&punch).iter().any(|one| one.verdict == Verdict::Fail), "a finite block, and nothing says so");
 }

@@ -4,7 +4,7 @@ use crate::accuracy::answer::{largest, quoted};
 use crate::accuracy::bar::of_contacts;
 use crate::accuracy::laid::Laid;
 use crate::accuracy::watch::{Tell, Watch};
-use crate::accuracy::{Answer, Asked, Barred, Quantity, Tried, TriedContact, ends};
+use crate::accuracy::{Answer, Asked, Barred, Quantity, Tried, TriedContact, ends, in_percent};
 use crate::error::{Error, Kind};
 use crate::measure::larger;
 use crate::mesh::Resolution;
@@ -176,14 +176,22 @@ impl<'a> Rungs<'a> {
             _ if unbounded => Some(UNBOUNDED.to_owned()),
             Some((next, most)) => {
                 let until = largest(&estimates);
-                let until =
-                    if until.is_nan() { "no error is known".into() } else { format!("{:.2e} % is met", 100.0 * until) };
+                let until = match until.is_nan() {
+                    true => "no error is known".into(),
+                    false => format!("{} % is met", in_percent(rounded_up(until))),
+                };
                 Some(format!("the next mesh would have {next} dofs, more than the {most} allowed; until then {until}"))
             }
             None => unmet,
         };
         Ok(Answer { scene, resolution, run, estimates, unmet, next, tried: self.tried })
     }
+}
+
+/// A number of two digits that is not smaller.
+fn rounded_up(number: f64) -> f64 {
+    let step = 10_f64.powf(number.log10().floor() - 1.0);
+    if number > 0.0 { (number / step).ceil() * step } else { number }
 }
 
 impl Tried {
