@@ -29,7 +29,7 @@ fn one_page_of_a_case_is_that_of_the_report_and_a_mistyped_name_is_told_with_its
         assert!(read(folder.path()) == committed && shown.starts_with(committed.trim_end()), "{name}: {shown:.300}");
         assert!(shown.trim_end().ends_with(&file), "{name}");
     }
-    let (code, shown, error) = report("bloks.toml");
+    let (code, shown, error) = report("blocs.toml");
     assert_eq!((code, shown.as_str()), (Some(2), ""));
     assert!(error.contains("did you mean `blocks.toml`?") && error.contains("fitted"), "{error}");
 }

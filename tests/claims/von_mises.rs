@@ -94,8 +94,9 @@ fn bars_of_largest_stresses_hold_on_random_scenes_of_closed_form() {
             let truth = of_field(&discretisation, body, field);
             let (error, bar) = ((found.value - truth).abs(), found.bar.total());
             all += 1;
-            wide += usize::from(!(bar <= 0.5 * truth));
-            if !bar.is_nan() && !(error <= bar) {
+            let (says_something, is_within) = (bar <= 0.5 * truth, error <= bar);
+            wide += usize::from(!says_something);
+            if !bar.is_nan() && !is_within {
                 beyond.push((site.key(), body, error / bar));
             }
         }

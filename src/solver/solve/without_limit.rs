@@ -186,8 +186,8 @@ impl<'a> Outline<'a> {
     fn angle(&self, node: usize) -> Option<f64> {
         let [arriving, leaving] = self.at(node)?;
         let points = &self.discretisation.mesh.points;
-        let ([ax, ay], [bx, by]) = (tangent(points, arriving, 1.0), tangent(points, leaving, -1.0));
-        Some(PI - (ax * by - ay * bx).atan2(ax * bx + ay * by))
+        let ([x, y], [u, v]) = (tangent(points, arriving, 1.0), tangent(points, leaving, -1.0));
+        Some(PI - (x * v - y * u).atan2(x * u + y * v))
     }
 
     /// How an edge is fixed.
