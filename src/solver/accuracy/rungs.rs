@@ -4,7 +4,7 @@ use crate::accuracy::answer::{largest, quoted};
 use crate::accuracy::bar::of_contacts;
 use crate::accuracy::laid::Laid;
 use crate::accuracy::watch::{Tell, Watch};
-use crate::accuracy::{Answer, Asked, Barred, Quantity, Tried, TriedContact, ends, in_percent};
+use crate::accuracy::{Answer, Asked, Barred, Quantity, Tried, TriedContact, ends};
 use crate::error::{Error, Kind};
 use crate::measure::larger;
 use crate::mesh::Resolution;
@@ -178,7 +178,7 @@ impl<'a> Rungs<'a> {
                 let until = largest(&estimates);
                 let until = match until.is_nan() {
                     true => "no error is known".into(),
-                    false => format!("{} % is met", in_percent(rounded_up(until))),
+                    false => format!("{} % is met", percent_rounded_up(until)),
                 };
                 Some(format!("the next mesh would have {next} dofs, more than the {most} allowed; until then {until}"))
             }
@@ -188,10 +188,12 @@ impl<'a> Rungs<'a> {
     }
 }
 
-/// A number of two digits that is not smaller.
-fn rounded_up(number: f64) -> f64 {
-    let step = 10_f64.powf(number.log10().floor() - 1.0);
-    if number > 0.0 { (number / step).ceil() * step } else { number }
+/// A relative error in percent, rounded up to two digits.
+fn percent_rounded_up(error: f64) -> String {
+    let percent = 100.0 * error;
+    let places = (1.0 - percent.max(f64::MIN_POSITIVE).log10().floor()).clamp(0.0, 15.0);
+    let tens = 10_f64.powf(places);
+    format!("{:.*}", places as usize, (percent * tens).ceil() / tens)
 }
 
 impl Tried {
