@@ -201,7 +201,7 @@ def reference(case: Scene) -> dict[str, Number]:
     """What answers are held against, by the names of `judge`: numbers of the closed form, or of our own fine answer.
 
     >>> print(reference("cylinder")["second-moment width [mm]"])
-    2.5 ± 0.0015
+    2.5 ± 0.0063
     """
     with _folder(case) as (folder, name):
         own = folder / "own.csv"
