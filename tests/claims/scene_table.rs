@@ -4,7 +4,7 @@ use std::path::Path;
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use contact_vv::accuracy;
-use contact_vv::case::Case;
+use contact_vv::case::{Case, library};
 use contact_vv::mesh::{Mesh, Resolution, candidates};
 use contact_vv::scene::{MonotoneCubic, Profile, Scene};
 use contact_vv::solve::{Discretisation, Run};
@@ -113,6 +113,29 @@ fn smooth_table_goes_through_its_points_with_a_continuous_slope_and_never_beyond
         one_sided.iter().for_each(|found| assert_abs_diff_eq!(found, slope, epsilon = 1e-3));
     }
     assert!(cubic.gap(4.1).is_infinite() && cubic.gap(-4.1).is_infinite());
+}
+
+#[test]
+fn curvature_leaps_where_an_arc_goes_over_into_a_line_and_nowhere_among_points_of_a_wave() {
+    let arc = |s: f64| if s < 0.4 { [0.5 * s * s / 0.4, s / 0.4] } else { [s - 0.2, 1.0] };
+    let through = |places: &[f64], of: &dyn Fn(f64) -> [f64; 2]| MonotoneCubic {
+        points: places.iter().map(|&s| [s, of(s)[0]]).collect(),
+        slopes: places.iter().map(|&s| of(s)[1]).collect(),
+    };
+    let few = through(&[0.0, 0.2, 0.4, 1.0, 3.0], &arc);
+    assert_eq!(few.leaps(), [0.4]);
+    let places: Vec<f64> = (0..=64).map(|k| f64::from(k) / 20.0).collect();
+    assert!(through(&places, &|s| [1.0 + 0.5 * s * s - s.cos(), s + s.sin()]).leaps().is_empty());
+    // On both sides of an even gap, within the known ends of the contact alone.
+    let mut pair = library::find("truncated-hertz", None).expect("known").scene.contacts.remove(0);
+    pair.profile = Profile::Smooth(std::sync::Arc::new(few));
+    assert_eq!(pair.profile.leaps(), [-0.4, 0.4]);
+    for (end, leaps) in [(0.7, &[0.4][..]), (0.3, &[]), (0.4001, &[])] {
+        pair.ends.places = vec![end];
+        assert_eq!(pair.leaps(), leaps, "{end}");
+    }
+    pair.ends.places.clear();
+    assert!(pair.leaps().is_empty());
 }
 
 #[test]

@@ -1,5 +1,5 @@
-//! Layers of cells towards the ends of a contact, and towards forces at points: every cell with a corner there is cut into one
-//! like it, smaller, and two around that, and so again.
+//! Layers of cells towards the ends of a contact, leaps of the curvature of its gap, and forces at points: every cell with a corner there
+//! is cut into one like it, smaller, and two around that, and so again.
 //!
 //! Neighbours that share the corner cut their common side at the same place, and sides that do not meet the corner stay as
 //! they are: the mesh hangs together, whatever it was.
@@ -16,12 +16,12 @@ const SAME: f64 = 1e-9;
 /// Layers towards the re-entrant corner of eye and shank, beyond those towards the ends.
 const AT_CORNER: usize = 1;
 
-/// The blocks of a body with layers towards the ends of its contacts, and towards points at which a force acts.
+/// The blocks of a body with layers towards the ends of its contacts and the leaps within, and towards points at which a force acts.
 pub(super) fn towards_ends(mut blocks: Vec<Block>, scene: &Scene, body: usize, order: Order) -> Vec<Block> {
     let mut layered =
         |place: Singular| blocks = blocks.drain(..).flat_map(|block| place.layered(block, order)).collect();
     for pair in scene.contacts_of(body) {
-        for &place in &pair.ends.places {
+        for place in pair.ends.places.iter().copied().chain(pair.leaps()) {
             let is_here = |point: Point| (pair.path.coordinate(point) - place).abs() <= SAME * pair.stretch;
             layered(Singular { side: Some(pair.side(body)), layers: pair.ends.layers, is_here: &is_here });
         }

@@ -167,6 +167,20 @@ impl ContactPair {
         (if body == self.first { cosine } else { -cosine }) > least + ROUNDING
     }
 
+    /// Contact coordinates between the known ends of the contact at which the curvature of the gap leaps, ascending; none where that is so
+    /// at many of the points that tell it \[mm, or rad on an arc\].
+    pub fn leaps(&self) -> Vec<f64> {
+        let places = &self.ends.places;
+        let [Some(first), Some(last)] = [places.first(), places.last()] else { return Vec::new() };
+        let begin = if self.path.has_both_sides() { *first } else { 0.0 };
+        let near = AT_END * (last - begin);
+        let mut leaps = self.profile.leaps();
+        leaps.retain(|s| begin + near < *s && *s < last - near);
+        leaps.retain(|s| places.iter().all(|place| (place - s).abs() > near));
+        leaps.sort_by(f64::total_cmp);
+        if leaps.len() > MANY { Vec::new() } else { leaps }
+    }
+
     /// Gap between a point of the first body and one of the second, as drawn \[mm\]; negative is interference.
     pub fn drawn(&self, first: f64, second: f64) -> f64 {
         if self.above { second - first } else { first - second }
@@ -221,6 +235,14 @@ impl Profile {
         images.chain(points.iter().map(|point| point[0])).collect()
     }
 
+    /// Contact coordinates at which its curvature leaps, on either side of s = 0; none of a formula \[mm, or rad on an arc\].
+    pub fn leaps(&self) -> Vec<f64> {
+        let Self::Smooth(cubic) = self else { return Vec::new() };
+        let leaps = cubic.leaps();
+        let images = leaps.iter().filter(|_| is_even(&cubic.points)).map(|s| -s);
+        images.chain(leaps.iter().copied()).collect()
+    }
+
     /// Contact coordinates at which the slope of the gap leaps upwards, and by how much, so that a tip is pressed: the pressure has no limit
     /// there. None where only the bodies' meshes tell the gap \[mm, or rad on an arc; 1, or mm/rad\].
     pub fn tips(&self) -> Option<Vec<[f64; 2]>> {
@@ -266,6 +288,11 @@ impl Profile {
         places
     }
 }
+
+/// Distance from an end of the contact, over its width, up to which a leap of the curvature lies at that.
+const AT_END: f64 = 0.005;
+/// Leaps within a contact beyond which they are the points' and not the gap's.
+const MANY: usize = 4;
 
 /// Distance over which the slope of a drawn gap is taken on either side of a corner, over the farthest one.
 const NEAR: f64 = 1e-4;

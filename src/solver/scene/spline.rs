@@ -15,6 +15,8 @@ pub struct MonotoneCubic {
 
 /// Largest `√(α² + β²)`, slopes at both ends of an interval over its secant, with which a cubic stays monotone.
 const ROUND: f64 = 3.0;
+/// Difference of the curvatures on both sides of a point, over the larger of them, from which on it leaps there.
+const LEAP: f64 = 0.4;
 
 impl MonotoneCubic {
     /// Through at least two points; where they begin at s = 0 the gap is even, and its slope there 0.
@@ -62,6 +64,24 @@ impl MonotoneCubic {
         let secant = (b[1] - a[1]) / (b[0] - a[0]);
         let [m, n] = [self.slopes[k], self.slopes[k + 1]];
         6.0 * t * (1.0 - t) * secant + (1.0 - t) * (1.0 - 3.0 * t) * m + t * (3.0 * t - 2.0) * n
+    }
+
+    /// Places at which its curvature leaps, as where an arc goes over into a line.
+    ///
+    /// Between points at distances h that a smooth function has, it leaps by a few h of what it is.
+    pub fn leaps(&self) -> Vec<f64> {
+        let pieces = self.points.windows(2).zip(self.slopes.windows(2));
+        // `g'' = (6 d − 4 m − 2 n)/h` where a piece begins, `(2 m + 4 n − 6 d)/h` where it ends: slopes m and n there, d of its chord.
+        let curvatures: Vec<[f64; 2]> = pieces
+            .map(|(ends, slopes)| {
+                let h = ends[1][0] - ends[0][0];
+                let (chord, [m, n]) = ((ends[1][1] - ends[0][1]) / h, [slopes[0], slopes[1]]);
+                [(6.0 * chord - 4.0 * m - 2.0 * n) / h, (2.0 * m + 4.0 * n - 6.0 * chord) / h]
+            })
+            .collect();
+        let leaps = |two: &[[f64; 2]]| (two[1][0] - two[0][1]).abs() > LEAP * two[0][1].abs().max(two[1][0].abs());
+        let inner = self.points.iter().skip(1).map(|point| point[0]);
+        inner.zip(curvatures.windows(2)).filter(|(_, two)| leaps(two)).map(|(s, _)| s).collect()
     }
 
     /// Number and ends of the interval of `s`, and where in it that is.

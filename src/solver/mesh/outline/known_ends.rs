@@ -101,20 +101,22 @@ impl<'a> KnownEnds<'a> {
         self.breaks(places.iter().copied().chain(self.between()).chain(before).collect(), -stretch)
     }
 
-    /// Half way between neighbouring ends, and between there and both of them.
+    /// Half way between neighbouring ends, and between there and both of them; nothing where the gap has a line of its own.
     fn between(&self) -> impl Iterator<Item = f64> {
-        let size = self.half_width();
-        self.pair.ends.places.windows(2).flat_map(move |two| {
+        let (size, leaps) = (self.half_width(), self.pair.leaps());
+        let is_whole = move |two: &&[f64]| !leaps.iter().any(|s| two[0] < *s && *s < two[1]);
+        self.pair.ends.places.windows(2).filter(is_whole).flat_map(move |two| {
             let middle = 0.5 * (two[0] + two[1]);
             let from_both = two.iter().flat_map(move |end| towards(*end, middle, size));
             from_both.chain([middle])
         })
     }
 
-    /// Positions from a place on: those given, kinks of the gap, others beyond the last, and the end of the stretch.
+    /// Positions from a place on: those given, kinks and leaps of the curvature of the gap, others beyond the last, and the end of the stretch.
     fn breaks(&self, mut breaks: Vec<f64>, from: f64) -> Vec<f64> {
         let stretch = self.pair.stretch;
         breaks.extend(self.pair.profile.kinks());
+        breaks.extend(self.pair.leaps());
         breaks.retain(|s| *s > from);
         breaks.sort_by(f64::total_cmp);
         let near = SAME * stretch;

@@ -113,8 +113,12 @@ impl Closed {
             let half_width = half_width(one);
             let own = points.iter().zip(&closed).zip(&iterate.pressure);
             let own = own.filter(|((point, closed), _)| **closed && point.contact == contact);
-            let near: Vec<[f64; 2]> = own.map(|((point, _), p)| [(point.position - end) * inwards, *p]).collect();
-            let moved = root::beyond(&near, half_width);
+            let away = |s: f64| (s - end) * inwards;
+            // The cell next to the end reaches up to a leap of the curvature, beyond which the pressure has another series.
+            let leaps = made.scene.contacts[contact].leaps().into_iter().map(away).filter(|d| *d > 0.0);
+            let cell = leaps.reduce(f64::min).unwrap_or(half_width);
+            let near: Vec<[f64; 2]> = own.map(|((point, _), p)| [away(point.position), *p]).collect();
+            let moved = root::beyond(&near, half_width, cell);
             moved.map_err(|unfit| {
                 let pair = &made.scene.contacts[contact];
                 let message =
@@ -158,7 +162,7 @@ impl Closed {
 const SAME: f64 = 1e-9;
 
 /// Where stretches end within the candidates, and not on a symmetry line.
-fn places(stretches: &[Stretch]) -> Vec<f64> {
+pub(super) fn places(stretches: &[Stretch]) -> Vec<f64> {
     let begins = stretches.iter().filter(|one| !one.reaches[0] && begins_within(one)).map(|one| one.begin);
     let ends = stretches.iter().filter(|one| !one.reaches[1]).map(|one| one.end);
     let mut places: Vec<f64> = begins.chain(ends).collect();
@@ -173,7 +177,7 @@ pub(super) fn apart(stretches: &[Stretch], moves: &[[Beyond; 2]]) -> f64 {
 }
 
 /// Half its width, or all of it where it begins on a symmetry line.
-fn half_width(one: &Stretch) -> f64 {
+pub(super) fn half_width(one: &Stretch) -> f64 {
     if begins_within(one) { 0.5 * (one.end - one.begin) } else { one.end }
 }
 

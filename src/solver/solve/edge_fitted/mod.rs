@@ -21,4 +21,5 @@ mod told;
 
 pub use fitted::Fitted;
 pub use search::{Answer, Sought, Tried};
+pub(crate) use search::{lay_on_ends, off};
 pub(super) use told::of_lines;

@@ -4,7 +4,7 @@ use std::fmt;
 
 use nalgebra::{DMatrix, DVector};
 
-/// Distance from the end, over the half-width, up to which pressures take part: the outermost layer of cells.
+/// Distance from the end, over the cell next to it, up to which pressures take part: the outermost layer.
 const NEAR: f64 = 0.3501;
 /// Distance up to which a point lies at the end itself.
 const AT_END: f64 = 1e-9;
@@ -45,13 +45,14 @@ impl fmt::Display for Unfit {
     }
 }
 
-/// How far the end lies beyond the expected one, from `[distance from that end, pressure]` of closed points, both over the half-width.
+/// How far the end lies beyond the expected one, over the half-width, from `[distance from that end, pressure]` of closed points, and how
+/// wide the cell next to it is.
 ///
 /// Closed up to a place e that is not the end, a frictionless contact has the pressure of a sharp corner,
 /// `p √d = A₀ + B₀ d + C₀ d² + …` at the distance d from e. At the end itself A₀, its stress intensity, vanishes. Where the end
 /// lies at e + δ, `p ∝ √(δ + d) = √d + δ/(2√d) + …`, so that `δ = 2 A₀/B₀`.
-pub(super) fn beyond(points: &[[f64; 2]], half_width: f64) -> Result<Beyond, Unfit> {
-    let near = points.iter().filter(|[d, _]| *d > AT_END * half_width && *d <= NEAR * half_width);
+pub(super) fn beyond(points: &[[f64; 2]], half_width: f64, cell: f64) -> Result<Beyond, Unfit> {
+    let near = points.iter().filter(|[d, _]| *d > AT_END * half_width && *d <= NEAR * cell);
     let near: Vec<[f64; 2]> = near.map(|[d, p]| [d / half_width, *p]).collect();
     if near.len() < TERMS[0] {
         return Err(Unfit::TooFew(near.len()));

@@ -1,12 +1,13 @@
 //! The ends of the contact sought on coarse fitted meshes, then on the one that is asked for.
 
-use super::closed::Closed;
+use super::closed::{Closed, half_width, places};
 use super::fitted::Fitted;
 use super::refused::{REMEDY, on_fitted, refuse_given};
 use crate::error::{Error, Kind};
+use crate::measure::{Stretch, larger};
 use crate::mesh::size::solvable;
 use crate::mesh::{Order, Resolution};
-use crate::scene::Scene;
+use crate::scene::{ContactPair, Scene};
 use crate::solution::Outcome;
 use crate::solve::{Discretisation, Formulation, Permits, Run};
 
@@ -180,6 +181,29 @@ impl Fitted {
             REMEDY,
         ))
     }
+}
+
+/// Lays the mesh lines of a scene on the ends that a run found; those of two contacts of a body on one line where they lie within so many
+/// half-widths. A contact that has other ends than lines keeps these.
+pub(crate) fn lay_on_ends(scene: &mut Scene, run: &Run, near: f64) {
+    let mut ends = found(run);
+    ends.join(scene, near);
+    for (pair, stretches) in scene.contacts.iter_mut().zip(&ends.stretches) {
+        let places = places(stretches);
+        if places.len() == pair.ends.places.len() {
+            pair.ends.places = places;
+        }
+    }
+}
+
+/// How far the mesh lines of a contact lie from the ends that a run on that mesh found, over the half-width.
+pub(crate) fn off(pair: &ContactPair, stretches: &[Stretch]) -> f64 {
+    let away = |end: f64| pair.ends.places.iter().map(|place| (place - end).abs()).fold(f64::INFINITY, f64::min);
+    let of = |one: &Stretch| {
+        let ends = places(std::slice::from_ref(one));
+        ends.into_iter().map(away).fold(0.0, larger) / half_width(one)
+    };
+    stretches.iter().map(of).fold(0.0, larger)
 }
 
 /// The closed stretches that a run found.
