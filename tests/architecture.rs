@@ -212,11 +212,11 @@ fn matrix_types_of_libraries_stay_inside_the_numerics() {
 
 /// Lines that a room may have; raised only by a commit that says what for.
 const BUDGETS: [(&str, usize); 9] = [
-    ("solver", 20_340),
+    ("solver", 20_500),
     ("drawing", 2_970),
     ("case", 8_210),
     ("oracle", 4_370),
-    ("study", 14_710),
+    ("study", 14_770),
     ("referee", 5_900),
     ("report", 3_515),
     ("cli", 4_950),

@@ -69,8 +69,9 @@ fn bound_that_is_not_reached_changes_nothing() {
         let alike = answer.tried.iter().filter(|tried| tried.dofs == free.run.dofs);
         alike.map(|tried| tried.coarser).max()
     };
-    assert!(of_bars(&free) >= Some(largest), "{:?}", free.tried);
-    assert!(of_bars(&short).is_some_and(|dofs| dofs < largest), "{:?}", short.tried);
+    assert_eq!(free.tried.last().map(|tried| tried.dofs), Some(largest), "{:?}", free.tried);
+    assert_eq!(of_bars(&free), Some(0), "{:?}", free.tried);
+    assert!(of_bars(&short).is_some_and(|dofs| 0 < dofs && dofs < largest), "{:?}", short.tried);
 }
 
 #[test]

@@ -30,3 +30,33 @@ fn ends_known_from_one_mesh_are_not_sought_on_coarse_ones_for_the_next() {
     let alike = answer.tried.iter().filter(|tried| (tried.dofs, tried.order) == (last.dofs, last.order));
     assert_eq!(alike.count(), 1, "{:?}", answer.tried);
 }
+
+#[test]
+fn wedge_whose_arc_goes_over_into_a_line_has_a_mesh_line_there() {
+    // 8-node cells took 48,325 dofs, and cells of high order across the leap of the curvature do not converge.
+    let site = Site { family: Family::Wedge, number: 90_002 };
+    let sample = site.sample().expect("a scene");
+    let answer = accuracy::solve(&sample.scene, &Formulation::verification(), &Asked::new(3e-4)).expect("solved");
+    assert!(answer.resolution.order > Order::Quadratic && answer.scene.contact().leaps().len() == 1);
+    let found = record(&site, 3e-4, &sample).expect("solved");
+    assert!(found.met && !found.is_falsely_met() && found.dofs <= 8_000, "{found:?}");
+}
+
+#[test]
+fn contacts_of_several_bodies_are_each_fitted() {
+    // 8-node cells took 61,361 dofs in the middle of such scenes.
+    let site = Site { family: Family::Pair, number: 90_002 };
+    let sample = site.sample().expect("a scene");
+    let found = record(&site, 1e-3, &sample).expect("solved");
+    assert!(found.met && !found.is_falsely_met() && found.dofs <= 8_000, "{found:?}");
+}
+
+#[test]
+fn mesh_that_judges_one_is_the_next_that_is_judged() {
+    let sample = Site { family: Family::Polynomial, number: 90_016 }.sample().expect("a scene");
+    let answer = accuracy::solve(&sample.scene, &Formulation::verification(), &Asked::new(1e-3)).expect("solved");
+    let orders: Vec<_> = answer.tried.iter().filter(|tried| tried.purpose == "order").collect();
+    assert!(orders.len() > 2 && orders.iter().all(|tried| tried.coarser == 0), "{orders:?}");
+    // The last one judges the answer.
+    assert_eq!(orders[orders.len() - 2].dofs, answer.run.dofs);
+}

@@ -1,6 +1,6 @@
 //! What is asked, and what is answered.
 
-use crate::accuracy::bar::{Barred, Bars};
+use crate::accuracy::bar::Barred;
 use crate::measure::{Quantity, larger};
 use crate::mesh::size::MOST;
 use crate::mesh::{Order, Resolution};
@@ -18,12 +18,14 @@ pub struct Asked {
     pub most_cells: f64,
     /// Most dofs of any mesh that is solved, those of the error bars among them; none where there is no bound.
     pub most_dofs: Option<usize>,
+    /// Whether cells of order 5 to 8 that end with the contacts are tried.
+    pub high_order: bool,
 }
 
 impl Asked {
     /// A relative error in peak and half-width, by meshes of any size that is solved at all.
     pub fn new(relative: f64) -> Self {
-        Self { relative, quantities: Quantity::ASKED.into(), most_cells: MOST[0], most_dofs: None }
+        Self { relative, quantities: Quantity::ASKED.into(), most_cells: MOST[0], most_dofs: None, high_order: true }
     }
 }
 
@@ -59,10 +61,10 @@ impl Answer {
 }
 
 /// The quantities asked for of every contact that touches, with their bars.
-pub(super) fn quoted(bars: &Bars, run: &Run, asked: &Asked) -> Vec<Barred> {
+pub(super) fn quoted(bars: &[Barred], run: &Run, asked: &Asked) -> Vec<Barred> {
     let touches = |contact: usize| run.contacts[contact].open != Some(true);
     let is_asked = |one: &&Barred| touches(one.contact) && asked.quantities.contains(&one.quantity);
-    bars.all.iter().filter(is_asked).cloned().collect()
+    bars.iter().filter(is_asked).cloned().collect()
 }
 
 /// One mesh that was solved.

@@ -145,6 +145,11 @@ pub(super) fn of_contacts(discretisation: &Discretisation, run: &Run, permits: P
     Bars { all, meshes: family.meshes(), dofs: family.dofs() }
 }
 
+/// The bars of what pressures alone tell, by a finer mesh of those that end with the contact.
+pub(super) fn judged(discretisation: &Discretisation, run: &Run, finer: (&Discretisation, &Run)) -> Vec<Barred> {
+    of_pressures(discretisation, run, &Family::judged(discretisation, &run.formulation, finer))
+}
+
 /// The same given what coarser meshes say; of the contacts alone where no displacements are wanted, which need another solution.
 pub fn of_family(
     discretisation: &Discretisation,

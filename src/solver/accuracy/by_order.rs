@@ -1,138 +1,145 @@
-//! Cells of higher and higher order, fitted to the one contact of a scene, until the error bars of a mesh are within what is asked.
+//! Cells of higher and higher order, fitted to the contacts of a scene, until the error bars of a mesh are within what is asked.
 //!
-//! They know where the contact ends by a mesh line, and 8-node cells by its pressures alone, so that these take three times as many dofs to
-//! tell the half-width. Above 1e-2 8-node cells are as cheap.
+//! They know where the contact ends, and where the curvature of its gap leaps, by mesh lines; 8-node cells know it by pressures alone, so
+//! that these take three times as many dofs to tell the half-width. Each mesh is judged by the next one, which is then the one that is
+//! judged.
 
-use crate::accuracy::fitted::{self, Fitted};
+use crate::accuracy::coarser::finer;
+use crate::accuracy::laid::Laid;
 use crate::accuracy::rungs::{Rung, Rungs};
 use crate::accuracy::{Asked, Quantity};
 use crate::error::Error;
-use crate::mesh::Order;
+use crate::mesh::{Order, Resolution};
 use crate::scene::Scene;
 use crate::solve::edge_fitted::{self, Sought};
-use crate::solve::{Element, Formulation, Run};
+use crate::solve::{Discretisation, Element, Fitted, Formulation};
 
-/// Relative error asked for up to which such cells pay, and the same of the half-width.
-const PAYS: [f64; 2] = [1e-3 * (1.0 + 1e-9), 1e-2 * (1.0 + 1e-9)];
-/// Meshes whose peak and second-moment width are as good as is asked: the largest relative error asked for from which on one is tried, order
-/// and layers, and cells on each piece of the contact side.
-const OF_PEAK: [(f64, Order, usize, usize); 6] = [
-    (1e-3, Order::Quintic, 1, 1),
-    (1e-4, Order::Sextic, 1, 1),
-    (1e-5, Order::Septic, 2, 1),
-    (1e-6, Order::Octic, 3, 1),
-    (0.0, Order::Octic, 5, 2),
-    (0.0, Order::Octic, 7, 3),
+/// What such meshes are solved for.
+const PURPOSE: &str = "order";
+
+/// Meshes whose peak and second-moment width are as good as is asked: the smallest relative error asked for with which one is the first, order
+/// and layers.
+const OF_PEAK: [(f64, Fitted); 4] = [
+    (1e-3, of(Order::Quintic, 1)),
+    (1e-4, of(Order::Sextic, 1)),
+    (1e-5, of(Order::Septic, 2)),
+    (0.0, of(Order::Octic, 3)),
 ];
-/// Those whose half-width is: what is left in it falls to a third with every layer, whatever the order. With truncated Hertz their bars are
-/// 5e-3, 6e-4, 2e-4, 8e-5, 5e-5.
-const OF_ENDS: [(f64, Order, usize, usize); 9] = [
-    (1e-2, Order::Quintic, 1, 1),
-    (3e-3, Order::Quintic, 2, 1),
-    (5e-4, Order::Quintic, 3, 1),
-    (1.5e-4, Order::Sextic, 3, 1),
-    (5e-5, Order::Sextic, 4, 1),
-    (1e-5, Order::Septic, 6, 1),
-    (1e-6, Order::Octic, 8, 1),
-    (0.0, Order::Octic, 8, 2),
-    (0.0, Order::Octic, 10, 3),
+/// Those whose half-width is: what is left in it falls to a third with every layer, whatever the order.
+const OF_ENDS: [(f64, Fitted); 6] = [
+    (5e-3, of(Order::Quintic, 1)),
+    (7e-4, of(Order::Quintic, 2)),
+    (2e-4, of(Order::Quintic, 3)),
+    (5e-5, of(Order::Sextic, 3)),
+    (5e-6, of(Order::Septic, 6)),
+    (0.0, of(Order::Octic, 8)),
 ];
 
 /// Part of what is asked that ends at rest may leave, as a move that they no longer make, over the half-width: its square is what matters.
 const REST: f64 = 0.02;
-/// Bar over that of the mesh before, from which on the bars fall too slowly, unless they are as near to what is asked.
+/// Move at rest from which on the ends are sought on the mesh itself, without a coarse one.
+const AT_ONCE: f64 = 0.024;
+/// Bar over that of the mesh before, from which on the bars fall too slowly; how many in a row may, and how many where the bars are so near
+/// to what is asked.
 const SLOW: f64 = 0.5;
+const PATIENCE: [usize; 2] = [1, 2];
 const NEAR: f64 = 3.0;
-/// Bar over what is asked up to which smaller cells are tried where a higher order gains nothing: not above 1e-3, where 8-node cells are as
-/// cheap (wedges with a round tip).
+/// Bar over what is asked up to which smaller cells are tried where a higher order gains nothing.
 const FAR: f64 = 20.0;
 
+const fn of(order: Order, layers: usize) -> Fitted {
+    Fitted { order, layers }
+}
+
 /// Whether such meshes are tried.
-pub(super) fn applies(formulation: &Formulation, asked: &Asked) -> bool {
+pub(super) fn applies(scene: &Scene, formulation: &Formulation, asked: &Asked) -> bool {
     let known = |quantity: &Quantity| {
         matches!(quantity, Quantity::PeakPressure | Quantity::HalfWidth | Quantity::SecondMomentWidth)
     };
-    let [without, with] = PAYS;
-    let pays = if asks_for_ends(asked) { with } else { without };
-    asked.relative <= pays && formulation.element == Element::Node && asked.quantities.iter().all(known)
+    let is_meshed = scene.bodies.iter().all(|body| !body.shape.has_given_mesh());
+    asked.high_order && is_meshed && formulation.element == Element::Node && asked.quantities.iter().all(known)
 }
 
-fn asks_for_ends(asked: &Asked) -> bool {
-    asked.quantities.contains(&Quantity::HalfWidth)
-}
-
-/// What came of such meshes.
-pub(super) enum Found {
-    /// The bars of one are within what is asked.
-    Met(Rung),
-    /// Those of none are; the best of them, where any was solved.
-    Unmet(Option<Rung>),
-}
-
-/// The first such mesh whose bars are within what is asked.
-pub(super) fn found(around: &Fitted, rungs: &mut Rungs) -> Result<Found, Error> {
+/// The first such mesh whose bars, by the next one, are within what is asked, or else the best of them.
+pub(super) fn found(scene: &Scene, rungs: &mut Rungs) -> Result<Option<Rung>, Error> {
     let asked = rungs.asked.relative;
-    let scene = around.plan(fitted::FEWEST).scene(&around.scene);
-    let Some(mut from) = rungs.first.as_ref().map(|first| first.run.clone()) else { return Ok(Found::Unmet(None)) };
-    let meshes = if asks_for_ends(rungs.asked) { &OF_ENDS[..] } else { &OF_PEAK };
-    let is_coarser = |mesh: &&(f64, Order, usize, usize)| mesh.0 * (1.0 + 1e-9) >= asked;
-    let coarser = meshes.iter().filter(is_coarser).count();
-    let (mut step, mut times, mut has_stalled, mut before) = (coarser.saturating_sub(1), 1, false, f64::INFINITY);
     let mut best: Option<Rung> = None;
-    while let Some(&(_, order, layers, elements)) = meshes.get(step) {
-        let mesh = crate::solve::Fitted { order, layers };
-        let Some(answer) = sought(mesh, times * elements, (&scene, &from, best.is_some()), rungs) else { break };
-        // The last one is the mesh itself.
-        let others = answer.tried.len().saturating_sub(1);
-        answer.tried[..others].iter().for_each(|tried| rungs.sought(tried));
-        let discretisation = answer.discretisation;
-        // Counted as the 8-node cells that have as many nodes along a side.
-        if discretisation.mesh.cells() as f64 * (0.5 * order.intervals() as f64).powi(2) > rungs.asked.most_cells
-            || !answer.run.solution.converged()
-        {
-            break;
-        }
-        let mut rung = rungs.remember(&discretisation, answer.run, "order");
-        rungs.look(&discretisation, &mut rung)?;
+    let mut mesh = first(scene, rungs);
+    let (mut stalled, mut before) = (0, f64::INFINITY);
+    while let Some((discretisation, mut rung)) = mesh {
+        let next = next(&discretisation, &rung, stalled > 0, rungs);
+        rungs.judge((&discretisation, &mut rung), next.as_ref())?;
         let estimate = rung.error;
         if estimate <= asked {
-            return Ok(Found::Met(rung));
+            return Ok(Some(rung));
         }
-        let is_slow = estimate > SLOW * before && estimate > NEAR * asked;
-        let is_near = asked <= PAYS[0] && estimate <= FAR * asked;
-        let is_last = step + 1 == meshes.len();
-        from = rung.run.clone();
         if best.as_ref().is_none_or(|best| best.error.is_nan() || estimate < best.error) {
             best = Some(rung);
         }
-        if is_slow && has_stalled || !is_near && (is_slow || is_last) {
+        // What is not smooth within a cell gains nothing by its order, and may by smaller cells.
+        stalled = if estimate <= SLOW * before { 0 } else { stalled + 1 };
+        let patience = match estimate / asked {
+            over if over <= NEAR => PATIENCE[1],
+            over if over <= FAR => PATIENCE[0],
+            _ => 0,
+        };
+        if stalled > patience {
             break;
         }
-        // What is not smooth within a cell gains nothing by its order, and may by smaller cells.
-        if is_slow || is_last {
-            times *= 2;
-        } else {
-            step += 1;
-        }
-        (has_stalled, before) = (is_slow, estimate);
+        (mesh, before) = (next, estimate);
     }
-    Ok(Found::Unmet(best))
+    Ok(best)
 }
 
-/// A mesh whose lines lie on the ends of the contact that a run shows; none where none can be fitted, or is allowed.
-fn sought(
-    mesh: crate::solve::Fitted,
-    elements: usize,
-    (scene, first, is_near): (&Scene, &Run, bool),
-    rungs: &mut Rungs,
-) -> Option<edge_fitted::Answer> {
+/// The first mesh, whose lines lie on the ends of the contact that the cheap one shows; none where none can be fitted, or is allowed.
+fn first(scene: &Scene, rungs: &mut Rungs) -> Option<(Discretisation, Rung)> {
+    let first = rungs.first.as_ref()?.run.clone();
+    let of_ends = rungs.asked.quantities.contains(&Quantity::HalfWidth);
+    let meshes = if of_ends { &OF_ENDS[..] } else { &OF_PEAK };
+    let (_, mesh) = meshes.iter().find(|(least, _)| *least <= rungs.asked.relative)?;
     let permits = |dofs| rungs.watch.permits(dofs);
-    let at_rest = (REST * rungs.asked.relative).sqrt();
-    let sought = Sought { elements, is_near, permits: &permits, ..Sought::new(scene, &rungs.formulation, at_rest) };
-    let found = match mesh.around(first, &sought) {
+    let at_rest = at_rest(rungs.asked);
+    let sought =
+        Sought { is_near: at_rest >= AT_ONCE, permits: &permits, ..Sought::new(scene, &rungs.formulation, at_rest) };
+    let found = match mesh.around(&first, &sought) {
         // Two stretches that the first mesh took for one have no lines: they are sought on finer ones.
         Ok(answer) if !answer.is_where_it_was_sought() => mesh.found(&Sought { is_near: false, ..sought }),
         found => found,
     };
-    found.map_err(|error| rungs.is_refused(&error)).ok()
+    let answer = found.map_err(|error| rungs.is_refused(&error)).ok()?;
+    // The last one is the mesh itself.
+    let others = answer.tried.len().saturating_sub(1);
+    answer.tried[..others].iter().for_each(|tried| rungs.sought(tried));
+    let rung = rungs.remember(&answer.discretisation, answer.run, PURPOSE);
+    is_kept(&answer.discretisation, &rung, rungs).then_some((answer.discretisation, rung))
+}
+
+/// Move of an end, over the half-width, that no longer matters.
+fn at_rest(asked: &Asked) -> f64 {
+    (REST * asked.relative).sqrt()
+}
+
+/// The next mesh, its lines on the ends that one shows: of the next order and with a layer more, or of smaller cells.
+fn next(before: &Discretisation, rung: &Rung, smaller: bool, rungs: &mut Rungs) -> Option<(Discretisation, Rung)> {
+    let (scene, resolution) = (&before.scene, before.resolution);
+    let (mut scene, resolution) = match smaller {
+        true => (scene.clone(), Resolution { elements: 2 * resolution.elements, ..resolution }),
+        false => finer(scene, resolution),
+    };
+    edge_fitted::lay_on_ends(&mut scene, &rung.run, at_rest(rungs.asked));
+    let growth = scene.grading.along;
+    let solved = rungs.solve(Laid { scene, resolution, growth }, PURPOSE);
+    let (mut discretisation, mut rung) = solved.map_err(|error| rungs.is_refused(&error)).ok()?;
+    for (pair, contact) in discretisation.scene.contacts.iter_mut().zip(&rung.run.contacts) {
+        pair.ends.off = edge_fitted::off(pair, &contact.measures.stretches);
+    }
+    rung.scene = discretisation.scene.clone();
+    is_kept(&discretisation, &rung, rungs).then_some((discretisation, rung))
+}
+
+/// Whether a mesh was solved, and has no more cells than are allowed: counted as the 8-node cells that have as many nodes along a side.
+fn is_kept(discretisation: &Discretisation, rung: &Rung, rungs: &Rungs) -> bool {
+    let across = 0.5 * discretisation.resolution.order.intervals() as f64;
+    let cells = discretisation.mesh.cells() as f64 * across * across;
+    cells <= rungs.asked.most_cells && rung.run.solution.converged()
 }

@@ -89,6 +89,13 @@ impl Evenly {
         Ok(found)
     }
 
+    /// A scene with the candidates that hold its contacts, and bodies of its own density.
+    pub(super) fn held(&self, scene: &Scene) -> Scene {
+        let mut held = self.scene.clone();
+        held.bodies.iter_mut().zip(&scene.bodies).for_each(|(body, own)| body.density = own.density);
+        held
+    }
+
     /// Elements with which to begin: those of a given mesh, though nothing is coarser.
     pub(super) fn begins(&self, asked: f64) -> usize {
         if self.is_halved() { FIRST } else { fitted::elements(asked).max(FIRST) }

@@ -144,18 +144,16 @@ impl Family {
         wanted: Option<&[Displaced]>,
         permits: Permits,
     ) -> Self {
-        let Formulation { element, layer_thickness, settings, .. } = *formulation;
-        let settings = Settings { tolerance: TOLERANCE.min(settings.tolerance), ..Settings::default() };
-        let formulation = Formulation { layer_thickness, settings, ..Formulation::new(element, Iteration::Kinematic) };
+        let formulation = exact(formulation);
         let (scene, resolution) = (&discretisation.scene, discretisation.resolution);
         let on_ends = scene.contacts.iter().any(|pair| !pair.ends.places.is_empty());
         // A mesh too coarse to hold the contact says nothing.
         let said = |(scene, resolution)| {
             let coarse = Discretisation::permitted(scene, resolution, permits).ok()?;
             let run = Run::of(&coarse, &formulation).ok()?;
-            is_found(&run, on_ends).then(|| said(&coarse, &run, wanted))?
+            said((&coarse, &run), wanted, on_ends)
         };
-        let by_next = on_ends && resolution.order > Order::Quartic && element == Element::Node;
+        let by_next = on_ends && resolution.order > Order::Quartic && formulation.element == Element::Node;
         let next = if by_next { said(finer(scene, resolution)) } else { None };
         let (gentler, coarse) = rayon::join(
             || gentler(scene, resolution).map(said),
@@ -165,29 +163,38 @@ impl Family {
                 _ => coarser(scene, resolution).into_par_iter().filter_map(said).collect(),
             },
         );
-        let off = scene.contacts.iter().map(|pair| pair.ends.off).fold(0.0, larger);
-        let (sizes, cells) = (sizes(discretisation), discretisation.mesh.cells());
-        let order = discretisation.resolution.order;
-        let layers = discretisation.scene.contacts.iter().map(|pair| pair.ends.layers).min().unwrap_or(0);
-        let shallow = !on_ends && is_shallow(discretisation);
-        let by_points = discretisation.scene.contacts.iter().any(|pair| pair.profile.is_by_points());
-        let (others, corners) = (others(discretisation), corners(discretisation));
-        let misfit = MISFIT * off * off;
+        Self { coarse, gentler, next, ..Self::alone(discretisation, formulation) }
+    }
+
+    /// What a finer mesh of those that end with the contact says of the contacts.
+    pub(super) fn judged(
+        discretisation: &Discretisation,
+        formulation: &Formulation,
+        finer: (&Discretisation, &Run),
+    ) -> Self {
+        Self { next: said(finer, None, true), ..Self::alone(discretisation, exact(formulation)) }
+    }
+
+    /// The mesh itself, beside no other.
+    fn alone(discretisation: &Discretisation, formulation: Formulation) -> Self {
+        let contacts = &discretisation.scene.contacts;
+        let on_ends = contacts.iter().any(|pair| !pair.ends.places.is_empty());
+        let off = contacts.iter().map(|pair| pair.ends.off).fold(0.0, larger);
         Self {
             formulation,
-            order,
-            sizes,
-            others,
-            corners,
-            cells,
+            order: discretisation.resolution.order,
+            sizes: sizes(discretisation),
+            others: others(discretisation),
+            corners: corners(discretisation),
+            cells: discretisation.mesh.cells(),
             on_ends,
-            layers,
-            by_points,
-            shallow,
-            coarse,
-            gentler,
-            next,
-            misfit,
+            layers: contacts.iter().map(|pair| pair.ends.layers).min().unwrap_or(0),
+            by_points: contacts.iter().any(|pair| pair.profile.is_by_points()),
+            shallow: !on_ends && is_shallow(discretisation),
+            coarse: Vec::new(),
+            gentler: None,
+            next: None,
+            misfit: MISFIT * off * off,
         }
     }
 
@@ -479,14 +486,24 @@ fn is_found(run: &Run, on_ends: bool) -> bool {
     run.solution.converged() || on_ends && lost_forces()
 }
 
-/// What a run on another mesh says.
-fn said(coarse: &Discretisation, run: &Run, wanted: Option<&[Displaced]>) -> Option<Other> {
-    let mut readings = of_discrete(coarse, run, 1);
-    if let Some(wanted) = wanted {
-        readings.extend(recovered(coarse, run, wanted).ok()?.readings);
+/// The formulation that finds the discrete solution of a contact element, with the settings of another one.
+fn exact(formulation: &Formulation) -> Formulation {
+    let Formulation { element, layer_thickness, settings, .. } = *formulation;
+    let settings = Settings { tolerance: TOLERANCE.min(settings.tolerance), ..Settings::default() };
+    Formulation { layer_thickness, settings, ..Formulation::new(element, Iteration::Kinematic) }
+}
+
+/// What a run on another mesh says; nothing where it was not found.
+fn said((mesh, run): (&Discretisation, &Run), wanted: Option<&[Displaced]>, on_ends: bool) -> Option<Other> {
+    if !is_found(run, on_ends) {
+        return None;
     }
-    let (cells, dofs, imbalance) = (coarse.mesh.cells(), run.dofs, run.imbalance());
-    Some(Other { sizes: sizes(coarse), cells, dofs, readings, imbalance })
+    let mut readings = of_discrete(mesh, run, 1);
+    if let Some(wanted) = wanted {
+        readings.extend(recovered(mesh, run, wanted).ok()?.readings);
+    }
+    let (cells, dofs, imbalance) = (mesh.mesh.cells(), run.dofs, run.imbalance());
+    Some(Other { sizes: sizes(mesh), cells, dofs, readings, imbalance })
 }
 
 /// Whether a body has no more cells than candidate edges of one of its contacts.

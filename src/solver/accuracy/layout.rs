@@ -1,8 +1,10 @@
 //! How the meshes of a search are laid out.
 
-use crate::accuracy::evenly::Evenly;
+use crate::accuracy::evenly::{self, Evenly};
 use crate::accuracy::fitted::{self, Fitted};
 use crate::accuracy::laid::Laid;
+use crate::accuracy::length;
+use crate::accuracy::rungs::{Rung, Rungs};
 use crate::error::{Error, Kind};
 use crate::scene::Scene;
 use crate::solve::run::Run;
@@ -16,6 +18,22 @@ pub(super) enum Layout {
 }
 
 impl Layout {
+    /// The layout of a scene, by cheap meshes that show where its contacts are; where one is not found, the last mesh with the reason.
+    pub(super) fn found(scene: &Scene, rungs: &mut Rungs) -> Result<Result<Self, (Rung, String)>, Error> {
+        match evenly::applies(scene) {
+            true => Ok(Ok(Self::Evenly(Evenly::found(scene, rungs)?))),
+            false => Ok(length::found(scene, rungs)?.map(Self::Fitted)),
+        }
+    }
+
+    /// The scene with candidates that hold its contacts.
+    pub(super) fn held(&self, scene: &Scene) -> Scene {
+        match self {
+            Self::Fitted(fitted) => fitted.plan(fitted::FEWEST).scene(scene),
+            Self::Evenly(evenly) => evenly.held(scene),
+        }
+    }
+
     /// The scene with so many elements within the contact.
     pub(super) fn laid(&self, elements: usize) -> Laid {
         match self {

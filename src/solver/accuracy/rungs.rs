@@ -1,7 +1,7 @@
 //! The meshes of a search, solved and remembered.
 
 use crate::accuracy::answer::{largest, quoted};
-use crate::accuracy::bar::of_contacts;
+use crate::accuracy::bar::{judged, of_contacts};
 use crate::accuracy::laid::Laid;
 use crate::accuracy::watch::{Tell, Watch};
 use crate::accuracy::{Answer, Asked, Barred, Quantity, Tried, TriedContact, ends};
@@ -23,6 +23,8 @@ pub(super) struct Rung {
     pub(super) scene: Scene,
     pub(super) resolution: Resolution,
     pub(super) run: Run,
+    /// Its place in the list of meshes.
+    number: usize,
     /// What its bars say of the quantities asked for; empty where they were not looked at.
     pub(super) estimates: Vec<Barred>,
     /// Largest relative bar of those that some mesh may meet; NaN where one is not known, or none was looked at.
@@ -78,8 +80,29 @@ impl<'a> Rungs<'a> {
         }
     }
 
-    /// Looks at the bars of the mesh solved last, and at whether its peaks have a limit.
+    /// Looks at the bars of a mesh, and at whether its peaks have a limit.
     pub(super) fn look(&mut self, discretisation: &Discretisation, rung: &mut Rung) -> Result<(), Error> {
+        self.limit(discretisation, rung)?;
+        let bars = of_contacts(discretisation, &rung.run, &|dofs| self.watch.permits(dofs));
+        self.tried[rung.number].coarser = bars.dofs;
+        self.take(&bars.all, rung);
+        Ok(())
+    }
+
+    /// The same where a finer mesh tells them; without one coarser ones do.
+    pub(super) fn judge(
+        &mut self,
+        (discretisation, rung): (&Discretisation, &mut Rung),
+        finer: Option<&(Discretisation, Rung)>,
+    ) -> Result<(), Error> {
+        let Some((finer, judge)) = finer else { return self.look(discretisation, rung) };
+        self.limit(discretisation, rung)?;
+        self.take(&judged(discretisation, &rung.run, (finer, &judge.run)), rung);
+        Ok(())
+    }
+
+    /// Looks at whether the peaks of a mesh have a limit.
+    fn limit(&mut self, discretisation: &Discretisation, rung: &mut Rung) -> Result<(), Error> {
         if self.asks_for_peak() {
             rung.run = rung.run.clone().with_limits(discretisation)?;
         }
@@ -87,18 +110,18 @@ impl<'a> Rungs<'a> {
         for (meshes, contact) in self.without_limit.iter_mut().zip(&rung.run.contacts) {
             *meshes = if contact.unbounded.is_some() { *meshes + 1 } else { 0 };
         }
-        let bars = of_contacts(discretisation, &rung.run, &|dofs| self.watch.permits(dofs));
-        rung.estimates = quoted(&bars, &rung.run, self.asked);
-        if let Some(tried) = self.tried.last_mut() {
-            tried.coarser = bars.dofs;
-            tried.estimate = largest(&rung.estimates);
-        }
+        Ok(())
+    }
+
+    /// Takes what bars say of a mesh.
+    fn take(&mut self, bars: &[Barred], rung: &mut Rung) {
+        rung.estimates = quoted(bars, &rung.run, self.asked);
+        self.tried[rung.number].estimate = largest(&rung.estimates);
         let no_mesh =
             |one: &Barred| one.quantity == Quantity::PeakPressure && self.without_limit[one.contact] >= WITHOUT_LIMIT;
         let relative = rung.estimates.iter().filter(|one| !no_mesh(one)).map(Barred::relative);
         rung.error = if rung.estimates.is_empty() { f64::NAN } else { relative.fold(0.0, larger) };
         self.watch.estimated(rung.error);
-        Ok(())
     }
 
     /// Takes why a mesh was not solved; whether it has more dofs than are allowed.
@@ -120,7 +143,6 @@ impl<'a> Rungs<'a> {
             Some(before) => Run::from_origin(Origin::From(before), &discretisation, &self.formulation, Change::NONE)?,
             None => Run::of(&discretisation, &self.formulation)?,
         };
-        self.last = Some(run.solution.clone());
         let rung = self.remember(&discretisation, run, purpose);
         if let Some(tried) = self.tried.last_mut() {
             tried.growth = growth;
@@ -131,6 +153,7 @@ impl<'a> Rungs<'a> {
     /// Takes a mesh that was solved into the list.
     pub(super) fn remember(&mut self, discretisation: &Discretisation, run: Run, purpose: &'static str) -> Rung {
         self.watch.took(&run);
+        self.last = Some(run.solution.clone());
         let (scene, resolution) = (discretisation.scene.clone(), discretisation.resolution);
         let pressed = |(contact, pair)| ends::pressed(run.solution.part(contact), pair)[1];
         self.tried.push(Tried {
@@ -144,7 +167,7 @@ impl<'a> Rungs<'a> {
             contacts: Tried::contacts(&scene, &run),
             estimate: f64::NAN,
         });
-        Rung { scene, resolution, run, estimates: vec![], error: f64::NAN }
+        Rung { scene, resolution, run, number: self.tried.len() - 1, estimates: vec![], error: f64::NAN }
     }
 
     /// Takes a mesh on which the ends of a contact were sought into the list.

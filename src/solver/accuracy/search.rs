@@ -1,7 +1,7 @@
 //! Finer and finer meshes of one family, until the error bars of one are within what is asked.
 
-use crate::accuracy::by_order::{self, Found};
-use crate::accuracy::evenly::{self, Evenly};
+use crate::accuracy::by_order;
+use crate::accuracy::evenly;
 use crate::accuracy::fitted;
 use crate::accuracy::layout::Layout;
 use crate::accuracy::length;
@@ -31,24 +31,18 @@ pub(super) fn solve(scene: &Scene, formulation: &Formulation, asked: &Asked, tel
     let settings = &mut formulation.settings;
     settings.tolerance = settings.tolerance.min(ITERATION * asked.relative).max(1e-12);
     let mut rungs = Rungs::new(formulation, asked, tell);
-    let mut by_order = None;
-    let layout = if evenly::applies(scene) {
-        Layout::Evenly(Evenly::found(scene, &mut rungs)?)
-    } else {
-        match length::found(scene, &mut rungs)? {
-            Ok(fitted) => {
-                if by_order::applies(&rungs.formulation, asked) {
-                    match by_order::found(&fitted, &mut rungs)? {
-                        Found::Met(rung) => return rungs.answer(rung, None),
-                        Found::Unmet(best) => by_order = best,
-                    }
-                }
-                Layout::Fitted(fitted)
-            }
-            Err((rung, why)) => return rungs.answer(rung, Some(why)),
-        }
+    let layout = match Layout::found(scene, &mut rungs)? {
+        Ok(layout) => layout,
+        Err((rung, why)) => return rungs.answer(rung, Some(why)),
     };
-    refine(layout, rungs, scene, by_order)
+    let by_order = match by_order::applies(scene, &rungs.formulation, asked) {
+        true => by_order::found(&layout.held(scene), &mut rungs)?,
+        false => None,
+    };
+    match by_order {
+        Some(rung) if rung.error <= asked.relative => rungs.answer(rung, None),
+        best => refine(layout, rungs, scene, best),
+    }
 }
 
 /// The scene on the first mesh of the search.

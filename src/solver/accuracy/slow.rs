@@ -39,7 +39,7 @@ pub(super) fn solve(scene: &Scene, formulation: &Formulation, asked: &Asked, tel
         let mut run = Run::of(&discretisation, &formulation)?;
         let limits = answer.run.contacts.iter().map(|contact| contact.unbounded);
         run.contacts.iter_mut().zip(limits).for_each(|(contact, unbounded)| contact.unbounded = unbounded);
-        let estimates = quoted(&of_contacts(&discretisation, &run, &up_to(asked.most_dofs)), &run, asked);
+        let estimates = quoted(&of_contacts(&discretisation, &run, &up_to(asked.most_dofs)).all, &run, asked);
         Ok((run, estimates))
     };
     let (mut run, mut estimates) = by(1.0)?;
