@@ -28,8 +28,8 @@ pub enum Numbers {
     Converged(Surveyed<converged::Record>, Vec<Option<EnergyError>>),
     /// Errors and bars of random scenes.
     Bars(Surveyed<bars::Record>),
-    /// Answers called met or not.
-    Met(Surveyed<met::Record>),
+    /// Answers called met or not, and some beside 8-node cells.
+    Met(Surveyed<met::Record>, Vec<met::Beside>),
     /// How many checks have a bar beside a closed form; and those of them whose true error is beyond the bar and what the closed form
     /// itself may be off, or whose bar is not known, each with the title of its trial.
     Checks(usize, Vec<(String, Judged)>),
@@ -54,7 +54,7 @@ impl Study for Numbers {
                 Ok(Numbers::Converged(converged::SURVEY.surveyed()?, converged::energies()?))
             }),
             of("coverage of error bars", || bars::SURVEY.surveyed().map(Numbers::Bars)),
-            of("what is called met", || met::SURVEY.surveyed().map(Numbers::Met)),
+            of("what is called met", || Ok(Numbers::Met(met::SURVEY.surveyed()?, met::beside()?))),
         ]
     }
 
@@ -62,7 +62,7 @@ impl Study for Numbers {
         Ok(match self {
             Numbers::Converged(surveyed, _) => converged::judge(surveyed),
             Numbers::Bars(surveyed) => bars::judge(surveyed),
-            Numbers::Met(surveyed) => met::judge(surveyed),
+            Numbers::Met(surveyed, _) => met::judge(surveyed),
             Numbers::Checks(all, outside) => judge_checks(*all, outside),
         })
     }
@@ -76,7 +76,7 @@ impl Study for Numbers {
             match found.numbers {
                 Numbers::Converged(surveyed, energies) => text += &converged::section(surveyed, energies),
                 Numbers::Bars(surveyed) => text += &bars::section(surveyed),
-                Numbers::Met(surveyed) => text += &met::section(surveyed),
+                Numbers::Met(surveyed, beside) => text += &met::section(surveyed, beside),
                 Numbers::Checks(all, outside) => checked = section_on_checks(*all, outside),
             }
         }
