@@ -14,7 +14,7 @@
 //! * [`palette`]: colours, dashes, markers and the styles made of them; [`colour_map`]: those of fields and of classes.
 //! * [`theme`]: light and dark pages; [`Drawing`]: a finished figure, written for both.
 //!
-//! Below these: `canvas` collects shapes, `drawing` and `outline` write them as SVG, `pen` sets lines and text, `frame` clips to a rectangle; `axis` and `numbers` place
+//! Below these: `canvas` collects shapes, `joined` makes one of tiles, `drawing` and `outline` write them as SVG, `pen` sets lines and text, `frame` clips to a rectangle; `axis` and `numbers` place
 //! and write ticks, `plot`, `annotations`, `ranges`, `curves`, `signs`, `legend` and `drawn` draw a chart; `panel`, `field_panels`,
 //! `bands`, `cell_grid` and `mesh_lines` a field.
 
@@ -34,6 +34,7 @@ pub mod field;
 mod field_panels;
 mod frame;
 pub mod iteration_path;
+mod joined;
 mod legend;
 mod mesh_lines;
 pub mod multiples;

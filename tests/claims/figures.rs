@@ -235,3 +235,85 @@ fn no_point_is_both_cheaper_and_as_exact_as_one_of_the_front() {
         assert!(within(0.0).is_none() && within(f64::NAN).is_none());
     }
 }
+
+/// Numbers one after another as SVG allows them: a sign, or a second decimal point, begins one by itself.
+fn numbers(text: &str) -> Vec<f64> {
+    let mut words = vec![String::new()];
+    for sign in text.chars() {
+        if sign == ' ' || sign == '-' || sign == '.' && words[words.len() - 1].contains('.') {
+            words.push(String::new());
+        }
+        words.last_mut().expect("one").extend((sign != ' ').then_some(sign));
+    }
+    words.iter().filter(|word| !word.is_empty()).map(|word| word.parse().expect("a number")).collect()
+}
+
+/// The outlines of a path that moves from point to point.
+fn outlines(path: &str) -> Vec<Vec<[f64; 2]>> {
+    let begins: Vec<usize> = path.match_indices(char::is_alphabetic).map(|(at, _)| at).collect();
+    let ends = begins.iter().skip(1).copied().chain([path.len()]);
+    let (mut all, mut at): (Vec<Vec<[f64; 2]>>, _) = (vec![], [0.0; 2]);
+    for (begin, end) in begins.iter().zip(ends) {
+        let (command, steps) = (&path[*begin..=*begin], numbers(&path[begin + 1..end]));
+        let steps: Vec<[f64; 2]> = match command {
+            "h" => steps.iter().map(|x| [*x, 0.0]).collect(),
+            "v" => steps.iter().map(|y| [0.0, *y]).collect(),
+            _ => steps.chunks(2).map(|step| [step[0], step[1]]).collect(),
+        };
+        if ["M", "m"].contains(&command) {
+            all.push(vec![]);
+        }
+        for [x, y] in steps {
+            at = [at[0] + x, at[1] + y];
+            all.last_mut().expect("a move").push(at);
+        }
+        if command == "Z" {
+            at = all[all.len() - 1][0];
+        }
+    }
+    all
+}
+
+/// How often some outlines go round a place.
+fn winding(outlines: &[Vec<[f64; 2]>], [x, y]: [f64; 2]) -> i32 {
+    let of = |outline: &Vec<[f64; 2]>| {
+        let sides = outline.iter().zip(outline.iter().cycle().skip(1));
+        let crossing = |([x0, y0], [x1, y1]): (&[f64; 2], &[f64; 2])| match (*y0 <= y, *y1 <= y) {
+            (below, after) if below != after && x < x0 + (y - y0) / (y1 - y0) * (x1 - x0) => i32::from(after) * 2 - 1,
+            _ => 0,
+        };
+        sides.map(crossing).sum::<i32>()
+    };
+    outlines.iter().map(of).sum()
+}
+
+#[test]
+fn cells_of_a_class_are_one_area_with_its_holes() {
+    // A ring, a hole that touches it at a corner, an island.
+    let classes = [[0, 0, 0, 0, 1], [0, 1, 0, 0, 0], [0, 0, 1, 1, 0], [0, 0, 1, 0, 0], [2, 0, 0, 0, 0]];
+    let cell = |class: usize| Cell { class, label: String::new(), predicted: None };
+    let rows = classes.map(|row| ("1".to_string(), row.map(cell).to_vec())).to_vec();
+    let panels = vec![MapPanel { title: "a panel".into(), rows }];
+    let svg = ClassMap { panels, ..map() }.drawing().svg().expect("drawn");
+    let paths = |class: usize| {
+        let own = format!("\" fill=\"{0}\" stroke=\"{0}\"", CLASSES[class].on(Theme::Light));
+        let before = svg.split(&own).next().expect("a path").rsplit("<path d=\"").next().expect("a path");
+        outlines(before)
+    };
+    let areas = [0, 1, 2].map(paths);
+    let ends = |k: usize| {
+        let all = || areas.iter().flatten().flatten().map(|at| at[k]);
+        [all().fold(f64::INFINITY, f64::min), all().fold(f64::NEG_INFINITY, f64::max)]
+    };
+    let ([left, right], [top, bottom]) = (ends(0), ends(1));
+    for (row, cells) in classes.iter().enumerate() {
+        for (column, class) in cells.iter().enumerate() {
+            let [x, y] = [(column as f64 + 0.5) / 5.0, (row as f64 + 0.5) / 5.0];
+            let at = [left + x * (right - left), bottom - y * (bottom - top)];
+            let found = areas.each_ref().map(|area| winding(area, at) != 0);
+            assert_eq!(found, [0, 1, 2].map(|one| one == *class), "{row}, {column}: {svg}");
+        }
+    }
+    // Corners at which nothing turns are none.
+    assert!(areas[2] == [areas[2][0].clone()] && areas[2][0].len() == 4 && areas[0].len() <= 4, "{areas:?}");
+}
