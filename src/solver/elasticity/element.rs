@@ -190,14 +190,14 @@ impl CellStiffness {
         }
     }
 
-    /// Stresses `σ = D₀ ε + λ₁ θ̄ m` \[MPa\] at some natural coordinates of the cell with nodes at some points.
+    /// Stresses `σ = D₀ ε + λ₁ θ̄ m` \[MPa\] at some places of the cell with nodes at some points.
     ///
     /// A Jacobian determinant that is not positive is returned as the error.
     pub fn stresses(
         &self,
         points: &[[f64; 2]],
         displacements: &[[f64; 2]],
-        at: &[[f64; 2]],
+        at: &[Tabulated],
     ) -> Result<Vec<[f64; 3]>, f64> {
         let smoothed = match self.order {
             Order::Linear if self.split.excess > 0.0 => self.smoothed::<4, 4>(points, displacements, at)?,
@@ -206,9 +206,11 @@ impl CellStiffness {
             _ => vec![0.0; at.len()],
         };
         let mut stresses = vec![[0.0; 3]; at.len()];
-        for ((&at, mean), stress) in at.iter().zip(smoothed).zip(&mut stresses) {
+        for ((Tabulated { shapes, slopes }, mean), stress) in at.iter().zip(smoothed).zip(&mut stresses) {
+            let (inverse, _) = jacobian(slopes, points)?;
             let mut strain = [0.0; 3];
-            for ([x, y], [u, v]) in gradients(points, at)?.0.into_iter().zip(displacements) {
+            for (slope, [u, v]) in slopes.iter().zip(displacements) {
+                let [x, y] = gradient(&inverse, slope);
                 strain[0] += x * u;
                 strain[1] += y * v;
                 strain[2] += y * u + x * v;
@@ -216,8 +218,7 @@ impl CellStiffness {
             let d = &self.split.plain;
             *stress = std::array::from_fn(|i| (0..3).map(|j| d[i][j] * strain[j]).sum());
             if self.is_of_revolution {
-                let shapes = shape_functions::values(points.len(), at);
-                let [[radius, _], [outwards, _]] = [place(&shapes, points), place(&shapes, displacements)];
+                let [[radius, _], [outwards, _]] = [place(shapes, points), place(shapes, displacements)];
                 let hoop = hoop_strain(radius, outwards, strain[0]);
                 stress[..2].iter_mut().for_each(|stress| *stress += d[0][1] * hoop);
             }
@@ -226,12 +227,12 @@ impl CellStiffness {
         Ok(stresses)
     }
 
-    /// `λ₁ θ̄` \[MPa\] at some natural coordinates.
+    /// `λ₁ θ̄` \[MPa\] at some places.
     fn smoothed<const N: usize, const G: usize>(
         &self,
         points: &[[f64; 2]],
         displacements: &[[f64; 2]],
-        at: &[[f64; 2]],
+        at: &[Tabulated],
     ) -> Result<Vec<f64>, f64> {
         let [points, displacements] =
             [points, displacements].map(|all| std::array::from_fn(|a| all.get(a).copied().unwrap_or([f64::NAN; 2])));
@@ -242,7 +243,7 @@ impl CellStiffness {
             samples = dilating(samples, &hoops);
         }
         let modes = self.modes::<N, G>(&points, &samples);
-        let places = at.iter().map(|&at| place(&shape_functions::values(N, at), &points));
+        let places = at.iter().map(|at| place(&at.shapes, &points));
         Ok(modes.dilatation(&displacements, places).map(|theta| self.split.excess * theta).collect())
     }
 
@@ -276,6 +277,23 @@ impl CellStiffness {
             *at = place(shapes, points);
         }
         Modes::of(samples, &places)
+    }
+}
+
+/// The shape functions of a cell and their slopes at a place of it, the same for all cells.
+#[derive(Clone, Debug)]
+pub struct Tabulated {
+    /// `N_a`.
+    shapes: Vec<f64>,
+    /// `[∂N_a/∂ξ, ∂N_a/∂η]`.
+    slopes: Vec<[f64; 2]>,
+}
+
+impl Tabulated {
+    /// Those of a cell of so many nodes at (ξ, η).
+    pub fn of(nodes: usize, at: [f64; 2]) -> Self {
+        let (shapes, slopes) = shape_functions::cell(nodes, at).into_iter().unzip();
+        Self { shapes, slopes }
     }
 }
 
