@@ -19,16 +19,7 @@ pub fn scene(scene: &Scene) -> Vec<String> {
 pub fn hypothesis(scene: &Scene, unit: &str) -> String {
     match scene.is_of_revolution() {
         true => "Bodies of revolution about x = 0: x is the radius, loads and resultants are whole forces.".into(),
-        false => format!("Plane {}, thickness {}{unit}.", plane(scene.plane), scene.thickness),
-    }
-}
-
-/// The hypothesis in a word.
-pub fn plane(plane: PlaneHypothesis) -> &'static str {
-    match plane {
-        PlaneHypothesis::Strain => "strain",
-        PlaneHypothesis::Stress => "stress",
-        PlaneHypothesis::Axisymmetric => "axisymmetric",
+        false => format!("Plane {}, thickness {}{unit}.", scene.plane.name(), scene.thickness),
     }
 }
 

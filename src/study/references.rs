@@ -220,7 +220,7 @@ pub fn sheet(case: &Case, discretisation: &Discretisation, run: &Run, barred: &[
         title: case.title.clone(),
         scene,
         sources: own.chain(of_oracle).collect(),
-        plane: described::plane(case.scene.plane),
+        plane: case.scene.plane.name(),
         thickness: case.scene.thickness,
         half_of_symmetric: case.scene.contacts.iter().any(|pair| pair.symmetric),
         dofs: run.dofs,

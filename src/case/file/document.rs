@@ -141,11 +141,8 @@ fn case(file: Value, name: String) -> Result<Case, Error> {
 
 /// The scene in mm, N, MPa and radians.
 fn scene(file: Value, name: &str, tables: &[Value], contacts: &[Value]) -> Result<Scene, Error> {
-    let known = [
-        ("strain", PlaneHypothesis::Strain),
-        ("stress", PlaneHypothesis::Stress),
-        ("axisymmetric", PlaneHypothesis::Axisymmetric),
-    ];
+    let known = [PlaneHypothesis::Strain, PlaneHypothesis::Stress, PlaneHypothesis::Axisymmetric];
+    let known = known.map(|plane| (plane.name(), plane));
     let plane = file.at("plane").choice("plane hypothesis", &known)?;
     let thickness = revolution::thickness(file, plane)?;
     if plane.is_of_revolution() {

@@ -11,7 +11,7 @@ use crate::referee::answer::Point;
 use crate::referee::export::deck::kind;
 use crate::referee::export::rows::{approach, retained};
 use crate::referee::profile::tributary;
-use crate::scene::{Load, Place, PlaneHypothesis, Scene};
+use crate::scene::{Load, Place, Scene};
 use crate::solve::Discretisation;
 
 /// Scripts that solve an exported plane case by another code, and what they share: name, text, what it is.
@@ -116,11 +116,7 @@ pub fn text(name: &str, discretisation: &Discretisation) -> Result<String, Error
     kind(discretisation)?;
     let mut problem = Problem {
         case: name.into(),
-        plane: match scene.plane {
-            PlaneHypothesis::Strain => "strain",
-            PlaneHypothesis::Stress => "stress",
-            PlaneHypothesis::Axisymmetric => "axisymmetric",
-        },
+        plane: scene.plane.name(),
         thickness: scene.thickness,
         order: mesh.order.number(),
         points: mesh.points.clone(),

@@ -21,6 +21,15 @@ pub enum PlaneHypothesis {
 pub const LARGEST_POISSON: f64 = 0.4999;
 
 impl PlaneHypothesis {
+    /// In a word.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Strain => "strain",
+            Self::Stress => "stress",
+            Self::Axisymmetric => "axisymmetric",
+        }
+    }
+
     /// Whether bodies may have a Poisson's ratio.
     pub fn takes(self, poisson: f64) -> bool {
         match self {
