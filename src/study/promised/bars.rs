@@ -32,11 +32,13 @@ pub const SURVEY: Survey<Site, Record> = Survey {
     again,
 };
 
-/// Whether a scene is solved again: of each family of closed form every cell, element and way to end once, of others, whose truth
-/// takes longer than the solution, one with cells of either kind.
+/// Whether a scene is solved again: of each family of closed form the six chosen, of others, whose truth takes longer than the
+/// solution, one with cells of either kind.
 fn again(site: &Site) -> bool {
-    let scenes = if JUDGED.contains(&site.family) { 0..18 } else { 8..10 };
-    scenes.contains(&(site.number - family::FIRST))
+    match JUDGED.contains(&site.family) {
+        true => family::chosen(site.family).any(|one| one.number == site.number),
+        false => (8..10).contains(&(site.number - family::FIRST)),
+    }
 }
 
 /// Fewest and most elements on half of the contact.
