@@ -138,7 +138,7 @@ fn a_bar_of_elements_too_wide_for_the_top_is_no_best() {
     let load = "traction = { at = \"far\", force = [0, -2000] }";
     let scene = parsed(&block_text([0.0, 60.0], 60.0, load, &gap)).scene;
     let answer = answered(&scene, 1e-2);
-    let fine = Discretisation::of(scene, workbench::resolution(200, 0, Order::Quadratic)).expect("meshed");
+    let fine = Discretisation::of(scene, workbench::resolution(100, 0, Order::Quadratic)).expect("meshed");
     let truth = Run::of(&fine, &plain()).expect("solved").measures().peak.pressure;
     let bar = answer.estimates[0].bar.total();
     let off = (answer.run.measures().peak.pressure - truth).abs();

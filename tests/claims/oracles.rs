@@ -277,14 +277,6 @@ fn press_fit_pressure_closes_the_mismatch_of_the_rings() {
 }
 
 #[test]
-fn solid_shaft_is_the_limit_of_a_small_bore() {
-    let solid = PressFit { bore: 0.0, ..FIT };
-    let drilled = PressFit { bore: 1e-6, ..FIT };
-
-    assert_relative_eq!(solid.pressure(), drilled.pressure(), max_relative = 1e-12);
-}
-
-#[test]
 fn bars_carry_nothing_until_the_gap_is_closed() {
     let at = |displacement: f64| Bars { displacement, ..BARS }.force();
 

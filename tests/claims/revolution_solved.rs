@@ -1,52 +1,19 @@
 //! Blocks of revolution that carry the tractions of a half-space: every closed form without model error.
 
 use std::f64::consts::TAU;
-use std::sync::Arc;
 
+use contact_vv::case::library::Indented;
 use contact_vv::error::Error;
 use contact_vv::measure::Quantity;
 use contact_vv::mesh::{Order, Resolution};
 use contact_vv::oracle::analytic::revolution::indentation::Indentation;
-use contact_vv::scene::{
-    Body, Component, ContactPair, Displaced, Face, Grading, Load, Material, Path, Place, PlaneHypothesis, Profile,
-    ReferenceValues, Scene, Shape, StressField,
-};
+use contact_vv::scene::{Component, Displaced, Material, Place, Profile};
 use contact_vv::solve::{Discretisation, Formulation, Run};
 
 /// Radius of the contacts \[mm\].
 const A: f64 = 2.5;
-/// Height and radius of the block over it.
+/// Height and radius of the blocks over it.
 const SIZE: f64 = 8.0;
-
-const STEEL: Material = Material::STEEL;
-
-/// A block that is pressed by a profile, with the tractions of its half-space on its other sides.
-fn truncated(contact: &Indentation, profile: Profile) -> Scene {
-    let side = SIZE * A;
-    let below = contact.clone();
-    let stress = move |[r, depth]: [f64; 2]| below.potential(r, depth).stress(STEEL.poisson).in_plane();
-    let field = StressField(Arc::new(stress));
-    let load = |boundary: &'static str| Load::Stress { boundary: boundary.into(), field: field.clone() };
-    let body = Body {
-        name: "block".into(),
-        shape: Shape::Rectangle { x: [0.0, side], y: [0.0, side], contact: Face::Bottom },
-        material: STEEL,
-        density: 1.0,
-        supports: vec![],
-        loads: vec![load("right"), load("far")],
-    };
-    let mut pair = ContactPair::new(None, Path::HORIZONTAL, profile, 2.0 * A);
-    pair.symmetric = false;
-    Scene {
-        name: "truncated".into(),
-        plane: PlaneHypothesis::Axisymmetric,
-        thickness: 1.0,
-        bodies: vec![body],
-        contacts: vec![pair],
-        reference: ReferenceValues { length: A, pressure: contact.pressure(0.5 * A), gap: 0.1 },
-        grading: Grading { unit: A, along: 1.5, depth: 1.4, first: 1.0, coarsest: 0.2, end: 1.0 },
-    }
-}
 
 /// Profiles by their powers, and what they are in a scene.
 fn profiles() -> [(&'static str, Vec<[f64; 2]>, Profile); 4] {
@@ -62,13 +29,13 @@ fn profiles() -> [(&'static str, Vec<[f64; 2]>, Profile); 4] {
 #[test]
 fn truncated_blocks_of_revolution_are_their_closed_forms() -> Result<(), Error> {
     for (name, powers, profile) in profiles() {
-        let contact = Indentation::smooth(STEEL.plane_modulus(PlaneHypothesis::Strain), A, powers);
-        let side = SIZE * A;
-        let sunk = |r: f64| contact.potential(r, side).displacement(STEEL)[1];
+        let indented = Indented::to(A, powers, profile);
+        let (contact, side) = (&indented.contact, SIZE * A);
+        let sunk = |r: f64| contact.potential(r, side).displacement(Material::STEEL)[1];
         let mean = (0..40).map(|k| (f64::from(k) + 0.5) / 40.0 * side).map(|r| TAU * r * side / 40.0 * sunk(r));
         let sunk = mean.sum::<f64>() / (0.5 * TAU * side * side);
         let resolution = Resolution { elements: 16, refinement: 0, order: Order::Quadratic };
-        let discretisation = Discretisation::of(truncated(&contact, profile), resolution)?;
+        let discretisation = Discretisation::of(indented.scene(), resolution)?;
         let run = Run::of(&discretisation, &Formulation::verification())?;
 
         assert!(run.solution.converged(), "{name}");
