@@ -212,12 +212,12 @@ fn matrix_types_of_libraries_stay_inside_the_numerics() {
 
 /// Lines that a room may have; raised only by a commit that says what for.
 const BUDGETS: [(&str, usize); 9] = [
-    ("solver", 20_340),
-    ("drawing", 2_970),
-    ("case", 8_210),
-    ("oracle", 4_370),
-    ("study", 14_710),
-    ("referee", 5_900),
+    ("solver", 20_370),
+    ("drawing", 3_035),
+    ("case", 8_205),
+    ("oracle", 4_260),
+    ("study", 14_705),
+    ("referee", 5_880),
     ("report", 3_515),
     ("cli", 4_950),
     ("live", 500),
