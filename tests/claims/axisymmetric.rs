@@ -11,7 +11,7 @@ use contact_vv::case::library::Indented;
 use contact_vv::cli::new::Template;
 use contact_vv::contact::Element;
 use contact_vv::elasticity::element::{CellStiffness, Tabulated};
-use contact_vv::measure::{Measures, Quantity, larger};
+use contact_vv::measure::{Measures, larger};
 use contact_vv::mesh::{Order, Resolution};
 use contact_vv::scene::{
     Action, BlockShape, Body, Component, ContactPair, Face, Grading, Load, Material, Path as Way, Place,

@@ -37,8 +37,7 @@ fn asperity_narrower_than_an_element_is_noted() {
 
 #[test]
 fn bar_of_a_peak_contains_a_sharp_top_that_all_meshes_miss_alike() {
-    let case = scene("flat", &[]);
-    let (run, bars) = barred(&case, &kinematic());
+    let (_, bars) = barred(&scene("flat", &[]), &kinematic());
     let one = bars.all.iter().find(|one| one.quantity == Quantity::PeakPressure).expect("a bar");
     let error = (one.value - 45.154570).abs();
     // It is about as large as the number itself: a bar that holds it says nothing.
@@ -48,8 +47,7 @@ fn bar_of_a_peak_contains_a_sharp_top_that_all_meshes_miss_alike() {
         "{error}, {why}"
     );
     // On smaller elements it is a number, and the bar holds its error.
-    let case = scene("flat", &[["elements = 4", "elements = 40"]]);
-    let (run, bars) = barred(&case, &kinematic());
+    let (run, bars) = barred(&scene("flat", &[["elements = 4", "elements = 40"]]), &kinematic());
     let bar = bars.of(0, &Quantity::PeakPressure).expect("a bar").total();
     let error = (run.measures().peak.pressure - 45.154570).abs();
     assert!(error <= bar, "{error} against {bar}");

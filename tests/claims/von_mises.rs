@@ -22,10 +22,9 @@ fn solved(scene: Scene, resolution: Resolution, formulation: &Formulation) -> (D
     (discretisation, run)
 }
 
-/// The largest stress of a body with its bar; none where it has none.
-fn of_body(discretisation: &Discretisation, run: &Run, body: usize) -> Option<Barred> {
-    let all = bars(discretisation, run, &[]).expect("bars").all;
-    all.into_iter().find(|one| one.quantity == Quantity::VonMises { body })
+/// The largest stress of a body among all numbers with their bars; none where it has none.
+fn of_body(all: &[Barred], body: usize) -> Option<&Barred> {
+    all.iter().find(|one| one.quantity == Quantity::VonMises { body })
 }
 
 #[test]
@@ -37,13 +36,14 @@ fn largest_stresses_of_pressed_rings_are_those_of_lame() {
         for (order, elements) in [(Order::Linear, 24), (Order::Quadratic, 8), (Order::Quadratic, 12)] {
             let resolution = Resolution { elements, refinement: 0, order };
             let (discretisation, run) = solved(case.scene(), resolution, &Formulation::verification());
+            let all = bars(&discretisation, &run, &[]).expect("bars").all;
             let pressure = run.contacts[0].measures.peak.pressure;
             // Radial and hoop stress at the bore of the inner ring, and at that of the outer one.
             let states = [[0.0, -2.0 * pressure * b / (b - a)], [-pressure, pressure * (c + b) / (c - b)]];
             for (body, [radial, hoop]) in states.into_iter().enumerate() {
                 let plane_state = [radial, hoop, 0.0];
                 let truth = von_mises(plane_state, across(plane_state, plane, &materials[body], 0.0));
-                let found = of_body(&discretisation, &run, body).expect("told");
+                let found = of_body(&all, body).expect("told");
                 let (error, bar) = ((found.value - truth).abs(), found.bar.total());
                 assert!(
                     error <= bar && bar <= 0.3 * truth,
@@ -85,11 +85,12 @@ fn bars_of_largest_stresses_hold_on_random_scenes_of_closed_form() {
         let site = Site { family, number };
         let (scene, resolution, formulation) = setup(&site, &site.sample().expect("a scene"));
         let (discretisation, run) = solved(scene, resolution, &formulation);
+        let told = bars(&discretisation, &run, &[]).expect("bars").all;
         for body in 0..discretisation.scene.bodies.len() {
             let loads = &discretisation.scene.bodies[body].loads;
             let field =
                 loads.iter().find_map(|load| if let Load::Stress { field, .. } = load { Some(field) } else { None });
-            let Some(found) = of_body(&discretisation, &run, body) else { continue };
+            let Some(found) = of_body(&told, body) else { continue };
             let Some(field) = field else { continue };
             let truth = of_field(&discretisation, body, field);
             let (error, bar) = ((found.value - truth).abs(), found.bar.total());
