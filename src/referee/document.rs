@@ -81,8 +81,8 @@ pub fn schema() -> String {
 }
 
 /// What to do about a document that is none.
-const SCHEMA: &str =
-    "write it by the schema that `contact-vv schema answer` prints; `contact-vv export` writes one to begin with";
+const SCHEMA: &str = "write it by the schema that `contact-vv schema answer` prints; `contact-vv export` writes one to begin with; numbers are \
+     finite: leave points out that have none";
 
 /// The answer in a text.
 pub fn parse(file: &Path, text: &str, case: &str, scene: &Scene, asked: &Asked) -> Result<Answer, Error> {

@@ -7,6 +7,7 @@ use std::f64::consts::{FRAC_1_SQRT_2, PI, SQRT_2, TAU};
 
 use crate::case::Verdict;
 use crate::measure::Quantity;
+use crate::mesh::Order;
 use crate::referee::answer::{Handed, Point};
 use crate::referee::judge::{fails_by_width, judge};
 use crate::referee::profile::{Profile, tributary};
@@ -15,6 +16,7 @@ use crate::scene::{ContactPair, PlaneHypothesis, Scene};
 use crate::solution::EdgeState;
 
 /// A correction, and what it says.
+#[derive(Clone)]
 struct Correction {
     says: String,
     corrected: Handed,
@@ -43,8 +45,22 @@ fn corrections(truth: &Truth, handed: &Handed) -> Vec<Correction> {
         says,
         corrected: scaled(handed, pressure, place, if revolves { place * place } else { place }),
     });
-    let sides = if revolves { vec![] } else { halves(handed) };
-    scaled.chain(by_rings(scene, handed)).chain(shifts(scene, handed)).chain(sides).collect()
+    // What moves values among the points says nothing of means over edges that were handed in beside them.
+    let moved = if handed.edges.is_empty() { [shifts(scene, handed), middles(handed)].concat() } else { vec![] };
+    let is_half = handed.points[0].position >= 0.0 && !scene.contacts[handed.contact].path.has_both_sides();
+    let sides = if revolves || is_half || !handed.edges.is_empty() { vec![] } else { halves(handed) };
+    scaled.chain(by_rings(scene, handed)).chain(moved).chain(sides).collect()
+}
+
+/// The points at corners alone, where nothing presses at those between.
+fn middles(handed: &Handed) -> Vec<Correction> {
+    let every_second = |first: usize| handed.points.iter().skip(first).step_by(2);
+    if handed.forces || !every_second(1).all(|point| point.value.abs() <= 0.0) {
+        return vec![];
+    }
+    let points = every_second(0).copied().collect();
+    let says = "every second node is a mid-side with a pressure of 0: hand in the corners alone".into();
+    vec![Correction { says, corrected: Handed { points, order: Order::Linear, ..handed.clone() } }]
 }
 
 /// Factors on pressures and on positions.

@@ -79,6 +79,7 @@ mod plausible;
 mod reactions;
 mod referee;
 mod referee_calculix;
+mod referee_codings;
 mod referee_export;
 mod referee_field;
 mod referee_fuzz;
