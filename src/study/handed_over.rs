@@ -20,7 +20,7 @@ pub fn problem(discretisation: &Discretisation, vectors: Vec<Vec<f64>>) -> Resul
         plane: match scene.plane {
             PlaneHypothesis::Strain => "strain",
             PlaneHypothesis::Stress => "stress",
-            PlaneHypothesis::Axisymmetric => "axisymmetric",
+            PlaneHypothesis::Axisymmetric | PlaneHypothesis::AxisymmetricAboutX => "axisymmetric",
         },
         thickness: scene.thickness,
         points: mesh.points.clone(),
@@ -58,6 +58,7 @@ fn profile(scene: &Scene) -> Result<(&'static str, f64, f64), Error> {
         | Profile::Table(_)
         | Profile::Smooth(_)
         | Profile::Even { .. }
+        | Profile::Powers { .. }
         | Profile::Wedge { .. }
         | Profile::Circles { .. }
         | Profile::Pin { .. }

@@ -119,7 +119,7 @@ pub fn text(name: &str, discretisation: &Discretisation) -> Result<String, Error
         plane: match scene.plane {
             PlaneHypothesis::Strain => "strain",
             PlaneHypothesis::Stress => "stress",
-            PlaneHypothesis::Axisymmetric => "axisymmetric",
+            PlaneHypothesis::Axisymmetric | PlaneHypothesis::AxisymmetricAboutX => "axisymmetric",
         },
         thickness: scene.thickness,
         order: mesh.order.number(),
