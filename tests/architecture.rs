@@ -212,14 +212,14 @@ fn matrix_types_of_libraries_stay_inside_the_numerics() {
 
 /// Lines that a room may have; raised only by a commit that says what for.
 const BUDGETS: [(&str, usize); 9] = [
-    ("solver", 20_370),
-    ("drawing", 3_035),
-    ("case", 8_205),
-    ("oracle", 4_260),
-    ("study", 14_705),
-    ("referee", 5_880),
+    ("solver", 20_440),
+    ("drawing", 2_970),
+    ("case", 8_300),
+    ("oracle", 4_400),
+    ("study", 14_815),
+    ("referee", 5_900),
     ("report", 3_515),
-    ("cli", 4_950),
+    ("cli", 4_960),
     ("live", 500),
 ];
 
@@ -234,7 +234,7 @@ fn rooms_keep_to_their_budgets() {
 }
 
 /// Files and types that the studies may have together.
-const STUDIES: [usize; 2] = [62, 131];
+const STUDIES: [usize; 2] = [63, 131];
 
 #[test]
 fn studies_keep_to_their_files_and_types() {

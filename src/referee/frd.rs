@@ -71,7 +71,7 @@ pub fn parse(file: &Path, text: &str, scene: &Scene, asked: &Asked) -> Result<An
         );
         return Err(source.refused(message, EXPANDED));
     }
-    side.all_pressed(&source, (pair, scene.is_of_revolution()), &places, value)?;
+    side.all_pressed(&source, (pair, scene.plane.radial()), &places, value)?;
     let order = asked.order.unwrap_or(side.order());
     let points = ordered(points, order, |message, remedy| source.refused(format!("contact block: {message}"), remedy))?;
     let mut read = vec![format!("{name} as pressure")];

@@ -152,7 +152,7 @@ impl<'a> Grid<'a> {
             );
             return Err(source.refused(message, "hand in a finite number at every node of the contact side"));
         }
-        side.all_pressed(&source, (pair, scene.is_of_revolution()), points, |node| Some(pressure(node)))?;
+        side.all_pressed(&source, (pair, scene.plane.radial()), points, |node| Some(pressure(node)))?;
         nodes.retain(|&node| !pressure(node).is_nan());
         let value: Vec<f64> = nodes.iter().map(|&node| pressure(node)).collect();
         let mut read = vec![how];

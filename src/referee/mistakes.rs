@@ -39,16 +39,16 @@ pub fn explain(truth: &Truth, handed: &Handed, tolerance: f64) -> Vec<String> {
 
 /// Every correction that is tried.
 fn corrections(truth: &Truth, handed: &Handed) -> Vec<Correction> {
-    let (scene, revolves) = (&truth.case.scene, truth.case.scene.is_of_revolution());
+    let (scene, is_circle) = (&truth.case.scene, truth.case.scene.is_around_axis(handed.contact));
     let scales = scales(truth, handed).into_iter();
     let scaled = scales.map(|(says, [pressure, place])| Correction {
         says,
-        corrected: scaled(handed, pressure, place, if revolves { place * place } else { place }),
+        corrected: scaled(handed, pressure, place, if is_circle { place * place } else { place }),
     });
     // What moves values among the points says nothing of means over edges that were handed in beside them.
     let moved = if handed.edges.is_empty() { [shifts(scene, handed), middles(handed)].concat() } else { vec![] };
     let is_half = handed.points[0].position >= 0.0 && !scene.contacts[handed.contact].path.has_both_sides();
-    let sides = if revolves || is_half || !handed.edges.is_empty() { vec![] } else { halves(handed) };
+    let sides = if is_circle || is_half || !handed.edges.is_empty() { vec![] } else { halves(handed) };
     scaled.chain(by_rings(scene, handed)).chain(moved).chain(sides).collect()
 }
 
@@ -65,7 +65,7 @@ fn middles(handed: &Handed) -> Vec<Correction> {
 
 /// Factors on pressures and on positions.
 fn scales(truth: &Truth, handed: &Handed) -> Vec<(String, [f64; 2])> {
-    match truth.case.scene.is_of_revolution() {
+    match truth.case.scene.is_around_axis(handed.contact) {
         true => of_revolution(&truth.case.scene, handed),
         false => of_strips(truth, handed),
     }
@@ -148,17 +148,13 @@ fn of_strips(truth: &Truth, handed: &Handed) -> Vec<(String, [f64; 2])> {
         "p₀ = 3F/2πa² is that of a sphere, whose a = ∛(3FR/4E*): of a cylinder p₀ = 2F/πat and a = √(4FR/πE*t)";
     all.extend(of_spheres(truth, handed).map(|factors| (say(sphere), factors)));
     let other = match scene.plane {
-        PlaneHypothesis::Strain | PlaneHypothesis::Axisymmetric => {
-            Scene { plane: PlaneHypothesis::Stress, ..scene.clone() }
-        }
         PlaneHypothesis::Stress => Scene { plane: PlaneHypothesis::Strain, ..scene.clone() },
+        _ => Scene { plane: PlaneHypothesis::Stress, ..scene.clone() },
     };
     let root = (other.modulus_of(pair) / scene.modulus_of(pair)).sqrt();
     let plane = match scene.plane {
-        PlaneHypothesis::Strain | PlaneHypothesis::Axisymmetric => {
-            "plane stress was solved, but the scene is in plane strain: E for E/(1−ν²)"
-        }
         PlaneHypothesis::Stress => "plane strain was solved, but the scene is in plane stress: E/(1−ν²) for E",
+        _ => "plane stress was solved, but the scene is in plane strain: E for E/(1−ν²)",
     };
     all.extend([(say(plane), [1.0 / root, root]), (say(plane), [1.0 / (root * root), 1.0])]);
     if (scene.thickness - 1.0).abs() > 0.0 {
@@ -210,7 +206,9 @@ fn by_rings(scene: &Scene, handed: &Handed) -> Vec<Correction> {
     if !scene.is_of_revolution() || !handed.forces {
         return vec![];
     }
-    let points = handed.points.iter().map(|point| Point { value: scene.depth(point.position) * point.value, ..*point });
+    let path = &scene.contacts[handed.contact].path;
+    let around = |point: &Point| Point { value: scene.depth(path.point(point.position)) * point.value, ..*point };
+    let points = handed.points.iter().map(around);
     let corrected = Handed { points: points.collect(), edges: vec![], ..handed.clone() };
     vec![Correction { says: "nodal forces are pressures times lengths: 2πr is forgotten".into(), corrected }]
 }
@@ -228,7 +226,7 @@ fn scaled(handed: &Handed, pressure: f64, place: f64, area: f64) -> Handed {
         ends: edge.ends.map(|end| place * end),
         weight: area * edge.weight,
         pressure: pressure * edge.pressure,
-        is_ring: edge.is_ring,
+        axis: edge.axis.map(|axis| place * axis),
     };
     Handed {
         points: handed.points.iter().map(point).collect(),

@@ -32,9 +32,10 @@ pub fn read(file: &Path, case: &Case, asked: &Asked) -> Result<Answer, Error> {
 pub fn parse(file: &Path, bytes: &[u8], case: &Case, asked: &Asked) -> Result<Answer, Error> {
     let mut answer = by_ending(file, bytes, case, asked)?;
     answer.mirror(&case.scene);
+    let around = answer.contacts.iter().filter(|handed| case.scene.is_around_axis(handed.contact));
     let ends = |handed: &Handed| Some([handed.points.first()?.position, handed.points.last()?.position]);
     let beyond = |[least, most]: &[f64; 2]| *least < 0.0 - ROUNDING * most.abs();
-    match answer.contacts.iter().filter_map(ends).find(beyond).filter(|_| case.scene.is_of_revolution()) {
+    match around.filter_map(ends).find(beyond) {
         None => Ok(answer),
         Some([least, _]) => {
             let message = format!(

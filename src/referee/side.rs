@@ -102,11 +102,11 @@ impl Side {
         if self.edges.iter().all(|edge| edge.len() == 3) { Order::Quadratic } else { Order::Linear }
     }
 
-    /// Refuses a side of which only a part is read: edges that go on from it are pressed too. Edges of bodies of revolution are rings.
+    /// Refuses a side of which only a part is read: edges that go on from it are pressed too. Edges of bodies of revolution are rings about x = 0 or y = 0.
     pub fn all_pressed(
         &self,
         source: &Source,
-        (pair, revolves): (&ContactPair, bool),
+        (pair, radial): (&ContactPair, Option<usize>),
         points: &[[f64; 2]],
         pressure: impl Fn(usize) -> Option<f64>,
     ) -> Result<(), Error> {
@@ -115,8 +115,8 @@ impl Side {
         let largest = all().flatten().map(|&node| at(node)).fold(0.0, f64::max);
         let force = |edge: &Edge| {
             let mean = edge.iter().map(|&node| at(node)).sum::<f64>() / edge.len() as f64;
-            let middle = 0.5 * (points[edge[0]][0] + points[edge[1]][0]);
-            distance(points[edge[0]], points[edge[1]]) * mean * if revolves { middle.abs() } else { 1.0 }
+            let middle = |radial: usize| 0.5 * (points[edge[0]][radial] + points[edge[1]][radial]).abs();
+            distance(points[edge[0]], points[edge[1]]) * mean * radial.map_or(1.0, middle)
         };
         // The edge at which the contact ends has one pressed node.
         let pressed = || self.off.iter().filter(|edge| edge.iter().all(|&node| at(node) > PRESSED * largest));

@@ -54,6 +54,7 @@ fn profile(scene: &Scene) -> Result<(&'static str, f64, f64), Error> {
         | Profile::Table(_)
         | Profile::Smooth(_)
         | Profile::Even { .. }
+        | Profile::Powers { .. }
         | Profile::Wedge { .. }
         | Profile::Circles { .. }
         | Profile::Pin { .. }

@@ -307,11 +307,12 @@ pub fn columns<'a>() -> [Column<(&'a Sheet, &'a Value)>; 13] {
 
 /// What is meant by a number of a contact.
 pub fn definition(quantity: &Quantity, scene: &Scene, pair: &ContactPair) -> &'static str {
+    let is_circle = pair.path.is_around_axis(scene.plane);
     match quantity {
-        Quantity::SecondMomentWidth if scene.is_of_revolution() => {
+        Quantity::SecondMomentWidth if is_circle => {
             "√(5/2 ∫p r² dA / ∫p dA), the radius of a semi-ellipsoid of pressures"
         }
-        Quantity::Resultant if scene.is_of_revolution() => {
+        Quantity::Resultant if is_circle => {
             "force on the whole circle of the contact along the axis, positive in compression"
         }
         Quantity::PeakPressure => "largest pressure, positive in compression, per area of the undeformed path",

@@ -166,7 +166,7 @@ fn of_rings(count: usize, radius: f64, force: impl Fn(f64) -> f64) -> Measures {
     let ring = |k: usize| {
         let [a, b] = ends(k);
         let area = 0.5 * (b - a) * (b + a);
-        EdgeState { ends: [a, b], weight: TAU * area, pressure: (force(b) - force(a)) / area, is_ring: true }
+        EdgeState { ends: [a, b], weight: TAU * area, pressure: (force(b) - force(a)) / area, axis: Some(0.0) }
     };
     let edges: Vec<EdgeState> = (0..count).map(ring).collect();
     let point = |edge: &EdgeState| PointState {
@@ -238,6 +238,24 @@ fn a_thick_cylinder_under_inner_pressure_is_lames() {
     }
 }
 
+#[test]
+fn a_sphere_costs_what_a_cylinder_does() {
+    // On the same mesh: the matrix has the same entries, for a node on the axis moves along it alone in both.
+    let of = |scene: Scene| {
+        let resolution = Resolution { elements: 8, refinement: 2, order: Order::Quadratic };
+        let discretisation = Discretisation::of(scene, resolution).expect("meshed");
+        let solution = discretisation.solve(&Formulation::verification()).expect("solved");
+        let condensed = &discretisation.condensed;
+        let sizes = [discretisation.system.dofs(), condensed.retained(), condensed.factor_entries()];
+        (sizes, condensed.operations(), solution.work.iterations)
+    };
+    let plane = of(Scene::cylinder_on_plane(50.0, Material::STEEL, 0.5));
+    let turned = of(Scene::sphere_on_plane(50.0, Material::STEEL, 0.5));
+    assert_eq!(turned.0, plane.0);
+    assert_relative_eq!(turned.1, plane.1, max_relative = 1e-12);
+    assert!(turned.2 <= plane.2 + 2, "{} iterations for {}", turned.2, plane.2);
+}
+
 /// What is said of a scene file of a sphere in which something is replaced.
 fn refused(what: &str, by: &str) -> String {
     let text = Template::Sphere.text();
@@ -258,7 +276,7 @@ fn what_bodies_of_revolution_cannot_have_is_refused() {
         (plane, "plane = \"strain\"", "missing field `thickness`"),
         ("stretch = 1.0", "stretch = 1.0\nboth-sides = true", "one side of their axis"),
         ("stretch = 1.0", "stretch = 1.0\nsymmetric = true", "modelled whole"),
-        ("stretch = 1.0", "stretch = 1.0\norigin = [1, 0]", "is the radius"),
+        ("stretch = 1.0", "stretch = 1.0\norigin = [1, 0]", "is a ring, and has both sides"),
         ("centre = [0, 50]", "centre = [-1, 50]", "begins on the axis x = 0"),
         ("force = [0, -750]", "force = [1, -750]", "radial forces"),
         (loads, "loads = [{ moment = { at = \"cut\", value = 5 } }]", "moment"),

@@ -95,6 +95,7 @@ mod revolution_referee;
 mod revolution_scripts;
 mod revolution_solved;
 mod rigid_pin;
+mod rings;
 mod rooms;
 mod scene;
 mod scene_file;

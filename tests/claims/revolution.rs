@@ -7,7 +7,7 @@ use contact_vv::oracle::analytic::Plane;
 use contact_vv::oracle::analytic::lame::PressFit;
 use contact_vv::oracle::analytic::revolution::half_space::{Potential, Stress};
 use contact_vv::oracle::analytic::revolution::indentation::Indentation;
-use contact_vv::oracle::analytic::revolution::shell::{Shape, Shell};
+use contact_vv::oracle::analytic::revolution::shell::{Fitted, Shape, Shell};
 use contact_vv::oracle::analytic::revolution::sphere::Sphere;
 use contact_vv::oracle::{Oracle, Quantity, Reading};
 use contact_vv::scene::Material;
@@ -447,7 +447,11 @@ fn fitted_shells_agree_with_the_rings_of_the_plane() {
                 outer: STEEL,
                 plane,
             };
-            assert_relative_eq!(Shell::fitted(inner, outer, 0.02), rings.pressure(), max_relative = 1e-12);
+            assert_relative_eq!(
+                Fitted { inner, outer, interference: 0.02 }.pressure(),
+                rings.pressure(),
+                max_relative = 1e-12
+            );
         }
     }
 }
@@ -456,7 +460,7 @@ fn fitted_shells_agree_with_the_rings_of_the_plane() {
 fn fitted_spheres_take_up_their_interference() {
     let shell = |radii, pressures, material| Shell { shape: Shape::Sphere, radii, pressures, material };
     let [inner, outer] = [shell([20.0, 30.0], [0.0; 2], BRASS), shell([30.0, 50.0], [0.0; 2], STEEL)];
-    let pressure = Shell::fitted(inner, outer, 0.02);
+    let pressure = Fitted { inner, outer, interference: 0.02 }.pressure();
 
     let apart = Shell { pressures: [pressure, 0.0], ..outer }.displacement(30.0)
         - Shell { pressures: [0.0, pressure], ..inner }.displacement(30.0);

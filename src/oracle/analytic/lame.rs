@@ -27,7 +27,7 @@ pub struct PressFit {
 /// are in plane stress.
 fn in_plane(material: Material, plane: Plane) -> Material {
     match plane {
-        Plane::Stress | Plane::Axisymmetric => material,
+        Plane::Stress | Plane::Axisymmetric | Plane::AxisymmetricAboutX => material,
         Plane::Strain => Material {
             young: material.young / (1.0 - material.poisson.powi(2)),
             poisson: material.poisson / (1.0 - material.poisson),

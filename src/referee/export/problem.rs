@@ -29,12 +29,13 @@ pub const SCRIPTS: [(&str, &str, &str); 10] = [
 ];
 
 /// The same of bodies of revolution: none of the others knows a hoop strain.
-const OF_REVOLUTION: [(&str, &str, &str); 2] = [
+const OF_REVOLUTION: [(&str, &str, &str); 3] = [
     SCRIPTS[0],
+    (SCRIPTS[2].0, SCRIPTS[2].1, "what that one takes of NGSolve; alone it solves plane scenes"),
     (
         "run_revolution.py",
         include_str!("../../../oracles/peers/run_revolution.py"),
-        "solves it by scikit-fem, dolfinx or CalculiX; for GetFEM, NGSolve, SfePy, Kratos, Akantu and FElupe bodies of revolution have no script",
+        "solves it by scikit-fem, dolfinx, FElupe, NGSolve or CalculiX; for GetFEM, SfePy, Kratos and Akantu bodies of revolution have no script",
     ),
 ];
 

@@ -23,7 +23,8 @@ pub struct CellStiffness {
     split: Split,
     /// Thickness, or the circumference per radius of a body of revolution.
     thickness: f64,
-    is_of_revolution: bool,
+    /// Which coordinate of a body of revolution is the radius.
+    radial: Option<usize>,
     order: Order,
     processor: pulp::Arch,
 }
@@ -40,10 +41,8 @@ impl CellStiffness {
             true => Self::new(order, &material.stiffness(plane), thickness),
             false => Self::tabulated(order, Split::of(material, plane), thickness),
         };
-        match plane.is_of_revolution() {
-            true => Self { is_of_revolution: true, thickness: TAU, ..plane_kernel },
-            false => plane_kernel,
-        }
+        let radial = plane.radial();
+        Self { radial, thickness: radial.map_or(plane_kernel.thickness, |_| TAU), ..plane_kernel }
     }
 
     fn tabulated(order: Order, split: Split, thickness: f64) -> Self {
@@ -56,7 +55,7 @@ impl CellStiffness {
             rule: rule.iter().map(|&(at, weight)| (slopes(nodes, at), weight)).collect(),
             split,
             thickness,
-            is_of_revolution: false,
+            radial: None,
             order,
             processor: pulp::Arch::new(),
         }
@@ -106,16 +105,19 @@ impl CellStiffness {
     fn add_pairs_of_revolution<const N: usize, const G: usize>(
         &self,
         points: &[[f64; 2]; N],
+        radial: usize,
         pairs: &mut [[[[f64; N]; 2]; 2]; N],
     ) -> Result<(), f64> {
         // `λ + 2μ`, `λ` and `μ`.
         let [[direct, across, _], _, [_, _, shear]] = self.split.plain;
         let mut samples = [Sample::EMPTY; G];
         self.sample(points, &mut samples)?;
-        let hoops = self.revolve(points, &mut samples);
+        let hoops = self.revolve(points, radial, &mut samples);
         for (a, pair) in pairs.iter_mut().enumerate() {
-            let [[rr, rz], [zr, zz]] = pair;
-            for (Sample { gradients: [along_r, along_z], area }, hoop) in samples.iter().zip(&hoops) {
+            let [[xx, xy], [yx, yy]] = pair;
+            let (rr, rz, zr, zz) = if radial == 0 { (xx, xy, yx, yy) } else { (yy, yx, xy, xx) };
+            for (Sample { gradients, area }, hoop) in samples.iter().zip(&hoops) {
+                let [along_r, along_z] = [&gradients[radial], &gradients[1 - radial]];
                 let [r, z, h] = [along_r[a], along_z[a], hoop[a]].map(|strain| area * strain);
                 add_scaled(rr, direct * r + across * h, along_r);
                 add_scaled(rr, across * r + direct * h, hoop);
@@ -130,7 +132,7 @@ impl CellStiffness {
             }
         }
         if self.split.excess > 0.0 {
-            self.modes(points, &dilating(samples, &hoops)).add(self.split.excess, pairs);
+            self.modes(points, &dilating(samples, radial, &hoops)).add(self.split.excess, pairs);
         }
         Ok(())
     }
@@ -140,11 +142,12 @@ impl CellStiffness {
     fn revolve<const N: usize, const G: usize>(
         &self,
         points: &[[f64; 2]; N],
+        radial: usize,
         samples: &mut [Sample<N>; G],
     ) -> [[f64; N]; G] {
         let mut hoops = [[0.0; N]; G];
         for ((sample, shapes), hoop) in samples.iter_mut().zip(&self.shapes).zip(&mut hoops) {
-            let [radius, _] = place(shapes, points);
+            let radius = place(shapes, points)[radial];
             sample.area *= radius;
             hoop.iter_mut().zip(shapes).for_each(|(hoop, value)| *hoop = value / radius);
         }
@@ -217,9 +220,9 @@ impl CellStiffness {
             }
             let d = &self.split.plain;
             *stress = std::array::from_fn(|i| (0..3).map(|j| d[i][j] * strain[j]).sum());
-            if self.is_of_revolution {
-                let [[radius, _], [outwards, _]] = [place(shapes, points), place(shapes, displacements)];
-                let hoop = hoop_strain(radius, outwards, strain[0]);
+            if let Some(radial) = self.radial {
+                let [radius, outwards] = [points, displacements].map(|of| place(shapes, of)[radial]);
+                let hoop = hoop_strain(radius, outwards, strain[radial]);
                 stress[..2].iter_mut().for_each(|stress| *stress += d[0][1] * hoop);
             }
             stress[..2].iter_mut().for_each(|stress| *stress += mean);
@@ -238,9 +241,9 @@ impl CellStiffness {
             [points, displacements].map(|all| std::array::from_fn(|a| all.get(a).copied().unwrap_or([f64::NAN; 2])));
         let mut samples = [Sample::EMPTY; G];
         self.sample(&points, &mut samples)?;
-        if self.is_of_revolution {
-            let hoops = self.revolve(&points, &mut samples);
-            samples = dilating(samples, &hoops);
+        if let Some(radial) = self.radial {
+            let hoops = self.revolve(&points, radial, &mut samples);
+            samples = dilating(samples, radial, &hoops);
         }
         let modes = self.modes::<N, G>(&points, &samples);
         let places = at.iter().map(|at| place(&at.shapes, &points));
@@ -255,8 +258,8 @@ impl CellStiffness {
     ) -> Result<(), f64> {
         let points: [[f64; 2]; N] = std::array::from_fn(|_| points.next().unwrap_or([f64::NAN; 2]));
         let mut pairs = [[[[0.0; N]; 2]; 2]; N];
-        if self.is_of_revolution {
-            let sums = AddPairsOfRevolution::<N, G> { kernel: self, points: &points, pairs: &mut pairs };
+        if let Some(radial) = self.radial {
+            let sums = AddPairsOfRevolution::<N, G> { kernel: self, points: &points, radial, pairs: &mut pairs };
             self.processor.dispatch(sums)?;
         } else {
             self.processor.dispatch(AddPairs::<N, G> { kernel: self, points: &points, pairs: &mut pairs })?;
@@ -318,6 +321,7 @@ impl<const N: usize, const G: usize> pulp::WithSimd for AddPairs<'_, N, G> {
 struct AddPairsOfRevolution<'a, const N: usize, const G: usize> {
     kernel: &'a CellStiffness,
     points: &'a [[f64; 2]; N],
+    radial: usize,
     pairs: &'a mut [[[[f64; N]; 2]; 2]; N],
 }
 
@@ -326,14 +330,18 @@ impl<const N: usize, const G: usize> pulp::WithSimd for AddPairsOfRevolution<'_,
 
     #[inline(always)]
     fn with_simd<S: pulp::Simd>(self, _: S) -> Self::Output {
-        self.kernel.add_pairs_of_revolution::<N, G>(self.points, self.pairs)
+        self.kernel.add_pairs_of_revolution::<N, G>(self.points, self.radial, self.pairs)
     }
 }
 
 /// Samples whose gradients are those of the dilatation, `N_a,r + N_a/r` and `N_a,z`.
-fn dilating<const N: usize, const G: usize>(mut samples: [Sample<N>; G], hoops: &[[f64; N]; G]) -> [Sample<N>; G] {
+fn dilating<const N: usize, const G: usize>(
+    mut samples: [Sample<N>; G],
+    radial: usize,
+    hoops: &[[f64; N]; G],
+) -> [Sample<N>; G] {
     for (sample, hoop) in samples.iter_mut().zip(hoops) {
-        sample.gradients[0].iter_mut().zip(hoop).for_each(|(radial, hoop)| *radial += hoop);
+        sample.gradients[radial].iter_mut().zip(hoop).for_each(|(radial, hoop)| *radial += hoop);
     }
     samples
 }

@@ -79,7 +79,9 @@ pub fn across([x, y, _]: [f64; 3], plane: PlaneHypothesis, material: &Material, 
     match plane {
         PlaneHypothesis::Stress => 0.0,
         PlaneHypothesis::Strain => material.poisson * (x + y),
-        PlaneHypothesis::Axisymmetric => material.poisson * (x + y) + material.young * hoop_strain,
+        PlaneHypothesis::Axisymmetric | PlaneHypothesis::AxisymmetricAboutX => {
+            material.poisson * (x + y) + material.young * hoop_strain
+        }
     }
 }
 

@@ -175,7 +175,7 @@ impl<'a> Outline<'a> {
         }
         let on_axis = axis::holds(scene, mesh, body);
         for edge in leaving.values().filter(|edge| edge[..2].iter().all(|node| on_axis(*node))) {
-            fixed.entry([edge[0], edge[1]]).or_default()[0] = true;
+            fixed.entry([edge[0], edge[1]]).or_default()[axis::radial(scene).index()] = true;
         }
         Self { discretisation, leaving, arriving, fixed }
     }
