@@ -73,8 +73,10 @@ impl Study for Numbers {
     /// The checks: what no truth sees, and whether this and the other records are of the present sources.
     fn judge(&self) -> Result<Vec<Judged>, Error> {
         let missed = self.record.iter().filter(|fault| !is_caught(fault)).count();
-        let quantity =
-            Quantity::at("planted fault that turns no closed form, no other code and no claim red", format!("of {}", self.record.len()));
+        let quantity = Quantity::at(
+            "planted fault that turns no closed form, no other code and no claim red",
+            format!("of {}", self.record.len()),
+        );
         let caught = Check::none(quantity, "snapshots alone verify nothing").judge(missed as f64);
         std::iter::once(Ok(caught)).chain(MADE.iter().map(Made::check)).collect()
     }
