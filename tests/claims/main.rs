@@ -29,6 +29,7 @@ mod both_sides;
 mod boundary;
 mod bounded;
 mod brief;
+mod by_hand;
 mod cheapest;
 mod command_line;
 mod compare;

@@ -1,7 +1,7 @@
 //! Thick shells under pressure, spheres and cylinders, and one fitted into another.
 
 use crate::oracle::analytic::{Parameter, answer, finite, non_negative};
-use crate::oracle::{Oracle, Quantity, Reading, ReferenceKind, Source};
+use crate::oracle::{Oracle, Quantity, Reading, Source};
 use crate::scene::Material;
 
 /// What a shell is.
@@ -95,10 +95,6 @@ impl Oracle for Fitted {
         "Lamé"
     }
 
-    fn kind(&self) -> ReferenceKind {
-        ReferenceKind::Analytic
-    }
-
     fn source(&self) -> Source {
         Source::new(
             "G. Lamé 1852; S. Timoshenko and J. N. Goodier, Theory of Elasticity, 1951, §§26, 127",
@@ -108,7 +104,7 @@ impl Oracle for Fitted {
 
     fn read(&self, quantity: &Quantity) -> Reading {
         let [[a, b], [_, c]] = [self.inner.radii, self.outer.radii];
-        let parameters = [
+        let parameters = vec![
             non_negative("bore", a),
             Parameter { holds: b > a, range: "above the bore", ..finite("interface", b) },
             Parameter {
@@ -119,7 +115,7 @@ impl Oracle for Fitted {
             non_negative("interference", self.interference),
         ];
         match quantity {
-            Quantity::PeakPressure | Quantity::Pressure { .. } => answer(&parameters, self.pressure()),
+            Quantity::PeakPressure | Quantity::Pressure { .. } => answer(parameters, quantity, self.pressure()),
             _ => Reading::Silent,
         }
     }
