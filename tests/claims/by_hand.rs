@@ -5,20 +5,23 @@ use std::path::Path;
 
 use approx::assert_relative_eq;
 use contact_vv::accuracy::{Quantity, bars};
-use contact_vv::case::Against;
 use contact_vv::case::library::find;
+use contact_vv::case::{self, Against, Case, Check, plausible};
 use contact_vv::cli::vtu;
 use contact_vv::elasticity::stress;
 use contact_vv::measure::profile;
 use contact_vv::mesh::{Mesh, Order, Resolution};
 use contact_vv::referee::answer::Point;
-use contact_vv::referee::{Asked, Handed, Profile, norm, read};
-use contact_vv::scene::MonotoneCubic;
+use contact_vv::referee::source::Source;
+use contact_vv::referee::units::Role;
+use contact_vv::referee::{Asked, Handed, Profile, frd, norm, read};
+use contact_vv::scene::{Action, Load, MonotoneCubic};
 use contact_vv::solution::{EdgeState, PointState};
 use contact_vv::solve::{Discretisation, Formulation, Run};
 use vtkio::IOBuffer;
 
 use crate::outputs::{contact_vv, json, piece, scene};
+use crate::referee_readers::Frd;
 use crate::scene_file::text_of;
 use crate::workbench::parsed;
 
@@ -94,7 +97,7 @@ fn angles_are_told_with_their_bars_in_degrees() {
     let (meshed, run) = case.solve().expect("solved");
     let all = bars(&meshed.discretisation, &run, &case.displaced()).expect("bars");
     let known = all.of(0, &Quantity::HalfWidth).expect("a bar").total().to_degrees();
-    for (arguments, name) in [(&["pin-rod"][..], "half-angle "), (&["pin-rod", "--all"], "half-width ")] {
+    for (arguments, name) in [(&["pin-rod"][..], "half-angle "), (&["pin-rod", "--all"], "contact  half-width ")] {
         let [told, bar, ..] = printed(arguments, name)[..] else { panic!("no angle") };
         assert!((bar - known).abs() <= 0.06 * known, "{bar}: {known}");
         assert!((told - run.contacts[0].measures.half_width().to_degrees()).abs() <= known, "{told}");
@@ -219,8 +222,93 @@ fn points_of_a_cell_of_high_order_are_written_evenly_spaced() {
     let mut along: Vec<f64> = cell.iter().map(|&node| points[3 * node]).collect();
     along.sort_by(f64::total_cmp);
     along.dedup_by(|a, b| (*a - *b).abs() <= 1e-9);
-    // A rectangle: five columns of nodes.
-    let width = along[along.len() - 1] - along[0];
+    // A rectangle: five columns of nodes, the outer ones at its corners.
+    let corners = || cell.iter().map(|&node| made.mesh.points[node][0]);
+    let [begin, end] = [corners().fold(f64::INFINITY, f64::min), corners().fold(f64::NEG_INFINITY, f64::max)];
     assert_eq!(along.len(), 5, "{along:?}");
-    (0..5).for_each(|k| assert_relative_eq!(along[k], along[0] + width * k as f64 / 4.0, epsilon = 1e-9));
+    (0..5).for_each(|k| assert_relative_eq!(along[k], begin + (end - begin) * k as f64 / 4.0, epsilon = 1e-9));
+}
+
+#[test]
+fn displacements_of_a_frd_are_those_of_its_last_state() {
+    // Every node moves by 1 and 2 µm in the first state, by 3 and 4 µm in the last.
+    let plain = Frd::plain().text();
+    let nodes = plain.lines().skip_while(|line| !line.starts_with("    2C")).skip(1);
+    let numbers: Vec<&str> = nodes.take_while(|line| line.starts_with(" -1")).map(|line| line[3..13].trim()).collect();
+    let block = |state: usize| {
+        let names = ["D1", "D2", "D3"].map(|name| format!(" -5  {name:<12}1    2    1    0\n")).concat();
+        let row = |node: &&str| {
+            let moved = [1.0, 2.0, 0.0].map(|x| format!("{:>12.5E}", x + 2.0 * (state as f64 - 1.0))).concat();
+            format!(" -1{node:>10}{moved}\n")
+        };
+        let head = format!("    1PSTEP{state:>26}{:>12}{state:>12}\n  100CL  101{state:>12.5E}\n", 1);
+        format!("{head} -4  DISP        3    1\n{names}{} -3\n", numbers.iter().map(row).collect::<String>())
+    };
+    let text = plain.replace(" 9999\n", &(block(1) + &block(2) + " 9999\n"));
+    let case = find("truncated-hertz", None).expect("a case");
+    let units = [(Role::Position, "mm"), (Role::Displacement, "um")].map(|(role, unit)| (role, unit.to_owned()));
+    let asked = Asked { units: units.into(), ..Asked::default() };
+    let source = Source { file: Path::new("a.frd"), text: &text };
+    let field = frd::displacements((&source, &case.scene), &asked, None, None).expect("read").expect("a field");
+    for [x, y] in field.displacement {
+        assert_relative_eq!(x, 3e-3, max_relative = 1e-12);
+        assert_relative_eq!(y, 4e-3, max_relative = 1e-12);
+    }
+}
+
+#[test]
+fn weights_and_moments_in_kilonewtons_and_metres_are_in_newtons_and_millimetres() {
+    // 1 kN/m³ = 1e-6 N/mm³, 1 kN m = 1e6 N mm.
+    let text = text_of("cylinder-in-metres.toml");
+    let more = ", { body-force = [0, -77] }, { moment = { at = \"cut\", value = 2 } }]";
+    let loaded =
+        text.replace("value = [0, -0.226557162518] } }]", &format!("value = [0, -0.226557162518] }} }}{more}"));
+    assert_ne!(text, loaded);
+    let scene = parsed(&loaded).scene;
+    let [_, Load::BodyForce([along, down]), Load::OnSide { action: Action::Moment(moment), .. }] =
+        &scene.bodies[0].loads[..]
+    else {
+        panic!("{:?}", scene.bodies[0].loads)
+    };
+    assert!(along.abs() <= 0.0);
+    assert_relative_eq!(*down, -77e-6, max_relative = 1e-12);
+    assert_relative_eq!(*moment, 2e6, max_relative = 1e-12);
+}
+
+#[test]
+fn parts_of_an_arc_are_given_in_degrees() {
+    let ring = "plane = \"strain\"\nthickness = 1\n[[body]]\nname = \"wheel\"\nyoung = 210e3\npoisson = 0.3\n\
+        shape = { ring = { centre = [0, 50], inner = 40, outer = 50, sweep = 180, contact = \"outer\" } }\n\
+        supports = [{ at = \"start\", component = \"x\" }, { at = \"end\", component = \"x\" }]\n\
+        loads = [{ pressure = { at = \"inner\", part = { centre = [0, 50], from = 15, to = 30 }, law = { uniform = 1 } } }]\n\
+        [contact]\nfirst = \"wheel\"\ngap = { circle = 50 }\nstretch = 1\n[mesh]\nelements = 12\nper = 0.3\n";
+    let scene = parsed(ring).scene;
+    let [Load::OnSide { part: Some(part), .. }] = &scene.bodies[0].loads[..] else {
+        panic!("{:?}", scene.bodies[0].loads)
+    };
+    assert_relative_eq!(part.from, TAU / 24.0, max_relative = 1e-12);
+    assert_relative_eq!(part.to, TAU / 12.0, max_relative = 1e-12);
+}
+
+#[test]
+fn an_interference_is_held_against_the_smaller_extent_of_a_body() {
+    // 0.6 mm of the lower block's height of 5, whose width is 10; 0.4 mm is less than a tenth.
+    for (gap, is_deep) in [("-0.6", true), ("-0.4", false)] {
+        let text = text_of("blocks.toml").replace("uniform = 0.01", &format!("uniform = {gap}"));
+        let (meshed, run) = parsed(&text).solve().expect("solved");
+        let doubts = plausible::doubts(&meshed.discretisation, &run).concat();
+        assert_eq!(doubts.iter().any(|doubt| doubt.contains("within one another")), is_deep, "{gap}: {doubts:?}");
+    }
+}
+
+#[test]
+fn a_pressure_that_departs_by_a_hundredth_is_judged_as_that() {
+    let check = Check::error(case::Quantity::Departure, Against::Oracle, 1e-8, "exact in the discrete space");
+    let case = Case { checks: vec![check], ..find("patch", None).expect("a case") };
+    let (meshed, mut run) = case.solve().expect("solved");
+    let peak = run.measures().peak.pressure;
+    run.solution.points[0].pressure += 0.01 * peak;
+    let judged = case.judge(&meshed, &run).expect("judged");
+    let departure = judged.iter().find(|one| one.check.quantity == case::Quantity::Departure).expect("a check");
+    assert_relative_eq!(departure.value, 0.01, max_relative = 1e-5);
 }
