@@ -143,9 +143,24 @@ fn first_sentence_follows_the_verdicts() {
 #[test]
 fn what_most_checks_are_held_against_follows_their_kinds() {
     let mut finding = small();
-    assert!(against(std::slice::from_ref(&finding)).starts_with("**Most checks are held against the code itself"));
+    let first = |finding: &Finding| against(std::slice::from_ref(finding)).lines().nth(2).expect("a row").to_owned();
+    assert!(first(&finding).starts_with("| the code itself"), "{}", first(&finding));
     finding.judged.iter_mut().for_each(|one| one.reference.kind = ReferenceKind::CrossCode);
-    assert!(against(&[finding]).starts_with("**Most checks are held against other codes"));
+    assert!(first(&finding).starts_with("| other codes"), "{}", first(&finding));
+}
+
+#[test]
+fn truths_are_named_with_the_tightest_and_the_loosest_agreement_of_what_passed() {
+    let mut finding = small();
+    let (check, reference) = ("peak pressure", |value| Reference {
+        kind: ReferenceKind::CrossCode,
+        ..Reference::own("another code", value)
+    });
+    let judge = |value: f64| Check::near(check, reference(1.0), 0.1, "a reason").judge(value);
+    finding.judged = vec![judge(1.01), judge(1.0 + 1e-5), judge(1.05), judge(2.0)];
+    let said = against(&[finding]);
+    assert!(said.contains("| another code (cross-code) | "), "{said}");
+    assert!(!said.contains("100 %: peak"), "what failed agrees with nothing: {said}");
 }
 
 #[test]
