@@ -52,7 +52,7 @@ pub struct Entry {
 impl Entry {
     /// Whether what it is bound to is as it was.
     pub fn is_current(&self) -> bool {
-        !self.bound.is_empty() && digest(&root(), &self.bound).ok() == self.sources
+        !self.bound.is_empty() && self.sources.is_some() && digest(&root(), &self.bound).ok() == self.sources
     }
 
     /// What a table shows of that.
@@ -99,12 +99,10 @@ impl Caught {
 
 /// The rooms of the record of mutants, and all of them together.
 pub fn rooms() -> Result<Vec<Room>, Error> {
-    #[derive(Deserialize)]
-    struct Rooms {
-        rooms: Vec<Room>,
-    }
     let [.., Made { file, renew, .. }] = MADE;
-    Ok(read_json::<Rooms>(&root().join(file), renew)?.rooms)
+    let file = root().join(file);
+    let mut record: serde_json::Value = read_json(&file, renew)?;
+    serde_json::from_value(record["rooms"].take()).map_err(|error| Error::unreadable(&file, error, renew))
 }
 
 impl Made {
