@@ -181,7 +181,7 @@ fn boundary_elements_agree_where_no_closed_form_is() {
     for (number, (profile, load, found)) in others().iter().enumerate() {
         let load = *load;
         let of = |elements| Elements::pressed(MODULUS, profile, load, [-2.9, 2.9], elements).expect("a contact");
-        let [coarse, fine] = [of(240), of(800)];
+        let [coarse, fine] = [of(300), of(1200)];
         let [peak, _] = found.peak();
         let highest = |of: &Elements| of.pressures.iter().copied().fold(0.0, f64::max);
         let [force, moment, square] = found.resultants();
