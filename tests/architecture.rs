@@ -213,12 +213,12 @@ fn matrix_types_of_libraries_stay_inside_the_numerics() {
 /// Lines that a room may have; raised only by a commit that says what for.
 const BUDGETS: [(&str, usize); 9] = [
     ("solver", 20_340),
-    ("drawing", 2_970),
+    ("drawing", 3_125),
     ("case", 8_210),
     ("oracle", 4_370),
-    ("study", 14_710),
+    ("study", 15_010),
     ("referee", 5_900),
-    ("report", 3_515),
+    ("report", 3_575),
     ("cli", 4_950),
     ("live", 500),
 ];
@@ -234,7 +234,7 @@ fn rooms_keep_to_their_budgets() {
 }
 
 /// Files and types that the studies may have together.
-const STUDIES: [usize; 2] = [62, 131];
+const STUDIES: [usize; 2] = [62, 133];
 
 #[test]
 fn studies_keep_to_their_files_and_types() {

@@ -6,6 +6,9 @@ use crate::referee::bench::Bench;
 use crate::referee::norm;
 use crate::solution::EdgeState;
 
+/// What penetration is told by.
+pub const PENETRATION: &str = "largest penetration over the approach that the contact makes";
+
 /// Penetration, and gap where there is pressure, over the approach that the contact's own force makes, `Σ A p/(E* t)`; of bodies of revolution
 /// that of a flat punch of the contact radius, `Σ A p/(2E* a)`.
 pub(super) fn of_gaps(bench: &Bench, missing: &mut Vec<[String; 2]>) -> Vec<Judged> {
@@ -27,13 +30,7 @@ pub(super) fn of_gaps(bench: &Bench, missing: &mut Vec<[String; 2]>) -> Vec<Judg
     let because = "the tolerance; a penetration of this part costs about as much of the pressure";
     let zero = || Reference::own("bodies do not overlap", 0.0);
     vec![
-        bench.error(
-            "largest penetration over the approach that the contact makes",
-            zero(),
-            bench.tolerance,
-            because,
-            deepest / approach,
-        ),
+        bench.error(PENETRATION, zero(), bench.tolerance, because, deepest / approach),
         bench.error(
             "gap under pressure, weighted by force, over the approach that the contact makes",
             Reference::own("pressure only where closed", 0.0),

@@ -57,7 +57,7 @@ impl Study for Numbers {
         text += &picture(
             "iterations-predicted.svg",
             &format!(
-                "As Fig. 11, predicted: measured points on curves predicted from the condensed matrices; truncated Hertz, candidates to \
+                "As Fig. 11, predicted: measured points beside curves predicted from the condensed matrices; truncated Hertz, candidates to \
                  {STRETCH} half-widths; colours tell the rules apart. Hollow markers above the frame: how the others ended"
             ),
         );
