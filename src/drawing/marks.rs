@@ -22,11 +22,16 @@ pub(super) fn marks(canvas: &mut Canvas, panel: &Panel<'_>) {
         taken.extend(free.then_some(at));
         free
     };
+    // What the frame cuts off is not drawn.
+    let seen = panel.frame.widened(0.5);
     for mark in &panel.field.marks {
         match mark {
             Mark::Rigid(points) => rigid(canvas, panel, points),
             Mark::Fixed(node, along) if free(&mut fixed, place(panel.nodes[*node], *along, 0.5 * SUPPORT)) => {
                 let at = panel.nodes[*node];
+                if !seen.holds(at) {
+                    continue;
+                }
                 let foot = place(at, *along, SUPPORT);
                 let across = (along.1, 0.0 - along.0);
                 let corners = [at, place(foot, across, 0.6 * SUPPORT), place(foot, across, -0.6 * SUPPORT)];
@@ -34,6 +39,9 @@ pub(super) fn marks(canvas: &mut Canvas, panel: &Panel<'_>) {
             }
             Mark::Pushed(node, along) if free(&mut pushed, panel.nodes[*node]) => {
                 let at = panel.nodes[*node];
+                if !seen.holds(at) {
+                    continue;
+                }
                 let head = place(at, *along, -0.35 * ARROW);
                 let across = (along.1, 0.0 - along.0);
                 canvas.line(&[place(at, *along, 0.0 - ARROW), head], Pen::solid(LAYER, 1.6));
