@@ -3,7 +3,6 @@
 use super::colour_map::ColourMap;
 use super::error::Error;
 use super::frame::Point;
-use super::marks::Mark;
 use super::numbers::ends;
 
 /// A rectangle of the drawn (deformed) shape, in its length unit.
@@ -33,6 +32,17 @@ impl Detail {
     pub fn of(window: Window, magnification: f64) -> Detail {
         Detail { name: String::new(), window, magnification, marked: window }
     }
+}
+
+/// A mark on the deformed bodies of a field.
+#[derive(Clone, Debug)]
+pub enum Mark {
+    /// A node that is fixed along a direction, outwards.
+    Fixed(usize, (f64, f64)),
+    /// A node that is loaded, or displaced, in a direction.
+    Pushed(usize, (f64, f64)),
+    /// Points of a rigid surface with the directions into it; it does not move.
+    Rigid(Vec<[(f64, f64); 2]>),
 }
 
 /// Room for marks around the bodies, over the larger of their sizes.

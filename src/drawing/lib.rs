@@ -57,7 +57,7 @@ pub use class_map::{ClassMap, MapPanel};
 pub use colour_map::ColourMap;
 pub use drawing::{Drawing, is_drawing};
 pub use error::Error;
-pub use field::{Detail, Field, Window};
+pub use field::{Detail, Field, Mark, Window};
 pub use iteration_path::{IterationPaths, Path, State};
 pub use marks::Mark;
 pub use multiples::panels;

@@ -1,21 +1,11 @@
 //! What holds and what loads the bodies of a field: supports, loads, and rigid sides.
 
 use super::canvas::Canvas;
+use super::field::Mark;
 use super::frame::{Point, distance};
 use super::palette::{CARD, INK, LAYER};
 use super::panel::Panel;
 use super::pen::Pen;
-
-/// A mark on the deformed bodies of a field.
-#[derive(Clone, Debug)]
-pub enum Mark {
-    /// A node that is fixed along a direction, outwards.
-    Fixed(usize, (f64, f64)),
-    /// A node that is loaded, or displaced, in a direction.
-    Pushed(usize, (f64, f64)),
-    /// Points of a rigid surface with the directions into it; it does not move.
-    Rigid(Vec<[(f64, f64); 2]>),
-}
 
 /// Marks of a kind stand at least so far apart, and a support or the shaft of an arrow is so long [display pixels].
 const APART: f64 = 22.0;
@@ -32,11 +22,16 @@ pub(super) fn marks(canvas: &mut Canvas, panel: &Panel<'_>) {
         taken.extend(free.then_some(at));
         free
     };
+    // What the frame cuts off is not drawn.
+    let seen = panel.frame.widened(0.5);
     for mark in &panel.field.marks {
         match mark {
             Mark::Rigid(points) => rigid(canvas, panel, points),
             Mark::Fixed(node, along) if free(&mut fixed, place(panel.nodes[*node], *along, 0.5 * SUPPORT)) => {
                 let at = panel.nodes[*node];
+                if !seen.holds(at) {
+                    continue;
+                }
                 let foot = place(at, *along, SUPPORT);
                 let across = (along.1, 0.0 - along.0);
                 let corners = [at, place(foot, across, 0.6 * SUPPORT), place(foot, across, -0.6 * SUPPORT)];
@@ -44,6 +39,9 @@ pub(super) fn marks(canvas: &mut Canvas, panel: &Panel<'_>) {
             }
             Mark::Pushed(node, along) if free(&mut pushed, panel.nodes[*node]) => {
                 let at = panel.nodes[*node];
+                if !seen.holds(at) {
+                    continue;
+                }
                 let head = place(at, *along, -0.35 * ARROW);
                 let across = (along.1, 0.0 - along.0);
                 canvas.line(&[place(at, *along, 0.0 - ARROW), head], Pen::solid(LAYER, 1.6));

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-use contact_vv::case::{Check, Judged, Reference, Verdict};
+use contact_vv::case::{Check, Judged, Quantity, Reference, Verdict};
 use contact_vv::oracle::ReferenceKind;
 use contact_vv::report::diff::written;
 use contact_vv::report::front::{self, against, nearness, right};
@@ -152,15 +152,15 @@ fn what_most_checks_are_held_against_follows_their_kinds() {
 #[test]
 fn truths_are_named_with_the_tightest_and_the_loosest_agreement_of_what_passed() {
     let mut finding = small();
-    let (check, reference) = ("peak pressure", |value| Reference {
-        kind: ReferenceKind::CrossCode,
-        ..Reference::own("another code", value)
-    });
-    let judge = |value: f64| Check::near(check, reference(1.0), 0.1, "a reason").judge(value);
-    finding.judged = vec![judge(1.01), judge(1.0 + 1e-5), judge(1.05), judge(2.0)];
+    let judge = |at: &str, value: f64| {
+        let reference = Reference { kind: ReferenceKind::CrossCode, ..Reference::own("another code", 1.0) };
+        Check::near(Quantity::at("pressure of the trial", at), reference, 0.1, "a reason").judge(value)
+    };
+    finding.judged = vec![judge("a", 1.01), judge("b", 1.0 + 1e-5), judge("c", 1.05), judge("d", 2.0)];
     let said = against(&[finding]);
-    assert!(said.contains("| another code (cross-code) | "), "{said}");
-    assert!(!said.contains("100 %: peak"), "what failed agrees with nothing: {said}");
+    let row = said.lines().find(|line| line.starts_with("| another code (cross-code) | 3 |")).expect("what passed");
+    let place = |text: &str| row.find(text).unwrap_or_else(|| panic!("no {text} in {row}"));
+    assert!(place("1.0e-5") < place("5.0 %"), "{row}");
 }
 
 #[test]

@@ -19,7 +19,7 @@ pub fn statements(findings: &[Finding]) -> String {
         .map(|one| {
             let judgement = format!("**{}**", one.judgement.brief());
             let judgement = if matches!(one.judgement, Judgement::Undecidable(_)) {
-                link(&judgement, &format!("{}#how-it-is-read", study_page::file(paper::Numbers::NAME)))
+                link(&judgement, &study_page::file(paper::Numbers::NAME))
             } else {
                 judgement
             };

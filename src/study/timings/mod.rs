@@ -272,7 +272,8 @@ pub fn conclusion(record: &Record) -> String {
         let ours = own.iter().filter(|point| within(front, point.worst()) >= point.seconds);
         let ours = ours.map(|point| point.worst()).fold(f64::INFINITY, f64::min);
         let least = front.iter().map(|point| point.worst()).fold(f64::INFINITY, f64::min);
-        (least < ours).then(|| format!("{name} below {}, down to {}", percent_of(ours, 2), percent_of(least, 2)))
+        let from = if ours.is_finite() { format!("below {}", percent_of(ours, 2)) } else { "everywhere".into() };
+        (least < ours).then(|| format!("{name} {from}, down to {}", percent_of(least, 2)))
     });
     let ahead: Vec<String> = ahead.collect();
     let ahead = match &ahead[..] {
