@@ -216,7 +216,7 @@ const BUDGETS: [(&str, usize); 9] = [
     ("drawing", 2_970),
     ("case", 8_300),
     ("oracle", 4_400),
-    ("study", 14_815),
+    ("study", 14_730),
     ("referee", 5_900),
     ("report", 3_515),
     ("cli", 4_960),
@@ -234,7 +234,7 @@ fn rooms_keep_to_their_budgets() {
 }
 
 /// Files and types that the studies may have together.
-const STUDIES: [usize; 2] = [63, 131];
+const STUDIES: [usize; 2] = [62, 131];
 
 #[test]
 fn studies_keep_to_their_files_and_types() {
