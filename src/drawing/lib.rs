@@ -59,7 +59,6 @@ pub use drawing::{Drawing, is_drawing};
 pub use error::Error;
 pub use field::{Detail, Field, Mark, Window};
 pub use iteration_path::{IterationPaths, Path, State};
-pub use marks::Mark;
 pub use multiples::panels;
 pub use palette::{Dash, Marker, Style};
 pub use regions::Cell;
