@@ -32,8 +32,8 @@ fn all_pages() -> Vec<PathBuf> {
     pages
 }
 
-/// Files that a page links or shows.
-fn targets(page: &Path) -> Vec<PathBuf> {
+/// Files that a page links or shows, each with the heading that is meant in it, if one is.
+fn targets(page: &Path) -> Vec<(PathBuf, String)> {
     let text = text(page);
     let after = |begin: &str, end: char| {
         let parts =
@@ -42,7 +42,16 @@ fn targets(page: &Path) -> Vec<PathBuf> {
     };
     let all = [after("](", ')'), after("src=\"", '"'), after("href=\"", '"')].concat();
     let folder = page.parent().expect("a page is in a folder");
-    all.iter().filter(|target| !target.starts_with("http")).map(|target| folder.join(target)).collect()
+    let own = all
+        .iter()
+        .filter(|target| !target.starts_with("http"))
+        .map(|target| target.split_once('#').unwrap_or((target, "")));
+    own.map(|(file, heading)| (folder.join(file), heading.to_string())).collect()
+}
+
+/// What a link to a heading calls it.
+fn anchor(heading: &str) -> String {
+    heading.trim_start_matches('#').trim().to_lowercase().replace(' ', "-")
 }
 
 /// A passed run of a small case.
@@ -67,8 +76,10 @@ fn front_page_is_short() {
 #[test]
 fn every_link_and_picture_of_a_page_resolves() {
     for page in all_pages() {
-        for target in targets(&page) {
+        for (target, heading) in targets(&page) {
             assert!(target.exists(), "{}: no {}", page.display(), target.display());
+            let is_there = |text: String| text.lines().any(|line| line.starts_with('#') && anchor(line) == heading);
+            assert!(heading.is_empty() || is_there(text(&target)), "{}: no {heading}", page.display());
         }
     }
 }
@@ -80,7 +91,7 @@ fn every_page_is_reached_from_the_front_page() {
     while let Some(page) = ahead.pop() {
         let page = page.canonicalize().expect("links resolve");
         if page.extension().is_some_and(|extension| extension == "md") && reached.insert(page.clone()) {
-            ahead.extend(targets(&page));
+            ahead.extend(targets(&page).into_iter().map(|(file, _)| file));
         }
     }
     let sheets = std::fs::read_dir(root().join("snapshots/sheets")).expect("sheets are committed");
