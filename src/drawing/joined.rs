@@ -55,8 +55,8 @@ fn bends(outline: &[Corner]) -> Vec<Point> {
     let count = outline.len();
     let turns = |n: &usize| {
         let [before, here, after] = [n + count - 1, *n, n + 1].map(|k| outline[k % count]);
-        let ([ax, ay], [bx, by]) = ([here.0 - before.0, here.1 - before.1], [after.0 - here.0, after.1 - here.1]);
-        ax * by != ay * bx || ax * bx + ay * by < 0
+        let (came, goes) = ([here.0 - before.0, here.1 - before.1], [after.0 - here.0, after.1 - here.1]);
+        came[0] * goes[1] != came[1] * goes[0] || came[0] * goes[0] + came[1] * goes[1] < 0
     };
     (0..count).filter(turns).map(|n| (outline[n].0 as f64 / 10.0, outline[n].1 as f64 / 10.0)).collect()
 }

@@ -157,11 +157,7 @@ fn means_over_rings_are_compared_with_means_over_their_areas() {
     // ∫ s² ds / ∫ s ds from 1 to 3.
     let edge = EdgeState { ends: [1.0, 3.0], weight: 1.0, pressure: 26.0 / 12.0, axis: Some(0.0) };
     assert!(norm::of_means(&[edge], |s| s) <= 1e-3);
-    assert_relative_eq!(
-        norm::of_means(&[EdgeState { axis: None, ..edge }], |s| s),
-        1.0 / 12.0,
-        max_relative = 1e-3
-    );
+    assert_relative_eq!(norm::of_means(&[EdgeState { axis: None, ..edge }], |s| s), 1.0 / 12.0, max_relative = 1e-3);
 }
 
 #[test]

@@ -13,6 +13,7 @@ import math
 import pathlib
 import subprocess
 import sys
+import threading
 import time
 import tomllib
 
@@ -113,16 +114,17 @@ def main():
     number_of = {one["name"]: number for number, one in by_number.items()}
     red = lambda name: switched.red([name])
     before = sorted({one["test"] for fault in chosen for one in known.get(fault["name"], {}).get("by", [])})
-    missed, table = [], None
+    missed, table, tabling = [], None, threading.Lock()
     with concurrent.futures.ThreadPoolExecutor(asked.jobs) as pool:
         if spoilt := [name for name, one in zip(before, pool.map(red, before)) if one]:
             sys.exit(f"red without a fault: {spoilt}")
 
         def reaching(fault):
             nonlocal table
-            if table is None:
-                with concurrent.futures.ThreadPoolExecutor(asked.jobs) as others:
-                    table = switched.reach(by_number, others, LONGEST)
+            with tabling:
+                if table is None:
+                    with concurrent.futures.ThreadPoolExecutor(asked.jobs) as others:
+                        table = switched.reach(by_number, others, LONGEST)
             return table[fault["name"]]
 
         if any(not known.get(fault["name"], {}).get("by") for fault in chosen):

@@ -85,7 +85,7 @@ fn missed(stretch: &Chart) -> Option<String> {
         let mut ratios: Vec<f64> = sound.filter_map(ratio).collect();
         ratios.sort_by(f64::total_cmp);
         let median = *ratios.get(ratios.len() / 2)?;
-        let off = median > FACTOR || median < 1.0 / FACTOR;
+        let off = !(1.0 / FACTOR..=FACTOR).contains(&median);
         off.then(|| format!("{method} (measured {} times what is predicted)", significant(median, 2)))
     };
     let missed: Vec<String> = Method::all().into_iter().filter_map(told).collect();
