@@ -22,16 +22,32 @@ pub fn sha256(bytes: &[u8]) -> String {
     Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
-/// SHA-256 of files and of all files below folders, as `tests/digest.py` has it: of the lines `hash  path` of each, in the
-/// order of the paths, which begin below `root`.
+/// SHA-256 of files, of all files below folders and of functions, as `tests/digest.py` has it: of the lines `hash  name` of each, in
+/// the order of the names, which begin below `root`. `path: line` is the text of the functions of a file that begin with this line.
 ///
 /// Hidden files do not count, nor what Python and cargo leave behind: every checkout of a commit has the same digest.
 pub fn digest<S: AsRef<str>>(root: &Path, names: &[S]) -> Result<String> {
     let mut lines = String::new();
-    for file in files(root, names)? {
-        lines += &format!("{}  {file}\n", sha256(&fs::read(root.join(&file))?));
+    for name in files(root, names)? {
+        let content = match name.split_once(": ") {
+            Some((file, head)) => functions(&fs::read_to_string(root.join(file))?, head).into_bytes(),
+            None => fs::read(root.join(&name))?,
+        };
+        lines += &format!("{}  {name}\n", sha256(&content));
     }
     Ok(sha256(lines.as_bytes()))
+}
+
+/// The functions that begin with a line, each up to the brace that closes it.
+fn functions(text: &str, head: &str) -> String {
+    let lines: Vec<&str> = text.split('\n').collect();
+    let begins = (0..lines.len()).filter(|&at| lines[at].trim() == head);
+    let of = |at: usize| {
+        let closing = format!("{}}}", &lines[at][..lines[at].len() - lines[at].trim_start().len()]);
+        let length = lines[at..].iter().position(|line| **line == closing).unwrap_or(0);
+        &lines[at..=at + length]
+    };
+    begins.flat_map(of).copied().collect::<Vec<_>>().join("\n")
 }
 
 /// Paths of files and of all files below folders, sorted, without hidden ones and those that Python and cargo leave behind.
@@ -47,7 +63,7 @@ pub fn files<S: AsRef<str>>(root: &Path, names: &[S]) -> Result<Vec<String>> {
 
 /// Paths of the files at or below a path, with `/` between folders on every machine.
 fn collect(root: &Path, path: &str, files: &mut Vec<String>) -> Result<()> {
-    if !fs::metadata(root.join(path))?.is_dir() {
+    if path.contains(": ") || !fs::metadata(root.join(path))?.is_dir() {
         files.push(path.to_owned());
         return Ok(());
     }

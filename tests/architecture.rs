@@ -212,14 +212,14 @@ fn matrix_types_of_libraries_stay_inside_the_numerics() {
 
 /// Lines that a room may have; raised only by a commit that says what for.
 const BUDGETS: [(&str, usize); 9] = [
-    ("solver", 20_500),
-    ("drawing", 2_970),
-    ("case", 8_210),
-    ("oracle", 4_370),
-    ("study", 14_770),
-    ("referee", 5_900),
-    ("report", 3_515),
-    ("cli", 4_950),
+    ("solver", 20_660),
+    ("drawing", 3_200),
+    ("case", 8_305),
+    ("oracle", 4_305),
+    ("study", 15_085),
+    ("referee", 5_950),
+    ("report", 3_570),
+    ("cli", 4_935),
     ("live", 500),
 ];
 
@@ -234,7 +234,7 @@ fn rooms_keep_to_their_budgets() {
 }
 
 /// Files and types that the studies may have together.
-const STUDIES: [usize; 2] = [62, 131];
+const STUDIES: [usize; 2] = [62, 133];
 
 #[test]
 fn studies_keep_to_their_files_and_types() {

@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
-"""Digest of files and folders of the checkout: what a record was made on. `src/checkout.rs` computes the same.
+"""Digest of files, folders and functions of the checkout: what an entry of a record is bound to. `src/checkout.rs` computes the same.
 
-Run as `python3 tests/digest.py src tests/cases`; SHA-256 of the lines `hash  path` that `sha256sum` would print.
+Run as `python3 tests/digest.py src tests/cases`; SHA-256 of the lines `hash  name` that `sha256sum` would print of files. `path: line` is the text
+of the functions that begin with this line, up to the brace that closes them.
 """
 import hashlib
 import pathlib
+import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
@@ -13,10 +15,30 @@ LEFT_BEHIND = ("__pycache__", "target")
 
 
 def digest(names, root=ROOT):
-    """SHA-256 of files and of all files below folders, whose paths begin below `root`; hidden ones do not count."""
+    """SHA-256 of functions, files and all files below folders, whose paths begin below `root`; hidden ones do not count."""
     files = sorted({file for name in names for file in collect(root, name)}, key=str.encode)
-    lines = (f"{hashlib.sha256((root / file).read_bytes()).hexdigest()}  {file}\n" for file in files)
+    lines = (f"{hashlib.sha256(content(root, file)).hexdigest()}  {file}\n" for file in files)
     return hashlib.sha256("".join(lines).encode()).hexdigest()
+
+
+def content(root, name):
+    """Bytes of a file, or of the functions in it that begin with a line."""
+    file, _, head = name.partition(": ")
+    whole = (root / file).read_bytes()
+    if not head:
+        return whole
+    lines, found = whole.decode().split("\n"), []
+    for at, line in enumerate(lines):
+        if line.strip() == head:
+            closing = line[:len(line) - len(line.lstrip())] + "}"
+            length = next((k for k, other in enumerate(lines[at:]) if other == closing), 0)
+            found += lines[at:at + length + 1]
+    return "\n".join(found).encode()
+
+
+def date():
+    """Day of the last commit: the date of the sources."""
+    return subprocess.run(["git", "log", "-1", "--format=%cs"], cwd=ROOT, check=True, capture_output=True, text=True).stdout.strip()
 
 
 def collect(root, path):

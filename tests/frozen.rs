@@ -21,9 +21,7 @@ use contact_vv::study::random::family::{self, FAMILIES};
 use contact_vv::study::random::{Family, Sample, Site};
 use libtest_mimic::{Failed, Trial};
 
-/// Scenes of a family: cells of both orders, all elements, iterations that end late and early, and penalties.
-const EACH: usize = 18;
-/// Those of them on meshes fitted to their contact.
+/// First scenes of a family that are frozen on meshes fitted to their contact too.
 const FITTED: usize = 3;
 /// Digits of coordinates, of numbers, and of their bars.
 const DIGITS: [usize; 3] = [8, 5, 2];
@@ -136,15 +134,14 @@ fn scene_files() -> Result<String, Failed> {
 
 /// Meshes and numbers of some random scenes of a family, of the first of them on fitted meshes too.
 fn random(family: Family) -> Result<(), Failed> {
-    let (mut text, mut on_fitted) = (String::new(), String::new());
-    for (k, site) in family::unseen(family).take(EACH).enumerate() {
-        let sample = site.sample().map_err(said)?;
-        solved(&mut text, &site, &sample).map_err(said)?;
-        if k < FITTED {
-            fit(&mut on_fitted, &format!("{}, fitted", site.key()), &sample.scene)?;
-        }
+    let mut text = String::new();
+    for site in family::chosen(family) {
+        solved(&mut text, &site, &site.sample().map_err(said)?).map_err(said)?;
     }
-    freeze("random", Some(family.name()), text + &on_fitted)
+    for site in family::unseen(family).take(FITTED) {
+        fit(&mut text, &format!("{}, fitted", site.key()), &site.sample().map_err(said)?.scene)?;
+    }
+    freeze("random", Some(family.name()), text)
 }
 
 /// Lines of a scene on the mesh that its bars are tested with.

@@ -1,7 +1,9 @@
-"""An exported case of bodies of revolution: run_revolution.py FOLDER scikit-fem|dolfinx|calculix; writes revolution-METHOD.json or .dat there.
+"""An exported case of bodies of revolution: run_revolution.py FOLDER METHOD; writes revolution-METHOD.json or .dat there.
 
 scikit-fem, dolfinx: forms weighted by 2 pi r on the exported mesh (Q1, or Q2 with a node in the middle of the 8-node cells), strains those of the
 plane and u_r/r; active sets with Lagrange multipliers act on the exported rows. Solved by SuperLU.
+felupe: its own axisymmetric field and law of small strain on the same cells; its axis is x, so that both coordinates are exchanged.
+ngsolve: the same form in NGSolve, on cells of order 2 without functions of their inside, which are the exported ones with 8 nodes.
 calculix: the exported deck, CAX4 or CAX8, with gap elements on the undeformed surface.
 Forces and areas are those of the whole circumference.
 """
@@ -11,6 +13,7 @@ import pathlib
 import re
 import shutil
 import subprocess
+import sys
 import tempfile
 import time
 
@@ -21,6 +24,7 @@ from scipy.sparse import csr_matrix
 from scipy.sparse.linalg import splu
 from scipy.spatial import cKDTree
 
+METHODS = ["scikit-fem", "dolfinx", "felupe", "ngsolve", "calculix"]
 POINTS = 3  # of Gauss each way
 # dolfinx counts the nodes of a cell corner 0 1 3 2, then the middles of 01, 03, 12, 32.
 NODES = {4: [0, 1, 3, 2], 9: [0, 1, 3, 2, 4, 7, 5, 6, 8]}
@@ -105,6 +109,42 @@ def by_dolfinx(points, cells, young, poisson, _plane):
     return found
 
 
+def by_felupe(points, cells, young, poisson, _plane):
+    """Matrix of one body, dofs 2 node + component."""
+    import felupe
+
+    # Exchanged, cells run the other way round.
+    order = [0, 3, 2, 1, 7, 6, 5, 4, 8][: cells.shape[1]]
+    kind, region = {4: ("quad", felupe.RegionQuad), 9: ("quad9", felupe.RegionBiQuadraticQuad)}[cells.shape[1]]
+    mesh = felupe.Mesh(points[:, ::-1], cells[:, order], kind)
+    field = felupe.FieldContainer([felupe.FieldAxisymmetric(region(mesh), dim=2)])
+    matrix = felupe.SolidBody(felupe.LinearElastic(E=young, nu=poisson), field).assemble.matrix().tocoo()
+    matrix.row, matrix.col = matrix.row ^ 1, matrix.col ^ 1
+    return matrix
+
+
+def by_ngsolve(problem):
+    """Matrix of all bodies, for cells with 4 or 8 nodes."""
+    import ngsolve as ng
+    import run_ngsolve
+
+    class Turned(run_ngsolve.Discretised):
+        """The scene with the energy of bodies of revolution."""
+
+        def energy(self):
+            data, u = self.problem.data, self.space.TrialFunction()
+            both = zip(*(moduli(*one) for one in zip(data["young"], data["poisson"])))
+            shear, lame = (self.mesh.MaterialCF({f"body{k}": value for k, value in enumerate(values)}) for values in both)
+            strain, hoop = ng.Sym(ng.Grad(u)), u[0] / ng.x
+            density = shear * (ng.InnerProduct(strain, strain) + hoop**2) + 0.5 * lame * (ng.Trace(strain) + hoop) ** 2
+            form = ng.BilinearForm(self.space)
+            form += ng.Variation(2 * np.pi * ng.x * density * ng.dx)
+            return form, u
+
+    ng.SetNumThreads(1)
+    return Turned(problem).stiffness()
+
+
 def by_calculix(problem):
     """Version, iterations and seconds of ccx on the exported deck, whose tables go into the folder beside it."""
     if not shutil.which("ccx"):
@@ -127,21 +167,28 @@ def by_calculix(problem):
 
 def main(folder, method):
     """Solves, and writes the answer; compiling a form is not counted."""
-    problem = exported.Problem(folder)
+    problem = exported.Problem(folder, centres=method != "ngsolve")
     if problem.data["plane"] != "axisymmetric":
         raise ValueError("this is a plane scene: run the script of one code")
     if method == "calculix":
         version, steps, seconds = by_calculix(problem)
         exported.report(code=method, version=version, file="revolution-calculix.dat", iterations=steps, seconds=seconds)
         return
+    # FElupe and NGSolve are there where oracles/peers/setup.sh has put them.
+    installed = pathlib.Path(__file__).resolve().parents[1] / ".python"
+    sys.path.extend(map(str, [installed / "felupe", *installed.glob("ngsolve/**/dist-packages")]))
     try:
         version = __import__({"scikit-fem": "skfem"}.get(method, method)).__version__
     except ModuleNotFoundError:
         exported.missing(method, "python3 -m pip install " + {"dolfinx": "dolfinx-solver-real"}.get(method, method))
-    stiffness = {"scikit-fem": by_scikit_fem, "dolfinx": by_dolfinx}[method]
-    problem.stiffness(stiffness)
+    of_body = {"scikit-fem": by_scikit_fem, "dolfinx": by_dolfinx, "felupe": by_felupe}
+
+    def stiffness():
+        return by_ngsolve(problem) if method == "ngsolve" else problem.stiffness(of_body[method])
+
+    stiffness()
     begin = time.perf_counter()
-    matrix = problem.stiffness(stiffness)
+    matrix = stiffness()
     pressure, gap, steps = exported.solve(problem, matrix, "active-set", lambda a, b: splu(a.tocsc()).solve(b))
     seconds = time.perf_counter() - begin
     file = f"revolution-{method}.json"
@@ -150,4 +197,4 @@ def main(folder, method):
 
 
 if __name__ == "__main__":
-    exported.run(main, __doc__, ["scikit-fem", "dolfinx", "calculix"], "scikit-fem 12.0.2, dolfinx 0.5.2 and CalculiX 2.20")
+    exported.run(main, __doc__, METHODS, "scikit-fem 12.0.2, dolfinx 0.5.2, FElupe 11.3.0, NGSolve 6.2.2608 and CalculiX 2.20")

@@ -19,6 +19,7 @@ import base64
 import html
 import importlib
 import json
+import math
 import os
 import shutil
 import subprocess
@@ -138,6 +139,10 @@ def solve(scene: Scene, **options: Option) -> Solution:
     Traceback (most recent call last):
     contact_vv.Error: solve: there is no case `cilinder`
      help: did you mean `cylinder`? choose one of ...
+    >>> solve({"thickness": float("inf"), "title": None, "plane": {1}})
+    Traceback (most recent call last):
+    contact_vv.Error: `{1}` is no value of a scene
+     help: give numbers, texts, lists and dicts
     >>> solve("bars", help=True)
     Traceback (most recent call last):
     contact_vv.Error: solve: an option makes it print `...…`, not an answer
@@ -267,7 +272,7 @@ def _folder(scene: Scene) -> Iterator[tuple[Path, str]]:
 
 
 def _pairs(table: Mapping[str, Any]) -> list[str]:
-    return [f"{json.dumps(key)} = {_toml(value)}" for key, value in table.items()]
+    return [f"{json.dumps(key)} = {_toml(value)}" for key, value in table.items() if value is not None]
 
 
 def _toml(value: Any) -> str:
@@ -276,7 +281,13 @@ def _toml(value: Any) -> str:
         return "{" + ", ".join(_pairs(value)) + "}"
     if isinstance(value, (list, tuple, np.ndarray)):
         return "[" + ", ".join(map(_toml, value)) + "]"
-    return json.dumps(value.item() if isinstance(value, np.generic) else value, ensure_ascii=False)
+    value = value.item() if isinstance(value, np.generic) else value
+    if isinstance(value, float) and not math.isfinite(value):
+        return str(value)
+    try:
+        return json.dumps(os.fspath(value) if isinstance(value, os.PathLike) else value, ensure_ascii=False)
+    except TypeError:
+        raise Error(f"`{value!r}` is no value of a scene\n help: give numbers, texts, lists and dicts") from None
 
 
 def _typed(options: Mapping[str, Option]) -> list[str]:

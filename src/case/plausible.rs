@@ -104,10 +104,10 @@ fn strained(scene: &Scene, pair: &ContactPair, contact: &Contact) -> Option<Stri
 
 /// Mean pressure of a contact that transmits a force, both halves, over a width, or around the axis over a circle \[MPa\].
 fn mean(scene: &Scene, pair: &ContactPair, transmitted: f64, width: f64) -> f64 {
-    if scene.is_of_revolution() {
-        return transmitted.abs() / (PI * width * width);
+    if pair.path.is_around_axis(scene.plane) {
+        return transmitted.abs() / (PI * (width * pair.path.metric()).powi(2));
     }
-    transmitted.abs() / (whole(pair) * scene.thickness * width * pair.path.metric())
+    transmitted.abs() / (whole(pair) * scene.depth(pair.path.point(0.0)) * width * pair.path.metric())
 }
 
 /// Two bodies of which one may be in another unit.

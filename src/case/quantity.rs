@@ -41,7 +41,7 @@ pub enum Along {
     Line,
     /// An angle on an arc: places and widths are told in degrees.
     Arc,
-    /// The radius of bodies of revolution: widths are radii of a circle.
+    /// The radius from the axis of bodies of revolution on: widths are radii of a circle.
     Radius,
 }
 
@@ -66,7 +66,7 @@ impl Quantity {
 
     /// A number of a contact of a scene.
     pub fn on(scene: &Scene, contact: usize, of: measure::Quantity) -> Self {
-        match (scene.contacts[contact].path.is_straight(), scene.is_of_revolution()) {
+        match (scene.contacts[contact].path.is_straight(), scene.is_around_axis(contact)) {
             (false, _) => Self::on_arc(of),
             (true, false) => of.into(),
             (true, true) => Self::Number { of, along: Along::Radius },

@@ -56,7 +56,7 @@ impl Document {
 }
 
 /// Heads of the columns of numbers with their bars.
-pub const HEAD: [&str; 7] = ["of", "quantity", "value ± bound", "unit", "mesh", "iteration", "penalty"];
+pub const HEAD: [&str; 7] = ["of", "quantity", "value ± error bar", "unit", "mesh", "iteration", "penalty"];
 
 /// Every number with its bar, and the parts of that.
 pub fn rows(found: &Found) -> Vec<[String; 7]> {

@@ -116,13 +116,13 @@ enum Command {
     /// Survey the stability atlas and write snapshots/atlas; interrupted, it resumes.
     Atlas,
     /// Survey what is called converged and write snapshots/converged.csv; interrupted, it resumes.
-    Converged,
+    Converged(survey::Arguments),
     /// Survey whether accuracies called met are met and write snapshots/met.csv; interrupted, it resumes.
-    Met,
+    Met(survey::Arguments),
     /// Survey whether error bars hold and write snapshots/coverage.csv; interrupted, it resumes.
-    Coverage,
+    Coverage(survey::Arguments),
     /// Survey what the constants of error bars are derived from and write snapshots/counted.csv; interrupted, it resumes.
-    Counted,
+    Counted(survey::Arguments),
     /// Measure speed against accuracy on one thread and write snapshots/timings; other codes are asked where installed.
     Timings {
         /// Solve one mesh, elements per half-width and refinement, and print the largest memory of the process in bytes.
@@ -197,10 +197,10 @@ pub fn main() -> ExitCode {
         Command::Report { check, .. } => report_command(check).map(Exit::checked),
         Command::Verdicts => writable::checkout().map(|()| Exit::checked(suite::verdicts())),
         Command::Atlas => survey::atlas().map(|()| Exit::Well),
-        Command::Converged => survey::run(&promised::converged::SURVEY).map(|()| Exit::Well),
-        Command::Met => survey::run(&promised::met::SURVEY).map(|()| Exit::Well),
-        Command::Coverage => survey::run(&promised::bars::SURVEY).map(|()| Exit::Well),
-        Command::Counted => survey::run(&promised::counted::SURVEY).map(|()| Exit::Well),
+        Command::Converged(of) => survey::run(&promised::converged::SURVEY, of).map(|()| Exit::Well),
+        Command::Met(of) => survey::run(&promised::met::SURVEY, of).map(|()| Exit::Well),
+        Command::Coverage(of) => survey::run(&promised::bars::SURVEY, of).map(|()| Exit::Well),
+        Command::Counted(of) => survey::run(&promised::counted::SURVEY, of).map(|()| Exit::Well),
         Command::Timings { memory: Some(mesh), .. } => {
             growth::memory_of_one_solve(mesh[0] as usize, mesh[1]).map(say).map(|()| Exit::Well)
         }

@@ -8,7 +8,6 @@ use crate::case::{Judged, Verdict};
 use crate::cli::json::{Answer, Line};
 use crate::cli::terminal::{progress, say};
 use crate::error::Error;
-use crate::study::present::{MADE, Made};
 use crate::study::{self, Finding, Trial};
 
 /// Runs some trials, those of a page.
@@ -41,11 +40,6 @@ fn run_all(trials: &[Trial], told: impl Fn(&str, &Result<Finding, Error>) + Sync
     findings
 }
 
-/// What is said here of a record, and not on the page.
-pub fn title(made: &Made) -> String {
-    format!("{}s × the present sources", made.entry)
-}
-
 /// Prints every check of every trial as a line of JSON, a trial's as soon as it ends, and tells whether none failed.
 pub fn verdicts() -> bool {
     let sound = AtomicBool::new(true);
@@ -62,10 +56,6 @@ pub fn verdicts() -> bool {
         .filter_map(Result::ok)
         .collect();
     told(of_trial("error bars of checks", &study::on_bars(&findings)));
-    for made in MADE {
-        let title = title(&made);
-        told(vec![made.check().map_or_else(|error| Line::broken(&title, &error), |check| Line::of(&title, &check))]);
-    }
     sound.into_inner()
 }
 

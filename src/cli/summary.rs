@@ -2,10 +2,8 @@
 
 use crate::case::judged::worst;
 use crate::case::{Judged, Verdict};
-use crate::cli::suite;
-use crate::cli::terminal::{say, show, table_on, width};
+use crate::cli::terminal::{say, table_on, width};
 use crate::report::matrix;
-use crate::study::present::MADE;
 use crate::study::{Finding, Room};
 
 /// A check that did not pass: its verdict, its trial, and what it asked.
@@ -13,24 +11,16 @@ type Row = [String; 3];
 
 /// Prints the checks that failed, then those that were not run, then a row for each study, and the counts of verdicts.
 pub fn print(findings: &[Finding]) {
-    let mut records: Vec<(String, Judged)> = Vec::new();
-    for made in MADE {
-        match made.check() {
-            Ok(check) => records.push((suite::title(&made), check)),
-            Err(error) => show(&error),
-        }
-    }
-    say(text(findings, &records, width()));
+    say(text(findings, width()));
 }
 
-/// The same on so many columns, with the checks of records that scripts made.
-pub fn text(findings: &[Finding], records: &[(String, Judged)], columns: u16) -> String {
+/// The same on so many columns.
+pub fn text(findings: &[Finding], columns: u16) -> String {
     let of_trial = |finding: &Finding| {
         let title = format!("{} × {}", finding.case, finding.name);
         finding.judged.iter().filter_map(move |check| row(&title, check)).collect::<Vec<_>>()
     };
     let mut rows: Vec<(bool, Row)> = findings.iter().flat_map(of_trial).collect();
-    rows.extend(records.iter().filter_map(|(title, check)| row(title, check)));
     // Failures first, each kind in the order of the page.
     rows.sort_by_key(|(failed, _)| !failed);
     let mut told = String::new();

@@ -11,12 +11,26 @@ use crate::error::Error;
 use crate::study::atlas::{self, Plane, plane};
 use crate::study::records::{self, Survey};
 
+/// What of a survey is run.
+#[derive(Debug, clap::Args)]
+pub struct Arguments {
+    /// Run only sites that the record lacks, and keep its lines of the others.
+    #[arg(long)]
+    lacking: bool,
+}
+
 /// Runs every site that this program has not yet run, then writes the record.
 pub fn run<S: Send + Sync, R: Serialize + DeserializeOwned + Clone + Send + Sync>(
     survey: &Survey<S, R>,
+    Arguments { lacking }: Arguments,
 ) -> Result<(), Error> {
     let (name, record) = (survey.name, survey.file());
-    let renew = |unfinished: &Path, done: &(dyn Fn() + Sync)| survey.renew(unfinished, &record, done);
+    let renew = |unfinished: &Path, done: &(dyn Fn() + Sync)| {
+        if lacking {
+            survey.keep(unfinished)?;
+        }
+        survey.renew(unfinished, &record, done)
+    };
     renewed(name, &format!("snapshots/{name}.csv"), &[survey.file()], || Ok((survey.sites)()?.len()), renew)
 }
 

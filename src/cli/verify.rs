@@ -108,7 +108,7 @@ fn tell_table(files: &[PathBuf], verified: &[Result<Verified, Error>]) {
 
 /// The files' own checks: what was found with its error bar, and the error beside that bar, in the terms of the check.
 fn checks(verified: &[Result<Verified, Error>]) -> Table {
-    let mut table = table(["file", "check", "value ± bound", "reference", "error", "bar", "at most", "verdict"]);
+    let mut table = table(["file", "check", "value ± error bar", "reference", "error", "bar", "at most", "verdict"]);
     for Verified { name, judged, .. } in verified.iter().flatten() {
         for one in judged.iter().filter(|one| one.check.scope == Scope::Own) {
             let bar = one.bar_as_error().map_or_else(|| "–".into(), error_bar);

@@ -59,10 +59,13 @@ impl Span {
         (place - self.from) / (self.to - self.from)
     }
 
-    /// About as many labelled ticks as wanted.
-    pub fn ticks(&self, wanted: f64) -> Vec<Tick> {
+    /// About as many labelled ticks as wanted; where values have names, a tick each.
+    pub fn ticks(&self, axis: &Axis, wanted: f64) -> Vec<Tick> {
         let wanted = wanted.round().max(1.0) as usize;
+        let named =
+            |(n, name): (usize, &String)| Tick { fraction: self.fraction(n as f64 + 1.0), label: Some(name.clone()) };
         let mut ticks = match self.scale {
+            _ if !axis.names.is_empty() => axis.names.iter().enumerate().map(named).collect(),
             Scale::Linear => self.linear_ticks(wanted),
             // Powers of ten are short: more of them fit.
             Scale::Log => self.log_ticks(wanted + wanted.div_ceil(4)),

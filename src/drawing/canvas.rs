@@ -5,6 +5,7 @@ use std::mem;
 use super::drawing::{Drawing, NOTE_ROW, NOTE_SIZE, Painted, SLACK, Shape, TITLE_SIZE};
 use super::error::Error;
 use super::frame::{Frame, Point};
+use super::joined::joined;
 use super::palette::GREY;
 use super::pen::{Lettering, Pen, text_width, wrapped};
 use super::theme::Colour;
@@ -52,9 +53,13 @@ impl Canvas {
         self.areas(&[points.to_vec()], fill, Some(rim));
     }
 
-    /// Filled polygons that tile a surface.
+    /// Filled polygons that tile a surface, joined where they meet.
     pub fn tiles(&mut self, polygons: &[Vec<Point>], fill: Colour) {
-        self.areas(polygons, fill, Some(Pen::solid(fill, SLACK)));
+        self.check(polygons.iter().flatten());
+        let joined = joined(polygons);
+        if !joined.is_empty() {
+            self.areas(&joined, fill, Some(Pen::solid(fill, SLACK)));
+        }
     }
 
     fn areas(&mut self, polygons: &[Vec<Point>], fill: Colour, rim: Option<Pen>) {

@@ -21,6 +21,8 @@ pub struct Axis {
     pub scale: Scale,
     /// Its ends; around the values when absent.
     pub range: Option<(f64, f64)>,
+    /// Names of the whole values from 1 on, in place of numbers; none where numbers are meant.
+    pub names: Vec<String>,
 }
 
 /// One curve.
@@ -47,7 +49,7 @@ impl Series {
     }
 }
 
-/// Which axis a guide or a band belongs to.
+/// Which axis a guide belongs to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Direction {
     /// At a value of y.
@@ -64,19 +66,6 @@ pub struct Guide {
     /// The value.
     pub at: f64,
     /// A few characters.
-    pub label: String,
-}
-
-/// A shaded range with its label, as for data that are not at hand.
-#[derive(Clone, Debug)]
-pub struct Band {
-    /// Which axis the range is on.
-    pub direction: Direction,
-    /// Lower end.
-    pub from: f64,
-    /// Upper end.
-    pub to: f64,
-    /// What the range means; inside a vertical band, beside a horizontal one.
     pub label: String,
 }
 
@@ -102,17 +91,15 @@ pub struct Bars {
     pub colour: Colour,
 }
 
-/// A ring around a point, with a few words below it.
+/// A few words beside a point, as the name of a curve at its end: where they cover no sign and no other words.
 #[derive(Clone, Debug)]
 pub struct Remark {
     /// The point.
     pub at: (f64, f64),
     /// The words beside it.
     pub text: String,
-    /// Whether the words are on the right of the ring, not on its left.
-    pub right: bool,
-    /// What rings mean, in the legend; the same label stands there once.
-    pub label: String,
+    /// What a ring around the point means, in the legend, where the same label stands once; without it there is no ring.
+    pub ring: Option<String>,
     /// Colour of the curve it belongs to.
     pub colour: Colour,
 }
@@ -152,8 +139,6 @@ pub struct Chart {
     pub series: Vec<Series>,
     /// Reference lines.
     pub guides: Vec<Guide>,
-    /// Shaded ranges.
-    pub bands: Vec<Band>,
     /// Triangles of orders.
     pub slopes: Vec<Slope>,
     /// Areas between curves.
@@ -175,7 +160,6 @@ impl Chart {
             y,
             series: vec![],
             guides: vec![],
-            bands: vec![],
             slopes: vec![],
             ribbons: vec![],
             bars: vec![],
@@ -188,12 +172,17 @@ impl Chart {
 impl Axis {
     /// An axis with equal steps around its values.
     pub fn linear(label: &str) -> Axis {
-        Axis { label: label.to_string(), scale: Scale::Linear, range: None }
+        Axis { label: label.to_string(), scale: Scale::Linear, range: None, names: vec![] }
     }
 
     /// An axis with equal ratios around its values.
     pub fn log(label: &str) -> Axis {
-        Axis { label: label.to_string(), scale: Scale::Log, range: None }
+        Axis { scale: Scale::Log, ..Axis::linear(label) }
+    }
+
+    /// An axis of named rows, the first the lowest.
+    pub fn rows(names: Vec<String>) -> Axis {
+        Axis { range: Some((0.4, names.len() as f64 + 0.6)), names, ..Axis::linear("") }
     }
 
     /// The axis with given ends.

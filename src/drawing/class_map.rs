@@ -94,11 +94,17 @@ impl ClassMap {
         let y = |row: usize| frame.bottom - ROW * row as f64;
         let rows: Vec<&[Cell]> = panel.rows.iter().map(|(_, cells)| cells.as_slice()).collect();
         for (class, colour) in CLASSES.into_iter().enumerate() {
-            let squares: Vec<Vec<Point>> = stretches(&rows, class)
-                .map(|(row, from, to)| {
-                    Frame { left: x(from), right: x(to), top: y(row + 1), bottom: y(row) }.corners().to_vec()
-                })
-                .collect();
+            let square = |row: usize, column: usize| Frame {
+                left: x(column),
+                right: x(column + 1),
+                top: y(row + 1),
+                bottom: y(row),
+            };
+            let of_row = |(row, cells): (usize, &&[Cell])| {
+                let own = cells.iter().enumerate().filter(|(_, cell)| cell.class == class);
+                own.map(|(column, _)| square(row, column).corners().to_vec()).collect::<Vec<_>>()
+            };
+            let squares: Vec<Vec<Point>> = rows.iter().enumerate().flat_map(of_row).collect();
             if !squares.is_empty() {
                 canvas.tiles(&squares, colour);
             }
@@ -126,18 +132,6 @@ impl ClassMap {
             }
         }
     }
-}
-
-/// Cells of a class side by side: row, first column, and the one after the last.
-fn stretches<'a>(rows: &'a [&[Cell]], class: usize) -> impl Iterator<Item = (usize, usize, usize)> + 'a {
-    rows.iter().enumerate().flat_map(move |(row, cells)| {
-        let mut end = 0;
-        let pieces = cells.chunk_by(|a, b| a.class == b.class).map(move |cells| {
-            end += cells.len();
-            (cells[0].class, row, end - cells.len(), end)
-        });
-        pieces.filter(move |piece| piece.0 == class).map(|(_, row, from, to)| (row, from, to))
-    })
 }
 
 /// Corner of a cell: column and row.

@@ -75,7 +75,7 @@ fn staggered(run: &[Point], phase: f64) -> Vec<Point> {
 fn nest(curve: &mut Curve, later: &[Curve]) {
     for (sign, radius) in &mut curve.signs {
         let upon = |curve: &&Curve| curve.signs.iter().any(|(other, _)| distance(*other, *sign) < COINCIDENT);
-        *radius *= 1.42_f64.powi(later.iter().filter(upon).count().min(3) as i32);
+        *radius *= 1.42_f64.powi(later.iter().filter(upon).count().min(2) as i32);
     }
 }
 
@@ -92,7 +92,7 @@ fn covers(later: &Curve, earlier: &Curve) -> bool {
 }
 
 /// Points along a curve a few pixels apart.
-fn sampled(curve: &Curve, pitch: f64) -> Vec<Point> {
+pub(super) fn sampled(curve: &Curve, pitch: f64) -> Vec<Point> {
     let along = |pair: &[Point]| {
         let (a, b) = (pair[0], pair[1]);
         let pieces = (distance(a, b) / pitch).ceil().clamp(1.0, 1000.0);

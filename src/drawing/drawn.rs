@@ -1,4 +1,4 @@
-//! A chart drawn: bands, axes, guides, curves and signs, in this order.
+//! A chart drawn: areas, axes, guides, curves and signs, in this order.
 
 use super::canvas::{Canvas, EDGE, TITLE};
 use super::chart::Chart;
@@ -35,11 +35,9 @@ impl Chart {
 impl Plot<'_> {
     /// Draws everything.
     pub fn draw(&self, canvas: &mut Canvas) {
-        self.chart.bands.iter().for_each(|band| self.band(canvas, band));
         self.chart.ribbons.iter().for_each(|ribbon| self.ribbon(canvas, ribbon));
         self.axes(canvas);
         self.chart.guides.iter().for_each(|guide| self.guide(canvas, guide));
-        self.chart.bands.iter().for_each(|band| self.band_label(canvas, band));
         let mut curves = curves(self);
         // References lie on top: their gaps show what they cover.
         curves.sort_by_key(|curve| curve.style.dash == Dash::Long);
@@ -55,7 +53,7 @@ impl Plot<'_> {
             signs.iter().for_each(|&(at, radius)| signs::filled(canvas, at, style.marker, radius, style.colour));
         }
         self.hollows(canvas);
-        self.chart.remarks.iter().for_each(|remark| self.remark(canvas, remark));
+        self.remarks(canvas, &curves);
     }
 
     fn line(&self, canvas: &mut Canvas, curve: &Curve) {

@@ -1,4 +1,4 @@
-//! A nodal scalar on the deformed mesh, in discrete bands, with an optional detail.
+//! A nodal scalar on the deformed mesh, in discrete bands, with enlarged details.
 
 use super::colour_map::ColourMap;
 use super::error::Error;
@@ -14,9 +14,11 @@ pub struct Window {
     pub y: (f64, f64),
 }
 
-/// What a second panel shows enlarged.
-#[derive(Clone, Copy, Debug)]
+/// What a further panel shows enlarged.
+#[derive(Clone, Debug)]
 pub struct Detail {
+    /// What stands above it; empty where there is no other.
+    pub name: String,
     /// What of the detail's own deformed shape is shown.
     pub window: Window,
     /// Factor on the displacements in the detail.
@@ -28,9 +30,23 @@ pub struct Detail {
 impl Detail {
     /// A window of the shape as the whole draws it, displacements times the same factor.
     pub fn of(window: Window, magnification: f64) -> Detail {
-        Detail { window, magnification, marked: window }
+        Detail { name: String::new(), window, magnification, marked: window }
     }
 }
+
+/// A mark on the deformed bodies of a field.
+#[derive(Clone, Debug)]
+pub enum Mark {
+    /// A node that is fixed along a direction, outwards.
+    Fixed(usize, (f64, f64)),
+    /// A node that is loaded, or displaced, in a direction.
+    Pushed(usize, (f64, f64)),
+    /// Points of a rigid surface with the directions into it; it does not move.
+    Rigid(Vec<[(f64, f64); 2]>),
+}
+
+/// Room for marks around the bodies, over the larger of their sizes.
+const MARGIN: f64 = 0.06;
 
 /// Values of the shape functions of a cell of so many nodes at (ξ, η).
 pub type Shapes = fn(usize, [f64; 2]) -> Vec<f64>;
@@ -58,8 +74,10 @@ pub struct Field {
     pub map: ColourMap,
     /// Ends of the colour bar; those of the values when absent.
     pub range: Option<(f64, f64)>,
-    /// What a second panel shows enlarged.
-    pub zoom: Option<Detail>,
+    /// What further panels show enlarged.
+    pub details: Vec<Detail>,
+    /// Supports, loads and rigid sides.
+    pub marks: Vec<Mark>,
     /// Small print below.
     pub notes: Vec<String>,
 }
@@ -84,11 +102,15 @@ impl Field {
         Err(Error::of(&self.title, reason, remedy))
     }
 
-    /// Ends of the drawn shape.
+    /// Ends of the drawn shape, before and after, with room for marks.
     pub(super) fn extent(&self) -> Window {
-        let nodes = self.deformed(self.magnification);
-        let (x, y) = (self.ends(|node| nodes[node].0), self.ends(|node| nodes[node].1));
-        Window { x: x.unwrap_or_default(), y: y.unwrap_or_default() }
+        let nodes = [0.0, self.magnification].map(|factor| self.deformed(factor));
+        let both = |of: fn(&Point) -> f64| {
+            ends(self.cells.iter().flatten().flat_map(|&node| nodes.each_ref().map(|all| of(&all[node]))))
+        };
+        let [x, y] = [both(|at| at.0), both(|at| at.1)].map(Option::unwrap_or_default);
+        let room = if self.marks.is_empty() { 0.0 } else { MARGIN * (x.1 - x.0).max(y.1 - y.0) };
+        Window { x: (x.0 - room, x.1 + room), y: (y.0 - room, y.1 + room) }
     }
 
     /// Smallest and largest of a number of the nodes.

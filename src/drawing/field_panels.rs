@@ -1,12 +1,13 @@
-//! The panels of a field on a page: the whole, the enlarged detail, and the colour bar beside them.
+//! The panels of a field on a page: the whole, the enlarged details, and the colour bar beside them.
 
 use super::bands::Bands;
 use super::canvas::{Canvas, EDGE, TITLE, WIDTH};
 use super::drawing::Drawing;
 use super::error::Error;
-use super::field::{Detail, Field, Window};
+use super::field::{Detail, Field, Mark, Window};
 use super::frame::{Frame, Point};
-use super::mesh_lines::mesh_lines;
+use super::marks::marks;
+use super::mesh_lines::{mesh_lines, undeformed};
 use super::numbers::number;
 use super::palette::{GREY, INK};
 use super::panel::Panel;
@@ -17,12 +18,12 @@ pub(super) struct Panels<'a> {
     field: &'a Field,
     bands: Bands,
     whole: Panel<'a>,
-    detail: Option<Panel<'a>>,
+    details: Vec<Panel<'a>>,
 }
 
-/// Largest width of a lone panel and of one of two, and the largest height.
+/// Largest width of a lone panel, of several together, and the largest height.
 const WHOLE: f64 = 640.0;
-const HALF: f64 = 366.0;
+const TOGETHER: f64 = 768.0;
 const TALLEST: f64 = 440.0;
 /// Room of the word above a detail.
 const ABOVE_DETAIL: f64 = 16.0;
@@ -48,16 +49,24 @@ impl Field {
     /// Places the panels in the middle of the width, below a height.
     pub(super) fn panels(&self, top: f64) -> Result<Panels<'_>, Error> {
         self.check()?;
-        let (widest, top) = if self.zoom.is_some() { (HALF, top + ABOVE_DETAIL) } else { (WHOLE, top + 4.0) };
+        let panels = self.details.len() as f64 + 1.0;
+        let (widest, top) = match self.details.is_empty() {
+            true => (WHOLE, top + 4.0),
+            false => ((TOGETHER + 2.0 * EDGE) / panels - 2.0 * EDGE, top + ABOVE_DETAIL),
+        };
         let window = self.extent();
-        let beside = self.zoom.map_or(0.0, |zoom| 2.0 * EDGE + zoom.window.fitting(widest).0);
+        let beside: f64 = self.details.iter().map(|one| 2.0 * EDGE + one.window.fitting(widest).0).sum();
         let used = window.fitting(widest).0 + beside + EDGE + text_width(&self.quantity, QUANTITY).max(BAR);
         let corner = ((0.5 * (WIDTH - used)).max(EDGE), top);
         let whole = Panel::of(self, window, self.magnification, window.frame(corner, widest));
-        let detail = self.zoom.map(|Detail { window, magnification, .. }| {
-            Panel::of(self, window, magnification, window.frame((whole.frame.right + 2.0 * EDGE, top), widest))
-        });
-        Ok(Panels { field: self, bands: self.bands()?, whole, detail })
+        let mut right = whole.frame.right;
+        let beside = |Detail { window, magnification, .. }: &Detail| {
+            let frame = window.frame((right + 2.0 * EDGE, top), widest);
+            right = frame.right;
+            Panel::of(self, *window, *magnification, frame)
+        };
+        let details = self.details.iter().map(beside).collect();
+        Ok(Panels { field: self, bands: self.bands()?, whole, details })
     }
 }
 
@@ -79,32 +88,48 @@ impl Panels<'_> {
     /// Lower end.
     pub fn bottom(&self) -> f64 {
         let Frame { top, bottom, .. } = self.whole.frame;
-        self.detail.as_ref().map_or(bottom, |detail| bottom.max(detail.frame.bottom).max(top + LOWEST))
+        let least = if self.details.is_empty() { bottom } else { top + LOWEST };
+        self.details.iter().map(|detail| detail.frame.bottom).fold(bottom.max(least), f64::max)
     }
 
-    /// Paints bands and mesh, marks the detail and draws the colour bar.
+    /// Paints bands, mesh and marks, shows and names the details, and draws the colour bar.
     pub fn draw(&self, canvas: &mut Canvas) {
-        for panel in [Some(&self.whole), self.detail.as_ref()].into_iter().flatten() {
+        for panel in std::iter::once(&self.whole).chain(&self.details) {
             canvas.within(panel.frame, |canvas| {
                 self.bands.paint(canvas, panel);
                 mesh_lines(canvas, panel);
+                marks(canvas, panel);
             });
         }
-        if let (Some(zoom), Some(Panel { frame, .. })) = (self.field.zoom, &self.detail) {
+        if self.is_displaced() {
+            canvas.within(self.whole.frame, |canvas| undeformed(canvas, &self.whole.undeformed()));
+        }
+        for (n, (zoom, Panel { frame, .. })) in self.field.details.iter().zip(&self.details).enumerate() {
             let place = |x, y| self.whole.place((x, y));
             let ((left, bottom), (right, top)) =
                 (place(zoom.marked.x.0, zoom.marked.y.0), place(zoom.marked.x.1, zoom.marked.y.1));
             canvas.line(&Frame { left, top, right, bottom }.outline(), Pen::solid(INK, 1.4));
             canvas.line(&frame.outline(), Pen::solid(INK, 1.2));
-            canvas.label((frame.left, frame.top - 9.0), "detail", Lettering::start(11.0).coloured(GREY));
+            canvas.label((frame.left, frame.top - 9.0), &self.name(n), Lettering::start(11.0).coloured(GREY));
         }
         self.colour_bar(canvas);
+    }
+
+    fn is_displaced(&self) -> bool {
+        let field = self.field;
+        field.magnification > 0.0 && field.displacements.iter().any(|shift| shift.0.hypot(shift.1) > 0.0)
+    }
+
+    /// What stands above a detail: its name, and how much it is enlarged.
+    fn name(&self, n: usize) -> String {
+        let name = &self.field.details[n].name;
+        format!("{} ×{:.1}", if name.is_empty() { "framed" } else { name }, self.details[n].scale / self.whole.scale)
     }
 
     /// The bands one above the other with their ends, and the quantity over them.
     fn colour_bar(&self, canvas: &mut Canvas) {
         let bands = &self.bands;
-        let (left, top) = (self.detail.as_ref().unwrap_or(&self.whole).frame.right + EDGE + 8.0, self.whole.frame.top);
+        let (left, top) = (self.details.last().unwrap_or(&self.whole).frame.right + EDGE + 8.0, self.whole.frame.top);
         let whole = Frame { left, top: top + 24.0, right: left + 14.0, bottom: self.bottom() };
         let height = whole.height().min(26.0 * bands.count() as f64);
         let level = |n: usize| whole.top + height * (1.0 - n as f64 / bands.count() as f64);
@@ -122,19 +147,30 @@ impl Panels<'_> {
         canvas.label((left, whole.top - 15.0), &self.field.quantity, Lettering::start(QUANTITY));
     }
 
-    /// The field's notes, the magnification of the displacements and the enlargement of the detail.
+    /// The field's notes, the magnification of the displacements, and what marks stand for.
     pub fn notes(&self) -> String {
         let field = self.field;
         let mut notes = field.notes.clone();
-        if field.displacements.iter().any(|shift| shift.0.hypot(shift.1) > 0.0) && field.magnification > 0.0 {
-            let other = |zoom: &Detail| (zoom.magnification - field.magnification).abs() > 0.0;
-            notes.push(match field.zoom.filter(other) {
-                Some(zoom) => format!("Displacements ×{}, in the detail ×{}.", field.magnification, zoom.magnification),
+        if self.is_displaced() {
+            let other = |zoom: &&Detail| (zoom.magnification - field.magnification).abs() > 0.0;
+            notes.push(match field.details.iter().find(other) {
+                Some(zoom) => format!("Displacements ×{}, in details ×{}.", field.magnification, zoom.magnification),
                 None => format!("Displacements ×{}.", field.magnification),
             });
         }
-        let enlarged = self.detail.as_ref().map(|detail| detail.scale / self.whole.scale);
-        notes.extend(enlarged.map(|factor| format!("Right: the framed detail, ×{factor:.1}.")));
+        let any = |kind: fn(&Mark) -> bool| field.marks.iter().any(kind);
+        let meant = [
+            ("triangles: fixed", any(|mark| matches!(mark, Mark::Fixed(..)))),
+            ("arrows: loads and prescribed displacements", any(|mark| matches!(mark, Mark::Pushed(..)))),
+            ("hatched: rigid, as far as contact is looked for", any(|mark| matches!(mark, Mark::Rigid(_)))),
+            ("dashed: undeformed", self.is_displaced()),
+        ];
+        let meant: Vec<&str> = meant.into_iter().filter(|(_, shown)| *shown).map(|(text, _)| text).collect();
+        if let Some((first, rest)) = meant.split_first() {
+            let (initial, tail) = first.split_at(1);
+            let first = format!("{}{tail}", initial.to_uppercase());
+            notes.push([&[first.as_str()], rest].concat().join("; ") + ".");
+        }
         notes.join(" ")
     }
 }

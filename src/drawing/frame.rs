@@ -16,6 +16,16 @@ pub(super) struct Frame {
 const ROUND_OFF: f64 = 1e-6;
 
 impl Frame {
+    /// The square around a point.
+    pub fn around((x, y): Point, half: f64) -> Frame {
+        Frame { left: x - half, top: y - half, right: x + half, bottom: y + half }
+    }
+
+    /// Whether two rectangles have more than a rim in common.
+    pub fn overlaps(&self, other: &Frame) -> bool {
+        self.left < other.right && other.left < self.right && self.top < other.bottom && other.top < self.bottom
+    }
+
     /// Width [display pixels].
     pub fn width(&self) -> f64 {
         self.right - self.left

@@ -62,8 +62,9 @@ pub struct IterationPaths {
     pub notes: Vec<String>,
 }
 
-/// Room around a number.
+/// Room from a number to the next one, and to a state.
 const CLEAR: f64 = 17.0;
+const BESIDE: f64 = 11.5;
 
 impl IterationPaths {
     /// The panels, drawn, on the same axes.
@@ -150,20 +151,27 @@ fn line_through([a, b]: [(f64, f64); 2], width: f64) -> Vec<(f64, f64)> {
 fn states(canvas: &mut Canvas, plot: &Plot<'_>, path: &Path, colour: Colour) {
     let places: Vec<Point> = path.states.iter().map(|state| plot.place((state.approach, state.pressure))).collect();
     let last = places.len().saturating_sub(1);
-    let mut numbered: Vec<Point> = places.last().copied().into_iter().collect();
+    let mut numbered: Vec<Point> = Vec::new();
     for (n, &place) in places.iter().enumerate() {
         if n == last && !path.converged {
             signs::ring(canvas, place, 4.0, colour);
         } else {
             canvas.disc(place, 4.0, colour, None);
         }
-        let free = numbered.iter().all(|other| distance(*other, place) > CLEAR);
-        if n == last || free {
-            let below = (place.0, place.1 + 14.0);
-            canvas.disc(below, 6.5, CARD, None);
-            canvas.label(below, &(n + 1).to_string(), Lettering::middle(10.5).bold());
-            numbered.push(place);
-        }
+    }
+    // The last first, so that it has its number.
+    for n in std::iter::once(last).chain(0..last).filter(|n| *n < places.len()) {
+        let (x, y) = places[n];
+        let around =
+            [(x, y + 14.0), (x, y - 14.0), (x + 15.0, y), (x - 15.0, y), (x + 15.0, y + 15.0), (x + 15.0, y - 15.0)];
+        let free = |at: &Point| {
+            let off = |others: &[Point], least: f64| others.iter().all(|other| distance(*other, *at) > least);
+            plot.frame.holds(*at) && off(&places, BESIDE) && off(&numbered, CLEAR)
+        };
+        let Some(at) = around.into_iter().find(free).or((n == last).then_some(around[0])) else { continue };
+        canvas.disc(at, 6.5, CARD, None);
+        canvas.label(at, &(n + 1).to_string(), Lettering::middle(10.5).bold());
+        numbered.push(at);
     }
     plot.outline(canvas);
 }

@@ -49,7 +49,8 @@ impl Legend {
                 .iter()
                 .for_each(|ribbon| legend.add(&ribbon.label, Sample::Area(tint(ribbon.colour, RIBBON))));
             chart.bars.iter().for_each(|bars| legend.add(&bars.label, Sample::Bar(bars.colour)));
-            chart.remarks.iter().for_each(|remark| legend.add(&remark.label, Sample::Ring));
+            let rings = chart.remarks.iter().filter_map(|remark| remark.ring.as_deref());
+            rings.for_each(|label| legend.add(label, Sample::Ring));
         }
         if failures {
             legend.add("hollow: not converged", Sample::Hollow(Marker::Circle, GREY));

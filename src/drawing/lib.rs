@@ -14,9 +14,9 @@
 //! * [`palette`]: colours, dashes, markers and the styles made of them; [`colour_map`]: those of fields and of classes.
 //! * [`theme`]: light and dark pages; [`Drawing`]: a finished figure, written for both.
 //!
-//! Below these: `canvas` collects shapes, `drawing` and `outline` write them as SVG, `pen` sets lines and text, `frame` clips to a rectangle; `axis` and `numbers` place
+//! Below these: `canvas` collects shapes, `joined` makes one of tiles, `drawing` and `outline` write them as SVG, `pen` sets lines and text, `frame` clips to a rectangle; `axis` and `numbers` place
 //! and write ticks, `plot`, `annotations`, `ranges`, `curves`, `signs`, `legend` and `drawn` draw a chart; `panel`, `field_panels`,
-//! `bands`, `cell_grid` and `mesh_lines` a field.
+//! `bands`, `cell_grid`, `mesh_lines` and `marks` a field.
 
 mod annotations;
 mod axis;
@@ -34,7 +34,9 @@ pub mod field;
 mod field_panels;
 mod frame;
 pub mod iteration_path;
+mod joined;
 mod legend;
+mod marks;
 mod mesh_lines;
 pub mod multiples;
 mod numbers;
@@ -50,12 +52,12 @@ pub mod sheet;
 mod signs;
 pub mod theme;
 
-pub use chart::{Axis, Band, Bars, Chart, Direction, Guide, Remark, Ribbon, Scale, Series, Slope};
+pub use chart::{Axis, Bars, Chart, Direction, Guide, Remark, Ribbon, Scale, Series, Slope};
 pub use class_map::{ClassMap, MapPanel};
 pub use colour_map::ColourMap;
 pub use drawing::{Drawing, is_drawing};
 pub use error::Error;
-pub use field::{Detail, Field, Window};
+pub use field::{Detail, Field, Mark, Window};
 pub use iteration_path::{IterationPaths, Path, State};
 pub use multiples::panels;
 pub use palette::{Dash, Marker, Style};

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::canvas::Canvas;
 use super::frame::{Point, between, distance};
-use super::palette::INK;
+use super::palette::{GREY, INK};
 use super::panel::Panel;
 use super::pen::Pen;
 use super::theme::Colour;
@@ -15,6 +15,19 @@ const INNER: Colour = Colour::same(0x4A5056);
 
 /// Draws the edges inside the bodies and their outlines.
 pub(super) fn mesh_lines(canvas: &mut Canvas, panel: &Panel<'_>) {
+    let [outline, inner] = edges(panel);
+    let long = |line: &Vec<Point>| distance(line[0], line[line.len() - 1]) >= SHORTEST;
+    canvas.lines(&inner.into_iter().filter(long).collect::<Vec<_>>(), Pen::solid(INNER, 0.3));
+    canvas.lines(&outline, Pen::solid(INK, 1.1));
+}
+
+/// Draws the outlines alone, dashed.
+pub(super) fn undeformed(canvas: &mut Canvas, panel: &Panel<'_>) {
+    canvas.lines(&edges(panel)[0], Pen::dashed(GREY, 0.8));
+}
+
+/// Edges on the outlines, and those inside, of which anything is seen.
+fn edges(panel: &Panel<'_>) -> [Vec<Vec<Point>>; 2] {
     let mut edges: BTreeMap<(usize, usize), (Vec<Point>, usize)> = BTreeMap::new();
     for cell in &panel.field.cells {
         for side in 0..4 {
@@ -23,14 +36,9 @@ pub(super) fn mesh_lines(canvas: &mut Canvas, panel: &Panel<'_>) {
             edges.entry((a.min(b), a.max(b))).or_insert_with(|| (traced(), 0)).1 += 1;
         }
     }
+    edges.retain(|_, (line, _)| panel.frame.meets(line));
     let (outline, inner): (Vec<_>, Vec<_>) = edges.into_values().partition(|(_, cells)| *cells == 1);
-    let visible = |line: &[Point]| panel.frame.meets(line);
-    let long = |line: &[Point]| distance(line[0], line[line.len() - 1]) >= SHORTEST;
-    let lines = |edges: Vec<(Vec<Point>, usize)>, shown: &dyn Fn(&[Point]) -> bool| -> Vec<Vec<Point>> {
-        edges.into_iter().map(|(line, _)| line).filter(|line| visible(line) && shown(line)).collect()
-    };
-    canvas.lines(&lines(inner, &long), Pen::solid(INNER, 0.3));
-    canvas.lines(&lines(outline, &|_| true), Pen::solid(INK, 1.1));
+    [outline, inner].map(|edges| edges.into_iter().map(|(line, _)| line).collect())
 }
 
 /// A side of a cell on the canvas: straight, or in four pieces.

@@ -6,9 +6,11 @@ use super::drawing::Drawing;
 use super::error::Error;
 use super::frame::{Frame, Point};
 use super::legend::Legend;
-use super::pen::Lettering;
+use super::pen::{Lettering, text_width};
 use super::plot::Plot;
 
+/// Size of the title of a panel that has room.
+const TITLE_SIZE: f64 = 12.0;
 /// Room of the title above a panel, and between panels.
 const CAPTION: f64 = 20.0;
 const BETWEEN: f64 = 10.0;
@@ -61,7 +63,10 @@ pub(super) fn row<'a>(
         let outer = Frame { left, top: top + CAPTION, right: left + pitch(columns) - BETWEEN, bottom };
         let plot = Plot::new(chart, outer, headroom)?;
         plot.draw(canvas);
-        canvas.label((plot.frame.left, top + 9.0), &chart.title, Lettering::start(12.0).bold());
+        // Bold letters are wider than the estimate of plain ones.
+        let size =
+            TITLE_SIZE * (0.95 * (outer.right - plot.frame.left) / text_width(&chart.title, TITLE_SIZE)).min(1.0);
+        canvas.label((plot.frame.left, top + 9.0), &chart.title, Lettering::start(size).bold());
         plots.push(plot);
     }
     Ok(plots)

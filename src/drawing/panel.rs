@@ -26,4 +26,9 @@ impl<'a> Panel<'a> {
     pub fn place(&self, (x, y): Point) -> Point {
         (self.frame.left + self.scale * (x - self.window.x.0), self.frame.bottom - self.scale * (y - self.window.y.0))
     }
+
+    /// The same panel with the bodies as they were.
+    pub fn undeformed(&self) -> Panel<'a> {
+        Panel::of(self.field, self.window, 0.0, self.frame)
+    }
 }

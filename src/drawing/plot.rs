@@ -9,7 +9,7 @@ use super::palette::{GREY, PALE};
 use super::pen::{Lettering, Pen, widest};
 use super::signs;
 
-/// Size of the labels of guides and bands.
+/// Size of the labels of guides.
 pub(super) const GUIDE_SIZE: f64 = 10.5;
 
 const TICK_SIZE: f64 = 11.0;
@@ -32,7 +32,7 @@ impl<'a> Plot<'a> {
         let (xs, ys) = extents(chart);
         let x = Span::around(&chart.x, &xs, &chart.title)?;
         let y = Span::around(&chart.y, &ys, &chart.title)?;
-        let ticks = y.ticks(outer.height() / 52.0);
+        let ticks = y.ticks(&chart.y, outer.height() / 52.0);
         let frame = Frame {
             left: outer.left + 30.0 + widest(ticks.iter().filter_map(|tick| tick.label.as_deref()), TICK_SIZE),
             top: outer.top + 4.0 + headroom,
@@ -45,7 +45,7 @@ impl<'a> Plot<'a> {
     /// Room above the frame for the labels of vertical guides and the lanes of hollow signs.
     pub fn headroom(chart: &Chart) -> f64 {
         let labelled = chart.guides.iter().any(|guide| guide.direction == Direction::Vertical);
-        LANE * hollow_lanes(chart).len() as f64 + if labelled { 16.0 } else { 0.0 }
+        LANE * hollow_lanes(chart).len() as f64 + if labelled { 17.0 } else { 0.0 }
     }
 
     /// Upper end of the lanes of hollow signs.
@@ -70,13 +70,13 @@ impl<'a> Plot<'a> {
     /// Draws ticks, grid and labels of both axes.
     pub fn axes(&self, canvas: &mut Canvas) {
         let (mut marks, mut lines, mut labels) = (Vec::new(), Vec::new(), Vec::new());
-        for Tick { fraction, label } in self.x.ticks(self.frame.width() / 58.0) {
+        for Tick { fraction, label } in self.x.ticks(&self.chart.x, self.frame.width() / 58.0) {
             let (x, y) = self.at(fraction, 0.0);
             marks.push(vec![(x, y), (x, y + if label.is_some() { 5.0 } else { 3.0 })]);
             lines.extend(label.is_some().then(|| vec![(x, y), self.at(fraction, 1.0)]));
             labels.extend(label.map(|label| ((x, y + 14.0), label, Lettering::middle(TICK_SIZE))));
         }
-        for Tick { fraction, label } in self.y.ticks(self.outer.height() / 52.0) {
+        for Tick { fraction, label } in self.y.ticks(&self.chart.y, self.outer.height() / 52.0) {
             let (x, y) = self.at(0.0, fraction);
             marks.push(vec![(x - if label.is_some() { 5.0 } else { 3.0 }, y), (x, y)]);
             lines.extend(label.is_some().then(|| vec![(x, y), self.at(1.0, fraction)]));
@@ -107,12 +107,10 @@ fn hollow_lanes(chart: &Chart) -> Vec<&Series> {
     chart.series.iter().filter(|series| !series.hollow.is_empty()).collect()
 }
 
-/// Room for the labels of horizontal guides and bands.
+/// Room for the labels of horizontal guides.
 fn width_on_the_right(chart: &Chart) -> f64 {
-    let guides = chart.guides.iter().map(|guide| (guide.direction, guide.label.as_str()));
-    let labels = guides.chain(chart.bands.iter().map(|band| (band.direction, band.label.as_str())));
-    let horizontal = labels.filter(|(direction, _)| *direction == Direction::Horizontal);
-    widest(horizontal.map(|(_, label)| label), GUIDE_SIZE)
+    let horizontal = chart.guides.iter().filter(|guide| guide.direction == Direction::Horizontal);
+    widest(horizontal.map(|guide| guide.label.as_str()), GUIDE_SIZE)
 }
 
 fn extents(chart: &Chart) -> (Vec<f64>, Vec<f64>) {

@@ -2,9 +2,10 @@
 
 use super::canvas::Canvas;
 use super::chart::{Bars, Remark, Ribbon};
-use super::frame::Point;
+use super::curves::{Curve, sampled};
+use super::frame::{Frame, Point, between};
 use super::palette::tint;
-use super::pen::{Lettering, Pen};
+use super::pen::{Lettering, Pen, text_width};
 use super::plot::{GUIDE_SIZE, Plot};
 
 /// How much of its colour an area has.
@@ -31,16 +32,44 @@ impl Plot<'_> {
         canvas.lines(&pieces, Pen::solid(*colour, BAR));
     }
 
-    /// Draws a ring and the words beside it.
-    pub fn remark(&self, canvas: &mut Canvas, Remark { at, text, right, colour, .. }: &Remark) {
-        let (x, y) = self.place(*at);
-        if self.frame.holds((x, y)) {
-            ring(canvas, (x, y), Pen::solid(*colour, 1.6));
-            let (side, lettering) =
-                if *right { (1.0, Lettering::start(GUIDE_SIZE)) } else { (-1.0, Lettering::end(GUIDE_SIZE)) };
-            canvas.label((x + side * (RING + 2.0), y + RING + 2.0), text, lettering.coloured(*colour).bold());
+    /// Draws rings, and the words beside points.
+    pub fn remarks(&self, canvas: &mut Canvas, curves: &[Curve]) {
+        let shown: Vec<(&Remark, Point)> = self.chart.remarks.iter().map(|one| (one, self.place(one.at))).collect();
+        let shown = || shown.iter().filter(|(_, at)| self.frame.holds(*at));
+        for (Remark { colour, .. }, at) in shown().filter(|(remark, _)| remark.ring.is_some()) {
+            ring(canvas, *at, Pen::solid(*colour, 1.6));
+        }
+        let mut taken: Vec<Frame> = shown().map(|(_, at)| Frame::around(*at, RING)).collect();
+        taken.extend(curves.iter().flat_map(|curve| &curve.signs).map(|(at, radius)| Frame::around(*at, radius + 1.0)));
+        let mut lines: Vec<Point> = curves.iter().flat_map(|curve| sampled(curve, 0.5 * GUIDE_SIZE)).collect();
+        let bars = self.chart.bars.iter().flat_map(|bars| &bars.ends).map(|ends| ends.map(|end| self.place(end)));
+        lines.extend(bars.flat_map(|[a, b]| (0..=8).map(move |k| between(a, b, f64::from(k) / 8.0))));
+        for (Remark { text, colour, .. }, at) in shown() {
+            let words = free_place(*at, text_width(text, GUIDE_SIZE), self.frame, &taken, &lines);
+            let lettering = Lettering::middle(GUIDE_SIZE).coloured(*colour).bold();
+            canvas.label(words.middle(), text, lettering);
+            taken.push(words);
         }
     }
+}
+
+/// Of places around a point one where words of a width cover nothing that is taken and stay in the frame, on the fewest points of lines, the nearest of these.
+fn free_place((x, y): Point, width: f64, within: Frame, taken: &[Frame], lines: &[Point]) -> Frame {
+    const AROUND: [Point; 8] =
+        [(1.0, 0.0), (1.0, -1.0), (1.0, 1.0), (0.0, -1.0), (0.0, 1.0), (-1.0, 0.0), (-1.0, -1.0), (-1.0, 1.0)];
+    let (half, tall) = (0.5 * width, 0.6 * GUIDE_SIZE);
+    let at = |(distance, (across, down)): (usize, Point)| {
+        let away = RING + 2.0 + 6.0 * distance as f64;
+        let (x, y) = (x + across * (half + away), y + down * (tall + away));
+        Frame { left: x - half, right: x + half, top: y - tall, bottom: y + tall }
+    };
+    let wrong = |words: &Frame| {
+        let outside = [(words.left, words.top), (words.right, words.bottom)].iter().any(|at| !within.holds(*at));
+        let covered = taken.iter().filter(|other| other.overlaps(words)).count() + usize::from(outside);
+        (covered, lines.iter().filter(|at| words.holds(**at)).count())
+    };
+    let places = (0..8).flat_map(|distance| AROUND.map(|to| (distance, to))).map(at);
+    places.min_by_key(wrong).unwrap_or(at((0, AROUND[0])))
 }
 
 /// A bar and its ends.

@@ -87,8 +87,10 @@ pub type SharedOracle = Arc<dyn Oracle + Send + Sync>;
 pub trait Oracle {
     /// Short name, as printed in tables.
     fn name(&self) -> &str;
-    /// What kind of truth it is.
-    fn kind(&self) -> ReferenceKind;
+    /// What kind of truth it is; a closed form where nothing else is said.
+    fn kind(&self) -> ReferenceKind {
+        ReferenceKind::Analytic
+    }
     /// Where it comes from.
     fn source(&self) -> Source;
     /// The reference value of a quantity in its own unit, forces per unit thickness, or why there is none.

@@ -58,6 +58,21 @@ impl Answer {
     pub fn of(&self, contact: usize) -> Option<&Handed> {
         self.contacts.iter().find(|handed| handed.contact == contact)
     }
+
+    /// Turns what lies on the left half alone of a symmetric contact over: models of the left half are judged as those of the right one.
+    pub fn mirror(&mut self, scene: &Scene) {
+        let is_half = |handed: &&mut Handed| !scene.contacts[handed.contact].path.has_both_sides();
+        let ends = |handed: &Handed| Some([handed.points.first()?.position, handed.points.last()?.position]);
+        let is_left = |handed: &Handed| ends(handed).is_some_and(|[first, last]| last <= SAME * first.abs());
+        for handed in self.contacts.iter_mut().filter(|_| !scene.is_of_revolution()).filter(is_half) {
+            if is_left(handed) {
+                handed.points.reverse();
+                handed.points.iter_mut().for_each(|point| point.position = 0.0 - point.position);
+                handed.edges = handed.edges.iter().rev().map(EdgeState::mirrored).collect();
+                self.read.push("the left half of a symmetric contact as the right one".into());
+            }
+        }
+    }
 }
 
 /// The contact of a name; without one, the only one of the scene.
@@ -127,6 +142,22 @@ pub fn joined(mut points: Vec<Point>) -> Vec<Point> {
     points.chunk_by(|a, b| b.position - a.position <= SAME * length).map(one).collect()
 }
 
+/// Points in order, and how many nodes of the contact lack one: those between others, and those at an end that is pressed.
+pub fn without_gaps(mut nodes: Vec<(f64, Option<Point>)>) -> (Vec<Point>, usize) {
+    nodes.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let points: Vec<Point> = nodes.iter().filter_map(|(_, point)| *point).collect();
+    let largest = points.iter().map(|point| point.value.abs()).fold(0.0, f64::max);
+    let is_free = |point: Option<&Point>| point.is_some_and(|point| point.value.abs() <= CLOSED * largest);
+    let begin = nodes.iter().take_while(|(_, point)| point.is_none()).count();
+    let end = nodes.iter().rev().take_while(|(_, point)| point.is_none()).count();
+    let beyond = [(begin, points.first()), (end, points.last())];
+    let beyond: usize = beyond.into_iter().filter(|(_, point)| is_free(*point)).map(|(count, _)| count).sum();
+    let lacking = nodes.len() - points.len() - beyond.min(nodes.len() - points.len());
+    (points, lacking)
+}
+
+/// Largest pressure at the end of those that are listed, over all, behind which nodes without a value are beyond the contact.
+const CLOSED: f64 = 1e-3;
 /// Fewest points of a profile.
 pub const FEWEST: usize = 3;
 /// Distance of two points, over the length of all, below which they are one.

@@ -37,9 +37,8 @@ pub fn all(truth: &Truth, answer: &Answer, handed: &Handed, profile: &Profile, t
         (first, [from, first.position], EDGES * begin.length()),
         (last, [last.position, ours.edge()], EDGES * end.length()),
     ];
-    let is_ring = truth.case.scene.is_of_revolution();
     let carried = |s: f64| {
-        let pressure = truth.pressure(contact, s) * if is_ring { s } else { 1.0 };
+        let pressure = truth.pressure(contact, s) * truth.case.scene.depth(pair.path.point(s));
         if pressure.is_finite() { pressure } else { 0.0 }
     };
     let force = |from: f64, to: f64| (to - from) * norm::mean([from, to], INTERVALS, carried);

@@ -6,8 +6,11 @@ use crate::referee::bench::Bench;
 use crate::referee::norm;
 use crate::solution::EdgeState;
 
-/// Penetration, and gap where there is pressure, over the approach that the contact's own force makes, `Σ A p/(E* t)`; of bodies of revolution
-/// that of a flat punch of the contact radius, `Σ A p/(2E* a)`.
+/// What penetration is told by.
+pub const PENETRATION: &str = "largest penetration over the approach that the contact makes";
+
+/// Penetration, and gap where there is pressure, over the approach that the contact's own force makes, `Σ A p/(E* t)`; around an axis of
+/// revolution that of a flat punch of the contact radius, `Σ A p/(2E* a)`.
 pub(super) fn of_gaps(bench: &Bench, missing: &mut Vec<[String; 2]>) -> Vec<Judged> {
     if !bench.profile.has_gaps {
         let what = "penetration, and pressure across an open gap".into();
@@ -16,9 +19,9 @@ pub(super) fn of_gaps(bench: &Bench, missing: &mut Vec<[String; 2]>) -> Vec<Judg
     }
     let (scene, pair, points) = (&bench.profile.scene, bench.profile.pair(), &bench.profile.points);
     let force: f64 = points.iter().map(|point| point.weight * point.pressure.abs()).sum();
-    let across = match scene.is_of_revolution() {
+    let across = match scene.is_around_axis(bench.profile.contact) {
         true => 2.0 * bench.half_width_known().reference.value,
-        false => scene.thickness,
+        false => scene.depth(pair.path.point(0.0)),
     };
     let approach = force / (scene.modulus_of(pair) * across);
     let deepest = points.iter().map(|point| 0.0 - point.gap).fold(0.0, larger);
@@ -27,13 +30,7 @@ pub(super) fn of_gaps(bench: &Bench, missing: &mut Vec<[String; 2]>) -> Vec<Judg
     let because = "the tolerance; a penetration of this part costs about as much of the pressure";
     let zero = || Reference::own("bodies do not overlap", 0.0);
     vec![
-        bench.error(
-            "largest penetration over the approach that the contact makes",
-            zero(),
-            bench.tolerance,
-            because,
-            deepest / approach,
-        ),
+        bench.error(PENETRATION, zero(), bench.tolerance, because, deepest / approach),
         bench.error(
             "gap under pressure, weighted by force, over the approach that the contact makes",
             Reference::own("pressure only where closed", 0.0),
@@ -48,7 +45,7 @@ pub(super) fn of_gaps(bench: &Bench, missing: &mut Vec<[String; 2]>) -> Vec<Judg
 pub(super) fn of_sides(bench: &Bench, missing: &mut Vec<[String; 2]>) -> Vec<Judged> {
     let (contact, profile) = (bench.profile.contact, bench.profile);
     let own = &bench.truth.case.scene.contacts[contact];
-    if profile.scene.is_of_revolution() {
+    if profile.scene.is_around_axis(contact) {
         return vec![];
     }
     if !profile.across {

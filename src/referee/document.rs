@@ -11,7 +11,7 @@ use crate::mesh::Order;
 use crate::referee::answer::{Answer, Handed, Point, contact_named, ordered};
 use crate::referee::asked::Asked;
 use crate::referee::units::{Role, Units, is_angle};
-use crate::scene::Scene;
+use crate::scene::{self, Scene};
 use crate::solution::EdgeState;
 
 /// What a code found for a case. Lists of a contact have one entry a point of its contact side, in any order.
@@ -81,8 +81,8 @@ pub fn schema() -> String {
 }
 
 /// What to do about a document that is none.
-const SCHEMA: &str =
-    "write it by the schema that `contact-vv schema answer` prints; `contact-vv export` writes one to begin with";
+const SCHEMA: &str = "write it by the schema that `contact-vv schema answer` prints; `contact-vv export` writes one to begin with; numbers are \
+     finite: leave points out that have none";
 
 /// The answer in a text.
 pub fn parse(file: &Path, text: &str, case: &str, scene: &Scene, asked: &Asked) -> Result<Answer, Error> {
@@ -219,20 +219,21 @@ fn contact_of(reader: &Reader) -> Result<Handed, Error> {
     let points = ordered((0..position.len()).map(point).collect(), order, |message, remedy| {
         refused("position", message, remedy)
     })?;
-    Ok(Handed { contact: index, points, order, edges: edges_of(reader)?, forces })
+    Ok(Handed { contact: index, points, order, edges: edges_of(reader, &scene.contacts[index].path)?, forces })
 }
 
 /// Its edges in our units.
-fn edges_of(reader: &Reader) -> Result<Vec<EdgeState>, Error> {
+fn edges_of(reader: &Reader, path: &scene::Path) -> Result<Vec<EdgeState>, Error> {
     let edges = &reader.contact.edges;
     let [place, area, pressure] =
         [Role::Position, Role::Area, Role::Pressure].map(|role| reader.factor(role, edges.len()));
     let [place, area, pressure] = [place?, area?, pressure?];
+    let radial = reader.scene.plane.radial();
     let state = |edge: &Edge| EdgeState {
         ends: [place * edge.from, place * edge.to],
         weight: area * edge.area,
         pressure: reader.asked.sign() * pressure * edge.pressure,
-        is_ring: reader.scene.is_of_revolution(),
+        axis: radial.and_then(|radial| path.axis(radial, [edge.from, edge.to].map(|s| place * s))),
     };
     let mut edges: Vec<EdgeState> = edges.iter().map(state).collect();
     edges.sort_by(|a, b| a.ends[0].total_cmp(&b.ends[0]));

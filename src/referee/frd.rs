@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 use crate::error::Error;
-use crate::referee::answer::{Answer, Handed, Point, contact_named, ordered, signed_coordinate};
+use crate::referee::answer::{Answer, Handed, Point, contact_named, ordered, signed_coordinate, without_gaps};
 use crate::referee::asked::Asked;
 use crate::referee::calculix::AGAIN;
 use crate::referee::field::Field;
@@ -71,7 +71,7 @@ pub fn parse(file: &Path, text: &str, scene: &Scene, asked: &Asked) -> Result<An
         );
         return Err(source.refused(message, EXPANDED));
     }
-    side.all_pressed(&source, (pair, scene.is_of_revolution()), &places, value)?;
+    side.all_pressed(&source, (pair, scene.plane.radial()), &places, value)?;
     let order = asked.order.unwrap_or(side.order());
     let points = ordered(points, order, |message, remedy| source.refused(format!("contact block: {message}"), remedy))?;
     let mut read = vec![format!("{name} as pressure")];
@@ -83,23 +83,6 @@ pub fn parse(file: &Path, text: &str, scene: &Scene, asked: &Asked) -> Result<An
     let field = displacements((&source, scene), asked, None, Some(head.state.time))?;
     let code = Some("CalculiX".into());
     Ok(Answer { file: file.into(), code, read, notes: head.state.notes(&all), contacts, field })
-}
-
-/// Largest pressure at the end of those that are listed, over all, behind which nodes without a value are beyond the contact.
-const CLOSED: f64 = 1e-3;
-
-/// Points in order, and how many nodes of the contact lack one: those between others, and those at an end that is pressed.
-fn without_gaps(mut nodes: Vec<(f64, Option<Point>)>) -> (Vec<Point>, usize) {
-    nodes.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let points: Vec<Point> = nodes.iter().filter_map(|(_, point)| *point).collect();
-    let largest = points.iter().map(|point| point.value.abs()).fold(0.0, f64::max);
-    let is_free = |point: Option<&Point>| point.is_some_and(|point| point.value.abs() <= CLOSED * largest);
-    let begin = nodes.iter().take_while(|(_, point)| point.is_none()).count();
-    let end = nodes.iter().rev().take_while(|(_, point)| point.is_none()).count();
-    let beyond = [(begin, points.first()), (end, points.last())];
-    let beyond: usize = beyond.into_iter().filter(|(_, point)| is_free(*point)).map(|(count, _)| count).sum();
-    let lacking = nodes.len() - points.len() - beyond.min(nodes.len() - points.len());
-    (points, lacking)
 }
 
 /// The displacements of a file, of a time where one is given; none where it has none, or their unit is not known. `ours` is the unit of our own decks.
@@ -273,8 +256,14 @@ impl Plane {
             let kind = head.split_whitespace().nth(2).unwrap_or_default();
             let mut nodes = Vec::new();
             while let Some(line) = lines.next_if(|line| line.starts_with(" -2")) {
-                let node = |word: &str| word.parse().ok().filter(|number| plane.all.contains_key(number));
-                let own: Option<Vec<usize>> = line[3..].split_whitespace().map(node).collect();
+                let node = |word: &str| word.trim().parse().ok().filter(|number| plane.all.contains_key(number));
+                // Numbers that fill their columns have no blanks between.
+                let columns = |wide: usize| {
+                    let ends = (3..line.len()).step_by(wide).map(move |at| [at, line.len().min(at + wide)]);
+                    ends.map(|[from, to]| node(line.get(from..to)?)).collect::<Option<Vec<usize>>>()
+                };
+                let apart = line[3..].split_whitespace().map(node).collect::<Option<Vec<usize>>>();
+                let own = apart.or_else(|| columns(10)).or_else(|| columns(5));
                 let strange = || source.at(line, "this line names a node that is not there", AGAIN);
                 nodes.extend(own.ok_or_else(strange)?);
             }

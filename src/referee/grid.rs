@@ -5,7 +5,7 @@ use std::path::Path;
 
 use crate::error::Error;
 use crate::mesh::Order;
-use crate::referee::answer::{Answer, Handed, Point, contact_named, joined, ordered, signed_coordinate};
+use crate::referee::answer::{Answer, Handed, Point, contact_named, joined, ordered, signed_coordinate, without_gaps};
 use crate::referee::asked::Asked;
 use crate::referee::field::Field as Displaced;
 use crate::referee::side::{self, Cell, Side};
@@ -18,7 +18,7 @@ use crate::scene::{ContactPair, Scene};
 
 /// Names that fields have without being named, by what they hold. Grids have fields inside bodies too: `p` may be a mean stress there.
 const USUAL: [(Role, &[&str]); 4] = [
-    (Role::Pressure, &["contact_pressure", "contact pressure", "pressure", "cpress"]),
+    (Role::Pressure, &["contact_pressure", "contact pressure", "cpress", "pressure"]),
     (Role::Gap, &["contact_gap", "contact gap", "gap", "copen"]),
     (Role::Displacement, &["displacement", "displacements", "disp", "u"]),
     (Role::Stress, &["stress"]),
@@ -133,10 +133,17 @@ impl<'a> Grid<'a> {
     ) -> Result<(Handed, Vec<String>), Error> {
         let (source, pair) = (self.source(), &scene.contacts[contact]);
         let side = Side::of(&source, scene, contact, points, cells)?;
-        let nodes = side.nodes();
+        let mut nodes = side.nodes();
         let order = asked.order.unwrap_or(side.order());
         let (pressure, how) = self.pressures(points, pair, asked)?;
-        let lacking = nodes.iter().filter(|&&node| !pressure(node).is_finite()).count();
+        let place = |node: usize| signed_coordinate(pair, points[node]);
+        let known = |&node: &usize| {
+            let value = Some(pressure(node)).filter(|value| !value.is_nan());
+            let point = |value| Point { position: place(node), value, area: None, gap: None };
+            (place(node), value.map(point))
+        };
+        let infinite = nodes.iter().filter(|&&node| pressure(node).is_infinite()).count();
+        let lacking = without_gaps(nodes.iter().map(known).collect()).1 + infinite;
         if lacking > 0 {
             let message = format!(
                 "{how}: {lacking} of the {} nodes of contact `{}` have no number, and none is no zero",
@@ -145,12 +152,13 @@ impl<'a> Grid<'a> {
             );
             return Err(source.refused(message, "hand in a finite number at every node of the contact side"));
         }
-        side.all_pressed(&source, (pair, scene.is_of_revolution()), points, |node| Some(pressure(node)))?;
+        side.all_pressed(&source, (pair, scene.plane.radial()), points, |node| Some(pressure(node)))?;
+        nodes.retain(|&node| !pressure(node).is_nan());
         let value: Vec<f64> = nodes.iter().map(|&node| pressure(node)).collect();
         let mut read = vec![how];
         let gaps = self.gaps(&nodes, points, pair, &value, asked, &mut read)?;
         let point = |(k, node): (usize, &usize)| Point {
-            position: signed_coordinate(pair, points[*node]),
+            position: place(*node),
             value: value[k],
             area: None,
             gap: gaps.as_ref().map(|gaps| gaps[k]),

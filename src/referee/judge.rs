@@ -11,6 +11,9 @@ use crate::uncertainty::standard;
 
 /// What is accepted where nothing else is asked for.
 pub const ENGINEERING: f64 = 1e-2;
+/// What tension is told by.
+pub const TENSION: &str = "largest tension over the largest pressure";
+
 /// What was found of one contact.
 #[derive(Clone, Debug)]
 pub struct Ruled {
@@ -145,13 +148,7 @@ impl Bench<'_> {
         let lowest = self.profile.points.iter().map(|point| 0.0 - point.pressure).fold(0.0, larger);
         let highest = self.profile.points.iter().map(|point| point.pressure.abs()).fold(0.0, larger);
         let because = "what counts as no pressure everywhere here";
-        self.error(
-            "largest tension over the largest pressure",
-            Reference::own("contact cannot pull", 0.0),
-            ACTIVE,
-            because,
-            lowest / highest,
-        )
+        self.error(TENSION, Reference::own("contact cannot pull", 0.0), ACTIVE, because, lowest / highest)
     }
 }
 

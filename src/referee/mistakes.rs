@@ -7,6 +7,7 @@ use std::f64::consts::{FRAC_1_SQRT_2, PI, SQRT_2, TAU};
 
 use crate::case::Verdict;
 use crate::measure::Quantity;
+use crate::mesh::Order;
 use crate::referee::answer::{Handed, Point};
 use crate::referee::judge::{fails_by_width, judge};
 use crate::referee::profile::{Profile, tributary};
@@ -15,6 +16,7 @@ use crate::scene::{ContactPair, PlaneHypothesis, Scene};
 use crate::solution::EdgeState;
 
 /// A correction, and what it says.
+#[derive(Clone)]
 struct Correction {
     says: String,
     corrected: Handed,
@@ -37,19 +39,33 @@ pub fn explain(truth: &Truth, handed: &Handed, tolerance: f64) -> Vec<String> {
 
 /// Every correction that is tried.
 fn corrections(truth: &Truth, handed: &Handed) -> Vec<Correction> {
-    let (scene, revolves) = (&truth.case.scene, truth.case.scene.is_of_revolution());
+    let (scene, is_circle) = (&truth.case.scene, truth.case.scene.is_around_axis(handed.contact));
     let scales = scales(truth, handed).into_iter();
     let scaled = scales.map(|(says, [pressure, place])| Correction {
         says,
-        corrected: scaled(handed, pressure, place, if revolves { place * place } else { place }),
+        corrected: scaled(handed, pressure, place, if is_circle { place * place } else { place }),
     });
-    let sides = if revolves { vec![] } else { halves(handed) };
-    scaled.chain(by_rings(scene, handed)).chain(shifts(scene, handed)).chain(sides).collect()
+    // What moves values among the points says nothing of means over edges that were handed in beside them.
+    let moved = if handed.edges.is_empty() { [shifts(scene, handed), middles(handed)].concat() } else { vec![] };
+    let is_half = handed.points[0].position >= 0.0 && !scene.contacts[handed.contact].path.has_both_sides();
+    let sides = if is_circle || is_half || !handed.edges.is_empty() { vec![] } else { halves(handed) };
+    scaled.chain(by_rings(scene, handed)).chain(moved).chain(sides).collect()
+}
+
+/// The points at corners alone, where nothing presses at those between.
+fn middles(handed: &Handed) -> Vec<Correction> {
+    let every_second = |first: usize| handed.points.iter().skip(first).step_by(2);
+    if handed.forces || !every_second(1).all(|point| point.value.abs() <= 0.0) {
+        return vec![];
+    }
+    let points = every_second(0).copied().collect();
+    let says = "every second node is a mid-side with a pressure of 0: hand in the corners alone".into();
+    vec![Correction { says, corrected: Handed { points, order: Order::Linear, ..handed.clone() } }]
 }
 
 /// Factors on pressures and on positions.
 fn scales(truth: &Truth, handed: &Handed) -> Vec<(String, [f64; 2])> {
-    match truth.case.scene.is_of_revolution() {
+    match truth.case.scene.is_around_axis(handed.contact) {
         true => of_revolution(&truth.case.scene, handed),
         false => of_strips(truth, handed),
     }
@@ -132,17 +148,13 @@ fn of_strips(truth: &Truth, handed: &Handed) -> Vec<(String, [f64; 2])> {
         "p₀ = 3F/2πa² is that of a sphere, whose a = ∛(3FR/4E*): of a cylinder p₀ = 2F/πat and a = √(4FR/πE*t)";
     all.extend(of_spheres(truth, handed).map(|factors| (say(sphere), factors)));
     let other = match scene.plane {
-        PlaneHypothesis::Strain | PlaneHypothesis::Axisymmetric => {
-            Scene { plane: PlaneHypothesis::Stress, ..scene.clone() }
-        }
         PlaneHypothesis::Stress => Scene { plane: PlaneHypothesis::Strain, ..scene.clone() },
+        _ => Scene { plane: PlaneHypothesis::Stress, ..scene.clone() },
     };
     let root = (other.modulus_of(pair) / scene.modulus_of(pair)).sqrt();
     let plane = match scene.plane {
-        PlaneHypothesis::Strain | PlaneHypothesis::Axisymmetric => {
-            "plane stress was solved, but the scene is in plane strain: E for E/(1−ν²)"
-        }
         PlaneHypothesis::Stress => "plane strain was solved, but the scene is in plane stress: E/(1−ν²) for E",
+        _ => "plane stress was solved, but the scene is in plane strain: E for E/(1−ν²)",
     };
     all.extend([(say(plane), [1.0 / root, root]), (say(plane), [1.0 / (root * root), 1.0])]);
     if (scene.thickness - 1.0).abs() > 0.0 {
@@ -194,7 +206,9 @@ fn by_rings(scene: &Scene, handed: &Handed) -> Vec<Correction> {
     if !scene.is_of_revolution() || !handed.forces {
         return vec![];
     }
-    let points = handed.points.iter().map(|point| Point { value: scene.depth(point.position) * point.value, ..*point });
+    let path = &scene.contacts[handed.contact].path;
+    let around = |point: &Point| Point { value: scene.depth(path.point(point.position)) * point.value, ..*point };
+    let points = handed.points.iter().map(around);
     let corrected = Handed { points: points.collect(), edges: vec![], ..handed.clone() };
     vec![Correction { says: "nodal forces are pressures times lengths: 2πr is forgotten".into(), corrected }]
 }
@@ -212,7 +226,7 @@ fn scaled(handed: &Handed, pressure: f64, place: f64, area: f64) -> Handed {
         ends: edge.ends.map(|end| place * end),
         weight: area * edge.weight,
         pressure: pressure * edge.pressure,
-        is_ring: edge.is_ring,
+        axis: edge.axis.map(|axis| place * axis),
     };
     Handed {
         points: handed.points.iter().map(point).collect(),

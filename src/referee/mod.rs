@@ -15,7 +15,7 @@
 //! * [`norm`] — the distance of a profile from the truth.
 //! * [`truth`] — what a case is judged by.
 //! * [`mod@bench`] — what a profile is judged with.
-//! * [`mod@judge`] — the verdicts; `contact_laws`, `declared` — those of gaps and sides, and of a scene file's own checks.
+//! * [`mod@judge`] — the verdicts; [`contact_laws`], `declared` — those of gaps and sides, and of a scene file's own checks.
 //! * [`series`] — a refinement series of answers; [`picture`] — one drawn on the truth.
 //! * [`export`] — all that is needed to run a case elsewhere.
 //! * [`mistakes`] — what explains an answer that does not meet its truth.
@@ -25,7 +25,7 @@ pub mod asked;
 pub mod bench;
 pub mod calculix;
 mod complete;
-mod contact_laws;
+pub mod contact_laws;
 mod declared;
 pub mod document;
 pub mod export;

@@ -10,9 +10,9 @@ const ALL: usize = 64_000;
 /// `√(Σ A (p̄ − p̄_ref)² / Σ A p̄_ref²)` of the means over edges, those of the truth by the midpoint rule, weighted by the radius over rings.
 pub fn of_means(edges: &[EdgeState], truth: impl Fn(f64) -> f64) -> f64 {
     let points = (ALL / edges.len().max(1)).clamp(1, READ);
-    let of = |edge: &EdgeState| match edge.is_ring {
-        false => mean(edge.ends, points, &truth),
-        true => mean(edge.ends, points, |s| s * truth(s)) / mean(edge.ends, points, |s| s),
+    let of = |edge: &EdgeState| match edge.axis {
+        None => mean(edge.ends, points, &truth),
+        Some(axis) => mean(edge.ends, points, |s| (s - axis) * truth(s)) / mean(edge.ends, points, |s| s - axis),
     };
     let pairs: Vec<[f64; 3]> = edges.iter().map(|edge| [edge.weight, edge.pressure, of(edge)]).collect();
     let error: f64 = pairs.iter().map(|[weight, own, wanted]| weight * (own - wanted).powi(2)).sum();

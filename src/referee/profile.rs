@@ -48,7 +48,7 @@ impl Profile {
             PointState { position: point.position, weight, pressure, gap: point.gap.unwrap_or(f64::NAN) }
         };
         let mut points: Vec<PointState> = handed.points.iter().zip(&areas).map(state).collect();
-        let on_axis = scene.is_of_revolution() && lends_to_axis(&mut points, handed);
+        let on_axis = scene.is_around_axis(handed.contact) && lends_to_axis(&mut points, handed);
         let edges =
             if handed.edges.is_empty() { means(&scene, pair, &points, handed.order) } else { handed.edges.clone() };
         points.drain(..usize::from(on_axis));
@@ -102,7 +102,7 @@ fn lends_to_axis(points: &mut [PointState], handed: &Handed) -> bool {
 /// None where it begins there, or lies on both sides. Tables of bodies of revolution may leave out the axis, where nodes have no area.
 fn begun(scene: &Scene, handed: &Handed, across: bool) -> Option<Handed> {
     let [first, second] = [handed.points[0], handed.points[1]];
-    let (length, revolves) = (second.position - first.position, scene.is_of_revolution());
+    let (length, revolves) = (second.position - first.position, scene.is_around_axis(handed.contact));
     let near = first.position < length || revolves && first.position <= length * (1.0 + SAME);
     if across
         || scene.contacts[handed.contact].path.has_both_sides()
@@ -136,11 +136,11 @@ fn shares(order: Order) -> Vec<f64> {
     lobatto(usize::from(order.number()) + 1).into_iter().map(|(_, weight)| 0.5 * weight).collect()
 }
 
-/// The same of an edge of bodies of revolution, each times its mean radius, `∫ N_k r dr / ∫ dr` \[mm\]; the rule is exact from order 2 on.
-fn radii(positions: &[f64], order: Order) -> Vec<f64> {
-    match (order, positions) {
+/// The same of an edge of bodies of revolution, each times its mean radius, `∫ N_k r ds / ∫ ds` \[mm\]; the rule is exact from order 2 on.
+fn radii(radii: &[f64], order: Order) -> Vec<f64> {
+    match (order, radii) {
         (Order::Linear, [a, b]) => vec![(2.0 * a + b) / 6.0, (a + 2.0 * b) / 6.0],
-        _ => shares(order).iter().zip(positions).map(|(share, r)| share * r).collect(),
+        _ => shares(order).iter().zip(radii).map(|(share, r)| share * r).collect(),
     }
 }
 
@@ -151,10 +151,13 @@ pub fn tributary(scene: &Scene, pair: &ContactPair, points: &[Point], order: Ord
     let positions: Vec<f64> = points.iter().map(|point| point.position).collect();
     for first in (0..points.len() - 1).step_by(steps) {
         let own = &positions[first..=first + steps];
-        let shares = if scene.is_of_revolution() { radii(own, order) } else { plain.clone() };
+        let shares = match scene.plane.radial() {
+            Some(radial) => radii(&own.iter().map(|s| pair.path.point(*s)[radial]).collect::<Vec<_>>(), order),
+            None => plain.clone(),
+        };
         shares.iter().enumerate().for_each(|(k, share)| sums[first + k] += share * (own[steps] - own[0]));
     }
-    let across = if scene.is_of_revolution() { TAU } else { pair.path.metric() * scene.thickness };
+    let across = pair.path.metric() * if scene.is_of_revolution() { TAU } else { scene.thickness };
     sums.into_iter().map(|sum| sum * across).collect()
 }
 
@@ -167,14 +170,15 @@ fn means(scene: &Scene, pair: &ContactPair, points: &[PointState], order: Order)
         let ends = [own[0].position, own[steps].position];
         let sum = |shares: &[f64]| own.iter().zip(shares).map(|(point, share)| share * point.pressure).sum::<f64>();
         let length = ends[1] - ends[0];
-        if !scene.is_of_revolution() {
+        let Some(radial) = scene.plane.radial() else {
             let weight = length * (pair.path.metric() * scene.thickness);
-            return EdgeState { ends, weight, pressure: sum(&plain), is_ring: false };
-        }
-        let positions: Vec<f64> = own.iter().map(|point| point.position).collect();
-        let shares = radii(&positions, order);
+            return EdgeState { ends, weight, pressure: sum(&plain), axis: None };
+        };
+        let places: Vec<f64> = own.iter().map(|point| pair.path.point(point.position)[radial]).collect();
+        let shares = radii(&places, order);
         let pressure = sum(&shares) / shares.iter().sum::<f64>();
-        EdgeState { ends, weight: length * scene.depth(0.5 * (ends[0] + ends[1])), pressure, is_ring: true }
+        let weight = length * pair.path.metric() * scene.depth(pair.path.point(0.5 * (ends[0] + ends[1])));
+        EdgeState { ends, weight, pressure, axis: pair.path.axis(radial, ends) }
     };
     (0..points.len() - 1).step_by(steps).map(mean).collect()
 }

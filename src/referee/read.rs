@@ -1,5 +1,6 @@
 //! A file of another code, by its ending.
 
+use std::borrow::Cow;
 use std::fs::File;
 use std::io::Read;
 use std::path::Path;
@@ -29,10 +30,12 @@ pub fn read(file: &Path, case: &Case, asked: &Asked) -> Result<Answer, Error> {
 
 /// The answer in the bytes of a file, which is only named; one that ends in .gz is decompressed. Refuses radii below 0.
 pub fn parse(file: &Path, bytes: &[u8], case: &Case, asked: &Asked) -> Result<Answer, Error> {
-    let answer = by_ending(file, bytes, case, asked)?;
+    let mut answer = by_ending(file, bytes, case, asked)?;
+    answer.mirror(&case.scene);
+    let around = answer.contacts.iter().filter(|handed| case.scene.is_around_axis(handed.contact));
     let ends = |handed: &Handed| Some([handed.points.first()?.position, handed.points.last()?.position]);
     let beyond = |[least, most]: &[f64; 2]| *least < 0.0 - ROUNDING * most.abs();
-    match answer.contacts.iter().filter_map(ends).find(beyond).filter(|_| case.scene.is_of_revolution()) {
+    match around.filter_map(ends).find(beyond) {
         None => Ok(answer),
         Some([least, _]) => {
             let message = format!(
@@ -67,13 +70,13 @@ fn by_ending(file: &Path, bytes: &[u8], case: &Case, asked: &Asked) -> Result<An
         ));
     }
     match ending.as_str() {
-        "csv" | "tsv" | "txt" | "rpt" | "lis" => of_table(file, text(file, bytes)?, &case.scene, asked),
-        "json" => document::parse(file, text(file, bytes)?, &case.name, &case.scene, asked),
+        "csv" | "tsv" | "txt" | "rpt" | "lis" => of_table(file, &text(file, bytes)?, &case.scene, asked),
+        "json" => document::parse(file, &text(file, bytes)?, &case.name, &case.scene, asked),
         "vtu" | "vtk" => grid::parse(file, bytes, &case.scene, asked),
-        "pvd" => of_collection(file, text(file, bytes)?, case, asked),
-        "frd" => frd::parse(file, text(file, bytes)?, &case.scene, asked),
-        "dat" if !calculix::has_forces(text(file, bytes)?) => of_table(file, text(file, bytes)?, &case.scene, asked),
-        "dat" => exported(file, text(file, bytes)?, &case.scene, asked),
+        "pvd" => of_collection(file, &text(file, bytes)?, case, asked),
+        "frd" => frd::parse(file, &text(file, bytes)?, &case.scene, asked),
+        "dat" if !calculix::has_forces(&text(file, bytes)?) => of_table(file, &text(file, bytes)?, &case.scene, asked),
+        "dat" => exported(file, &text(file, bytes)?, &case.scene, asked),
         _ => Err(foreign::by_ending(file, &ending).unwrap_or_else(|| {
             Error::file(file, format!("its ending `{ending}` names no format that is read"), KNOWN)
         })),
@@ -101,7 +104,7 @@ fn exported(file: &Path, table: &str, scene: &Scene, asked: &Asked) -> Result<An
     let fields = file.with_extension("frd");
     if fields.exists() {
         let read = bytes(&fields)?;
-        let source = Source { file: &fields, text: text(&fields, &read)? };
+        let source = Source { file: &fields, text: &text(&fields, &read)? };
         answer.field = frd::displacements((&source, scene), asked, calculix::is_ours(&deck).then_some("mm"), None)?;
         answer.read.extend(answer.field.is_some().then(|| "displacements from the .frd of the same name".into()));
     }
@@ -116,7 +119,7 @@ fn deck_of(file: &Path) -> Result<String, Error> {
         return Err(Error::missing_file(&deck, remedy));
     }
     let read = bytes(&deck)?;
-    Ok(text(&deck, &read)?.to_owned())
+    Ok(text(&deck, &read)?.into_owned())
 }
 
 /// What a file compressed by gzip holds.
@@ -127,16 +130,22 @@ fn decompressed(file: &Path, bytes: &[u8]) -> Result<Vec<u8>, Error> {
     limited(file, plain)
 }
 
-fn text<'a>(file: &Path, bytes: &'a [u8]) -> Result<&'a str, Error> {
-    // Programs of Windows put a mark of the order of bytes before.
-    let text = std::str::from_utf8(bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes));
-    text.map_err(|error| {
-        Error::unreadable(
-            file,
-            format!("byte {} is no text", error.valid_up_to()),
-            "write it as text, in UTF-8 and not in binary",
-        )
-    })
+/// The text in bytes: in UTF-8; in UTF-16, as which Windows marks it; or, where it has letters of neither, in Latin-1. Lines end in CR alone where
+/// Excel for the Mac wrote them.
+fn text<'a>(file: &Path, bytes: &'a [u8]) -> Result<Cow<'a, str>, Error> {
+    let words = |of: fn([u8; 2]) -> u16| bytes[2..].as_chunks().0.iter().map(|two| of(*two)).collect::<Vec<u16>>();
+    let text = match bytes {
+        [0xFF, 0xFE, ..] => String::from_utf16(&words(u16::from_le_bytes)).ok().map(Cow::from),
+        [0xFE, 0xFF, ..] => String::from_utf16(&words(u16::from_be_bytes)).ok().map(Cow::from),
+        [0xEF, 0xBB, 0xBF, rest @ ..] | rest => match std::str::from_utf8(rest) {
+            Ok(text) => Some(text.into()),
+            Err(_) if rest.iter().any(|byte| byte.is_ascii_control() && !byte.is_ascii_whitespace()) => None,
+            Err(_) => Some(rest.iter().map(|byte| char::from(*byte)).collect::<String>().into()),
+        },
+    };
+    let text =
+        text.ok_or_else(|| Error::unreadable(file, "it is no text", "write it as text, in UTF-8 and not in binary"))?;
+    Ok(if text.contains('\n') { text } else { text.replace('\r', "\n").into() })
 }
 
 fn bytes(file: &Path) -> Result<Vec<u8>, Error> {

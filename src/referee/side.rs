@@ -59,8 +59,12 @@ impl Side {
         points: &[[f64; 2]],
         cells: &[Cell],
     ) -> Result<Self, Error> {
-        let all = outline(points, cells);
         let pair = &scene.contacts[contact];
+        if !cells.iter().any(|cell| area(points, cell).abs() > 0.0) {
+            let message = format!("none of its {} plane cells has an area in x and y", cells.len());
+            return Err(source.refused(message, UNDEFORMED));
+        }
+        let all = outline(points, cells);
         let edges: Vec<Edge> = all.iter().filter(|edge| lies_on(scene, pair, points, edge)).cloned().collect();
         if edges.is_empty() {
             let range = |axis: usize| {
@@ -98,11 +102,11 @@ impl Side {
         if self.edges.iter().all(|edge| edge.len() == 3) { Order::Quadratic } else { Order::Linear }
     }
 
-    /// Refuses a side of which only a part is read: edges that go on from it are pressed too. Edges of bodies of revolution are rings.
+    /// Refuses a side of which only a part is read: edges that go on from it are pressed too. Edges of bodies of revolution are rings about x = 0 or y = 0.
     pub fn all_pressed(
         &self,
         source: &Source,
-        (pair, revolves): (&ContactPair, bool),
+        (pair, radial): (&ContactPair, Option<usize>),
         points: &[[f64; 2]],
         pressure: impl Fn(usize) -> Option<f64>,
     ) -> Result<(), Error> {
@@ -111,8 +115,8 @@ impl Side {
         let largest = all().flatten().map(|&node| at(node)).fold(0.0, f64::max);
         let force = |edge: &Edge| {
             let mean = edge.iter().map(|&node| at(node)).sum::<f64>() / edge.len() as f64;
-            let middle = 0.5 * (points[edge[0]][0] + points[edge[1]][0]);
-            distance(points[edge[0]], points[edge[1]]) * mean * if revolves { middle.abs() } else { 1.0 }
+            let middle = |radial: usize| 0.5 * (points[edge[0]][radial] + points[edge[1]][radial]).abs();
+            distance(points[edge[0]], points[edge[1]]) * mean * radial.map_or(1.0, middle)
         };
         // The edge at which the contact ends has one pressed node.
         let pressed = || self.off.iter().filter(|edge| edge.iter().all(|&node| at(node) > PRESSED * largest));
@@ -232,15 +236,21 @@ fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
     (b[0] - a[0]).hypot(b[1] - a[1])
 }
 
+/// Twice the area of a cell between its corners, negative where they run clockwise.
+fn area(points: &[[f64; 2]], Cell { nodes, corners }: &Cell) -> f64 {
+    let at = |k: usize| points[nodes[k % corners]];
+    (0..*corners).map(|k| at(k)[0] * at(k + 1)[1] - at(k + 1)[0] * at(k)[1]).sum()
+}
+
 /// Edges of one cell only, each with the cell to its left.
 fn outline(points: &[[f64; 2]], cells: &[Cell]) -> Vec<Edge> {
     let mut known: HashMap<[usize; 2], Option<Edge>> = HashMap::new();
-    for Cell { nodes, corners } in cells {
-        let at = |k: usize| points[nodes[k % corners]];
-        let area: f64 = (0..*corners).map(|k| at(k)[0] * at(k + 1)[1] - at(k + 1)[0] * at(k)[1]).sum();
+    for cell in cells {
+        let Cell { nodes, corners } = cell;
+        let is_clockwise = area(points, cell) < 0.0;
         for k in 0..*corners {
             let [a, b] = [nodes[k], nodes[(k + 1) % corners]];
-            let ends = if area < 0.0 { [b, a] } else { [a, b] };
+            let ends = if is_clockwise { [b, a] } else { [a, b] };
             let edge = ends.into_iter().chain(nodes.get(corners + k).copied()).collect();
             known.entry([a.min(b), a.max(b)]).and_modify(|edge| *edge = None).or_insert(Some(edge));
         }

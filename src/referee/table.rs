@@ -21,6 +21,9 @@ const HEADER: &str = "begin with a line of names and units such as `position [mm
 /// What a list of nodes without their places needs.
 const PLACES: &str = "it lists nodes by their numbers: write their places beside them, as Abaqus does with COORD, Ansys with LOCX and LOCY; or hand in a \
                       grid, or the .frd";
+/// What to do about a line with other cells than the head.
+const WRONG_CELLS: &str =
+    "the file is cut, or a cell is missing: write it again; numbers with decimal commas need semicolons between them";
 /// What to do about a second table.
 const ONE: &str = "keep the table of the side, step and frame that is to be judged, and remove the others; of one that was printed in pages remove the \
                    lines between them";
@@ -49,7 +52,7 @@ pub fn parse(file: &Path, text: &str, scene: &Scene, asked: &Asked) -> Result<An
     for (line, cells) in &table.rows {
         if cells.len() != table.head.len() {
             let message = format!("this line has {} cells, but the head names {}", cells.len(), table.head.len());
-            return Err(source.at(line, message, "the file is cut, or a cell is missing: write it again"));
+            return Err(source.at(line, message, WRONG_CELLS));
         }
         let (contact, point) = reader.point(line, cells)?;
         match groups.iter_mut().find(|(known, _)| *known == contact) {
@@ -260,7 +263,9 @@ fn cells(line: &str, mark: char) -> Vec<String> {
 
 /// The cells of a line, as many as wanted where blanks separate them: names of several words have two blanks or more between them.
 fn fitting(line: &str, mark: char, wanted: usize) -> Vec<String> {
-    let own = cells(line, mark);
+    let mut own = cells(line, mark);
+    // Fortran, and Excel, put a mark behind the last cell too.
+    own.truncate(own.iter().rposition(|cell| !cell.is_empty()).map_or(0, |last| last + 1).max(wanted));
     if mark != ' ' || own.len() == wanted {
         return own;
     }
@@ -279,7 +284,7 @@ fn is_data(cells: &[String], comma: bool) -> bool {
 
 /// A number with a point or, where it may be, a comma; its exponent may begin with the D of Fortran.
 fn number(cell: &str, comma: bool) -> Option<f64> {
-    let plain = cell.replace(['D', 'd'], "E");
+    let plain = cell.replace(['D', 'd'], "E").replace('−', "-");
     let has_comma = plain.contains(',');
     if has_comma && (!comma || plain.contains('.')) {
         return None;
@@ -334,7 +339,15 @@ fn split<'a>(title: &'a str) -> (&'a str, Option<&'a str>) {
 
 /// Whether a column has one of the usual names of a role.
 fn is_usual(role: Role, title: &str) -> bool {
-    role.usual().contains(&split(title).0.to_lowercase().as_str())
+    role.usual().iter().any(|name| is_called(title, name))
+}
+
+/// Whether a column has a name in small letters; COMSOL puts the pair of the contact behind it.
+fn is_called(title: &str, name: &str) -> bool {
+    let own = split(title).0.to_lowercase();
+    let is_of_pair =
+        |rest: &str| rest.starts_with(", contact pair") || name.starts_with("solid.") && rest.starts_with('_');
+    own.strip_prefix(name).is_some_and(|rest| rest.is_empty() || is_of_pair(rest))
 }
 
 impl Asked {
@@ -350,7 +363,7 @@ fn columns(source: &Source, head: &[String], scene: &Scene, asked: &Asked) -> Re
     let of = |is_it: &dyn Fn(&str) -> bool| (0..head.len()).filter(|&k| is_it(&head[k])).collect::<Vec<usize>>();
     let mut found: Vec<(Role, usize)> = Vec::new();
     for role in Role::OF_TABLES {
-        let usual = |name: &&str| of(&|title: &str| split(title).0.to_lowercase() == *name);
+        let usual = |name: &&str| of(&|title: &str| is_called(title, name));
         let all = match asked.column(role) {
             Some(_) => of(&|title: &str| asked.names(role, title)),
             None => role.usual().iter().map(usual).find(|all| !all.is_empty()).unwrap_or_default(),

@@ -68,8 +68,12 @@ impl Role {
     pub fn usual(self) -> &'static [&'static str] {
         match self {
             Self::Position => &["position"],
-            Self::X => &["x", "points:0", "points_0", "coord.coor1", "coor1", "x location", "x coordinate"],
-            Self::Y => &["y", "points:1", "points_1", "coord.coor2", "coor2", "y location", "y coordinate"],
+            Self::X => {
+                &["x", "points:0", "points_0", "coord.coor1", "coor1", "x location", "x coordinate", "x-coordinate"]
+            }
+            Self::Y => {
+                &["y", "points:1", "points_1", "coord.coor2", "coor2", "y location", "y coordinate", "y-coordinate"]
+            }
             Self::Pressure => {
                 &["contact_pressure", "contact pressure", "pressure", "cpress", "pres", "solid.tn", "tn", "p"]
             }
@@ -99,9 +103,9 @@ impl Role {
         }
     }
 
-    /// What a unit of it is in ours; none where that is not known. `N/mm²` and `N / mm^2` are `N/mm2`, `µm` is `um`.
+    /// What a unit of it is in ours; none where that is not known. `N/mm²` and `N / mm^2` are `N/mm2`, `µm` is `um`, `inch` is `in`.
     pub fn factor(self, unit: &str) -> Option<f64> {
-        let plain = unit.replace(['^', '*', ' '], "").replace('²', "2").replace(['µ', 'μ'], "u");
+        let plain = unit.replace(['^', '*', ' '], "").replace('²', "2").replace(['µ', 'μ'], "u").replace("inch", "in");
         self.units().iter().find(|(known, _)| *known == plain).map(|(_, factor)| *factor)
     }
 

@@ -122,6 +122,9 @@ impl Reader<'_> {
             let begin = rest.iter().position(|byte| !byte.is_ascii_whitespace()).unwrap_or(rest.len());
             let length = rest[begin..].iter().position(u8::is_ascii_whitespace).unwrap_or(rest.len() - begin);
             let word = String::from_utf8_lossy(&rest[begin..begin + length]);
+            if word.is_empty() {
+                return Err(self.refused("it is cut"));
+            }
             self.at += begin + length;
             all.push(word.parse().map_err(|_| self.refused(&format!("`{word}` is no number")))?);
         }

@@ -43,11 +43,7 @@ pub fn parse<'a>(file: &'a Path, bytes: &[u8]) -> Result<Grid<'a>, Error> {
     let count = attribute(&piece, "NumberOfPoints").and_then(|count| count.trim().parse::<usize>().ok());
     let coding = Coding {
         wide: attribute(&head, "header_type") == Some("UInt64"),
-        zlib: match attribute(&head, "compressor") {
-            None => false,
-            Some("vtkZLibDataCompressor") => true,
-            Some(other) => return Err(refused(format!("its arrays are compressed by {other}, and zlib is read"))),
-        },
+        compressor: attribute(&head, "compressor").map(str::to_owned),
     };
     let mut grid = Grid::of(file);
     let (mut at, mut part) = (0, "");
@@ -60,7 +56,9 @@ pub fn parse<'a>(file: &'a Path, bytes: &[u8]) -> Result<Grid<'a>, Error> {
         let empty = array.ends_with('/');
         let end = if empty { Some(found.end) } else { position(body, b"</DataArray", found.end) };
         let end = end.ok_or_else(|| refused(format!("its array `{name}` has no end")))?;
-        let inside = body.get(found.end + 1..end).unwrap_or_default();
+        // What VTK knows of an array, as its range, stands behind its numbers.
+        let inside = body.get(found.end + 1..end).unwrap_or_default().split(|byte| *byte == b'<').next();
+        let inside = inside.unwrap_or_default();
         at = end;
         // Other fields than numbers, and those of cells, are not read.
         if ["<CellData", "<FieldData"].contains(&part) || kind == "String" {
@@ -165,8 +163,8 @@ fn unpadded(letters: &[u8]) -> Vec<u8> {
 struct Coding {
     /// Whether words of headers have eight bytes, and not four.
     wide: bool,
-    /// Whether blocks are compressed by zlib.
-    zlib: bool,
+    /// What blocks are compressed by; none where they are not.
+    compressor: Option<String>,
 }
 
 impl Coding {
@@ -188,7 +186,7 @@ impl Coding {
     /// Letters that an array takes at most, as its header tells.
     fn encoded_length(&self, header: &[u8]) -> Option<usize> {
         let (first, _) = self.word(header, 0).ok()?;
-        let bytes = if self.zlib {
+        let bytes = if self.compressor.is_some() {
             first.checked_mul(self.word(header, 1).ok()?.0)?.checked_add(first * 16 + 64)?
         } else {
             first.checked_add(16)?
@@ -207,11 +205,13 @@ impl Coding {
 
     /// The numbers of header and data.
     fn decoded(&self, bytes: &[u8], kind: &str) -> Result<Vec<f64>, String> {
-        let plain = if self.zlib {
-            self.inflated(bytes)?
-        } else {
-            let (length, begin) = self.word(bytes, 0)?;
-            begin.checked_add(length).and_then(|end| bytes.get(begin..end)).ok_or("is cut")?.to_vec()
+        let plain = match self.compressor.as_deref() {
+            Some("vtkZLibDataCompressor") => self.inflated(bytes)?,
+            Some(other) => return Err(format!("is compressed by {other}, and zlib is read")),
+            None => {
+                let (length, begin) = self.word(bytes, 0)?;
+                begin.checked_add(length).and_then(|end| bytes.get(begin..end)).ok_or("is cut")?.to_vec()
+            }
         };
         numbers(&plain, kind, false).ok_or_else(|| format!("is of the type {kind}, which is not read"))
     }

@@ -131,11 +131,12 @@ impl Whole<'_> {
         let mut found = Vec::new();
         for (component, names) in names.into_iter().enumerate() {
             for (along, name) in names.into_iter().enumerate() {
-                if self.own.scene.is_of_revolution() && component == 0 && along == 1 {
+                let is_radial = self.own.scene.plane.radial() == Some(component);
+                if is_radial && along != component {
                     continue;
                 }
                 let Some(from) = self.at_rest(component, along)? else { continue };
-                if self.own.scene.is_of_revolution() && component == 0 && from.abs() > 0.0 {
+                if is_radial && from.abs() > 0.0 {
                     continue;
                 }
                 let motion = |point: [f64; 2]| point[along] - from;

@@ -4,6 +4,7 @@ use crate::case::{Judged, Quantity, Relation, Scope, Verdict, judged};
 use crate::markdown;
 use crate::report::grouped::{in_order, sorted};
 use crate::report::told;
+use crate::uncertainty::COVERAGE;
 
 /// What a check is told by in a column; the flag tells whether the sentence above the table has its reference and tolerance.
 type Cell = fn(&Judged, bool) -> String;
@@ -195,10 +196,12 @@ fn place(quantity: &Quantity) -> String {
     }
 }
 
-/// A value, with its uncertainty where that is known and more than none.
+/// A value, with its error bar where its standard uncertainty is known and more than none.
 fn with_uncertainty(value: f64, uncertainty: Option<f64>) -> String {
     match uncertainty.filter(|uncertainty| *uncertainty > 0.0) {
-        Some(uncertainty) => format!("{} ± {}", markdown::value(value), markdown::significant(uncertainty, 2)),
+        Some(uncertainty) => {
+            format!("{} ± {}", markdown::value(value), markdown::significant(COVERAGE * uncertainty, 2))
+        }
         None if value.fract().abs() > 0.0 || !value.is_finite() => markdown::value(value),
         None => markdown::bound(value),
     }

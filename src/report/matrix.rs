@@ -51,10 +51,7 @@ fn full_and_others(findings: &[Finding]) -> (Vec<Case<'_>>, Vec<Case<'_>>) {
 /// names a case and links its page.
 pub fn verdict_matrix(findings: &[Finding], first: Option<Column>, link: impl Fn(&Finding) -> String) -> String {
     let columns = columns(first);
-    let name = |column: &Column| {
-        let name = format!("{}<br>{}", column.0.name(), column.1.name());
-        if Some(*column) == first { format!("{name} ←") } else { name }
-    };
+    let name = |column: &Column| format!("{}<br>{}", column.0.name(), column.1.name());
     let head: Vec<String> = std::iter::once("case".into()).chain(columns.iter().map(name)).collect();
     let row = |(_, members): &Case| {
         let cells = columns.iter().map(|column| cell(members, *column));

@@ -7,7 +7,7 @@ use crate::report::heading;
 pub const FILE: &str = "symbols.md";
 
 /// Symbols with what they stand for.
-pub const SYMBOLS: [[&str; 2]; 17] = [
+pub const SYMBOLS: [[&str; 2]; 19] = [
     [
         "κ₀ = k ℓ/E*",
         "initial stiffness k of the contact springs per area, made a pure number by the length ℓ of the scene (Hertz's half-width, or the \
@@ -26,7 +26,12 @@ pub const SYMBOLS: [[&str; 2]; 17] = [
     ["h", "size of an element"],
     ["F, t, c", "load, thickness, clearance"],
     ["L2(p)", "error of the pressure profile, relative in the L2 norm"],
-    ["u", "standard uncertainty; u/g is a displacement over the gap"],
+    ["u, u/g", "displacement, and the same over the gap"],
+    [
+        "±",
+        "error bar: an estimate of what a value may be off, two standard uncertainties; *What is promised* counts how many hold. No bound",
+    ],
+    ["… to …", "range: the least and the largest of what was found"],
     ["E, u_val", "difference of two values, and its standard uncertainty from all sources (ASME V&V 20)"],
     ["dofs", "degrees of freedom"],
 ];

@@ -158,15 +158,16 @@ pub struct EdgeState {
     pub weight: f64,
     /// Mean contact pressure \[MPa\].
     pub pressure: f64,
-    /// Whether it is a ring of a body of revolution: its mean is `∫p r dr / ∫r dr`.
+    /// Contact coordinate of the axis of revolution about which it is a ring, whose mean is `∫p r dr / ∫r dr`; none in the plane,
+    /// and where the radius is the same throughout.
     #[serde(skip)]
-    pub is_ring: bool,
+    pub axis: Option<f64>,
 }
 
 impl EdgeState {
     /// What its mean is taken over: its area of a body of revolution, else its length.
     pub fn measure(&self) -> f64 {
-        if self.is_ring { self.weight } else { self.length() }
+        if self.axis.is_some() { self.weight } else { self.length() }
     }
 
     /// Length along the contact coordinate.
@@ -176,7 +177,7 @@ impl EdgeState {
 
     /// Its mirror image on s = 0.
     pub fn mirrored(&self) -> Self {
-        Self { ends: [-self.ends[1], -self.ends[0]], ..*self }
+        Self { ends: [-self.ends[1], -self.ends[0]], axis: self.axis.map(|axis| 0.0 - axis), ..*self }
     }
 
     /// Contact coordinate of the middle.

@@ -9,7 +9,7 @@ use crate::case::library::{self, Cylinder, PinRod, cylinder, pin_rod};
 use crate::case::{Case, Judged, Meshed, Quantity, file};
 use crate::checkout::root;
 use crate::drawing::palette::{GREY, Style};
-use crate::drawing::{Axis, Band, Chart, Direction, Drawing, Ribbon, Series, panels, schematic};
+use crate::drawing::{Axis, Chart, Drawing, Ribbon, Series, panels, schematic};
 use crate::error::Error;
 use crate::markdown::{self, Column, significant};
 use crate::measure::{Quantity as Number, display_factor};
@@ -17,7 +17,7 @@ use crate::scene::ReferenceValues;
 use crate::solution::EdgeState;
 use crate::solve::{Formulation, Run};
 use crate::study::about::{About, Found, Planned, Study};
-use crate::study::drawn::{label, picture, style};
+use crate::study::drawn::{WITHOUT_GAERTNER, label, picture, style};
 
 /// Folder of the scene files of the checkout.
 const FILES: &str = "tests/cases";
@@ -257,7 +257,7 @@ pub fn charts(page: &str) -> Option<String> {
         "pin-rod" => [
             (
                 "figure-14.svg",
-                "Fig. 14: pressure against angle of the five combinations that the paper shows; the place of Gaertner's curves is empty",
+                "Fig. 14: pressure against angle of the five combinations that the paper shows, without Gaertner's curves",
             ),
             ("pressure-pin-rod.svg", "As Fig. 14 with all nine formulations"),
         ],
@@ -285,7 +285,7 @@ pub fn remark(page: &str) -> &'static str {
              Cells that end with the contact: [Meshes fitted to the contact](fitted.md); iterations: [Predicted against measured](stability.md).\n\n"
         }
         "pin-rod" => {
-            "No closed form: the formulations are held against one another, [reference answers](references.md) to five digits have bounds \
+            "No closed form: the formulations are held against one another, [reference answers](references.md) to five digits have error bars \
              of their own, and [independent codes](independent.md) solve the same problem. A [pin in a wide plate](case-pin-plate.md) is the \
              same contact with a closed form. Stresses on the deformed shapes: [Fields](fields.md).\n\n"
         }
@@ -299,7 +299,7 @@ const INTERVALS: usize = 200;
 const PARTS: usize = 20;
 /// Where the pictures of the cylinder end, over the half-width.
 const END: f64 = 1.5;
-/// Label of the band.
+/// Label of the ribbon.
 const BAND: &str = "all nine formulations, edge means: least to most";
 
 /// The cylinder on its rigid plane with its load and supports (the paper's Fig. 8).
@@ -353,7 +353,7 @@ fn on_cylinder(title: &str) -> Chart {
 
 /// Pressure against angle on the pin, its axes.
 fn on_pin(title: &str) -> Chart {
-    let angle = Axis::linear("θ from the load line [°]").over(0.0, 90.0);
+    let angle = Axis::linear("θ from the load line [°]").over(0.0, PinRod::default().stretch.to_degrees());
     Chart::new(title, angle, Axis::linear("pressure R t p / F [–]").over(0.0, 0.9))
 }
 
@@ -366,14 +366,12 @@ fn figure_10(runs: &[&Run]) -> Chart {
     chart
 }
 
-/// Pressure against angle on the pin, and the place of the measured curves.
+/// Pressure against angle on the pin.
 fn figure_14(runs: &[&Run]) -> Chart {
     let scene = PinRod::default().case().scene;
     let mut chart = on_pin("Fig. 14: pressure on the pin");
     chart.series = curves(runs, display_factor(&scene.contact().path), scene.reference.pressure);
-    let label = "Gaertner 1977: not at hand".into();
-    chart.bands.push(Band { direction: Direction::Vertical, from: 76.0, to: 89.0, label });
-    chart.notes.push("No calibrated experiment has yet been compared.".into());
+    chart.notes.push(WITHOUT_GAERTNER.into());
     chart
 }
 
@@ -408,7 +406,7 @@ fn all_on_pin(runs: &[&Run]) -> Drawing {
     let points = edges.iter().map(|edge| (degrees * edge.position(), edge.pressure / scale));
     let verification = Series::new(label(&own), points, Style::reference());
     pressure.series.push(Series { hollow: failed(runs), ..verification });
-    let angle = Axis::linear("θ from the load line [°]").over(0.0, 90.0);
+    let angle = Axis::linear("θ from the load line [°]").over(0.0, PinRod::default().stretch.to_degrees());
     let axis = Axis::linear("difference of R t p / F [% of its largest]");
     let mut difference = Chart::new(&format!("Difference to {}", label(&own)), angle, axis);
     let largest = edges.iter().map(|edge| edge.pressure).fold(f64::NAN, f64::max);

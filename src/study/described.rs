@@ -17,18 +17,14 @@ pub fn scene(scene: &Scene) -> Vec<String> {
 
 /// What the two coordinates stand for, with the thickness in a unit.
 pub fn hypothesis(scene: &Scene, unit: &str) -> String {
-    match scene.is_of_revolution() {
-        true => "Bodies of revolution about x = 0: x is the radius, loads and resultants are whole forces.".into(),
-        false => format!("Plane {}, thickness {}{unit}.", plane(scene.plane), scene.thickness),
-    }
-}
-
-/// The hypothesis in a word.
-pub fn plane(plane: PlaneHypothesis) -> &'static str {
-    match plane {
-        PlaneHypothesis::Strain => "strain",
-        PlaneHypothesis::Stress => "stress",
-        PlaneHypothesis::Axisymmetric => "axisymmetric",
+    match scene.plane {
+        PlaneHypothesis::Axisymmetric => {
+            "Bodies of revolution about x = 0: x is the radius, loads and resultants are whole forces.".into()
+        }
+        PlaneHypothesis::AxisymmetricAboutX => {
+            "Bodies of revolution about y = 0: y is the radius, loads and resultants are whole forces.".into()
+        }
+        plane => format!("Plane {}, thickness {}{unit}.", plane.name(), scene.thickness),
     }
 }
 
@@ -138,7 +134,9 @@ fn contact(scene: &Scene, pair: &ContactPair) -> String {
     let other = pair.second.map_or("a rigid profile".into(), |body| format!("`{}`", scene.bodies[body].name));
     let (along, unit, per_unit) = match &pair.path {
         Path::Straight(line) if line.both_sides => (format!("x from {:?}, on both sides", line.origin), "mm", 1.0),
-        Path::Straight(line) if scene.is_of_revolution() => (format!("the radius x from {:?}", line.origin), "mm", 1.0),
+        Path::Straight(line) if scene.plane.radial() == Some(0) => {
+            (format!("the radius x from {:?}", line.origin), "mm", 1.0)
+        }
         Path::Straight(line) => (format!("|x| from {:?}", line.origin), "mm", 1.0),
         Path::Arc(circle) => {
             let along = format!(
@@ -175,6 +173,7 @@ fn gap(profile: &Profile) -> String {
         Profile::Circle { radius } => format!("g₀ = R − √(R² − s²), R = {radius}"),
         Profile::Circles { radii } => format!("g₀ = Σ (R − sgn(R) √(R² − s²)), R = {radii:?}"),
         Profile::Parabola { radius } => format!("g₀ = s²/2R, R = {radius}"),
+        Profile::Powers { terms } => format!("g₀ = Σ c |s|ⁿ, [c, n] = {terms:?}"),
         Profile::Even { coefficients } => format!("g₀ = Σ c_k s^(2k+2), c = {coefficients:?}"),
         Profile::Wedge { slope } => format!("g₀ = {slope} |s|"),
         Profile::Table(points) => format!("straight lines between [s, g₀] = {points:?}"),
@@ -192,12 +191,15 @@ fn gap(profile: &Profile) -> String {
 /// What is solved.
 pub fn equations(plane: PlaneHypothesis) -> String {
     let lame = match plane {
-        PlaneHypothesis::Strain | PlaneHypothesis::Axisymmetric => "λ = Eν/((1+ν)(1−2ν))",
         PlaneHypothesis::Stress => "λ = Eν/(1−ν²)",
+        _ => "λ = Eν/((1+ν)(1−2ν))",
     };
     let [hoop, width] = match plane.is_of_revolution() {
         true => [
-            "sym ∇u in (r, z) = (x, y) and ε_θ = u_r/r, all integrals with 2πr",
+            match plane.radial() {
+                Some(1) => "sym ∇u in (r, z) = (y, x) and ε_θ = u_r/r, all integrals with 2πr",
+                _ => "sym ∇u in (r, z) = (x, y) and ε_θ = u_r/r, all integrals with 2πr",
+            },
             "The second-moment radius is √(5/2 ∫p r² dA / ∫p dA), dA = 2πr dr: that of a semi-ellipsoid is its radius; the contact radius is where the \
              contact ends.",
         ],

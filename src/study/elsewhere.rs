@@ -22,7 +22,7 @@ pub fn paragraph(name: &str, scene: &Scene, mesh: &Mesh) -> String {
         PlaneHypothesis::Stress => {
             "In two dimensions both solve plane strain, which E' = E (1 + 2ν)/(1 + ν)² and ν' = ν/(1 + ν), as below, make the plane stress of the scene"
         }
-        PlaneHypothesis::Axisymmetric => {
+        PlaneHypothesis::Axisymmetric | PlaneHypothesis::AxisymmetricAboutX => {
             "MOOSE has bodies of revolution by `coord_type = RZ` in `[Mesh]`; MFEM's `ElasticityIntegrator` has no hoop strain, so that it needs the whole \
              body in three dimensions"
         }
@@ -68,11 +68,11 @@ pub fn paragraph(name: &str, scene: &Scene, mesh: &Mesh) -> String {
 fn in_plane_strain(material: Material, plane: PlaneHypothesis) -> Material {
     let Material { young, poisson } = material;
     match plane {
-        PlaneHypothesis::Strain | PlaneHypothesis::Axisymmetric => material,
         PlaneHypothesis::Stress => Material {
             young: young * (1.0 + 2.0 * poisson) / (1.0 + poisson).powi(2),
             poisson: poisson / (1.0 + poisson),
         },
+        _ => material,
     }
 }
 

@@ -1,6 +1,5 @@
 //! Fault injection: what turned red when a fault was put into a copy of the tree.
 
-use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -11,7 +10,7 @@ use crate::checkout::root;
 use crate::error::Error;
 use crate::markdown::{self, Column};
 use crate::study::about::{About, Found, Planned, Study};
-use crate::study::present::{FAULTS, Record, Room, rooms};
+use crate::study::present::{Entry, FAULTS, MADE, Made, Record, Room, rooms};
 
 /// The faults to plant.
 const LIST: &str = "tests/faults/faults.toml";
@@ -27,22 +26,33 @@ pub struct Planted {
     pub was: String,
     /// The fault.
     pub is: String,
+    /// The kind of node around it that is there twice, sound and with the fault; without, the body of its function.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub within: Option<String>,
 }
 
 /// One planted fault and what it did.
-#[derive(Clone, Debug, Serialize, Deserialize)]
+#[derive(Clone, Debug, Deserialize)]
 pub struct Fault {
     /// What was planted.
     #[serde(flatten)]
     pub planted: Planted,
-    /// Digest of the sources that it was planted on; none where that was not recorded.
-    pub sources: Option<String>,
-    /// Checks that turned red, by the kind of their reference; trials that broke off with an error.
-    pub red: BTreeMap<String, usize>,
-    /// One of each kind.
-    pub examples: BTreeMap<String, String>,
-    /// How the run ended, if it gave no verdicts.
-    pub ended: Option<String>,
+    /// On what.
+    #[serde(flatten)]
+    pub entry: Entry,
+    /// What it turned red: a test of each kind that was found.
+    pub by: Vec<Caught>,
+}
+
+/// A test that a fault turned red.
+#[derive(Clone, Debug, Deserialize)]
+pub struct Caught {
+    /// A claim, or a trial of the suite.
+    pub test: String,
+    /// Kind of the reference that it holds the code against.
+    pub kind: String,
+    /// What it asks.
+    pub told: String,
 }
 
 /// Every planted fault with what it did, in the order of the list.
@@ -60,34 +70,37 @@ impl Study for Numbers {
         vec![Planned::new("planted faults", "the record", record)]
     }
 
-    /// The check.
+    /// The checks: what no truth sees, and whether this and the other records are of the present sources.
     fn judge(&self) -> Result<Vec<Judged>, Error> {
         let missed = self.record.iter().filter(|fault| !is_caught(fault)).count();
-        let quantity =
-            Quantity::at("planted fault that turns no check against a truth red", format!("of {}", self.record.len()));
-        Ok(vec![Check::none(quantity, "snapshots alone verify nothing").judge(missed as f64)])
+        let quantity = Quantity::at(
+            "planted fault that turns no closed form, no other code and no claim red",
+            format!("of {}", self.record.len()),
+        );
+        let caught = Check::none(quantity, "snapshots alone verify nothing").judge(missed as f64);
+        std::iter::once(Ok(caught)).chain(MADE.iter().map(Made::check)).collect()
     }
 
     /// A row for each fault: what turned red.
     fn section(findings: &[Found<Self>]) -> Result<String, Error> {
-        let columns: [Column<&Fault>; 8] = [
+        let columns: [Column<&Fault>; 7] = [
             ("planted fault", |fault| fault.planted.name.clone()),
             ("in", |fault| format!("`{}`", fault.planted.file)),
-            ("sources", |fault| shown(fault)),
-            ("closed forms", |fault| count(fault, "analytic")),
-            ("other codes", |fault| count(fault, "cross-code")),
-            ("self-consistency", |fault| count(fault, "self-consistency")),
-            ("broken off", |fault| count(fault, "broken off")),
-            ("for instance", |fault| example(fault)),
+            ("sources", |fault| fault.entry.shown()),
+            ("closed form", |fault| test(fault, &["analytic", "measured"])),
+            ("other code", |fault| test(fault, &["cross-code"])),
+            ("the code against itself", |fault| test(fault, &["self-consistency", "claim"])),
+            ("other", |fault| test(fault, &["broken off", "snapshot"])),
         ];
         let faults: Vec<&Fault> = findings.iter().flat_map(|found| &found.numbers.record).collect();
+        let of_truths = faults.iter().filter(|fault| is_seen_by(fault, &TRUTHS)).count();
         Ok(format!(
-            "Faults planted one at a time on a copy of the tree (`tests/faults`), and how many checks of each kind turned red, of the suite \
-             and of the worked scene files. *Sources* is the digest (SHA-256) of what a fault was planted on: {}. The terminal says at every report \
-             how many are not of the present sources.\n\n{}\n\n\
-             Operators and values that a program changes one at a time (`tests/mutants/room.py`), of a sample by chance, and how many turn a claim red; \
-             those that give the same answers are not counted.\n\n{}\n",
-            planted_on(&faults),
+            "Faults planted one at a time on a copy of the tree (`tests/faults`), and a test of each kind that turned red: a trial of the suite, or a \
+             claim. {of_truths} of {} are seen by a closed form or another code. ✓ with the day of the sources where the file of the fault and those \
+             of the claims are as they were, else ○.\n\n{}\n\n\
+             Operators and values that a program changes one at a time (`tests/mutants/room.py`), of a sample by chance, and how many turn a test red: \
+             any, or one against a closed form or another code; those that give the same answers are not counted. The share has its interval of 95 %.\n\n{}\n",
+            faults.len(),
             markdown::columns(&columns, &faults),
             markdown::columns(&ROOMS, &rooms()?)
         ))
@@ -95,17 +108,12 @@ impl Study for Numbers {
 }
 
 /// The table of mutants.
-const ROOMS: [Column<Room>; 7] = [
+const ROOMS: [Column<Room>; 5] = [
     ("folder", |room| format!("`{}`", room.room)),
-    ("sources", |room| digits(&room.sources)),
     ("mutants", |room| room.mutants.to_string()),
     ("equivalent", |room| room.equivalent.to_string()),
-    ("tried", |room| room.by_claims.of.to_string()),
-    ("caught", |room| room.by_claims.caught.to_string()),
-    ("share caught, interval of 95 %", |room| {
-        let [low, high] = room.by_claims.interval.map(|part| 100.0 * part);
-        format!("{low:.0} to {high:.0} %")
-    }),
+    ("caught by any test", |room| room.by_claims.shown()),
+    ("by truths alone", |room| room.by_truths.shown()),
 ];
 
 #[derive(Deserialize)]
@@ -124,11 +132,8 @@ pub fn record() -> Result<Numbers, Error> {
 pub fn parse((list, listed): (&Path, &str), (file, text): (&Path, &str)) -> Result<Numbers, Error> {
     let planted: List = toml::from_str(listed).map_err(|error| Error::unreadable(list, error, "restore it"))?;
     let numbers: Numbers = serde_json::from_str(text).map_err(|error| Error::unreadable(file, error, FAULTS.renew))?;
-    let Record { sources, record: faults } = &numbers;
+    let faults = &numbers.record;
     let refused = |key: &str, found: String| Err(Error::refused(file, key, found, FAULTS.renew));
-    if !sources.iter().any(|name| name == "src") {
-        return refused("sources", format!("{sources:?}, without `src`"));
-    }
     if faults.len() != planted.fault.len() || faults.is_empty() {
         return refused("record", format!("{} faults long, but {} are listed", faults.len(), planted.fault.len()));
     }
@@ -139,47 +144,25 @@ pub fn parse((list, listed): (&Path, &str), (file, text): (&Path, &str)) -> Resu
     Ok(numbers)
 }
 
-/// Kinds of the references of truth locks; a trial that broke off with an error is counted beside them.
-const TRUTHS: [&str; 3] = ["analytic", "cross-code", "self-consistency"];
-
-/// Whether a check against a truth turned red; a run that broke off shows none.
-pub fn is_caught(fault: &Fault) -> bool {
-    TRUTHS.iter().any(|kind| fault.red.get(*kind).is_some_and(|&number| number > 0))
-}
-
-/// Columns of the record: kinds of references, and runs that broke off.
-const KINDS: [&str; 4] = ["analytic", "cross-code", "self-consistency", "broken off"];
-/// Characters of an example that are shown.
+/// Kinds of references that are not the code's own.
+const TRUTHS: [&str; 3] = ["analytic", "cross-code", "measured"];
+/// Kinds of what says more than that something has changed, or broken off.
+const TELLING: [&str; 5] = ["analytic", "cross-code", "measured", "self-consistency", "claim"];
+/// Characters of a test that are shown.
 const SHOWN: usize = 160;
-/// Digits of a digest that are shown.
-const DIGITS: usize = 12;
 
-/// How many faults were planted on which sources.
-fn planted_on(faults: &[&Fault]) -> String {
-    let mut counts: BTreeMap<String, usize> = BTreeMap::new();
-    for fault in faults {
-        *counts.entry(shown(fault)).or_default() += 1;
-    }
-    let told: Vec<String> = counts.iter().map(|(sources, count)| format!("{count} on {sources}")).collect();
-    told.join(", ")
+/// Whether a truth or a claim turned red; a run that broke off, or a snapshot, shows none.
+pub fn is_caught(fault: &Fault) -> bool {
+    is_seen_by(fault, &TELLING)
 }
 
-/// The first digits of the digest of its sources.
-fn shown(fault: &Fault) -> String {
-    fault.sources.as_ref().map_or("sources not recorded".into(), |sources| digits(sources))
+fn is_seen_by(fault: &Fault, kinds: &[&str]) -> bool {
+    fault.by.iter().any(|one| kinds.contains(&one.kind.as_str()))
 }
 
-fn digits(sources: &str) -> String {
-    format!("`{}`", sources.chars().take(DIGITS).collect::<String>())
-}
-
-/// How many checks of a kind turned red.
-fn count(fault: &Fault, kind: &str) -> String {
-    fault.red.get(kind).map_or("–".into(), usize::to_string)
-}
-
-/// One check that turned red, or how the run ended.
-fn example(fault: &Fault) -> String {
-    let example = KINDS.iter().find_map(|kind| fault.examples.get(*kind)).or(fault.ended.as_ref());
-    example.map_or("**nothing**", String::as_str).chars().take(SHOWN).collect()
+/// A test of some kinds that turned red.
+fn test(fault: &Fault, kinds: &[&str]) -> String {
+    let found = fault.by.iter().find(|one| kinds.contains(&one.kind.as_str()));
+    let told = |one: &Caught| [one.test.as_str(), one.told.as_str()].join(": ").trim_end_matches(": ").to_owned();
+    found.map_or("–".into(), |one| told(one).chars().take(SHOWN).collect())
 }

@@ -4,14 +4,15 @@ use crate::case::library::{Bars, Cylinder, PinRod};
 use crate::case::{Case, Check, Judged, Quantity, Reference, universal};
 use crate::drawing::palette::{self, Marker, Style};
 use crate::drawing::{
-    self, Axis, Band, Chart, ColourMap, Detail, Direction, Drawing, IterationPaths, Path, Series, State, Window, panels,
+    self, Axis, Chart, ColourMap, Detail, Drawing, IterationPaths, Path, Series, State, Window, panels,
 };
 use crate::error::Error;
+use crate::markdown::significant;
 use crate::measure;
 use crate::mesh::BodyMesh;
 use crate::solve::{Discretisation, Element, Fields, Formulation, Iteration, Run, shapes};
 use crate::study::about::{About, Found, Planned, Study};
-use crate::study::drawn::{label, picture, style};
+use crate::study::drawn::{WITHOUT_GAERTNER, label, marks, picture, style};
 
 /// Start stiffness of the bars, so soft that every iteration has a way to go.
 const SOFT: f64 = 0.4;
@@ -66,7 +67,7 @@ impl Study for Numbers {
             (
                 "figure-15.svg",
                 "Fig. 15, which quantity it shows not being known: hoop stress and displacement along pin and rod by the five combinations \
-                 that the paper shows; the place of Gaertner's curves is empty",
+                 that the paper shows, without Gaertner's curves",
             ),
             ("iteration-paths.svg", "Figs 6 and 7, and kinematic load beside them: the path of the iterations"),
         ];
@@ -104,13 +105,13 @@ pub struct Along {
 }
 
 /// A scene whose fields are shown: the case, the factor on its displacements, the largest stress that is told apart over the pressure of
-/// the scene, and the part that is enlarged over its length.
-pub type Shown = (fn() -> Case, f64, f64, [[f64; 2]; 2]);
+/// the scene, none where all of it is compression, and the part that is enlarged over its length.
+pub type Shown = (fn() -> Case, f64, Option<f64>, [[f64; 2]; 2]);
 
 /// The cylinder on its plane, and the pin in the eye of the rod.
 pub const SHOWN: [Shown; 2] = [
-    (|| Cylinder::default().case(), 1.0, 1.0, [[0.0, 4.0], [-0.1, 3.9]]),
-    (|| PinRod::default().case(), 20.0, 1.5, [[0.0, 1.3], [-1.3, 0.0]]),
+    (|| Cylinder::default().case(), 1.0, None, [[0.0, 4.0], [-0.4, 3.6]]),
+    (|| PinRod::default().case(), 20.0, Some(1.5), [[0.0, 1.3], [-1.3, 0.0]]),
 ];
 
 /// Stress of a scene under node elements and kinematic load, and what it carries.
@@ -118,7 +119,7 @@ pub const SHOWN: [Shown; 2] = [
 pub struct Field {
     /// Name of the scene.
     pub scene: String,
-    /// σ_y on the deformed mesh, the contact enlarged \[MPa\].
+    /// σ_y, or where all is compression −σ_y, on the deformed mesh, the contact enlarged \[MPa\].
     pub stress: drawing::Field,
     /// Load of the scene on the modelled part \[N\].
     pub load: f64,
@@ -178,23 +179,34 @@ pub fn field((case, magnification, largest, around): Shown) -> Result<Field, Err
     let edges = mesh.boundary(given, 0, "cut")?;
     let cut = thickness * edges.iter().map(|edge| on_edge(&mesh.points, edge, &fields)).sum::<f64>();
     let cut = Resultant { body: given.bodies[0].name.clone(), on_cut: true, force: cut.abs() };
-    let (largest, length) = (largest * given.reference.pressure, given.reference.length);
-    let grain = GRAIN * 2.0 * largest;
+    let (pressure, length) = (given.reference.pressure, given.reference.length);
+    let grain = GRAIN * 2.0 * pressure;
     let [x, y] = around.map(|[from, to]| (from * length, to * length));
     let pairs = |list: &[[f64; 2]]| list.iter().map(|&[x, y]| (x, y)).collect();
+    let sign = if largest.is_some() { 1.0 } else { -1.0 };
+    let values: Vec<f64> = fields.stress.iter().map(|stress| (sign * stress[1] / grain).round() * grain).collect();
+    let [tension, most] = [-1.0, 1.0].map(|sign: f64| values.iter().map(|value| sign * value).fold(0.0, f64::max));
+    let (quantity, map, range, note) = match largest {
+        Some(largest) => ("σ_y [MPa]", ColourMap::Diverging, (-largest * pressure, largest * pressure), None),
+        None => {
+            let note = format!("Tension, at most {} MPa, has the first colour.", significant(tension, 2));
+            ("−σ_y [MPa]", ColourMap::Sequential, (0.0, most), (tension > 0.0).then_some(note))
+        }
+    };
     let stress = drawing::Field {
-        title: format!("{}: σ_y on the deformed mesh", case.name),
-        quantity: "σ_y [MPa]".into(),
+        title: format!("{}: vertical stress on the deformed mesh", case.name),
+        quantity: quantity.into(),
         points: pairs(&mesh.points),
         cells: (0..mesh.cells()).map(|cell| mesh.cell(cell).to_vec()).collect(),
         shapes,
-        values: fields.stress.iter().map(|stress| (stress[1] / grain).round() * grain).collect(),
+        values,
         displacements: pairs(&fields.displacement),
         magnification,
-        map: ColourMap::Diverging,
-        range: Some((-largest, largest)),
-        zoom: Some(Detail::of(Window { x, y }, magnification)),
-        notes: vec![],
+        map,
+        range: Some(range),
+        details: vec![Detail::of(Window { x, y }, magnification)],
+        marks: marks(&discretisation)?,
+        notes: note.into_iter().collect(),
     };
     let load = system.bodies.iter().map(|body| body.applied_vertical().abs()).sum();
     Ok(Field { scene: case.name, stress, load, resultants: contact.chain([cut]).collect() })
@@ -289,14 +301,13 @@ fn carries(field: &Field, resultant: &Resultant) -> Judged {
 fn along_chart(alongs: &[&Along]) -> Drawing {
     let chart = |body: usize, quantity: &str, axis: &str, of: fn(&Arc) -> &Vec<[f64; 2]>| {
         let name = alongs.first().map_or("", |along| &along.arcs[body].body);
-        let angle = Axis::linear("θ from the load line [°]").over(0.0, 90.0);
+        let angle = Axis::linear("θ from the load line [°]").over(0.0, PinRod::default().stretch.to_degrees());
         let mut chart = Chart::new(&format!("{name}: {quantity}"), angle, Axis::linear(axis));
         chart.series.extend(alongs.iter().filter(|along| along.converged).map(|along| {
             let style = Style { marker: Marker::Absent, ..style(&along.formulation) };
             Series::new(label(&along.formulation), of(&along.arcs[body]).iter().copied(), style)
         }));
-        let label = "Gaertner 1977: not at hand".into();
-        chart.bands.push(Band { direction: Direction::Vertical, from: 76.0, to: 89.0, label });
+        chart.notes.push(WITHOUT_GAERTNER.into());
         chart
     };
     let of_body = |body: usize| {

@@ -3,7 +3,7 @@
 use crate::error::Error;
 use crate::mesh::candidates;
 use crate::oracle::cross_code::DiscreteProblem;
-use crate::scene::{Load, Path, PlaneHypothesis, Profile, Scene};
+use crate::scene::{Load, Path, Profile, Scene};
 use crate::solve::Discretisation;
 
 /// Stiffness of the springs.
@@ -17,11 +17,7 @@ pub fn problem(discretisation: &Discretisation, vectors: Vec<Vec<f64>>) -> Resul
     let (profile, radius, clearance) = profile(scene)?;
     let mut problem = DiscreteProblem {
         name: format!("{}, {}-node", scene.name, mesh.order.nodes_per_cell()),
-        plane: match scene.plane {
-            PlaneHypothesis::Strain => "strain",
-            PlaneHypothesis::Stress => "stress",
-            PlaneHypothesis::Axisymmetric => "axisymmetric",
-        },
+        plane: scene.plane.name(),
         thickness: scene.thickness,
         points: mesh.points.clone(),
         cells: (0..mesh.cells()).map(|cell| mesh.cell(cell).to_vec()).collect(),
@@ -58,6 +54,7 @@ fn profile(scene: &Scene) -> Result<(&'static str, f64, f64), Error> {
         | Profile::Table(_)
         | Profile::Smooth(_)
         | Profile::Even { .. }
+        | Profile::Powers { .. }
         | Profile::Wedge { .. }
         | Profile::Circles { .. }
         | Profile::Pin { .. }

@@ -1,6 +1,4 @@
-//! Whether what a script has recorded is of the present sources.
-//!
-//! A terminal is told, not the page: that shall be the same before and after an edit that changes no number.
+//! Whether what a script has recorded is of the present sources: each entry is bound to what it tests, and to nothing else.
 
 use serde::Deserialize;
 
@@ -31,11 +29,9 @@ pub const MADE: [Made; 3] = [
     Made { entry: "mutant", file: "snapshots/mutants.json", renew: "run `python3 tests/mutants/run.py`" },
 ];
 
-/// A record: entries with what is told of each beside its sources.
+/// A record: entries with what is told of each.
 #[derive(Clone, Debug, Deserialize)]
 pub struct Record<T> {
-    /// Files and folders whose digest an entry carries: all that its verdicts are computed from.
-    pub sources: Vec<String>,
     /// Entries.
     pub record: Vec<T>,
 }
@@ -43,44 +39,70 @@ pub struct Record<T> {
 /// What all entries have in common.
 #[derive(Clone, Debug, Deserialize)]
 pub struct Entry {
-    /// Digest of the sources that it was made on; none where that was not recorded.
+    /// Files, folders and functions that what it says depends on: of a fault its file and those of the claims that caught it, of a fuzz
+    /// target the reader that it calls, of a mutant its function.
+    #[serde(default)]
+    pub bound: Vec<String>,
+    /// Their digest when it was made; none where that was not recorded.
     pub sources: Option<String>,
+    /// Day of the commit that it was made on.
+    pub date: Option<String>,
 }
 
-/// What claims catch of the mutants of a folder (`tests/mutants/room.py`).
+impl Entry {
+    /// Whether what it is bound to is as it was.
+    pub fn is_current(&self) -> bool {
+        !self.bound.is_empty() && self.sources.is_some() && digest(&root(), &self.bound).ok() == self.sources
+    }
+
+    /// What a table shows of that.
+    pub fn shown(&self) -> String {
+        let sign = if self.is_current() { "✓" } else { "○" };
+        format!("{sign} {}", self.date.as_deref().unwrap_or("earlier"))
+    }
+}
+
+/// What tests catch of the mutants of a folder (`tests/mutants/room.py`).
 #[derive(Clone, Debug, Deserialize)]
 pub struct Room {
     /// The folder.
     pub room: String,
-    /// Digest of the sources that its mutants were made of.
-    pub sources: String,
     /// All of its mutants.
     pub mutants: usize,
     /// Those that no test can catch.
     pub equivalent: usize,
-    /// Those that were tried, by chance.
+    /// Those that were tried, by chance, by anything.
     pub by_claims: Caught,
+    /// Those of them that were tried by closed forms and other codes alone.
+    pub by_truths: Caught,
 }
 
 /// How many of some mutants were caught.
 #[derive(Clone, Debug, Deserialize)]
 pub struct Caught {
-    /// Those that turned a claim red.
+    /// Those that turned something red.
     pub caught: usize,
     /// All that count.
     pub of: usize,
-    /// The interval of 95 % of their share (Wilson).
-    pub interval: [f64; 2],
+    /// The interval of 95 % of their share (Wilson); none where none was tried.
+    pub interval: Option<[f64; 2]>,
 }
 
-/// The rooms of the record of mutants.
-pub fn rooms() -> Result<Vec<Room>, Error> {
-    #[derive(Deserialize)]
-    struct Rooms {
-        rooms: Vec<Room>,
+impl Caught {
+    /// How many of how many, and the interval of their share.
+    pub fn shown(&self) -> String {
+        let Self { caught, of, interval } = self;
+        let share = |[low, high]: [f64; 2]| format!("{caught} of {of}: {:.0} to {:.0} %", 100.0 * low, 100.0 * high);
+        interval.map_or("–".into(), share)
     }
+}
+
+/// The rooms of the record of mutants, and all of them together.
+pub fn rooms() -> Result<Vec<Room>, Error> {
     let [.., Made { file, renew, .. }] = MADE;
-    Ok(read_json::<Rooms>(&root().join(file), renew)?.rooms)
+    let file = root().join(file);
+    let mut record: serde_json::Value = read_json(&file, renew)?;
+    serde_json::from_value(record["rooms"].take()).map_err(|error| Error::unreadable(&file, error, renew))
 }
 
 impl Made {
@@ -91,17 +113,13 @@ impl Made {
 
     /// The check of what is committed against the checkout.
     pub fn check(&self) -> Result<Judged, Error> {
-        let record = self.read()?;
-        let unreadable =
-            |error| Error::unreadable(&root(), error, "restore the checkout that the program was built in");
-        let present = digest(&root(), &record.sources).map_err(unreadable)?;
-        Ok(self.judge(&record, &present))
+        Ok(self.judge(&self.read()?.record))
     }
 
-    /// Not run where an entry was made on other sources than those of this digest: nothing is known of it on these.
-    pub fn judge(&self, record: &Record<Entry>, present: &str) -> Judged {
-        let old = record.record.iter().filter(|entry| entry.sources.as_deref() != Some(present)).count();
-        let all = record.record.len();
+    /// Not run where an entry was made on other sources than those that it is bound to now: nothing is known of it on these.
+    pub fn judge(&self, record: &[Entry]) -> Judged {
+        let old = record.iter().filter(|entry| !entry.is_current()).count();
+        let all = record.len();
         let quantity =
             Quantity::at(format!("{} of other sources than the present ones", self.entry), format!("of {all}"));
         let judged = Check::none(quantity, "what was found on other sources need not hold on these").judge(old as f64);

@@ -81,6 +81,14 @@ impl<S: Sync + Send, R: Serialize + DeserializeOwned + Clone + Sync + Send> Surv
         Surveyed { name: self.name, recorded, again, moved }
     }
 
+    /// Puts the lines of the record into the folder of unfinished sites, which are then not run.
+    pub fn keep(&self, unfinished: &Path) -> Result<(), Error> {
+        let mut of_site: BTreeMap<String, Vec<R>> = BTreeMap::new();
+        self.read()?.into_iter().for_each(|line| of_site.entry((self.of)(&line)).or_default().push(line));
+        let head = (self.head)();
+        of_site.iter().try_for_each(|(site, lines)| write(&unfinished.join(format!("{site}.csv")), &head, lines))
+    }
+
     /// Runs every site, whose lines are kept under its name in the folder `unfinished` until all are written to `record`; `done` is
     /// told when one more is ready.
     pub fn renew(&self, unfinished: &Path, record: &Path, done: impl Fn() + Sync) -> Result<usize, Error> {

@@ -56,7 +56,7 @@ impl Study for Numbers {
         title: "Reference answers and benchmark sheets",
         asked: "Which numbers of scenes without a closed form are known to five digits, and what somebody with another code \
             needs to run the cases of the library.",
-        limits: "The bound of an answer is drawn from differences between meshes of this code; who found it too, and what they \
+        limits: "The error bar of an answer is drawn from differences between meshes of this code; who found it too, and what they \
             confirm it to, stands beside it. A closed form may be of an idealised scene; the sheet says where.",
     };
 
@@ -82,7 +82,7 @@ impl Study for Numbers {
         };
         let known = sheet.values.iter().filter(|value| value.bound.is_finite() && value.value.is_finite()).count();
         let because = "a sheet without numbers can be met by nobody";
-        let known = Check::at_least("reference values with a bound", Reference::own("at least", 2.0), because)
+        let known = Check::at_least("reference values with an error bar", Reference::own("at least", 2.0), because)
             .judge(known as f64);
         let met = sheet.values.iter().flat_map(|value| value.others.iter().map(|other| value.met(other)));
         Ok(std::iter::once(known).chain(met).collect())
@@ -96,7 +96,7 @@ impl Study for Numbers {
              towards forces at points and re-entrant corners; its ends are found on the way, to a millionth of the half-width. Three other meshes \
              confirm it: cells of order {}; {} layers; {} cells on every piece. The bound is twice the largest difference to one of them. 8-node cells, \
              half as large as the case has them, stand beside it with their error bars; an end is there known to a part of an element only. Scripts that \
-             share nothing but the scene found it too ([`oracles/high`](../../oracles/high)): by complex potentials in numpy alone, and by NGSolve; how \
+             share the scene and the definitions of its numbers, and no line, found it too ([`oracles/high`](../../oracles/high)): by complex potentials in numpy alone, and by NGSolve; how \
              far these may be off is twice the largest difference between settings of theirs. The benchmark sheets have the answers.\n",
             answer.fitted.order.number(),
             answer.cells,
@@ -220,7 +220,7 @@ pub fn sheet(case: &Case, discretisation: &Discretisation, run: &Run, barred: &[
         title: case.title.clone(),
         scene,
         sources: own.chain(of_oracle).collect(),
-        plane: described::plane(case.scene.plane),
+        plane: case.scene.plane.name(),
         thickness: case.scene.thickness,
         half_of_symmetric: case.scene.contacts.iter().any(|pair| pair.symmetric),
         dofs: run.dofs,
@@ -287,19 +287,20 @@ fn judge_answer(Answered { known, eight, others, digits, .. }: &Answered) -> Vec
     let at = |name: &'static str| case::Quantity::at(name, known.quantity.key());
     let because = "what other codes are measured against has five digits";
     let meshes = Reference::own("the other meshes", 0.0);
-    let bound = Check::error(at("relative bound of a reference answer"), meshes, DIGITS, because)
+    let bound = Check::error(at("relative error bar of a reference answer"), meshes, DIGITS, because)
         .judge(known.bound / known.scale);
     let eight = eight.map(|[value, bar]| {
-        let because = "the error bar of 8-node cells, and the bound";
+        let because = "the error bars of 8-node cells and of the answer";
         let quantity = at("difference of 8-node cells over what both may be off");
         Check::error(quantity, Reference::own("8-node cells", 0.0), 1.0, because)
             .judge((value - known.value).abs() / (bar + known.bound))
     });
     let others = others.iter().flat_map(|other| {
-        let because = "what both may be off: the bound, and twice the largest difference between settings of theirs";
+        let because =
+            "what both may be off: the error bar, and twice the largest difference between settings of theirs";
         let meets = other.meets(known.value, known.bound, known.quantity.key().into_owned(), because);
         let because = "what is to be confirmed: six digits, of pins five";
-        let to = Check::error(at("difference and bound of theirs, relative"), other.reference(), *digits, because);
+        let to = Check::error(at("difference and error bar of theirs, relative"), other.reference(), *digits, because);
         [meets, to.judge(other.confirms(known.value, known.scale))]
     });
     [bound].into_iter().chain(eight).chain(others).collect()
@@ -309,8 +310,8 @@ fn table_of_answer([answer, order, layers, cells, eight]: [usize; 5], known: &[A
     let head = [
         "quantity".into(),
         "unit".into(),
-        format!("answer ± bound, {answer} dofs"),
-        "bound, relative".into(),
+        format!("answer ± error bar, {answer} dofs"),
+        "error bar, relative".into(),
         format!("other order, {order}"),
         format!("fewer layers, {layers}"),
         format!("other cells, {cells}"),

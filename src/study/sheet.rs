@@ -11,6 +11,7 @@ use crate::oracle::ReferenceKind;
 use crate::oracle::cross_code::high::Way;
 use crate::oracle::cross_code::independent::Script;
 use crate::scene::{ContactPair, Scene};
+use crate::uncertainty::COVERAGE;
 
 macro_rules! made {
     ($($name:literal),* $(,)?) => { [$(($name, include_str!(concat!("../../snapshots/sheets/", $name, ".md")))),*] };
@@ -195,7 +196,7 @@ impl Other {
 impl Value {
     /// Another code within our bound and its own.
     pub fn met(&self, other: &Other) -> Judged {
-        let because = "our bound and that of theirs, in which are meshes and springs";
+        let because = "our error bar and theirs, in which are meshes and springs";
         other.meets(self.value, self.bound, format!("{}, {}", self.quantity, self.of), because)
     }
 
@@ -307,11 +308,12 @@ pub fn columns<'a>() -> [Column<(&'a Sheet, &'a Value)>; 13] {
 
 /// What is meant by a number of a contact.
 pub fn definition(quantity: &Quantity, scene: &Scene, pair: &ContactPair) -> &'static str {
+    let is_circle = pair.path.is_around_axis(scene.plane);
     match quantity {
-        Quantity::SecondMomentWidth if scene.is_of_revolution() => {
+        Quantity::SecondMomentWidth if is_circle => {
             "√(5/2 ∫p r² dA / ∫p dA), the radius of a semi-ellipsoid of pressures"
         }
-        Quantity::Resultant if scene.is_of_revolution() => {
+        Quantity::Resultant if is_circle => {
             "force on the whole circle of the contact along the axis, positive in compression"
         }
         Quantity::PeakPressure => "largest pressure, positive in compression, per area of the undeformed path",
@@ -352,13 +354,14 @@ const VALUES: [Column<Value>; 7] = [
     ("of", |value| value.of.clone()),
     ("quantity", |value| value.quantity.clone()),
     ("unit", |value| value.unit.into()),
-    ("value ± bound", |value| quoted(value.value, value.bound)),
+    ("value ± error bar", |value| quoted(value.value, value.bound)),
     ("cells", |value| value.found.name().into()),
     ("closed form", |value| value.closed_form.map_or("–".into(), |value| format!("{value:.7}"))),
-    ("other codes, ± standard uncertainty (confirm it to)", |value| {
+    ("other codes ± error bar (confirm it to)", |value| {
         let told = |other: &Other| {
-            let to = Other { bound: 2.0 * other.uncertainty, ..other.clone() }.confirms(value.value, value.value);
-            format!("{}: {} ({})", other.by, quoted(other.value, other.uncertainty), markdown::error(to))
+            let bar = COVERAGE * other.uncertainty;
+            let to = Other { bound: bar, ..other.clone() }.confirms(value.value, value.value);
+            format!("{}: {} ({})", other.by, quoted(other.value, bar), markdown::error(to))
         };
         match &value.others[..] {
             [] => "–".into(),
@@ -370,7 +373,7 @@ const VALUES: [Column<Value>; 7] = [
 fn quoted(value: f64, bound: f64) -> String {
     match value.is_nan() {
         true => "without limit".into(),
-        false if bound.is_nan() => format!("{}, bound unknown", markdown::value(value)),
+        false if bound.is_nan() => format!("{}, error bar unknown", markdown::value(value)),
         false => bounded(value, bound),
     }
 }
@@ -382,8 +385,8 @@ pub fn file(sheet: &Sheet) -> (String, String) {
     let text = format!(
         "# {name}: {title}\n\nLengths in mm, forces in N, stresses in MPa. Generated; do not edit. `contact-vv solve {name}` solves it.\n\n\
          {}\n\n## Reference values\n\nBy exact active sets (*node*, *kinematic load*): on {dofs} degrees of freedom of 8-node cells, with the \
-         error bar of the number as bound (mesh, iteration and penalty); or, where these tell more, on cells of order 8 fitted to the contact, with twice the \
-         largest difference to three other meshes as bound ([reference answers](../pages/references.md)). A closed form may be of an idealised scene (a half-plane, an infinite plate).\n\n{}\n\
+         error bar of the number (mesh, iteration and penalty); or, where these tell more, on cells of order 8 fitted to the contact, with twice the \
+         largest difference to three other meshes as error bar ([reference answers](../pages/references.md)). A closed form may be of an idealised scene (a half-plane, an infinite plate).\n\n{}\n\
          ## Sources\n\n* {sources}\n",
         scene.join("\n\n"),
         markdown::columns(&VALUES, values),

@@ -78,7 +78,7 @@ fn every_later_mesh_starts_from_the_contact_set_of_the_one_before() {
 
 #[test]
 fn pin_and_rod_press_fits_and_scene_files_meet_what_they_are_asked() {
-    for name in ["cylinder", "cylinder-half", "pin-rod", "press-fit", "patch", "own-weight"] {
+    for name in ["cylinder", "pin-rod", "press-fit", "patch", "own-weight"] {
         let problem = library::find(name, None).expect("known");
         let fine = answered(&problem.scene, 1e-4);
         let fine = [fine.run.measures().peak.pressure, fine.run.measures().second_moment_width];
@@ -140,7 +140,7 @@ fn a_bar_of_elements_too_wide_for_the_top_is_no_best() {
     let load = "traction = { at = \"far\", force = [0, -2000] }";
     let scene = parsed(&block_text([0.0, 60.0], 60.0, load, &gap)).scene;
     let answer = answered(&scene, 1e-2);
-    let fine = Discretisation::of(scene, workbench::resolution(200, 0, Order::Quadratic)).expect("meshed");
+    let fine = Discretisation::of(scene, workbench::resolution(100, 0, Order::Quadratic)).expect("meshed");
     let truth = Run::of(&fine, &plain()).expect("solved").measures().peak.pressure;
     let bar = answer.estimates[0].bar.total();
     let off = (answer.run.measures().peak.pressure - truth).abs();

@@ -52,7 +52,7 @@ pub fn point(row: Vec<(usize, f64)>, weight: f64, gap: f64) -> ContactPoint {
 }
 
 pub fn edge(k: usize) -> ContactEdge {
-    ContactEdge { contact: 0, ends: [k as f64, k as f64 + 1.0], nodes: 2, is_ring: false }
+    ContactEdge { contact: 0, ends: [k as f64, k as f64 + 1.0], nodes: 2, axis: None }
 }
 
 /// One dof with stiffness 300 N/mm, a point of 2 mm² at the gap 0.1 mm.

@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use approx::assert_relative_eq;
+use contact_vv::accuracy::{Bars, bars};
 use contact_vv::case::Case;
 use contact_vv::solution::{IterationError, Outcome};
 use contact_vv::solve::{Discretisation, Element, Formulation, Iteration, Run};
@@ -31,6 +32,13 @@ pub fn solved(case: &Case, formulation: &Formulation) -> (Discretisation, Run) {
     let discretisation = Discretisation::of(case.scene.clone(), case.resolution).expect("meshed");
     let run = Run::of(&discretisation, formulation).expect("solved");
     (discretisation, run)
+}
+
+/// The run of a case on its own mesh, and its bars.
+pub fn barred(case: &Case, formulation: &Formulation) -> (Run, Bars) {
+    let (discretisation, run) = solved(case, formulation);
+    let bars = bars(&discretisation, &run, &[]).expect("bars");
+    (run, bars)
 }
 
 /// A case solved on its own mesh by its own formulation.

@@ -10,13 +10,31 @@ use contact_vv::case::{Case, Verdict};
 use contact_vv::mesh::{Order, Resolution};
 use contact_vv::scene::{Component, Place, Scene, Support};
 use contact_vv::solve::{Discretisation, Displaced, Element, Fitted, Formulation, Iteration, Run};
-use contact_vv::study::promised::bars::{Record, SURVEY, beyond, narrow, record, setup, told, within};
+use contact_vv::study::promised::bars::{Record, SURVEY, beyond, narrow, setup, told, within};
 use contact_vv::study::promised::counted;
-use contact_vv::study::random::family::{FIRST, JUDGED};
 use contact_vv::study::random::{Family, Site};
 use contact_vv::study::records::Millionths;
 
-use crate::workbench::parsed;
+use crate::balance::{scene, solved};
+use crate::workbench::{meshed, parsed};
+
+/// The run on a mesh, and its bars.
+fn run_on(discretisation: &Discretisation, formulation: &Formulation) -> (Run, Bars) {
+    let run = Run::of(discretisation, formulation).expect("a run");
+    let bars = bars(discretisation, &run, &[]).expect("bars");
+    (run, bars)
+}
+
+/// What is told of a number.
+fn of<'a>(all: &'a [Barred], quantity: &Quantity) -> &'a Barred {
+    all.iter().find(|one| (one.contact, &one.quantity) == (0, quantity)).expect("told")
+}
+
+/// How far a number is off its truth, and its bar.
+fn off(all: &[Barred], truth: &[Barred], quantity: &Quantity) -> [f64; 2] {
+    let own = of(all, quantity);
+    [(own.value - of(truth, quantity).value).abs(), own.bar.total()]
+}
 
 /// A record with its bars so many times as wide.
 fn widened(record: &Record, factor: f64) -> Record {
@@ -85,15 +103,12 @@ fn peak_that_rises_up_to_the_last_element_is_unknown_for_that_reason() {
         let site = Site { family: Family::Power, number };
         let sample = site.sample().expect("a scene");
         let (scene, resolution, formulation) = setup(&site, &sample);
-        let discretisation = Discretisation::of(scene, resolution).expect("a mesh");
-        let run = Run::of(&discretisation, &formulation).expect("a run");
-        let bars = bars(&discretisation, &run, &[]).expect("bars").all;
-        let of = |quantity| bars.iter().find(|one| (one.contact, &one.quantity) == (0, &quantity)).expect("a bar");
-        let peak = of(Quantity::PeakPressure);
+        let (run, bars) = run_on(&Discretisation::of(scene, resolution).expect("a mesh"), &formulation);
+        let peak = of(&bars.all, &Quantity::PeakPressure);
         let reason = (!told).then_some("the pressure rises up to the last element of the contact");
         assert_eq!((peak.unknown, peak.bar.total().is_finite()), (reason, told), "{peak:?}");
         // Where it lies is known within the last two elements.
-        let place = of(Quantity::PeakPlace).bar.mesh;
+        let place = of(&bars.all, &Quantity::PeakPlace).bar.mesh;
         let element = run.solution.edges_of(0).last().expect("edges").length();
         assert!(place.is_finite() && (told || place >= 1.9 * element), "{number}: {place} of {element}");
     }
@@ -103,29 +118,15 @@ fn peak_that_rises_up_to_the_last_element_is_unknown_for_that_reason() {
 fn ring_one_element_across_has_no_bar() {
     let bars_of = |elements: usize| {
         let case = library::find("press-fit", None).expect("a case");
-        let resolution = Resolution { elements, refinement: 0, order: Order::Quadratic };
-        let discretisation = Discretisation::of(case.scene, resolution).expect("a mesh");
-        let run = Run::of(&discretisation, case.formulations.first().expect("one")).expect("a run");
-        bars(&discretisation, &run, &[]).expect("bars").of(0, &Quantity::PeakPressure).expect("a bar").mesh
+        let formulation = case.formulations.first().expect("one");
+        let (_, bars) = run_on(&meshed(case.scene, elements, Order::Quadratic), formulation);
+        bars.of(0, &Quantity::PeakPressure).expect("a bar").mesh
     };
     assert!(bars_of(3).is_nan() && bars_of(12).is_finite(), "{} {}", bars_of(3), bars_of(12));
 }
 
-#[test]
-fn bars_of_scenes_of_every_smooth_family_are_those_of_the_record() {
-    // Each with other cells, another element and another way to end.
-    let site = |turn: usize| Site { family: JUDGED[turn % JUDGED.len()], number: FIRST + 7 * turn % 18 };
-    let fresh = (0..18).map(site).map(|site| ((SURVEY.key)(&site), vec![record(&site).expect("solved")]));
-    let found = SURVEY.compared(SURVEY.read().expect("recorded"), &fresh.collect::<Vec<_>>()).as_recorded();
-    assert_eq!(found.verdict, Verdict::Pass, "{found:?}");
-}
-
 fn cylinder(formulation: &Formulation, elements: usize) -> (Run, Bars) {
-    let resolution = Resolution { elements, refinement: 0, order: Order::Quadratic };
-    let discretisation = Discretisation::of(Cylinder::default().scene(), resolution).expect("a mesh");
-    let run = Run::of(&discretisation, formulation).expect("a run");
-    let bars = bars(&discretisation, &run, &[]).expect("bars");
-    (run, bars)
+    run_on(&meshed(Cylinder::default().scene(), elements, Order::Quadratic), formulation)
 }
 
 #[test]
@@ -194,13 +195,12 @@ fn approach_and_displacement_that_are_prescribed_are_exact() {
     let far = |component| Displaced { body: 0, at: Place::Boundary("far".into()), component };
     let pushed = [["loads = [{ traction = { at = \"far\", value = [60, -100] } }]", ""], ["supports = [", PUSHED]];
     let all = barred(CORNER, &pushed, &[far(Component::X), far(Component::Y)]);
-    let of = |quantity| all.iter().find(|one| one.quantity == quantity).expect("told");
     for (quantity, value) in [(Quantity::Approach, 0.01), (Quantity::Displacement(far(Component::Y)), -0.01)] {
-        let one = of(quantity);
+        let one = of(&all, &quantity);
         assert!((one.value - value).abs() <= 1e-15 && one.bar.total() <= 0.0, "{one:?}");
     }
     // What nothing prescribes is known within a bar.
-    assert!(of(Quantity::Displacement(far(Component::X))).bar.total() > 0.0);
+    assert!(of(&all, &Quantity::Displacement(far(Component::X))).bar.total() > 0.0);
 }
 
 const PUSHED: &str = "supports = [{ at = \"far\", component = \"y\", value = -0.01 }, ";
@@ -222,10 +222,8 @@ fn a_thin_ring_whose_forces_round_off_takes_has_bars_that_hold() {
     // No solve at 1e-9 is accepted on it.
     assert!(coarse.1.imbalance() > 1e-6, "{:e}", coarse.1.imbalance());
     for quantity in [Quantity::PeakPressure, Quantity::HalfWidth, Quantity::Resultant, Quantity::Approach] {
-        let [own, truth] =
-            [&coarse, &fine].map(|(all, _)| all.iter().find(|one| one.quantity == quantity).expect("told"));
-        let (error, bar) = ((own.value - truth.value).abs(), own.bar.total());
-        assert!(error <= bar && bar <= 0.06 * own.value, "{quantity:?}: {error:.2e} of {bar:.2e}");
+        let [error, bar] = off(&coarse.0, &fine.0, &quantity);
+        assert!(error <= bar && bar <= 0.06 * of(&coarse.0, &quantity).value, "{quantity:?}: {error:.2e} of {bar:.2e}");
     }
 }
 
@@ -233,11 +231,8 @@ fn a_thin_ring_whose_forces_round_off_takes_has_bars_that_hold() {
 fn displacements_of_a_body_that_a_point_carries_have_no_limit() {
     let mut scene = Cylinder::default().scene();
     let moved = |scene: Scene| {
-        let resolution = Resolution { elements: 6, refinement: 0, order: Order::Quadratic };
-        let discretisation = Discretisation::of(scene, resolution).expect("a mesh");
         let formulation = Formulation::new(Element::Node, Iteration::Kinematic);
-        let run = Run::of(&discretisation, &formulation).expect("a run");
-        let bars = bars(&discretisation, &run, &[]).expect("bars");
+        let (_, bars) = run_on(&meshed(scene, 6, Order::Quadratic), &formulation);
         bars.all.iter().any(|one| matches!(one.quantity, Quantity::Displacement(_) | Quantity::Approach))
     };
     assert!(moved(scene.clone()));
@@ -250,8 +245,7 @@ fn displacements_of_a_body_that_a_point_carries_have_no_limit() {
 #[test]
 fn springs_of_a_penalty_are_told_apart_in_reactions_too() {
     let case = library::find("pin-rod", None).expect("a case");
-    let resolution = Resolution { elements: 8, refinement: 0, order: Order::Quadratic };
-    let discretisation = Discretisation::of(case.scene, resolution).expect("a mesh");
+    let discretisation = meshed(case.scene, 8, Order::Quadratic);
     let rigid = Formulation::new(Element::Node, Iteration::Kinematic).tolerance(1e-9);
     let soft = Formulation { rule: StiffnessRule::Penalty, stiffness: 100.0, ..rigid.clone() };
     let [rigid, soft] = [rigid, soft].map(|formulation| Run::of(&discretisation, &formulation).expect("a run"));
@@ -282,13 +276,7 @@ fn accuracy_that_is_met_and_the_bar_are_one_number() {
 fn what_one_cell_over_half_a_ring_leaves_is_in_the_bars() {
     let text = include_str!("../../src/cli/new/pin-in-hole.toml");
     let growth = "growth = { along = 4.0, depth = 3.5, coarsest = 1.0 }\nelements = 8";
-    let on = |text: &str| {
-        let case = parsed(text);
-        let discretisation = Discretisation::of(case.scene, case.resolution).expect("a mesh");
-        let run = Run::of(&discretisation, &Formulation::verification()).expect("a run");
-        let bars = bars(&discretisation, &run, &[]).expect("bars");
-        (run, bars)
-    };
+    let on = |text: &str| crate::balance::barred(&parsed(text), &Formulation::verification());
     let (fine, _) = on(&text.replace("elements = 8", "elements = 24"));
     let (coarse, bars) = on(&text.replace("elements = 8", growth));
     for quantity in [Quantity::PeakPressure, Quantity::HalfWidth] {
@@ -302,7 +290,7 @@ fn what_one_cell_over_half_a_ring_leaves_is_in_the_bars() {
 fn peaks_contain_what_a_force_that_statics_do_not_give_leaves() {
     let was = "stretch = 0.3\noracle = { hertz = { load = 900, radius = 5 } }\n[mesh]\nelements = 12";
     let is = "stretch = 0.1\n[mesh]\ngrowth = { along = 1.3, depth = 1.3, coarsest = 0.1 }\nelements = 16";
-    let case = crate::balance::scene("cam", &[[was, is]]);
+    let case = scene("cam", &[[was, is]]);
     let fine = Fitted { order: Order::Octic, layers: 5 };
     let fine = fine.solve(&case.scene, &Formulation::verification()).expect("a mesh fitted to the contact").run;
     for asked in [3e-2, 1e-2, 3e-3] {
@@ -322,9 +310,7 @@ fn barred(text: &str, replaced: &[[&str; 2]], displaced: &[Displaced]) -> Vec<Ba
         assert!(text.contains(from), "{from}");
         text.replace(from, to)
     });
-    let case = Case::parse(Path::new("scene.toml"), &text).expect("a case");
-    let discretisation = Discretisation::of(case.scene, case.resolution).expect("meshed");
-    let run = Run::of(&discretisation, &Formulation::verification()).expect("solved");
+    let (discretisation, run) = solved(&parsed(&text), &Formulation::verification());
     bars(&discretisation, &run, displaced).expect("bars").all
 }
 
@@ -343,9 +329,7 @@ fn displacement_of_a_corner_beside_a_loaded_side_has_a_bar_of_the_order_that_is_
         let (coarse, fine) = (of("elements = 4"), of("elements = 48"));
         for displaced in &corner {
             let quantity = Quantity::Displacement(displaced.clone());
-            let [own, truth] =
-                [&coarse, &fine].map(|all| all.iter().find(|one| one.quantity == quantity).expect("told"));
-            let (error, bar) = ((own.value - truth.value).abs(), own.bar.total());
+            let [error, bar] = off(&coarse, &fine, &quantity);
             assert!(error <= 0.8 * bar && bar <= 10.0 * error, "{load:?}: {error:.2e} of {bar:.2e}");
         }
     }
@@ -360,11 +344,9 @@ fn elements_of_the_second_body_as_wide_as_the_contact_are_in_the_bars() {
         let second = format!("name = \"steel\"\ndensity = {density}");
         let coarse = barred(text, &[["name = \"steel\"", &second]], &[]);
         for quantity in [Quantity::PeakPressure, Quantity::HalfWidth, Quantity::SecondMomentWidth] {
-            let [own, truth] =
-                [&coarse, &fine].map(|all| all.iter().find(|one| one.quantity == quantity).expect("told"));
-            let (error, bar) = ((own.value - truth.value).abs(), own.bar.total());
+            let [error, bar] = off(&coarse, &fine, &quantity);
             assert!(
-                error <= bar && bar <= own.value || bar.is_nan(),
+                error <= bar && bar <= of(&coarse, &quantity).value || bar.is_nan(),
                 "{density}, {quantity:?}: {error:.2e} of {bar:.2e}"
             );
         }
@@ -388,9 +370,7 @@ fn swings_that_a_coarse_soft_second_body_leaves_are_in_the_bars() {
         let found =
             barred(text, &[["elements = 16", &elements], ["density = 1", &density], ["order = 2", &order]], &[]);
         for quantity in [Quantity::PeakPressure, Quantity::HalfWidth] {
-            let [own, truth] =
-                [&found, &truth].map(|all| all.iter().find(|one| one.quantity == quantity).expect("told"));
-            let (error, bar) = ((own.value - truth.value).abs(), own.bar.total());
+            let [error, bar] = off(&found, &truth, &quantity);
             assert!(
                 error <= bar || bar.is_nan(),
                 "{elements}, {density}, {order}, {quantity:?}: {error:.3e} of {bar:.3e}"
@@ -402,18 +382,15 @@ fn swings_that_a_coarse_soft_second_body_leaves_are_in_the_bars() {
 #[test]
 fn thin_ring_between_plates_is_pushed_together_as_a_curved_beam_is() {
     // Half of `P R³/EI (π/4 − 2/π)` (Timoshenko); what it leaves out is of the order of (t/R)².
-    let case = crate::balance::scene("thin-ring", &[]);
+    let case = scene("thin-ring", &[]);
     let (radius, thickness, load) = (49.5_f64, 1.0_f64, 20.0);
     let bending = 210e3 * thickness.powi(3) / 12.0;
     let pushed = 0.5 * load * radius.powi(3) / bending * (PI / 4.0 - 2.0 / PI);
     for order in [Order::Linear, Order::Quadratic] {
         let resolution = Resolution { order, ..case.resolution };
         let made = Discretisation::of(case.scene.clone(), resolution).expect("meshed");
-        let run = Run::of(&made, &Formulation::verification()).expect("solved");
-        let bars = bars(&made, &run, &[]).expect("bars");
-        let found = bars.of(0, &Quantity::Approach).expect("a bar");
-        let (value, bar) =
-            (bars.all.iter().find(|one| one.quantity == Quantity::Approach).expect("one").value, found.total());
+        let (_, bars) = run_on(&made, &Formulation::verification());
+        let (value, bar) = (of(&bars.all, &Quantity::Approach).value, of(&bars.all, &Quantity::Approach).bar.total());
         assert!(
             (value - pushed).abs() <= bar + 2e-3 * pushed && bar <= 0.3 * pushed,
             "{order:?}: {value} ± {bar}, {pushed}"

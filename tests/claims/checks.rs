@@ -82,14 +82,14 @@ fn every_check_of_a_case_has_a_row_with_reference_tolerance_and_reason() {
 }
 
 #[test]
-fn both_uncertainties_stand_beside_their_values_where_they_are_known() {
+fn both_error_bars_stand_beside_their_values_where_they_are_known() {
     let row = |ours: Option<f64>, theirs: Option<f64>| {
         let reference = Reference { uncertainty: theirs, ..Reference::own("series", 2.0) };
         let judged = Judged { uncertainty: ours, ..Check::near("peak", reference, 0.1, "a reason").judge(2.01) };
         checks::of(&[("first", &[judged])])
     };
     let both = row(Some(0.01), Some(0.04));
-    assert!(both.contains("| 2.01000 ± 0.010 | 2.00000 ± 0.040 |"), "{both}");
+    assert!(both.contains("| 2.01000 ± 0.020 | 2.00000 ± 0.080 |"), "{both}");
     assert!(!row(None, Some(0.0)).contains('±') && !row(None, None).contains('±'));
     assert_eq!(Reference::analytic("Hertz", 3.0).times(-2.0).uncertainty, Some(0.0));
     let doubled = Reference { uncertainty: Some(0.5), ..Reference::own("series", 3.0) }.times(-2.0);

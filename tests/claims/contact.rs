@@ -95,7 +95,7 @@ fn on_path(
         contact: 0,
         pair: ContactPair::new(second, path, profile, stretch),
         thickness: 2.5,
-        is_of_revolution: false,
+        radial: None,
     }
 }
 

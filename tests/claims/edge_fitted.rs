@@ -188,9 +188,9 @@ fn around_a_contact_that_is_known_frames_fill_the_body_and_touch_all_its_sides()
 
 #[test]
 fn bars_of_fitted_meshes_hold_the_error_of_peak_width_and_ends() {
-    for factor in LOADS {
+    for (turn, factor) in LOADS.into_iter().enumerate() {
         let (numbers, hertz) = under(factor);
-        for digits in 2..=6 {
+        for digits in (2..=6).filter(|digits| (digits + turn).is_multiple_of(2)) {
             let answer = solved(Fitted::of_digits(digits), &numbers.scene());
             let bars = accuracy::bars(&answer.discretisation, &answer.run, &[]).expect("bars");
             let truths = [

@@ -7,17 +7,16 @@ use std::process::Command;
 use contact_vv::case::Verdict;
 use contact_vv::checkout::{digest, root};
 use contact_vv::error::Error;
-use contact_vv::study::faults::{self, Fault, Numbers, Planted, is_caught};
-use contact_vv::study::present::{Entry, MADE, Record};
+use contact_vv::study::faults::{self, Caught, Fault, Numbers, Planted, is_caught};
+use contact_vv::study::present::{Entry, MADE};
 
-fn fault(name: &str, red: &[(&str, usize)], sources: Option<&str>) -> Fault {
+fn fault(name: &str, kinds: &[&str]) -> Fault {
     let [name, file, was, is] = [name, "src/lib.rs", "sound", "spoiled"].map(String::from);
+    let by = |kind: &&str| Caught { test: "a × b".into(), kind: kind.to_string(), told: String::new() };
     Fault {
-        planted: Planted { name, file, was, is },
-        sources: sources.map(String::from),
-        red: red.iter().map(|(kind, number)| (kind.to_string(), *number)).collect(),
-        examples: Default::default(),
-        ended: None,
+        planted: Planted { name, file, was, is, within: None },
+        entry: Entry { bound: vec![], sources: None, date: None },
+        by: kinds.iter().map(by).collect(),
     }
 }
 
@@ -25,7 +24,7 @@ fn fault(name: &str, red: &[(&str, usize)], sources: Option<&str>) -> Fault {
 fn every_planted_fault_finds_the_line_it_spoils_exactly_once() {
     let faults = faults::record().expect("recorded").record;
     assert!(faults.len() >= 20);
-    for Fault { planted: Planted { name, file, was, is }, .. } in faults {
+    for Fault { planted: Planted { name, file, was, is, .. }, .. } in faults {
         let text = fs::read_to_string(root().join(&file)).unwrap_or_else(|error| panic!("{file}: {error}"));
         let found = text.matches(&was).count();
         assert_eq!(found, 1, "{name}: found {found} times in {file}");
@@ -34,15 +33,13 @@ fn every_planted_fault_finds_the_line_it_spoils_exactly_once() {
 }
 
 #[test]
-fn a_fault_is_caught_by_a_truth_and_by_nothing_else() {
-    for kind in ["analytic", "cross-code", "self-consistency"] {
-        assert!(is_caught(&fault("planted", &[(kind, 1)], None)), "{kind}");
-        assert!(!is_caught(&fault("planted", &[(kind, 0)], None)), "{kind}");
+fn a_fault_is_caught_by_a_truth_or_a_claim_and_by_nothing_else() {
+    for kind in ["analytic", "cross-code", "self-consistency", "claim"] {
+        assert!(is_caught(&fault("planted", &[kind])), "{kind}");
     }
-    assert!(!is_caught(&fault("planted", &[], None)));
-    assert!(!is_caught(&fault("planted", &[("broken off", 9)], None)));
-    let endless = Fault { ended: Some("no end within 600 s".into()), ..fault("planted", &[], None) };
-    assert!(!is_caught(&endless));
+    for kinds in [&[][..], &["broken off"], &["snapshot"]] {
+        assert!(!is_caught(&fault("planted", kinds)), "{kinds:?}");
+    }
 }
 
 /// A folder of sources, some of which are none.
@@ -94,38 +91,47 @@ fn digest_is_the_same_in_python() {
     let folder = sources();
     write(folder.path(), "src/__pycache__/two.pyc", "left behind");
     assert_eq!(python(folder.path(), &["src", "Cargo.toml"]), digest_of(folder.path()));
-    let recorded = faults::record().expect("recorded").sources;
-    let names: Vec<&str> = recorded.iter().map(String::as_str).collect();
-    assert_eq!(python(&root(), &names), digest(&root(), &names).expect("read"));
+    let recorded = MADE.iter().flat_map(|made| made.read().expect(made.file).record);
+    let names: Vec<String> = recorded.flat_map(|entry| entry.bound).collect();
+    let words: Vec<&str> = names.iter().map(String::as_str).collect();
+    assert!(names.iter().any(|name| name.contains(": ")));
+    assert_eq!(python(&root(), &words), digest(&root(), &names).expect("read"));
 }
 
 #[test]
-fn a_record_of_other_sources_is_not_run_and_says_how_many_entries_are() {
+fn digest_of_a_function_changes_with_its_own_text_alone() {
     let folder = sources();
-    let planted_on = digest_of(folder.path());
-    let names = vec!["src".into(), "Cargo.toml".into()];
-    let of = |entries: &[Option<&str>]| Record {
-        sources: names.clone(),
-        record: entries.iter().map(|sources| Entry { sources: sources.map(String::from) }).collect(),
+    let of = |text: &str| {
+        write(folder.path(), "src/two.rs", text);
+        digest(folder.path(), &["src/two.rs: fn own() {"]).expect("read")
     };
-    let judged = |entries: &[Option<&str>]| MADE[0].judge(&of(entries), &digest_of(folder.path())).verdict;
-    let is_not_run = |verdict: Verdict, told: &str| matches!(verdict, Verdict::NotRun(why) if why.starts_with(told));
-    let two = [Some(planted_on.as_str()); 2];
-    assert_eq!(judged(&two), Verdict::Pass);
-    assert!(is_not_run(judged(&[two[0], None]), "1 of 2 are of other sources"));
-    assert!(is_not_run(judged(&[]), "none is recorded"));
-    write(folder.path(), "src/deep/one.rs", "changed");
-    assert!(is_not_run(judged(&two), "2 of 2 are of other sources"));
-    write(folder.path(), "src/deep/one.rs", "src/deep/one.rs");
-    assert_eq!(judged(&two), Verdict::Pass);
+    let first = of("fn other() {\n    1;\n}\n\nfn own() {\n    2;\n}\n");
+    assert_eq!(first, of("fn own() {\n    2;\n}\nfn other() {\n    3;\n}\n"));
+    for changed in ["fn own() {\n    3;\n}\n", "fn own() {\n    2;\n", "fn owned() {\n    2;\n}\n", ""] {
+        assert_ne!(first, of(changed), "{changed}");
+    }
 }
 
 #[test]
-fn every_record_of_a_script_covers_the_sources_and_says_what_each_entry_was_made_on() {
+fn an_entry_of_other_sources_is_told_with_their_number() {
+    let bound = |names: &[&str]| names.iter().map(|name| name.to_string()).collect::<Vec<_>>();
+    let of = |names: &[&str]| Entry { bound: bound(names), sources: digest(&root(), names).ok(), date: None };
+    let sound = [of(&["Cargo.toml"]), of(&["src/checkout.rs: pub fn root() -> PathBuf {", "tests/cases"])];
+    assert_eq!(MADE[0].judge(&sound).verdict, Verdict::Pass);
+    let old = Entry { bound: bound(&["Cargo.toml"]), sources: Some("another".into()), date: None };
+    let unbound = Entry { bound: vec![], sources: digest(&root(), &[""; 0]).ok(), date: None };
+    let gone = Entry { bound: bound(&["src/absent.rs"]), sources: None, date: None };
+    let is_not_run = |entries: &[Entry], told: &str| matches!(MADE[0].judge(entries).verdict, Verdict::NotRun(why) if why.starts_with(told));
+    assert!(is_not_run(&[sound[0].clone(), old], "1 of 2 are of other sources"));
+    assert!(is_not_run(&[unbound, gone], "2 of 2 are of other sources"));
+    assert!(is_not_run(&[], "none is recorded"));
+}
+
+#[test]
+fn every_record_of_a_script_says_what_each_entry_is_bound_to() {
     for made in MADE {
-        let record = made.read().expect(made.file);
-        assert!(record.sources.iter().any(|name| name.starts_with("src")), "{}", made.file);
-        assert!(digest(&root(), &record.sources).is_ok(), "{}", made.file);
+        let record = made.read().expect(made.file).record;
+        assert!(record.iter().all(|entry| entry.bound.iter().any(|name| name.starts_with("src"))), "{}", made.file);
         let script = made.renew.split('`').nth(1).and_then(|command| command.split(' ').nth(1)).expect("a command");
         assert!(root().join(script).is_file(), "{script}");
     }
@@ -134,21 +140,18 @@ fn every_record_of_a_script_covers_the_sources_and_says_what_each_entry_was_made
 #[test]
 fn a_record_of_another_list_is_refused() {
     let list = "[[fault]]\nname = \"one\"\nfile = \"src/lib.rs\"\nwas = \"sound\"\nis = \"spoiled\"\n";
-    let record =
-        |faults: &[Fault], sources: &str| serde_json::json!({ "sources": [sources], "record": faults }).to_string();
+    let one = serde_json::json!({ "name": "one", "file": "src/lib.rs", "was": "sound", "is": "spoiled", "by": [] });
+    let record = |faults: &[&serde_json::Value]| serde_json::json!({ "record": faults }).to_string();
     let parsed = |list: &str, record: &str| -> Result<Numbers, Error> {
         faults::parse((Path::new("faults.toml"), list), (Path::new("faults.json"), record))
     };
-    let one = fault("one", &[("analytic", 1)], None);
-    let alone = std::slice::from_ref(&one);
-    assert_eq!(parsed(list, &record(alone, "src")).expect("the same").record.len(), 1);
+    assert_eq!(parsed(list, &record(&[&one])).expect("the same").record.len(), 1);
     for (list, record, told) in [
-        (list.replace("spoiled", "spoilt"), record(alone, "src"), "another `one`"),
-        (list.replace("sound", "whole"), record(alone, "src"), "another `one`"),
-        (list.repeat(2), record(alone, "src"), "but 2 are listed"),
-        ("fault = []".into(), record(&[], "src"), "0 faults long"),
-        (list.into(), record(alone, "tests"), "without `src`"),
-        (list.into(), "{}".into(), "sources"),
+        (list.replace("spoiled", "spoilt"), record(&[&one]), "another `one`"),
+        (list.replace("sound", "whole"), record(&[&one]), "another `one`"),
+        (list.repeat(2), record(&[&one]), "but 2 are listed"),
+        ("fault = []".into(), record(&[]), "0 faults long"),
+        (list.into(), "{}".into(), "record"),
     ] {
         let error = parsed(&list, &record).expect_err(told).to_string();
         assert!(error.contains(told) && error.contains("plant.py"), "{told}: {error}");

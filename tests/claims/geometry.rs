@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_2_PI, FRAC_PI_2, FRAC_PI_4, PI};
 use std::fmt::Write;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use approx::assert_relative_eq;
 use contact_vv::case::{Case, Meshed, Verdict};
@@ -68,12 +68,6 @@ fn assert_alike(found: [f64; 3], wanted: [f64; 3], within: f64, what: &str) {
     for (found, wanted) in found.iter().zip(wanted) {
         assert!((found / wanted - 1.0).abs() <= within, "{what}: {found} and not {wanted}");
     }
-}
-
-fn folder(name: &str) -> PathBuf {
-    let folder = std::env::temp_dir().join(format!("contact-vv-geometry-{}-{name}", std::process::id()));
-    std::fs::create_dir_all(&folder).expect("a folder");
-    folder
 }
 
 #[test]
@@ -150,9 +144,9 @@ fn ring_on_a_flat_is_the_same_however_it_is_modelled() {
 
 #[test]
 fn ring_on_a_flat_takes_every_option_and_its_own_answer_is_met() {
-    let folder = folder("options");
-    let at = |name: &str| folder.join(name).to_string_lossy().into_owned();
-    std::fs::write(folder.join("ring.toml"), ring()).expect("written");
+    let folder = tempfile::tempdir().expect("a folder");
+    let at = |name: &str| folder.path().join(name).to_string_lossy().into_owned();
+    std::fs::write(folder.path().join("ring.toml"), ring()).expect("written");
     for option in [["--fitted", "--force"], ["--accuracy", "0.5 %"], ["--order", "5"]] {
         let (passed, text, error) = contact_vv(&[&["solve", &at("ring.toml"), "--all"][..], &option[..]].concat());
         assert!(passed && text.contains("resultant 2000.0"), "{option:?}: {text}{error}");
@@ -169,7 +163,6 @@ fn ring_on_a_flat_takes_every_option_and_its_own_answer_is_met() {
         let (met, text, error) = contact_vv(&[&["judge", &at("ring.toml"), &answer][..], options].concat());
         assert!(met, "{answer}: {text}{error}");
     }
-    std::fs::remove_dir_all(&folder).expect("removed");
 }
 
 /// Angles of a ring's mesh from −π on, finer towards the lowest point: two for every cell.
@@ -244,10 +237,10 @@ fn closed() -> String {
 
 #[test]
 fn closed_rim_of_a_gmsh_mesh_is_used_where_it_faces_the_flat() {
-    let folder = folder("closed");
+    let folder = tempfile::tempdir().expect("a folder");
     let solved = |mesh: String, text: &str| {
-        std::fs::write(folder.join("ring.msh"), mesh).expect("written");
-        let case = read_in(&folder, text).unwrap_or_else(|error| panic!("{error}"));
+        std::fs::write(folder.path().join("ring.msh"), mesh).expect("written");
+        let case = read_in(folder.path(), text).unwrap_or_else(|error| panic!("{error}"));
         case.solve().unwrap_or_else(|error| panic!("{error}"))
     };
     for order in [1, 2] {
@@ -271,13 +264,12 @@ fn closed_rim_of_a_gmsh_mesh_is_used_where_it_faces_the_flat() {
     let contact = "gap = { circle = 50 }\nboth-sides = true\nstretch = 6";
     let own = numbers(&scene(&meshed_here, supports, load, contact, FINE));
     assert_alike(of_run(&of_order_2), own, 0.02, "the ring meshed here");
-    std::fs::remove_dir_all(&folder).expect("removed");
 }
 
 #[test]
 fn closed_boundaries_that_face_nothing_are_refused_with_a_remedy() {
-    let folder = folder("refused");
-    std::fs::write(folder.join("ring.msh"), gmsh(2, false, PI)).expect("written");
+    let folder = tempfile::tempdir().expect("a folder");
+    std::fs::write(folder.path().join("ring.msh"), gmsh(2, false, PI)).expect("written");
     for (was, is, found, remedy) in [
         ("both-sides = true\n", "", "does not begin on the symmetry line x = 0", "`both-sides = true`"),
         ("stretch = 6", "stretch = 40", "slopes by", "end the `stretch` where it is flatter"),
@@ -286,10 +278,9 @@ fn closed_boundaries_that_face_nothing_are_refused_with_a_remedy() {
         ("both-sides", "origin = [0, 20]\nboth-sides", "does not begin at y = 20", "give its `origin`"),
         ("circle = 50", "circle = 80", "the gap is 0.225", "`gap = { from = \"bodies\" }`"),
     ] {
-        let error = read_in(&folder, &closed().replace(was, is)).map(|_| ()).expect_err(is);
+        let error = read_in(folder.path(), &closed().replace(was, is)).map(|_| ()).expect_err(is);
         assert!(error.contains("scene.toml:") && error.contains(found) && error.contains(remedy), "{is}: {error}");
     }
-    std::fs::remove_dir_all(&folder).expect("removed");
 }
 
 /// A disc and a block, each pushed towards the other by displacements: the disc down, the block up \[mm\].
@@ -348,18 +339,17 @@ fn clearance_is_told_wherever_a_gap_is_told() {
     assert_relative_eq!(case.scene.in_metres().contact().gap(1e-3), 1e-3 * pair.gap(1.0), max_relative = 1e-12);
     assert!(meshed.discretisation.interfaces[0].nodes.iter().all(|node| node.gap >= 0.02));
 
-    let folder = folder("told");
-    let file = folder.join("scene.toml").to_string_lossy().into_owned();
-    let exported = folder.join("exported").to_string_lossy().into_owned();
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("scene.toml").to_string_lossy().into_owned();
+    let exported = folder.path().join("exported").to_string_lossy().into_owned();
     std::fs::write(&file, text).expect("written");
     assert!(contact_vv(&["export", &file, &exported]).0);
-    let sheet = std::fs::read_to_string(folder.join("exported/scene.md")).expect("a sheet");
+    let sheet = std::fs::read_to_string(folder.path().join("exported/scene.md")).expect("a sheet");
     assert!(sheet.contains("R = 50, and 0.02 more everywhere"), "{sheet}");
-    let problem = std::fs::read_to_string(folder.join("exported/problem.json")).expect("a problem");
+    let problem = std::fs::read_to_string(folder.path().join("exported/problem.json")).expect("a problem");
     let problem: serde_json::Value = serde_json::from_str(&problem).expect("JSON");
     assert_relative_eq!(problem["contacts"][0]["nodes"][0]["gap"].as_f64().expect("a gap"), 0.02, max_relative = 1e-12);
     assert!(contact_vv(&["judge", &file, &format!("{exported}/ours.csv")]).0);
-    std::fs::remove_dir_all(&folder).expect("removed");
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! Bodies from Gmsh meshes and from blocks: read exactly, refused clearly, and solved as the same bodies meshed here.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use approx::assert_relative_eq;
 use contact_vv::case::Case;
@@ -11,22 +11,26 @@ use contact_vv::scene::{GivenMesh, Shape};
 
 use crate::balance::{scene, solved_as_it_says as solved};
 
-/// A folder of its own for the files of one test.
-fn folder(test: &str) -> PathBuf {
-    let folder = std::env::temp_dir().join(format!("contact-vv-gmsh-{}-{test}", std::process::id()));
-    std::fs::create_dir_all(&folder).expect("a folder");
-    folder
-}
-
 /// Two 4-node cells on 0 … 2 × 0 … 1, with tags neither dense nor in order.
 const TWO_CELLS: &str = include_str!("../data/scenes/two-cells.msh");
 
 /// A scene of that body, pressed on a rigid plane.
 const SCENE: &str = include_str!("../data/scenes/two-cells.toml");
 
-fn read(folder: &Path, mesh: &str) -> Result<Case, Error> {
-    std::fs::write(folder.join("mesh.msh"), mesh).expect("written");
-    Case::parse(&folder.join("scene.toml"), SCENE)
+/// A scene beside a mesh.
+fn read_as(scene: &str, mesh: &str) -> Result<Case, Error> {
+    let folder = tempfile::tempdir().expect("a folder");
+    std::fs::write(folder.path().join("mesh.msh"), mesh).expect("written");
+    Case::parse(&folder.path().join("scene.toml"), scene)
+}
+
+fn read(mesh: &str) -> Result<Case, Error> {
+    read_as(SCENE, mesh)
+}
+
+/// What is said of a mesh that is refused.
+fn refused(mesh: &str) -> String {
+    read(mesh).map(|_| ()).expect_err(mesh).to_string()
 }
 
 fn given(file: &Case) -> &GivenMesh {
@@ -40,14 +44,13 @@ fn given(file: &Case) -> &GivenMesh {
 fn mesh_across_the_middle_is_solved_on_both_sides_of_it() {
     let shifted = TWO_CELLS.replace("\n2 0 0\n0 0 0\n1 0 0\n", "\n1 0 0\n-1 0 0\n0 0 0\n");
     let shifted = shifted.replace("\n0 1 0\n2 1 0\n1 1 0\n", "\n-1 1 0\n1 1 0\n0 1 0\n");
-    let folder = folder("across");
-    let error = read(&folder, &shifted).map(|_| ()).expect_err("x from -1 on").to_string();
+    let error = refused(&shifted);
     assert!(error.contains("does not begin on the symmetry line") && error.contains("both-sides = true"), "{error}");
     let law = "y = { polynomial = { along = \"x\", coefficients = [-5, -1] } }";
     let scene = SCENE.replace("value = [0, -5]", law).replace("stretch = 2", "both-sides = true\nstretch = 1");
     // A side held in x would turn the body back.
     let scene = scene.replace("at = \"axis\"", "at = [-1, 0]");
-    let (discretisation, run) = solved(&Case::parse(&folder.join("scene.toml"), &scene).expect("sound"));
+    let (discretisation, run) = solved(&read_as(&scene, &shifted).expect("sound"));
     assert_eq!(run.solution.points.len(), 3);
     assert_relative_eq!(discretisation.interfaces[0].nodes[0].coordinate, -1.0);
     // ∫ (5 + x) and its moment over −1 … 1.
@@ -57,7 +60,7 @@ fn mesh_across_the_middle_is_solved_on_both_sides_of_it() {
 
 #[test]
 fn tags_groups_and_sides_are_read_whatever_their_order() {
-    let file = read(&folder("tags"), TWO_CELLS).expect("sound");
+    let file = read(TWO_CELLS).expect("sound");
     let mesh = given(&file);
     assert_eq!((mesh.points.len(), mesh.cells.len()), (6, 2));
     let corners: Vec<Vec<[f64; 2]>> =
@@ -80,9 +83,8 @@ fn tags_groups_and_sides_are_read_whatever_their_order() {
 fn cells_listed_clockwise_are_turned_one_by_one_and_that_is_noted() {
     let one = ("6 3 40 5 11", "6 3 11 5 40");
     let both = TWO_CELLS.replace(one.0, one.1).replace("7 40 7 12 5", "7 40 5 12 7");
-    let folder = folder("turned");
     let of = |mesh: &str| {
-        let (discretisation, run) = solved(&read(&folder, mesh).expect("sound"));
+        let (discretisation, run) = solved(&read(mesh).expect("sound"));
         (
             run.measures().peak.pressure,
             [notes::of(&run, 0), plausible::doubts(&discretisation, &run).remove(0)].concat().join("; "),
@@ -140,20 +142,19 @@ const MISFITS: &[(&str, &str, [&str; 2])] = &[
 
 #[test]
 fn every_mistake_in_a_mesh_names_its_line() {
-    let folder = folder("mistakes");
     for (was, is, anchor, wanted) in MISTAKES {
         assert_eq!(TWO_CELLS.matches(was).count(), 1, "{was}");
         let spoiled = TWO_CELLS.replacen(was, is, 1);
-        let error = read(&folder, &spoiled).map(|_| ()).expect_err(is).to_string();
+        let error = refused(&spoiled);
         let line = 1 + spoiled[..spoiled.find(anchor).expect("a place")].matches('\n').count();
-        let place = format!("{}:{line}: ", folder.join("mesh.msh").display());
-        assert!(wanted[0].is_empty() || error.starts_with(&place), "{place} is not in {error}");
+        let place = format!("mesh.msh:{line}: ");
+        assert!(wanted[0].is_empty() || error.contains(&place), "{place} is not in {error}");
         wanted.iter().for_each(|part| assert!(error.contains(part), "`{part}` is not in {error}"));
     }
     let line = 1 + SCENE[..SCENE.find("shape = ").expect("a shape")].matches('\n').count();
     for (was, is, wanted) in MISFITS {
         assert_eq!(TWO_CELLS.matches(was).count(), 1, "{was}");
-        let error = read(&folder, &TWO_CELLS.replacen(was, is, 1)).map(|_| ()).expect_err(is).to_string();
+        let error = refused(&TWO_CELLS.replacen(was, is, 1));
         assert!(error.contains("scene.toml:"), "{error}");
         assert!(!error.contains("cell") || error.contains(&format!("scene.toml:{line}: ")), "{error}");
         wanted.iter().for_each(|part| assert!(error.contains(part), "`{part}` is not in {error}"));
@@ -162,12 +163,11 @@ fn every_mistake_in_a_mesh_names_its_line() {
 
 #[test]
 fn groups_of_an_entity_are_few_and_have_short_names() {
-    let folder = folder("groups");
     let surface = "1 0 0 0 2 1 0 1 4 3 1 2 3";
     assert_eq!(TWO_CELLS.matches(surface).count(), 1);
     let of_groups = |groups: &[String]| {
         let listed = format!("1 0 0 0 2 1 0 {} {} 3 1 2 3", groups.len(), groups.join(" "));
-        read(&folder, &TWO_CELLS.replace(surface, &listed)).map(|_| ()).map_err(|error| error.to_string())
+        read(&TWO_CELLS.replace(surface, &listed)).map(|_| ()).map_err(|error| error.to_string())
     };
     // Where the surface is turned over its group has a sign; no number is left without its opposite.
     assert_eq!(of_groups(&["-4".into()]), Ok(()));
@@ -188,13 +188,10 @@ fn groups_of_an_entity_are_few_and_have_short_names() {
     }
     for (characters, fits) in [(127, true), (128, false)] {
         let name = "é".repeat(characters);
-        let read = read(
-            &folder,
-            &TWO_CELLS
-                .replace("1 3 \"axis\"", &format!("1 3 \"axis\"\n1 5 \"{name}\""))
-                .replace("$PhysicalNames\n4", "$PhysicalNames\n5"),
-        );
-        let told = read.map(|_| ()).map_err(|error| error.to_string());
+        let mesh = TWO_CELLS.replace("1 3 \"axis\"", &format!("1 3 \"axis\"\n1 5 \"{name}\""));
+        let told = read(&mesh.replace("$PhysicalNames\n4", "$PhysicalNames\n5"))
+            .map(|_| ())
+            .map_err(|error| error.to_string());
         assert_eq!(told.is_ok(), fits, "{told:?}");
         assert!(fits || told.is_err_and(|told| told.contains("this name has 128 characters")));
     }
@@ -202,17 +199,14 @@ fn groups_of_an_entity_are_few_and_have_short_names() {
 
 #[test]
 fn mesh_file_that_is_not_there_is_refused_at_the_line_that_names_it() {
-    let folder = folder("absent");
-    let error = Case::parse(&folder.join("scene.toml"), SCENE).map(|_| ()).expect_err("no file").to_string();
+    let error = Case::parse(Path::new("absent/scene.toml"), SCENE).map(|_| ()).expect_err("no file").to_string();
     assert!(error.contains("scene.toml:7: ") && error.contains("cannot be read"), "{error}");
 }
 
 #[test]
 fn orders_that_do_not_go_together_are_refused() {
-    let folder = folder("orders");
-    std::fs::write(folder.join("mesh.msh"), TWO_CELLS).expect("written");
-    let scene = format!("{SCENE}[mesh]\norder = 2\n");
-    let error = Case::parse(&folder.join("scene.toml"), &scene).map(|_| ()).expect_err("two orders").to_string();
+    let read = read_as(&format!("{SCENE}[mesh]\norder = 2\n"), TWO_CELLS);
+    let error = read.map(|_| ()).expect_err("two orders").to_string();
     assert!(error.contains("cells of 4 nodes, others have 8") && error.contains("one order"), "{error}");
 }
 
@@ -288,13 +282,12 @@ fn split(common: bool, seam: f64) -> String {
 
 #[test]
 fn mesh_that_does_not_hang_together_is_refused() {
-    let folder = folder("loose");
-    assert!(read(&folder, &split(true, 1.0)).expect("sound").solve().is_ok());
+    assert!(read(&split(true, 1.0)).expect("sound").solve().is_ok());
     let hanging = "{ blocks = [{ corners = [[0, 0], [2, 0], [2, 1], [0, 1]], elements = [2, 1], bottom = \"contact\", \
          left = \"axis\" }, { corners = [[0, 1], [2, 1], [2, 2], [0, 2]], elements = [3, 1], top = \"roof\" }] }";
     assert!(of_blocks(hanging).is_err(), "other elements along a common side");
     for (seam, found) in [(1.0, "two nodes stand at (1.0"), (1.001, "in several pieces")] {
-        let file = read(&folder, &split(false, seam)).expect("read");
+        let file = read(&split(false, seam)).expect("read");
         let error = file.solve().map(|_| ()).expect_err("loose").to_string();
         assert!(error.contains(found) && error.contains("scene.toml:4: ") && error.contains("Coherence"), "{error}");
     }
@@ -305,7 +298,7 @@ fn mesh_that_does_not_hang_together_is_refused() {
          $EndNodes\n$Elements\n4 7 1 7\n1 1 1 1\n1 1 2\n1 2 1 2\n3 8 7\n4 7 6\n1 3 1 2\n5 6 4\n6 4 1\n2 1 3 3\n7 1 2 3 4\n\
          8 4 5 7 6\n9 5 3 8 7\n$EndElements\n"
     );
-    let error = read(&folder, &hanging).expect("read").solve().map(|_| ()).expect_err("hanging").to_string();
+    let error = read(&hanging).expect("read").solve().map(|_| ()).expect_err("hanging").to_string();
     assert!(error.contains("hangs inside a side of another cell at (1.0"), "{error}");
 }
 

@@ -6,7 +6,7 @@ use std::f64::consts::FRAC_PI_2;
 use std::sync::Arc;
 
 use contact_vv::elasticity::dilatation::ORDINARY;
-use contact_vv::elasticity::element::{self, CellStiffness};
+use contact_vv::elasticity::element::{self, CellStiffness, Tabulated};
 use contact_vv::elasticity::{quadrature, stress};
 use contact_vv::mesh::{Mesh, Order};
 use contact_vv::scene::{Component, Face, LARGEST_POISSON, Load, Material, PlaneHypothesis, StressField};
@@ -86,7 +86,7 @@ fn stresses_are_those_that_the_stiffness_works_with() {
             let rule = quadrature::gauss_square(if order == Order::Linear { 2 } else { 3 });
             let work = |(at, weight): &([f64; 2], f64)| {
                 let (gradients, determinant) = element::gradients(&points, *at).expect("convex");
-                let stress = kernel.stresses(&points, &u, &[*at]).expect("convex")[0];
+                let stress = kernel.stresses(&points, &u, &[Tabulated::of(points.len(), *at)]).expect("convex")[0];
                 let strains = gradients
                     .iter()
                     .zip(&u)

@@ -30,7 +30,7 @@ fn edges(from: f64, end: f64, n: usize, force: impl Fn(f64) -> f64) -> Vec<EdgeS
     (0..n)
         .map(|i| {
             let ends = [from + h * i as f64, from + h * (i as f64 + 1.0)];
-            EdgeState { ends, weight: h, pressure: (force(ends[1]) - force(ends[0])) / h, is_ring: false }
+            EdgeState { ends, weight: h, pressure: (force(ends[1]) - force(ends[0])) / h, axis: None }
         })
         .collect()
 }
@@ -126,7 +126,7 @@ fn peak_of_few_edges_is_a_parabola_or_their_mean_and_that_of_nan_none() {
     // Four edges make three pairs: the parabola that they hold.
     let parabola = edges(-2.0, 2.0, 4, |s: f64| 9.0 * s - 2.0 / 3.0 * s.powi(3));
     assert_relative_eq!(peak::of(&parabola, 0.0).pressure, 9.0, max_relative = 1e-12);
-    let one = [EdgeState { ends: [1.0, 2.0], weight: 1.0, pressure: 4.0, is_ring: false }];
+    let one = [EdgeState { ends: [1.0, 2.0], weight: 1.0, pressure: 4.0, axis: None }];
     assert_relative_eq!(peak::of(&one, 1.5).pressure, 4.0);
     for lost in [0, 7, 23] {
         let mut edges = edges(-1.5, 1.5, 24, force_of_semi_ellipse(5.0, 1.0));
@@ -458,7 +458,7 @@ fn pressure_between_points_is_linear_and_that_of_the_outermost_up_to_the_ends_of
 fn cell_of_many_nodes_is_read_by_its_polynomial_where_all_press_and_is_open_on_the_line_where_its_first_does_not() {
     let nodes = [0.0, 0.6, 2.0, 3.4, 4.0];
     let cubic = |s: f64| 1.0 + 0.5 * s - 0.1 * s * s + 0.01 * s * s * s;
-    let edge = EdgeState { ends: [0.0, 4.0], weight: 4.0, pressure: 1.0, is_ring: false };
+    let edge = EdgeState { ends: [0.0, 4.0], weight: 4.0, pressure: 1.0, axis: None };
     let all = nodes.map(|position| PointState { position, weight: 0.8, pressure: cubic(position), gap: 0.0 });
     let part = |points| Part { points, edges: std::slice::from_ref(&edge), nodes: 5 };
     for s in [0.0, 0.3, 1.1, 2.9, 4.0] {

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-use contact_vv::case::{Check, Judged, Reference, Verdict};
+use contact_vv::case::{Check, Judged, Quantity, Reference, Verdict};
 use contact_vv::oracle::ReferenceKind;
 use contact_vv::report::diff::written;
 use contact_vv::report::front::{self, against, nearness, right};
@@ -32,8 +32,8 @@ fn all_pages() -> Vec<PathBuf> {
     pages
 }
 
-/// Files that a page links or shows.
-fn targets(page: &Path) -> Vec<PathBuf> {
+/// Files that a page links or shows, each with the heading that is meant in it, if one is.
+fn targets(page: &Path) -> Vec<(PathBuf, String)> {
     let text = text(page);
     let after = |begin: &str, end: char| {
         let parts =
@@ -42,7 +42,16 @@ fn targets(page: &Path) -> Vec<PathBuf> {
     };
     let all = [after("](", ')'), after("src=\"", '"'), after("href=\"", '"')].concat();
     let folder = page.parent().expect("a page is in a folder");
-    all.iter().filter(|target| !target.starts_with("http")).map(|target| folder.join(target)).collect()
+    let own = all
+        .iter()
+        .filter(|target| !target.starts_with("http"))
+        .map(|target| target.split_once('#').unwrap_or((target, "")));
+    own.map(|(file, heading)| (folder.join(file), heading.to_string())).collect()
+}
+
+/// What a link to a heading calls it.
+fn anchor(heading: &str) -> String {
+    heading.trim_start_matches('#').trim().to_lowercase().replace(' ', "-")
 }
 
 /// A passed run of a small case.
@@ -67,8 +76,10 @@ fn front_page_is_short() {
 #[test]
 fn every_link_and_picture_of_a_page_resolves() {
     for page in all_pages() {
-        for target in targets(&page) {
+        for (target, heading) in targets(&page) {
             assert!(target.exists(), "{}: no {}", page.display(), target.display());
+            let is_there = |text: String| text.lines().any(|line| line.starts_with('#') && anchor(line) == heading);
+            assert!(heading.is_empty() || is_there(text(&target)), "{}: no {heading}", page.display());
         }
     }
 }
@@ -80,7 +91,7 @@ fn every_page_is_reached_from_the_front_page() {
     while let Some(page) = ahead.pop() {
         let page = page.canonicalize().expect("links resolve");
         if page.extension().is_some_and(|extension| extension == "md") && reached.insert(page.clone()) {
-            ahead.extend(targets(&page));
+            ahead.extend(targets(&page).into_iter().map(|(file, _)| file));
         }
     }
     let sheets = std::fs::read_dir(root().join("snapshots/sheets")).expect("sheets are committed");
@@ -143,9 +154,24 @@ fn first_sentence_follows_the_verdicts() {
 #[test]
 fn what_most_checks_are_held_against_follows_their_kinds() {
     let mut finding = small();
-    assert!(against(std::slice::from_ref(&finding)).starts_with("**Most checks are held against the code itself"));
+    let first = |finding: &Finding| against(std::slice::from_ref(finding)).lines().nth(2).expect("a row").to_owned();
+    assert!(first(&finding).starts_with("| the code itself"), "{}", first(&finding));
     finding.judged.iter_mut().for_each(|one| one.reference.kind = ReferenceKind::CrossCode);
-    assert!(against(&[finding]).starts_with("**Most checks are held against other codes"));
+    assert!(first(&finding).starts_with("| other codes"), "{}", first(&finding));
+}
+
+#[test]
+fn truths_are_named_with_the_tightest_and_the_loosest_agreement_of_what_passed() {
+    let mut finding = small();
+    let judge = |at: &str, value: f64| {
+        let reference = Reference { kind: ReferenceKind::CrossCode, ..Reference::own("another code", 1.0) };
+        Check::near(Quantity::at("pressure of the trial", at), reference, 0.1, "a reason").judge(value)
+    };
+    finding.judged = vec![judge("a", 1.01), judge("b", 1.0 + 1e-5), judge("c", 1.05), judge("d", 2.0)];
+    let said = against(&[finding]);
+    let row = said.lines().find(|line| line.starts_with("| another code (cross-code) | 3 |")).expect("what passed");
+    let place = |text: &str| row.find(text).unwrap_or_else(|| panic!("no {text} in {row}"));
+    assert!(place("1.0e-5") < place("5.0 %"), "{row}");
 }
 
 #[test]

@@ -6,7 +6,7 @@ use std::process::Command;
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use contact_vv::case::Case;
 use contact_vv::clock::{Clock, Stage};
-use contact_vv::drawing::{Chart, Direction, Slope};
+use contact_vv::drawing::{Chart, Direction, Mark, Slope};
 use contact_vv::report::pictures::{deformed, solve};
 use contact_vv::solve::{Discretisation, Run};
 
@@ -115,7 +115,7 @@ fn drawn_fields_are_those_of_the_solution() {
 fn detail_holds_the_contact_as_truly_displaced_and_is_marked_where_the_whole_draws_it() {
     let Solved { discretisation, run, .. } = solved("cylinder-on-block");
     let field = deformed::field(&discretisation, &run).expect("recovered").expect("finite");
-    let zoom = field.zoom.expect("a contact of a twentieth of the radius is enlarged");
+    let zoom = field.details.first().expect("a contact of a twentieth of the radius is enlarged").clone();
     assert_abs_diff_eq!(zoom.magnification, 1.0, epsilon = 0.0);
     let within = |(from, to): (f64, f64), x: f64| from <= x && x <= to;
     let candidates = discretisation.mesh.bodies.iter().flat_map(|body| &body.candidates);
@@ -142,7 +142,11 @@ fn detail_holds_the_contact_as_truly_displaced_and_is_marked_where_the_whole_dra
 
     let Solved { discretisation, run, .. } = solved("press-fit");
     let field = deformed::field(&discretisation, &run).expect("recovered").expect("finite");
-    assert!(field.zoom.is_none(), "contact all around is not enlarged");
+    assert!(field.details.is_empty(), "contact all around is not enlarged");
+    let Solved { discretisation, run, .. } = solved("roller-between-plates");
+    let field = deformed::field(&discretisation, &run).expect("recovered").expect("finite");
+    let named: Vec<&str> = field.details.iter().map(|detail| detail.name.as_str()).collect();
+    assert_eq!(named, ["above", "below"], "every contact has its detail");
 }
 
 /// Points of the curve of a name.
@@ -256,4 +260,46 @@ fn a_slope_triangle_has_the_slope_of_its_order_and_legs_along_the_axes() {
         assert_relative_eq!(corner.0, expected.0);
         assert_relative_eq!(corner.1, expected.1);
     }
+}
+
+#[test]
+fn supports_loads_rigid_sides_and_the_undeformed_outline_are_drawn_where_a_scene_has_them() {
+    let meant =
+        ["triangles: fixed", "arrows: loads and prescribed displacements", "hatched: rigid", "dashed: undeformed"];
+    for (name, shown) in [
+        ("blocks", [true, true, false, true]),
+        ("cylinder-to-accuracy", [true, true, true, true]),
+        ("press-fit", [true, false, false, true]),
+    ] {
+        let svg = solved(name).svg().to_lowercase().replace('\n', " ");
+        let told = meant.map(|text| svg.contains(text));
+        assert_eq!(told, shown, "{name}");
+    }
+}
+
+#[test]
+fn marks_lie_on_the_sides_that_are_held_loaded_and_rigid() {
+    let Solved { discretisation, run, .. } = solved("cylinder-to-accuracy");
+    let field = deformed::field(&discretisation, &run).expect("recovered").expect("finite");
+    let (mut fixed, mut pushed, mut rigid) = (0, 0, 0);
+    for mark in &field.marks {
+        match mark {
+            Mark::Fixed(node, along) => {
+                assert!(field.points[*node].0.abs() < 1e-9 && along.0 < 0.0, "the axis is held from its left");
+                fixed += 1;
+            }
+            Mark::Pushed(_, along) => {
+                assert!(along.1 < -0.99, "the load acts downwards");
+                pushed += 1;
+            }
+            Mark::Rigid(points) => {
+                for [at, into] in points {
+                    assert_abs_diff_eq!(at.1, points[0][0].1, epsilon = 1e-3);
+                    assert!(into.1 < 0.0, "the plane lies below");
+                }
+                rigid += points.len();
+            }
+        }
+    }
+    assert!(fixed > 5 && pushed > 5 && rigid > 5, "{fixed}, {pushed}, {rigid}");
 }

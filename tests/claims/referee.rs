@@ -17,13 +17,24 @@ fn truth() -> Truth {
     Truth::of(TruncatedHertz::default().case()).expect("solved")
 }
 
-fn judged(truth: &Truth, text: &str, asked: &Asked) -> Verdicts {
-    let answer = read::parse(Path::new("theirs.csv"), text.as_bytes(), &truth.case, asked).expect("read");
+/// The verdicts on a file of a name.
+pub fn judged_as(truth: &Truth, name: &str, text: &str, asked: &Asked) -> Verdicts {
+    let answer = read::parse(Path::new(name), text.as_bytes(), &truth.case, asked).expect("read");
     verdicts(truth, answer, ENGINEERING).expect("judged")
 }
 
+fn judged(truth: &Truth, text: &str, asked: &Asked) -> Verdicts {
+    judged_as(truth, "theirs.csv", text, asked)
+}
+
+/// Those on our own answer as it is exported.
+pub fn judged_ours(truth: &Truth, discretisation: &Discretisation, run: &Run) -> Verdicts {
+    let text = serde_json::to_string(&own::answer(&truth.case.name, discretisation, run)).expect("JSON");
+    judged_as(truth, "ours.json", &text, &Asked::default())
+}
+
 /// Names of what is not met.
-fn failed(found: &Verdicts) -> Vec<String> {
+pub fn failed(found: &Verdicts) -> Vec<String> {
     let all = found.ruled.iter().flat_map(|ruled| &ruled.judged);
     all.filter(|one| one.verdict == Verdict::Fail).map(|one| one.check.quantity.to_string()).collect()
 }
@@ -74,10 +85,7 @@ fn our_own_answer_is_judged_as_what_solve_says_on_every_case() {
         for element in [Element::Node, Element::Line] {
             let run = Run::of(&discretisation, &Formulation::new(element, Iteration::Kinematic).tolerance(1e-8));
             let run = run.expect("solved");
-            let text = serde_json::to_string(&own::answer(name, &discretisation, &run)).expect("JSON");
-            let asked = Asked::default();
-            let answer = read::parse(Path::new("ours.json"), text.as_bytes(), &truth.case, &asked).expect("read");
-            let found = verdicts(&truth, answer, ENGINEERING).expect("judged");
+            let found = judged_ours(&truth, &discretisation, &run);
             assert!(found.met(), "{name}, {element:?}: {:?}", failed(&found));
             assert!(found.mistakes.is_empty() && found.absent.is_empty(), "{name}");
             let (theirs, ours) = (&found.ruled[0].measures, &run.contacts[0].measures);
@@ -242,12 +250,8 @@ fn our_own_answer_to_every_scene_file_is_judged_as_what_solve_says() {
         let case = Case::parse(&path, &text).expect("read");
         let meshed = case.meshed().expect("meshed");
         let run = Run::of(&meshed.discretisation, &Formulation::verification()).expect("solved");
-        let document = own::answer(&case.name, &meshed.discretisation, &run);
         let truth = Truth::of(case).expect("solved");
-        let text = serde_json::to_string(&document).expect("JSON");
-        let answer =
-            read::parse(Path::new("ours.json"), text.as_bytes(), &truth.case, &Asked::default()).expect("read");
-        let found = verdicts(&truth, answer, ENGINEERING).expect("judged");
+        let found = judged_ours(&truth, &meshed.discretisation, &run);
         let name = path.display();
         assert!(found.met() && found.absent.is_empty(), "{name}: {:?}", failed(&found));
         for (ruled, contact) in found.ruled.iter().zip(&run.contacts) {

@@ -9,6 +9,8 @@ use contact_vv::mesh::Order;
 use contact_vv::referee::judge::ENGINEERING;
 use contact_vv::referee::{Asked, Truth, read, verdicts};
 
+use crate::referee::judged_as;
+
 /// The scene `tiny`, in another plane hypothesis and thickness.
 fn scene(plane: &str, thickness: f64) -> Truth {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/wild/tiny.toml");
@@ -50,8 +52,7 @@ impl Hertz {
 fn named(truth: &Truth, column: &str, rows: &[[f64; 2]], asked: &Asked) -> Vec<String> {
     let rows: String = rows.iter().map(|[s, value]| format!("{s:e},{value:e}\n")).collect();
     let text = format!("position [mm],{column}\n{rows}");
-    let answer = read::parse(Path::new("theirs.csv"), text.as_bytes(), &truth.case, asked).expect("read");
-    let found = verdicts(truth, answer, ENGINEERING).expect("judged");
+    let found = judged_as(truth, "theirs.csv", &text, asked);
     assert_eq!(found.met(), found.mistakes.is_empty(), "{text}");
     found.mistakes
 }
@@ -312,9 +313,7 @@ fn every_number_that_is_judged_has_the_value_of_its_closed_form() {
     for (of, truth, rows, gap, wanted) in rows {
         let rows: String = rows.iter().map(|[s, p]| format!("{s:e},{p:e},{:e}\n", gap)).collect();
         let text = format!("position [mm],pressure [MPa],gap [mm]\n{rows}");
-        let answer =
-            read::parse(Path::new("theirs.csv"), text.as_bytes(), &truth.case, &Asked::default()).expect("read");
-        let found = verdicts(truth, answer, ENGINEERING).expect("judged");
+        let found = judged_as(truth, "theirs.csv", &text, &Asked::default());
         for (name, value) in wanted {
             let judged = &found.ruled[0].judged;
             let own = judged.iter().find(|one| one.check.quantity.to_string().contains(name));
@@ -339,8 +338,7 @@ fn an_end_is_that_of_the_closed_form_to_one_edge_of_the_mesh_around_it() {
         let places = inside.chain((0..=outer).map(|k| 0.8 + f64::from(k) * end)).take_while(|x| *x <= 1.5);
         let rows = places.map(|x| format!("{:e},{:e}\n", a * x, peak * (1.0 - x * x).max(0.0).sqrt()));
         let text = format!("position [mm],pressure [MPa]\n{}", rows.collect::<String>());
-        let answer = read::parse(Path::new("a.csv"), text.as_bytes(), &truth.case, &Asked::default()).expect("read");
-        let found = verdicts(&truth, answer, ENGINEERING).expect("judged");
+        let found = judged_as(&truth, "a.csv", &text, &Asked::default());
         let all = &found.ruled[0].judged;
         let own = all.iter().find(|one| one.check.quantity.to_string().contains("end of the contact")).expect("judged");
         assert_eq!(own.reference.name, truth.closed(&Quantity::HalfWidth).expect("Hertz").name);

@@ -591,7 +591,7 @@ fn a_compressed_answer_is_the_answer_and_one_compressed_twice_is_refused() {
 #[test]
 fn distance_of_edge_means_is_the_weighted_one_of_the_closed_form() {
     // Means of s over [0, 1] and [1, 3] are 1/2 and 2: √((1 · 1/4 + 2 · 1)/(1 · 1/4 + 2 · 4)).
-    let edge = |ends: [f64; 2], pressure: f64| EdgeState { ends, weight: ends[1] - ends[0], pressure, is_ring: false };
+    let edge = |ends: [f64; 2], pressure: f64| EdgeState { ends, weight: ends[1] - ends[0], pressure, axis: None };
     let found = norm::of_means(&[edge([0.0, 1.0], 1.0), edge([1.0, 3.0], 3.0)], |s| s);
     assert_relative_eq!(found, (2.25_f64 / 8.25).sqrt(), max_relative = 1e-12);
 }

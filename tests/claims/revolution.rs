@@ -7,7 +7,7 @@ use contact_vv::oracle::analytic::Plane;
 use contact_vv::oracle::analytic::lame::PressFit;
 use contact_vv::oracle::analytic::revolution::half_space::{Potential, Stress};
 use contact_vv::oracle::analytic::revolution::indentation::Indentation;
-use contact_vv::oracle::analytic::revolution::shell::{Shape, Shell};
+use contact_vv::oracle::analytic::revolution::shell::{Fitted, Shape, Shell};
 use contact_vv::oracle::analytic::revolution::sphere::Sphere;
 use contact_vv::oracle::{Oracle, Quantity, Reading};
 use contact_vv::scene::Material;
@@ -297,31 +297,6 @@ fn stresses_of_revolution_follow_from_displacements_by_hooke() {
 }
 
 #[test]
-fn stresses_below_hertz_are_those_of_huber() {
-    // In terms of u = (r² + z² − 1)/2 + √((r² + z² − 1)²/4 + z²), a = p₀ = 1 (Huber 1904; Fischer-Cripps 2007, eq. 5.4).
-    let nu = 0.3;
-    for [r, z] in PLACES {
-        let half = 0.5 * (r * r + z * z - 1.0);
-        let u = half + half.hypot(z);
-        let (root, below) = (u.sqrt(), u * u + z * z);
-        let (part, turn) = (z / root, root * (1.0 / root).atan());
-        let outer = (1.0 - 2.0 * nu) / (3.0 * r * r) * (1.0 - part.powi(3));
-        let shared = u * (1.0 - nu) / (1.0 + u);
-        let deep = part.powi(3) * u / below;
-        let stress = Potential::hertz(1.0, r, z).stress(nu);
-
-        let radial = outer + deep + part * (shared + (1.0 + nu) * turn - 2.0);
-        let hoop = -outer - part * (2.0 * nu + shared - (1.0 + nu) * turn);
-        let shear = -r * z * z * root / (below * (1.0 + u));
-        for (given, found) in
-            [(stress.radial, radial), (stress.axial, -deep), (stress.hoop, hoop), (stress.shear, shear)]
-        {
-            assert_abs_diff_eq!(given, found, epsilon = 1e-13);
-        }
-    }
-}
-
-#[test]
 fn surface_below_hertz_carries_its_pressure_alone() {
     let (a, p0, poisson) = (SPHERE.contact_radius(), SPHERE.peak_pressure(), 0.3);
     for s in [0.0, 0.3, 0.6, 0.97] {
@@ -472,7 +447,11 @@ fn fitted_shells_agree_with_the_rings_of_the_plane() {
                 outer: STEEL,
                 plane,
             };
-            assert_relative_eq!(Shell::fitted(inner, outer, 0.02), rings.pressure(), max_relative = 1e-12);
+            assert_relative_eq!(
+                Fitted { inner, outer, interference: 0.02 }.pressure(),
+                rings.pressure(),
+                max_relative = 1e-12
+            );
         }
     }
 }
@@ -481,7 +460,7 @@ fn fitted_shells_agree_with_the_rings_of_the_plane() {
 fn fitted_spheres_take_up_their_interference() {
     let shell = |radii, pressures, material| Shell { shape: Shape::Sphere, radii, pressures, material };
     let [inner, outer] = [shell([20.0, 30.0], [0.0; 2], BRASS), shell([30.0, 50.0], [0.0; 2], STEEL)];
-    let pressure = Shell::fitted(inner, outer, 0.02);
+    let pressure = Fitted { inner, outer, interference: 0.02 }.pressure();
 
     let apart = Shell { pressures: [pressure, 0.0], ..outer }.displacement(30.0)
         - Shell { pressures: [0.0, pressure], ..inner }.displacement(30.0);

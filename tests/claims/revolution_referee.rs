@@ -5,15 +5,17 @@ use std::fmt::Write;
 use std::path::Path;
 
 use approx::assert_relative_eq;
-use contact_vv::case::{Case, Verdict};
+use contact_vv::case::Case;
 use contact_vv::cli::export;
 use contact_vv::cli::new::Template;
 use contact_vv::mesh::{Order, Resolution};
 use contact_vv::referee::export::{deck, own};
 use contact_vv::referee::judge::ENGINEERING;
 use contact_vv::referee::units::Role;
-use contact_vv::referee::{Asked, Truth, Verdicts, calculix, read, verdicts};
+use contact_vv::referee::{Asked, Truth, calculix, read, verdicts};
 use contact_vv::solve::{Discretisation, Element, Formulation, Iteration, Run};
+
+use crate::referee::{failed, judged_as};
 
 fn sphere() -> Case {
     Case::parse(Path::new("sphere.toml"), Template::Sphere.text()).expect("a case")
@@ -25,17 +27,6 @@ fn solved() -> (Truth, Discretisation, Run) {
     let discretisation = case.meshed().expect("meshed").discretisation;
     let run = Run::of(&discretisation, &Formulation::verification()).expect("solved");
     (Truth::of(case).expect("solved"), discretisation, run)
-}
-
-fn judged(truth: &Truth, name: &str, text: &str, asked: &Asked) -> Verdicts {
-    let answer = read::parse(Path::new(name), text.as_bytes(), &truth.case, asked).expect("read");
-    verdicts(truth, answer, ENGINEERING).expect("judged")
-}
-
-/// Names of what is not met.
-fn failed(found: &Verdicts) -> Vec<String> {
-    let all = found.ruled.iter().flat_map(|ruled| &ruled.judged);
-    all.filter(|one| one.verdict == Verdict::Fail).map(|one| one.check.quantity.to_string()).collect()
 }
 
 /// Nodal forces of a run, with that of the axis, as a table.
@@ -78,7 +69,7 @@ fn our_own_answer_of_a_sphere_is_judged_as_what_solve_says() {
         let run = Run::of(discretisation, &Formulation::new(element, Iteration::Kinematic).tolerance(1e-8));
         let run = run.expect("solved");
         let text = serde_json::to_string(&own::answer("sphere", discretisation, &run)).expect("JSON");
-        let found = judged(
+        let found = judged_as(
             &truth,
             "ours.json",
             &text.replace("\"sphere\"", &format!("{:?}", truth.case.name)),
@@ -103,7 +94,7 @@ fn our_own_answer_of_a_sphere_is_judged_as_what_solve_says() {
 fn forces_and_pressures_of_rings_add_up_to_the_whole_load() {
     let (truth, _, run) = solved();
     for (text, asked) in [(forces(&run, |_, force| force), by_nodes()), (pressures(&run, 1.0, 1.0), Asked::default())] {
-        let found = judged(&truth, "theirs.csv", &text, &asked);
+        let found = judged_as(&truth, "theirs.csv", &text, &asked);
         assert!(found.met() && found.mistakes.is_empty(), "{:?}", failed(&found));
         let named: Vec<String> = found.ruled[0].judged.iter().map(|one| one.check.quantity.to_string()).collect();
         for name in ["second-moment radius [mm]", "contact resultant [N]"] {
@@ -112,7 +103,7 @@ fn forces_and_pressures_of_rings_add_up_to_the_whole_load() {
         // Pressures at nodes alone are joined by straight lines.
         assert_relative_eq!(found.ruled[0].measures.resultant, 750.0, max_relative = 6e-3);
     }
-    let found = judged(&truth, "theirs.csv", &forces(&run, |_, force| force), &by_nodes());
+    let found = judged_as(&truth, "theirs.csv", &forces(&run, |_, force| force), &by_nodes());
     assert_relative_eq!(found.ruled[0].measures.resultant, 750.0, max_relative = 1e-9);
 }
 
@@ -130,7 +121,7 @@ fn usual_mistakes_on_bodies_of_revolution_are_named() {
         (pressures(&run, 1.0, -1.0), Asked::default(), "--tension-positive"),
         (pressures(&run, 1.0, 1e6), Asked::default(), "Pa are called MPa"),
     ] {
-        let found = judged(&truth, "theirs.csv", &text, &asked);
+        let found = judged_as(&truth, "theirs.csv", &text, &asked);
         assert!(!found.met(), "{says}");
         assert!(found.mistakes.iter().any(|told| told.contains(says)), "{says}: {:?}", found.mistakes);
     }
@@ -185,13 +176,13 @@ fn exported_decks_of_revolution_have_whole_loads_and_give_whole_forces() {
 fn export_writes_of_bodies_of_revolution_what_can_solve_them_alone() {
     let files = export::files(&sphere(), true).expect("exported");
     let named = |name: &str| files.iter().find(|(own, ..)| own == name);
-    for plane_alone in
-        ["run_getfem.py", "run_ngsolve.py", "run_sfepy.py", "run_kratos.py", "run_felupe.py", "run_calculix.py"]
-    {
+    for plane_alone in ["run_getfem.py", "run_sfepy.py", "run_kratos.py", "run_felupe.py", "run_calculix.py"] {
         assert!(named(plane_alone).is_none(), "{plane_alone}");
     }
     let (.., what) = named("run_revolution.py").expect("a script");
-    assert!(what.contains("scikit-fem, dolfinx or CalculiX") && what.contains("NGSolve"));
+    assert!(what.contains("scikit-fem, dolfinx, FElupe, NGSolve or CalculiX"));
+    // Its form for NGSolve stands on that of plane scenes.
+    assert!(named("run_ngsolve.py").is_some());
     let problem: serde_json::Value =
         serde_json::from_slice(&named("problem.json").expect("a problem").1).expect("JSON");
     assert_eq!(problem["plane"], "axisymmetric");

@@ -8,8 +8,8 @@ use contact_vv::mesh::{Order, Resolution};
 use contact_vv::oracle::analytic::revolution::indentation::Indentation;
 use contact_vv::oracle::analytic::revolution::sphere::Sphere;
 use contact_vv::oracle::cross_code::PhysicalScene;
-use contact_vv::oracle::cross_code::frozen::hash_of;
-use contact_vv::oracle::cross_code::revolution::{Answer, Asked, RENEW, Revolution, folder};
+use contact_vv::oracle::cross_code::frozen::{Asked, hash_of};
+use contact_vv::oracle::cross_code::revolution::{Answer, RENEW, Revolution, folder};
 use contact_vv::scene::{Material, Scene};
 use contact_vv::solve::{Discretisation, Formulation, Run};
 

@@ -233,7 +233,7 @@ fn page_on_scene_files_is_true() {
         quoted.filter(|text| text.starts_with('{')).map(String::from).collect()
     };
     let gaps = rows("Gaps");
-    assert_eq!(gaps.len(), 14, "{gaps:?}");
+    assert_eq!(gaps.len(), 15, "{gaps:?}");
     let number = |text: &str| {
         let named = [
             ("R1", "20"),
@@ -246,7 +246,7 @@ fn page_on_scene_files_is_true() {
             ("a", "9"),
         ];
         let coefficient = text.replace("c1, c2, c3", "1e-3, 0, 0").replace("[x, y]", "[0, 50]");
-        let coefficient = coefficient.replace("[R1, R2]", "[50, -60]");
+        let coefficient = coefficient.replace("[R1, R2]", "[50, -60]").replace("[[c, n], ...]", "[[1e-3, 2.5]]");
         let spans = coefficient.replace("[left, right]", "[0, 80]").replace("[lower, upper]", "[0, 50]");
         named.iter().fold(spans, |text, (name, value)| {
             text.replace(&format!("= {name} "), &format!("= {value} "))

@@ -4,7 +4,7 @@ use std::sync::LazyLock;
 
 use contact_vv::case::Verdict;
 use contact_vv::study::Study;
-use contact_vv::study::scoreboard::board::{Board, Ended, Told};
+use contact_vv::study::scoreboard::board::{Board, Code, Contact, Ended, Told};
 use contact_vv::study::scoreboard::{CASES, Numbers, named, numbers};
 
 fn of(case: &str, board: &Board) -> Numbers {
@@ -80,7 +80,7 @@ fn what_is_planted_in_the_record_or_the_files_turns_a_check_of_the_scoreboard_re
 #[test]
 fn the_best_setting_is_the_one_with_the_least_that_is_not_met() {
     for (case, numbers) in CASES.iter().zip(ALL.iter()) {
-        for code in contact_vv::study::scoreboard::board::Code::ALL {
+        for code in Code::ALL {
             let Some(best) = numbers.best(|setting| setting.code == code) else { continue };
             let own = numbers.rows.iter().filter(|row| row.setting.code == code);
             assert_eq!(own.map(|row| row.not_met()).min(), Some(best.not_met()), "{case}, {}", code.name());
@@ -97,6 +97,30 @@ fn frozen_answers_are_of_the_present_meshes_and_judged_as_they_were_when_they_we
             for (now, then) in scored.scores.iter().zip(found) {
                 assert!((now.value - then).abs() <= 1e-6 * then.abs(), "{file}: {} for {then}", now.value);
             }
+        }
+    }
+}
+
+#[test]
+fn a_code_that_solves_our_rows_is_not_judged_by_them_and_our_answer_is_read_as_theirs_are() {
+    for (case, numbers) in CASES.iter().zip(ALL.iter()) {
+        for code in Code::ALL {
+            let own = numbers.own(code);
+            assert!(own.iter().flatten().all(|row| row.setting.contact != Contact::OurRows), "{case}, {}", code.name());
+            let has_none = [Code::ScikitFem, Code::Dolfinx].contains(&code);
+            assert_eq!(own[1].is_none(), has_none, "{case}, {}", code.name());
+        }
+        let ours = numbers.ours.as_ref().expect("read");
+        // Whoever solves our rows exactly finds our answer.
+        let rows = numbers.best(|setting| setting.code == Code::Ngsolve && setting.contact == Contact::OurRows);
+        let theirs = rows.and_then(|row| row.scored.as_ref().ok()).expect("solved");
+        for (ours, theirs) in ours.scores.iter().zip(&theirs.scores) {
+            assert!(
+                (ours.value - theirs.value).abs() <= 1e-3 * ours.value.abs(),
+                "{case}: {} for {}",
+                theirs.value,
+                ours.value
+            );
         }
     }
 }

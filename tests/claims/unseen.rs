@@ -5,7 +5,7 @@ use contact_vv::case::notes;
 use contact_vv::error::Kind;
 use contact_vv::solve::{Discretisation, Element, Formulation, Iteration, Run};
 
-use crate::balance::{scene, solved};
+use crate::balance::{barred, scene, solved};
 
 fn kinematic() -> Formulation {
     Formulation::new(Element::Node, Iteration::Kinematic)
@@ -37,9 +37,7 @@ fn asperity_narrower_than_an_element_is_noted() {
 
 #[test]
 fn bar_of_a_peak_contains_a_sharp_top_that_all_meshes_miss_alike() {
-    let case = scene("flat", &[]);
-    let (discretisation, run) = solved(&case, &kinematic());
-    let bars = accuracy::bars(&discretisation, &run, &[]).expect("bars");
+    let (_, bars) = barred(&scene("flat", &[]), &kinematic());
     let one = bars.all.iter().find(|one| one.quantity == Quantity::PeakPressure).expect("a bar");
     let error = (one.value - 45.154570).abs();
     // It is about as large as the number itself: a bar that holds it says nothing.
@@ -49,9 +47,7 @@ fn bar_of_a_peak_contains_a_sharp_top_that_all_meshes_miss_alike() {
         "{error}, {why}"
     );
     // On smaller elements it is a number, and the bar holds its error.
-    let case = scene("flat", &[["elements = 4", "elements = 40"]]);
-    let (discretisation, run) = solved(&case, &kinematic());
-    let bars = accuracy::bars(&discretisation, &run, &[]).expect("bars");
+    let (run, bars) = barred(&scene("flat", &[["elements = 4", "elements = 40"]]), &kinematic());
     let bar = bars.of(0, &Quantity::PeakPressure).expect("a bar").total();
     let error = (run.measures().peak.pressure - 45.154570).abs();
     assert!(error <= bar, "{error} against {bar}");
@@ -59,8 +55,7 @@ fn bar_of_a_peak_contains_a_sharp_top_that_all_meshes_miss_alike() {
 
 #[test]
 fn bar_of_the_place_of_a_flat_peak_contains_where_it_lies() {
-    let (discretisation, run) = solved(&scene("place", &[]), &kinematic());
-    let bars = accuracy::bars(&discretisation, &run, &[]).expect("bars");
+    let (run, bars) = barred(&scene("place", &[]), &kinematic());
     let bar = bars.of(0, &Quantity::PeakPlace).expect("a bar").total();
     let error = (run.measures().peak.position - 1.0).abs();
     assert!(error <= bar && bar < 0.2, "{error} against {bar}");
@@ -69,9 +64,8 @@ fn bar_of_the_place_of_a_flat_peak_contains_where_it_lies() {
 #[test]
 fn half_width_is_half_of_begin_to_end_and_no_second_moment() {
     // A flat of 10 mm with rounded edges: the contact ends at 5.34 mm, where its second moment says 7.37.
-    let (discretisation, run) = solved(&scene("rounded-punch", &[]), &kinematic());
+    let (run, bars) = barred(&scene("rounded-punch", &[]), &kinematic());
     let measures = run.measures();
-    let bars = accuracy::bars(&discretisation, &run, &[]).expect("bars");
     // Its top at the rounding is narrower than the elements.
     for (quantity, found, right) in
         [(Quantity::PeakPressure, measures.peak.pressure, 1522.4), (Quantity::HalfWidth, measures.half_width(), 5.343)]

@@ -15,16 +15,20 @@ import sys
 import tempfile
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
-from digest import digest
+from digest import date, digest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 HERE = ROOT / "tests/fuzz"
 WORK = ROOT / "target/fuzz"
 RECORD = ROOT / "snapshots/fuzz.json"
-# The modules that the targets call, and the targets.
-MODULES = ["case", "solver/error", "solver/mesh", "oracle", "referee", "solver/scene", "study/cross_code.rs"]
-SOURCES = [f"src/{module}" for module in MODULES] + [
-    f"tests/fuzz/{name}" for name in ("Cargo.lock", "Cargo.toml", "mesh.toml", "read.rs", "targets")]
+# What an entry is bound to: the reader that a target calls, and the target.
+READERS = {
+    "scene": ["src/case/file", "src/solver/scene", "src/solver/mesh"],
+    "mesh": ["src/case/file/mesh_file", "src/solver/mesh/given.rs", "src/solver/scene/given.rs"],
+    "answers": ["src/oracle/cross_code/frozen.rs", "src/study/differences.rs"],
+    "curve": ["src/oracle/digitised"],
+    "handed": ["src/referee"],
+}
 # Seeds besides the corpus, and the longest input in bytes.
 TARGETS = {
     "scene": (["tests/cases"], 3000),
@@ -44,6 +48,12 @@ PATIENCE, MEMORY = 10, 2048
 ENOUGH = 20
 # Files of the corpus by --keep, of a target.
 KEPT = 20
+
+
+def bound(target):
+    """What an entry is bound to: the reader, and the function that calls it."""
+    [head] = re.findall(rf"^pub fn {target}\(.*$", (HERE / "read.rs").read_text(), re.MULTILINE)
+    return [*READERS[target], f"tests/fuzz/read.rs: {head}"]
 
 
 def build():
@@ -150,6 +160,7 @@ def main():
     parser.add_argument("targets", nargs="*", choices=[[], *TARGETS])
     parser.add_argument("--executions", type=int, default=1_000_000)
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--old", action="store_true", help="only targets whose readers have changed since")
     parser.add_argument("--keep", action="store_true", help="only choose files of the corpus from what a run has grown")
     wanted = parser.parse_args()
     program = build()
@@ -159,15 +170,16 @@ def main():
             keep(program, target)
         return
     kept = {one["target"]: one for one in json.loads(RECORD.read_text())["record"]} if RECORD.exists() else {}
-    sources = digest(SOURCES)
     version = re.search(r'name = "libfuzzer-sys"\nversion = "(.*)"', (HERE / "Cargo.lock").read_text())[1]
     by = {"program": f"libFuzzer of libfuzzer-sys {version}", "rustc": output("rustc", "--version").split()[1]}
+    if wanted.old:
+        chosen = [target for target in chosen if kept.get(target, {}).get("sources") != digest(bound(target))]
     for target in chosen:
         found = fuzz(program, target, wanted.executions, wanted.seed)
-        kept[target] = found | by | {"sources": sources}
+        kept[target] = found | by | {"bound": bound(target), "sources": digest(bound(target)), "date": date()}
         print(f"{target}: {found}", flush=True)
         record = [kept[target] for target in TARGETS if target in kept]
-        RECORD.write_text(json.dumps({"sources": SOURCES, "record": record}, indent=1, ensure_ascii=False) + "\n")
+        RECORD.write_text(json.dumps({"record": record}, indent=1, ensure_ascii=False) + "\n")
     if any(kept[target]["broke"] for target in chosen):
         sys.exit(f"inputs that broke a reader are in {WORK / 'broken'}: mend it and keep them in tests/fuzz/corpus")
 

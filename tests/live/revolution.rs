@@ -1,7 +1,8 @@
 //! scikit-fem and dolfinx answer of bodies of revolution what was frozen.
 
 use contact_vv::error::Error;
-use contact_vv::oracle::cross_code::revolution::{Answer, Asked, Revolution};
+use contact_vv::oracle::cross_code::frozen::Asked;
+use contact_vv::oracle::cross_code::revolution::{Answer, Revolution};
 use contact_vv_live::asked;
 use libtest_mimic::{Failed, Trial};
 

@@ -20,14 +20,11 @@ import sys
 import tomllib
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
-from digest import digest
+from digest import date, digest
 from spoiled import ROOT, Copy, Run
 
 RECORD = ROOT / "snapshots/mutants.json"
 LIST = ROOT / "tests/mutants/survivors.toml"
-# All that tests and checks are computed from.
-SOURCES = ["Cargo.lock", "Cargo.toml", "oracles", "src", "tests/architecture", "tests/architecture.rs", "tests/cases", "tests/claims",
-           "tests/data", "tests/fuzz/corpus", "tests/suite.rs"]
 # Kinds of references that are not the code's own.
 TRUTHS = ["analytic", "cross-code", "measured"]
 # Of the suite, whose checks the program makes too, the snapshots.
@@ -153,27 +150,58 @@ def wilson(caught, of):
     return {"caught": caught, "of": of, "part": round(part, 3), "interval": interval}
 
 
-def scores(record, listed):
-    """Parts of the viable mutants that are caught, without those that the list has as beyond any test."""
-    counted = [one for one in record if is_viable(one) and one["mutant"] not in listed]
+def bound(mutant):
+    """What an entry is bound to: the function, by its first line, or the file where it stands in none."""
+    if not mutant.get("function"):
+        return [mutant["file"]]
+    lines = (ROOT / mutant["file"]).read_text().splitlines()
+    at = mutant["function"]["span"]["start"]["line"] - 1
+    # Attributes and comments in front of it are none of it.
+    while not re.search(r"\bfn\b", lines[at]):
+        at += 1
+    return [f"{mutant['file']}: {lines[at].strip()}"]
+
+
+def room(key):
+    """The folder of a mutant."""
+    parts = key.split(":")[0].split("/")[:-1]
+    return "/".join(parts[:3] if parts[1:2] in (["solver"], ["oracle"]) else parts[:2])
+
+
+def told(name, entries, every, listed):
+    """The scores of a room, of the entries whose functions are as they were."""
+    current = [one for one in entries if one["sources"] == digest(bound(every[one["mutant"]]))]
+    viable = [one for one in current if is_viable(one)]
+    counted = [one for one in viable if one["mutant"] not in listed]
     tested = [one for one in counted if "tests" in one]
     # In the order in which they are drawn: what the checks were asked about for passing the tests would be no fair sample.
     checked = list(itertools.takewhile(lambda one: "checks" in one, counted))
     return {
-        "by_anything": wilson(sum(is_caught(one) is True for one in tested), len(tested)),
-        "by_anything_at_first": wilson(sum(one.get("at_first") is True for one in tested), len(tested)),
+        "room": name, "mutants": sum(name in (room(key), "src") for key in every), "stale": len(entries) - len(current),
+        "unviable": len(current) - len(viable), "equivalent": sum(one["mutant"] in listed for one in viable),
+        "by_claims": wilson(sum(is_caught(one) is True for one in tested), len(tested)),
         "by_truths": wilson(sum(one["checks"] == "truth" for one in checked), len(checked)),
+        "missed": [one["mutant"] for one in tested if is_caught(one) is not True],
     }
 
 
-def write(about, record, listed):
-    missed = [one["mutant"] for one in record if is_caught(one) is False and one["mutant"] not in listed]
-    shown = [listed[one["mutant"]] for one in record if one["mutant"] in listed]
-    unviable = sum(not is_viable(one) for one in record)
-    # What room.py has found of whole folders stays.
-    rooms = {"rooms": json.loads(RECORD.read_text()).get("rooms", [])} if RECORD.exists() else {}
-    told = about | {"unviable": unviable, "scores": scores(record, listed), "missed": missed, "survivors": shown} | rooms | {"record": record}
-    RECORD.write_text(json.dumps(told, indent=1, ensure_ascii=False) + "\n")
+def read(every):
+    """Entries of mutants that there still are, by their names."""
+    kept = json.loads(RECORD.read_text())["record"] if RECORD.exists() else []
+    return {one["mutant"]: one for one in kept if one["mutant"] in every}
+
+
+def write(record, every, listed, order):
+    """Writes entries in the order in which they are drawn, and the scores of their rooms and of all together."""
+    record = sorted((one for one in record if "tests" in one or "checks" in one), key=lambda one: order(one["mutant"]))
+    by_room = collections.defaultdict(list)
+    for one in record:
+        by_room[room(one["mutant"])].append(one)
+    rooms = [told(name, own, every, listed) for name, own in sorted(by_room.items())]
+    found = {"mutants": len(every), "rooms": rooms + [told("src", record, every, listed)], "survivors": list(listed.values())}
+    head = json.dumps(found, indent=1, ensure_ascii=False).removesuffix("\n}")
+    lines = ",\n".join("  " + json.dumps(one, ensure_ascii=False) for one in record)
+    RECORD.write_text(f'{head},\n "record": [\n{lines}\n ]\n}}\n')
 
 
 def main():
@@ -198,25 +226,21 @@ def main():
     shard, shards = map(int, asked.shard.split("/"))
     drawn = drawn[shard::shards]
     copy = Copy("mutants")
-    sources = digest(SOURCES, copy.tree)
     # What was found of a line that has changed since is dropped.
-    kept = json.loads(RECORD.read_text())["record"] if RECORD.exists() and not asked.in_diff else []
-    known = {one["mutant"]: one for one in kept if one["mutant"] in every}
-    again = {"missed": lambda one: is_caught(one) is False, "old": lambda one: one["sources"] != sources}.get(asked.again)
+    known = {} if asked.in_diff else read(every)
+    sources = {name: digest(bound(every[name]), copy.tree) for name in drawn}
+    again = {"missed": lambda one: is_caught(one) is False, "old": lambda one: one["sources"] != sources[one["mutant"]]}.get(asked.again)
     for name in filter(lambda name: again and name in known and again(known[name]), drawn):
-        known[name] = {key: known[name][key] for key in ["mutant", "at_first"] if key in known[name]}
-    program = subprocess.run(["cargo", "mutants", "--version"], check=True, capture_output=True, text=True).stdout.strip()
-    about = {"sources": SOURCES, "program": program, "mutants": len(every), "seed": asked.seed}
+        del known[name]
 
     def run(way, judge, names):
         left = {name: every[name] for name in names if way not in known.get(name, {}) and is_viable(known.get(name, {}))}
         for name, outcome, by in each(copy, left, judge):
+            about = {"mutant": name, "bound": bound(every[name]), "sources": sources[name], "date": date()}
             # An entry is as old as the older of its findings.
-            one = known[name] = {"mutant": name, "sources": sources} | known.get(name, {}) | {way: outcome, f"{way}_by": by}
-            if is_viable(one) and is_caught(one) is not None:
-                one.setdefault("at_first", is_caught(one))
+            known[name] = about | known.get(name, {}) | {way: outcome, f"{way}_by": by}
             if not asked.in_diff:  # after each: what is interrupted keeps what it found
-                write(about, [known[name] for name in sorted(known, key=order)], listed)
+                write(list(known.values()), every, listed, order)
 
     run("tests", by_tests, drawn)
     run("checks", by_checks, [name for name in drawn if is_caught(known[name]) is None])
@@ -225,8 +249,7 @@ def main():
     if asked.in_diff:
         missed = [one["mutant"] for one in record if is_caught(one) is False and one["mutant"] not in listed]
         sys.exit("\n".join(["missed:", *missed]) if missed else None)
-    write(about, record, listed)
-    print(json.dumps(scores(record, listed), indent=1))
+    write(record, every, listed, order)
 
 
 if __name__ == "__main__":

@@ -1,7 +1,8 @@
-"""All mutants of some files compiled at once, each behind a switch that the environment turns: MUTANT=7 is the seventh.
+"""Mutants, or planted faults, of some files compiled at once, each behind a switch that the environment turns: MUTANT=7 is the seventh.
 
 What cargo-mutants would put in the place of a piece of code stands beside it: `a + b` becomes `match (a, b) { (l, r) => if is(7) { l - r }
-else { l + r } }`. What the compiler refuses is left out, round by round, by the places of its errors.
+else { l + r } }`. A fault stands in a second body of its function. What the compiler refuses is left out, round by round, by the places of
+its errors.
 """
 import bisect
 import collections
@@ -193,16 +194,50 @@ class Source:
             number for b, e, numbers, _ in self.ranges if begin <= b and e <= end for number in numbers}
 
 
-def plant(tree, mutants, crates):
-    """Writes all mutants into the copy `tree`; returns the sources by file."""
+class Spoiled(Source):
+    """One file, with faults: `was` becomes `is` in a second body of its function, or in a second copy of a piece of it where `within` says which
+    kind of node (what a function that returns `impl Trait` holds cannot be two)."""
+
+    def __init__(self, text, faults):
+        self.sound, self.out, self.ranges, self.done = text.encode(), bytearray(), [], set()
+        self.tree = RUST.parse(self.sound)
+        self.places = collections.defaultdict(list)
+        for number, fault in faults.items():
+            begin = self.sound.index(fault["was"].encode())
+            end = begin + len(fault["was"].encode())
+            self.places[self.holding(begin, end, fault.get("within"))].append((number, begin, end, fault["is"].encode()))
+        here = 0
+        for (begin, end), own in sorted(self.places.items()):
+            if begin < here:
+                raise SystemExit(f"faults inside one another: {own}")
+            self.write(self.sound[here:begin] + b"{ ")
+            for number, was, behind, replacement in own:
+                self.write(f"if {IS}({number}) ".encode())
+                self.within([number], "mutant", lambda: self.write(b"{ " + self.sound[begin:was] + replacement + self.sound[behind:end] + b" }"))
+                self.write(b" else ")
+            self.write(b"{ " + self.sound[begin:end] + b" } }")
+            here = end
+        self.write(self.sound[here:])
+
+    def holding(self, begin, end, kind):
+        """The innermost body of a function, or node of a kind, around a place."""
+        node = self.tree.root_node.descendant_for_byte_range(begin, end - 1)
+        is_it = lambda node: node.type == kind if kind else node.type == "block" and node.parent.type == "function_item"
+        while node and not is_it(node):
+            node = node.parent
+        if not node:
+            raise SystemExit(f"no function around `{self.sound[begin:end].decode()}`")
+        return node.start_byte, node.end_byte
+
+
+def plant(tree, changes, of=Source):
+    """Writes all mutants, or faults, into the copy `tree`; returns the sources by file."""
     by_file = collections.defaultdict(dict)
-    for number, one in mutants.items():
+    for number, one in changes.items():
         by_file[one["file"]][number] = one
-    sources = {file: Source((tree / file).read_text(), own) for file, own in by_file.items()}
+    sources = {file: of((tree / file).read_text(), own) for file, own in by_file.items()}
     for file, source in sources.items():
         (tree / file).write_bytes(source.out)
-    for crate in crates:
-        (tree / crate).write_text((tree / crate).read_text() + SWITCH.replace("MUTANTS]", f"{MOST}]"))
     return sources
 
 

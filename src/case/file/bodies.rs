@@ -60,7 +60,7 @@ const MESH: Form = Table(&[must("file", Text), must("group", Text), must("contac
 
 /// A body with its supports and loads, in a contact on one side of x = 0 or across it.
 pub fn body(plane: PlaneHypothesis, across: bool, table: Value) -> Result<Body, Error> {
-    let shape = shape(across, table.at("shape"))?;
+    let shape = shape(plane, across, table.at("shape"))?;
     let [supports, loads] = ["supports", "loads"].map(|key| table.list(key));
     refuse_fixed_twice(&supports, &loads)?;
     let material = material(plane, table)?;
@@ -123,14 +123,14 @@ fn support(shape: &Shape, table: Value) -> Result<Support, Error> {
     Ok(Support { at, component: component(table.at("component"))?, value: table.units.length * value })
 }
 
-fn shape(across: bool, given: Value) -> Result<Shape, Error> {
+fn shape(plane: PlaneHypothesis, across: bool, given: Value) -> Result<Shape, Error> {
     let (name, table) = given.only();
     match name {
         "rectangle" => rectangle(given, table),
         "disc" => disc(across, table),
         "ring" => ring(across, table),
         "blocks" => blocks::shape(given, table),
-        name if mesh_file::SHAPES.contains(&name) => mesh_file::shape(table),
+        name if mesh_file::SHAPES.contains(&name) => mesh_file::shape(plane.is_of_revolution(), table),
         _ => table.unknown(),
     }
 }

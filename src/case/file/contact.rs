@@ -180,7 +180,7 @@ fn touching(bodies: &[Body], table: Value) -> Result<(usize, Option<usize>), Err
 }
 
 /// The path, and how far the candidates lie along it.
-fn way(table: Value) -> Result<(Path, f64), Error> {
+pub(super) fn way(table: Value) -> Result<(Path, f64), Error> {
     let stretch = table.at("stretch");
     let Some(arc) = table.get("arc") else {
         let origin = table.get("origin").map_or(Ok([0.0; 2]), Value::point)?;

@@ -22,7 +22,7 @@ use crate::case::file::wanted::CHECK;
 use crate::case::file::{bodies, contact, hypotheses, oracle, reference, revolution, solve, wanted};
 use crate::error::Error;
 use crate::mesh::size::solvable;
-use crate::scene::{Body, PlaneHypothesis, ReferenceValues, Scene};
+use crate::scene::{Body, ReferenceValues, Scene};
 
 /// Largest file that is read \[bytes\].
 const LARGEST_FILE: u64 = 1 << 20;
@@ -31,6 +31,8 @@ const DOCUMENT: Form = Table(&[
     may("title", Text),
     may("source", Text),
     must("plane", Text),
+    // Of bodies of revolution: y, about which they are turned where it is left out, or x.
+    may("axis", Text),
     // Not of bodies of revolution, which have none.
     may("thickness", Number),
     may("units", Table(&[may("length", Text), may("force", Text), may("stress", Text)])),
@@ -141,16 +143,9 @@ fn case(file: Value, name: String) -> Result<Case, Error> {
 
 /// The scene in mm, N, MPa and radians.
 fn scene(file: Value, name: &str, tables: &[Value], contacts: &[Value]) -> Result<Scene, Error> {
-    let known = [
-        ("strain", PlaneHypothesis::Strain),
-        ("stress", PlaneHypothesis::Stress),
-        ("axisymmetric", PlaneHypothesis::Axisymmetric),
-    ];
-    let plane = file.at("plane").choice("plane hypothesis", &known)?;
+    let plane = revolution::plane(file)?;
     let thickness = revolution::thickness(file, plane)?;
-    if plane.is_of_revolution() {
-        revolution::refuse_other_contacts(contacts)?;
-    }
+    revolution::refuse_other_contacts(plane, contacts)?;
     let body = |table: &Value| bodies::body(plane, contact::is_across(contacts, table.at("name").text()), *table);
     let bodies = tables.iter().map(body).collect::<Result<Vec<Body>, Error>>()?;
     bodies::refuse_equal_names(tables)?;
@@ -158,7 +153,7 @@ fn scene(file: Value, name: &str, tables: &[Value], contacts: &[Value]) -> Resul
     let mut scene = Scene {
         name: name.into(),
         plane,
-        contacts: if plane.is_of_revolution() { revolution::whole(pairs) } else { pairs },
+        contacts: revolution::whole(plane, pairs),
         thickness,
         bodies,
         reference: ReferenceValues { length: 1.0, pressure: 1.0, gap: 1.0 },

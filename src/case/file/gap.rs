@@ -55,6 +55,8 @@ const KEYS: Form = Table(&[
     may("parabola", Number),
     // Coefficients of s², s⁴, s⁶, and so on.
     may("even", List(&Number)),
+    // Coefficients and powers [c, n] of Σ c |s|ⁿ.
+    may("powers", POWERS),
     // A slope.
     may("wedge", Number),
     // Points [s, g]: straight between them, or a monotone cubic through them where it is `smooth`.
@@ -115,6 +117,7 @@ pub(super) fn profile(gap: Value, across: bool, drawn: &DrawnGap) -> Result<Prof
         "circles" => circles(value)?,
         "parabola" => Profile::Parabola { radius: value.length()? },
         "even" => even(gap, value)?,
+        "powers" => Profile::Powers { terms: powers(value)?.into() },
         "wedge" => Profile::Wedge { slope: value.positive()? },
         "cosine" => {
             Profile::Cosine { amplitude: value.at("amplitude").length()?, wavelength: value.at("wavelength").length()? }
@@ -196,6 +199,28 @@ fn even(gap: Value, list: Value) -> Result<Profile, Error> {
     }
     let read = list.iter().zip(0..).map(|(given, k)| Ok(given.finite()? / gap.units.length.powi(1 + 2 * k)));
     Ok(Profile::Even { coefficients: read.collect::<Result<_, Error>>()? })
+}
+
+/// Terms `[c, n]` of `Σ c |s|ⁿ`, as gaps and closed forms have them.
+pub(super) const POWERS: Form = List(&PAIR);
+
+/// Largest power: a steeper gap is as good as a flat punch.
+const STEEPEST: f64 = 100.0;
+
+/// Such terms in mm; c has the unit of length^(1−n).
+pub(super) fn powers(list: Value) -> Result<Vec<[f64; 2]>, Error> {
+    let terms = list.entries();
+    if !(1..=MOST_COEFFICIENTS).contains(&terms.len()) {
+        let message = format!("the gap has {} terms", terms.len());
+        return Err(list.refused(message, format!("give one to {MOST_COEFFICIENTS} pairs [c, n]")));
+    }
+    let read = terms.into_iter().map(|term| {
+        let [c, n] = term.exactly::<2>()?;
+        let expected = format!("a power above 1 and up to {STEEPEST}; a slope at s = 0 is a `wedge`, or a `cone`");
+        let n = n.within(&expected, |n| n > 1.0 && n <= STEEPEST)?;
+        Ok([c.finite()? * list.units.length.powf(1.0 - n), n])
+    });
+    read.collect()
 }
 
 /// Refuses a gap that tells nothing of the last candidates.

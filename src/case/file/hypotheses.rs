@@ -6,6 +6,7 @@
 use std::sync::Arc;
 
 use crate::case::file::compared::rounded;
+use crate::case::file::gap::powers;
 use crate::case::file::oracle::rings;
 use crate::case::file::side::Side;
 use crate::case::file::units::Units;
@@ -66,6 +67,7 @@ pub(super) fn refuse_other_scene(
             let coefficients = list.map(|(c, k)| c.number() * given.units.length.powi(-1 - 2 * k)).collect();
             bench.shaped(&Profile::Even { coefficients })
         }
+        "powers" => bench.shaped(&Profile::Powers { terms: powers(numbers.at("terms"))?.into() }),
         "wedge" => bench.wedge(),
         "cone" => bench.shaped(&Profile::Wedge { slope: numbers.at("slope").number() }),
         "cosine" => {
@@ -281,19 +283,27 @@ impl Bench<'_> {
     }
 
     fn lame(&self) -> Result<(), Error> {
-        let arc = self.arc("two elastic rings")?;
+        // Rings about y = 0 meet along a line at their radius.
+        let of = |shape: &Shape| match self.pair.path {
+            Path::Straight(_) => along_y(shape),
+            Path::Arc(arc) => extent(shape, arc.centre),
+        };
+        let radius_of_fit = match (self.pair.path, self.pair.second) {
+            (Path::Straight(line), Some(_)) => line.origin[1],
+            _ => self.arc("two elastic rings")?.radius,
+        };
         let [bore, fit, outside] = self.numbers.at("radii").exactly()?;
         let [inner, outer] = rings(self.pair).map(|body| &self.scene.bodies[body]);
-        let ([least, _], [_, most]) = (extent(&inner.shape, arc.centre), extent(&outer.shape, arc.centre));
+        let ([least, _], [_, most]) = (of(&inner.shape), of(&outer.shape));
         let told = [
             (("the bore in `radii`", bore), least, format!("the inner radius of `{}`", inner.name)),
-            (("the fit in `radii`", fit), arc.radius, "the radius of the arc".into()),
+            (("the fit in `radii`", fit), radius_of_fit, "the radius of the fit".into()),
             (("the outside in `radii`", outside), most, format!("the outer radius of `{}`", outer.name)),
         ];
         for (given, has, what) in told {
             let radius = self.units.length * given.1.number();
             // A bore of nothing is as good as one that is small beside the fit.
-            if !has.is_finite() || (radius - has).abs() > ALIKE * ALIKE * arc.radius {
+            if !has.is_finite() || (radius - has).abs() > ALIKE * ALIKE * radius_of_fit {
                 self.same_number(given, has, self.units.length, &what)?;
             }
         }
@@ -369,6 +379,14 @@ impl Bench<'_> {
         let body = &self.scene.bodies[body];
         let Shape::Rectangle { y, .. } = body.shape else { return Ok(()) };
         self.same_number(given, y[1] - y[0], self.units.length, &format!("the {what} of `{}`", body.name))
+    }
+}
+
+/// Where a rectangle begins and ends along y \[mm\]; NaN of other shapes.
+fn along_y(shape: &Shape) -> [f64; 2] {
+    match shape {
+        Shape::Rectangle { y, .. } => *y,
+        _ => [f64::NAN; 2],
     }
 }
 

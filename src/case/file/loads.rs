@@ -166,9 +166,9 @@ fn hertz((plane, material): (PlaneHypothesis, Material), table: Value) -> Result
     let a = table.at("half-width").length()?;
     let [x0, y0] = table.get("centre").map_or(Ok([0.0; 2]), Value::point)?;
     if plane.is_of_revolution() {
-        if let Some(centre) = table.get("centre").filter(|_| x0.abs() > 0.0) {
-            let message = "the middle of a contact of bodies of revolution lies on their axis";
-            return Err(centre.refused(message, "give a `centre` at x = 0"));
+        if x0.abs() > 0.0 || plane.radial() == Some(1) {
+            let message = "these stresses are those below a circle around the axis x = 0";
+            return Err(table.refused(message, "give a `centre` at x = 0, of bodies that are turned about x = 0"));
         }
         return Ok(StressField(Arc::new(move |[r, y]| {
             let below = Potential::hertz(a, r, (y - y0).abs()).times(peak / a).stress(material.poisson);

@@ -6,6 +6,7 @@ use std::sync::Arc;
 
 use crate::case::file::form::Form::{Number, OneOf, Table};
 use crate::case::file::form::{Form, PAIR, must};
+use crate::case::file::gap::{POWERS, powers};
 use crate::case::file::value::Value;
 use crate::error::Error;
 use crate::oracle::SharedOracle;
@@ -16,6 +17,7 @@ use crate::oracle::analytic::on_arc::OnArc;
 use crate::oracle::analytic::persson::PinInHole;
 use crate::oracle::analytic::punch::FlatPunch;
 use crate::oracle::analytic::revolution::indentation::Indentation;
+use crate::oracle::analytic::revolution::shell::{self, Fitted, Shell};
 use crate::oracle::analytic::revolution::sphere::Sphere;
 use crate::oracle::analytic::uniform::Uniform;
 use crate::oracle::analytic::waves::Waves;
@@ -45,6 +47,8 @@ pub(super) const ORACLE: Form = OneOf(&[
     ("own-weight", Table(&[must("weight", Number), must("height", Number), must("width", Number)])),
     // The gap c₂ s² + c₄ s⁴ + c₆ s⁶, as `gap = { even = … }` has it.
     ("polynomial", Table(&[must("load", Number), must("coefficients", PAIR)])),
+    // The profile Σ c rⁿ of bodies of revolution, as `gap = { powers = … }` has it.
+    ("powers", Table(&[must("load", Number), must("terms", POWERS)])),
     // A wedge with a round tip: the gap has the slope s/R up to `round`, b, and b/R beyond.
     ("wedge", Table(&[must("load", Number), must("radius", Number), must("round", Number)])),
     // The cone g = r tan β, of bodies of revolution.
@@ -72,7 +76,16 @@ pub(super) fn read(given: Value, scene: &Scene, contact: usize) -> Result<Shared
         }
         Ok(coefficients)
     };
-    if scene.is_of_revolution() {
+    if let Some(radial) = scene.plane.radial() {
+        if name == "lame" {
+            return lame_of_revolution(t, (scene, pair), radial);
+        }
+        if radial == 1 || !pair.path.is_around_axis(scene.plane) || !pair.path.is_straight() {
+            let message = format!("`{name}` is a closed form of a contact around the axis x = 0, along y = const");
+            return Err(
+                given.refused(message, "leave `oracle` out and give checks a `value`; of fitted rings use `lame`")
+            );
+        }
         let pressed = |powers: &[[f64; 2]]| Ok::<_, Error>(Indentation::of_load(load()?, modulus, powers, HALF_WIDTHS));
         return Ok(match name {
             "hertz" => Arc::new(Sphere { load: load()?, radius: length("radius")?, modulus }),
@@ -81,10 +94,11 @@ pub(super) fn read(given: Value, scene: &Scene, contact: usize) -> Result<Shared
                 let [second, fourth, sixth] = coefficients()?;
                 Arc::new(pressed(&[[second, 2.0], [fourth, 4.0], [sixth, 6.0]])?)
             }
+            "powers" => Arc::new(pressed(&powers(t.at("terms"))?)?),
             "cone" => Arc::new(pressed(&[[t.at("slope").positive()?, 1.0]])?),
             _ => {
                 let message = format!("`{name}` is a closed form of plane scenes, not of bodies of revolution");
-                let remedy = "use `hertz`, `flat-punch`, `polynomial` or `cone`, or leave `oracle` out and give checks a `value`";
+                let remedy = "use `hertz`, `flat-punch`, `polynomial`, `powers`, `cone` or `lame`, or leave `oracle` out and give checks a `value`";
                 return Err(given.refused(message, remedy));
             }
         });
@@ -136,9 +150,9 @@ pub(super) fn read(given: Value, scene: &Scene, contact: usize) -> Result<Shared
             };
             Arc::new(EvenGap::of_load(load()?, HALF_WIDTHS, gap))
         }
-        "cone" => {
-            let message = "`cone` is a closed form of bodies of revolution, and the scene is plane";
-            return Err(given.refused(message, "use `wedge`, or give `plane = \"axisymmetric\"`"));
+        "cone" | "powers" => {
+            let message = format!("`{name}` is a closed form of bodies of revolution, and the scene is plane");
+            return Err(given.refused(message, "use `wedge` or `polynomial`, or give `plane = \"axisymmetric\"`"));
         }
         "cosine" => {
             let wavelength = length("wavelength")?;
@@ -167,8 +181,25 @@ fn lame(t: Value, scene: &Scene, pair: &ContactPair) -> Result<PressFit, Error> 
     })
 }
 
+/// Rings of free ends about y = 0 that touch along a line of the shaft, or spheres about one centre on the axis.
+fn lame_of_revolution(t: Value, (scene, pair): (&Scene, &ContactPair), radial: usize) -> Result<SharedOracle, Error> {
+    let fit = lame(t, scene, pair)?;
+    match pair.path {
+        Path::Straight(_) if radial == 1 => return Ok(Arc::new(fit)),
+        Path::Arc(_) if radial == 0 => {}
+        _ => {
+            let message = "`lame` is of rings about y = 0 along a straight path, and of spheres along an arc about a centre on the axis";
+            return Err(t.refused(message, "give checks a `value` instead"));
+        }
+    }
+    let shell = |radii, material| Shell { shape: shell::Shape::Sphere, radii, pressures: [0.0; 2], material };
+    let (inner, outer) = (shell([fit.bore, fit.interface], fit.inner), shell([fit.interface, fit.outside], fit.outer));
+    Ok(Arc::new(Fitted { inner, outer, interference: fit.interference }))
+}
+
 /// The inner and the outer ring of a contact.
 pub(super) fn rings(pair: &ContactPair) -> [usize; 2] {
     let second = pair.second.unwrap_or(pair.first);
-    if pair.above { [pair.first, second] } else { [second, pair.first] }
+    // Of rings about y = 0 the upper body is the outer one.
+    if pair.above != pair.path.is_straight() { [pair.first, second] } else { [second, pair.first] }
 }

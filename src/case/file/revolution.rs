@@ -1,8 +1,28 @@
 //! `plane = "axisymmetric"`: what a scene of bodies of revolution has otherwise than one in the plane.
 
+use crate::case::file::contact::way;
 use crate::case::file::value::Value;
 use crate::error::Error;
+use crate::scene::revolution::{NO_HALF, beside};
 use crate::scene::{ContactPair, PlaneHypothesis};
+
+/// The plane hypothesis; of bodies of revolution about the `axis` that is named, `y` where none is.
+pub(super) fn plane(file: Value) -> Result<PlaneHypothesis, Error> {
+    let known = [
+        ("strain", PlaneHypothesis::Strain),
+        ("stress", PlaneHypothesis::Stress),
+        ("axisymmetric", PlaneHypothesis::Axisymmetric),
+    ];
+    let plane = file.at("plane").choice("plane hypothesis", &known)?;
+    match file.get("axis") {
+        Some(axis) if plane.is_of_revolution() => {
+            axis.choice("axis", &[("y", plane), ("x", PlaneHypothesis::AxisymmetricAboutX)])
+        }
+        Some(axis) => Err(axis
+            .refused("only bodies of revolution have an `axis`", "leave it out, or give `plane = \"axisymmetric\"`")),
+        None => Ok(plane),
+    }
+}
 
 /// The thickness of the bodies \[mm\], which those of revolution have not.
 pub(super) fn thickness(file: Value, plane: PlaneHypothesis) -> Result<f64, Error> {
@@ -21,32 +41,27 @@ pub(super) fn thickness(file: Value, plane: PlaneHypothesis) -> Result<f64, Erro
 }
 
 /// Refuses contacts that bodies of revolution cannot have.
-pub(super) fn refuse_other_contacts(contacts: &[Value]) -> Result<(), Error> {
-    for contact in contacts {
-        if let Some(given) = contact.asked("both-sides") {
-            let message = "bodies of revolution lie at x ≥ 0, on one side of their axis, and so does their contact";
-            return Err(given.refused(message, "leave `both-sides` out"));
-        }
-        if let Some(given) = contact.asked("symmetric") {
-            let message = "bodies of revolution are modelled whole: their section is no half of a symmetric scene";
-            return Err(given.refused(message, "leave `symmetric` out"));
-        }
-        if let Some(given) = contact.get("arc") {
-            let message = "contact along an arc is not computed for bodies of revolution: areas and forces are taken over the radius";
-            let remedy = "leave `arc` out: the gap of spheres is given along y = 0; a ring on a shaft is a plane scene";
+pub(super) fn refuse_other_contacts(plane: PlaneHypothesis, contacts: &[Value]) -> Result<(), Error> {
+    let Some(radial) = plane.radial() else { return Ok(()) };
+    for &contact in contacts {
+        if let Some(given) = contact.asked("symmetric").filter(|_| radial == 0) {
+            let [message, remedy] = NO_HALF;
             return Err(given.refused(message, remedy));
         }
-        let is_off = |origin: &Value| origin.entries().first().is_some_and(|x| x.number().abs() > 0.0);
-        if let Some(given) = contact.get("origin").filter(is_off) {
-            let message = "the contact coordinate of bodies of revolution is the radius, from the axis x = 0 on";
-            return Err(given.refused(message, "give an `origin` at x = 0"));
+        let (path, stretch) = way(contact)?;
+        if let Some([message, remedy]) = beside(&path, radial, stretch) {
+            let keys = ["arc", "origin", "both-sides"];
+            let given = keys.iter().find_map(|key| contact.get(key)).unwrap_or(contact);
+            return Err(given.refused(message, remedy));
         }
     }
     Ok(())
 }
 
-/// Sections of revolution stand for the whole bodies.
-pub(super) fn whole(mut pairs: Vec<ContactPair>) -> Vec<ContactPair> {
-    pairs.iter_mut().for_each(|pair| pair.symmetric = false);
+/// Sections of revolution about x = 0 stand for the whole bodies.
+pub(super) fn whole(plane: PlaneHypothesis, mut pairs: Vec<ContactPair>) -> Vec<ContactPair> {
+    if plane.radial() == Some(0) {
+        pairs.iter_mut().for_each(|pair| pair.symmetric = false);
+    }
     pairs
 }

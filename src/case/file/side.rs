@@ -344,9 +344,9 @@ struct Wanted<'a> {
 }
 
 impl Wanted<'_> {
-    /// What mends a side that lies elsewhere along the path: of bodies of revolution only one place is right.
+    /// What mends a side that lies elsewhere along the path: around the axis of revolution only one place is right.
     fn remedy(&self, in_the_plane: impl Into<String>) -> String {
-        match self.plane.is_of_revolution() {
+        match self.plane.radial() == Some(0) && !self.path.has_both_sides() {
             true => "bodies of revolution lie at x ≥ 0, and their contact begins on the axis x = 0".into(),
             false => in_the_plane.into(),
         }

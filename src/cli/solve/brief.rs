@@ -3,7 +3,7 @@
 use comfy_table::ColumnConstraint;
 
 use crate::accuracy::Barred;
-use crate::case::{Judged, Verdict};
+use crate::case::{self, Judged, Verdict};
 use crate::cli::json::oracle;
 use crate::cli::solve::found::Found;
 use crate::cli::terminal::{say, table_on, width};
@@ -83,9 +83,8 @@ fn of_contact(found: &Found, contact: usize) -> Vec<[String; 2]> {
         None => number(&Quantity::PeakPressure).told() + &at,
     };
     rows.push(["peak pressure".into(), peak]);
-    let name =
-        if scene.is_of_revolution() { "contact radius" } else { Quantity::HalfWidth.name(!pair.path.is_straight()) };
-    rows.push([name.into(), number(&Quantity::HalfWidth).told()]);
+    let half_width = case::Quantity::on(scene, contact, Quantity::HalfWidth);
+    rows.push([half_width.name().into(), number(&Quantity::HalfWidth).told()]);
     let (stretches, across) = (&measures.stretches, pair.path.has_both_sides());
     // From the line of symmetry to the half-width.
     let is_half = stretches.len() == 1 && !across && stretches[0].begin <= 0.0;

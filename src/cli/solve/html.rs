@@ -60,7 +60,7 @@ fn filled(parts: &[(&str, String)]) -> String {
 }
 
 /// Heads of the columns of checks.
-const CHECKED: [&str; 5] = ["verdict", "requirement", "value ± bound", "reference", "error"];
+const CHECKED: [&str; 5] = ["verdict", "requirement", "value ± error bar", "reference", "error"];
 
 fn checked(check: &Judged) -> [String; 5] {
     let [value, reference, error] =

@@ -29,7 +29,7 @@ pub fn print(found: &Found) {
         if several {
             say(format!("contact `{}`:", pair.name));
         }
-        let widths = if problem.scene.is_of_revolution() { OF_CIRCLE } else { OF_STRIP };
+        let widths = if problem.scene.is_around_axis(index) { OF_CIRCLE } else { OF_STRIP };
         print_contact((pair, widths), &run.contacts[index], &found.notes_of(index), if several { "  " } else { "" });
     }
     print_reactions(run, reactions);

@@ -1,7 +1,7 @@
 //! Two bars closing a gap.
 
 use super::{finite, non_negative, positive, uniform_answer};
-use crate::oracle::{Oracle, Quantity, Reading, ReferenceKind, Source};
+use crate::oracle::{Oracle, Quantity, Reading, Source};
 
 /// Two bars in line, one end moved towards the other until the gap closes (`ν = 0`).
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -39,10 +39,6 @@ impl Bars {
 impl Oracle for Bars {
     fn name(&self) -> &str {
         "two bars"
-    }
-
-    fn kind(&self) -> ReferenceKind {
-        ReferenceKind::Analytic
     }
 
     fn source(&self) -> Source {

@@ -6,8 +6,8 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use super::{answer, finite, grown_to, largest, positive};
-use crate::oracle::{Oracle, Quantity, Reading, ReferenceKind, Source};
+use super::{answer, grown_to, largest, positive};
+use crate::oracle::{Oracle, Quantity, Reading, Source};
 
 /// Terms of the potentials below this part of the first one are left out.
 const ROUNDING: f64 = 1e-18;
@@ -152,16 +152,12 @@ impl Oracle for EvenGap {
         "even gap on a half-plane"
     }
 
-    fn kind(&self) -> ReferenceKind {
-        ReferenceKind::Analytic
-    }
-
     fn source(&self) -> Source {
         Source::new("Johnson, Contact Mechanics, 1985, §2.7", "Glauert's integral, term by term")
     }
 
     fn read(&self, quantity: &Quantity) -> Reading {
-        let mut parameters = vec![
+        let parameters = vec![
             positive("modulus", self.modulus),
             positive("half_width", self.half_width),
             positive("first slope", self.slopes.first().copied().unwrap_or(f64::NAN)),
@@ -172,12 +168,11 @@ impl Oracle for EvenGap {
             Quantity::PeakPressure => self.peak_pressure(),
             Quantity::Resultant => self.load(),
             Quantity::Pressure { at } => {
-                parameters.push(finite("at", *at));
                 let cosine = *at / self.half_width;
                 if cosine.abs() < 1.0 { self.pressure(cosine.acos()) } else { 0.0 }
             }
             _ => return Reading::Silent,
         };
-        answer(&parameters, value)
+        answer(parameters, quantity, value)
     }
 }

@@ -2,8 +2,8 @@
 
 use std::f64::consts::PI;
 
-use super::{answer, finite, positive};
-use crate::oracle::{Oracle, Quantity, Reading, ReferenceKind, Source};
+use super::{answer, positive};
+use crate::oracle::{Oracle, Quantity, Reading, Source};
 
 /// Line contact of two cylinders, or of a cylinder and a plane (Johnson, Contact Mechanics, 1985, §4.2).
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -80,10 +80,6 @@ impl Oracle for Hertz {
         "Hertz"
     }
 
-    fn kind(&self) -> ReferenceKind {
-        ReferenceKind::Analytic
-    }
-
     fn source(&self) -> Source {
         Source::new(
             "H. Hertz 1882; K. L. Johnson, Contact Mechanics, 1985, §4.2",
@@ -92,18 +88,15 @@ impl Oracle for Hertz {
     }
 
     fn read(&self, quantity: &Quantity) -> Reading {
-        let mut parameters =
+        let parameters =
             vec![positive("load", self.load), positive("radius", self.radius), positive("modulus", self.modulus)];
         let value = match quantity {
             Quantity::HalfWidth | Quantity::SecondMomentWidth => self.half_width(),
             Quantity::PeakPressure => self.peak_pressure(),
             Quantity::Resultant => self.load,
-            Quantity::Pressure { at } => {
-                parameters.push(finite("at", *at));
-                self.pressure(*at)
-            }
+            Quantity::Pressure { at } => self.pressure(*at),
             _ => return Reading::Silent,
         };
-        answer(&parameters, value)
+        answer(parameters, quantity, value)
     }
 }

@@ -1,7 +1,7 @@
 //! Press fit of two rings.
 
 use super::{Parameter, Plane, answer, finite, non_negative, poisson_ratio, positive};
-use crate::oracle::{Oracle, Quantity, Reading, ReferenceKind, Source};
+use crate::oracle::{Oracle, Quantity, Reading, Source};
 use crate::scene::Material;
 
 /// Inner ring `a…b` pressed into an outer ring `b…c` (Lamé 1852).
@@ -27,7 +27,7 @@ pub struct PressFit {
 /// are in plane stress.
 fn in_plane(material: Material, plane: Plane) -> Material {
     match plane {
-        Plane::Stress | Plane::Axisymmetric => material,
+        Plane::Stress | Plane::Axisymmetric | Plane::AxisymmetricAboutX => material,
         Plane::Strain => Material {
             young: material.young / (1.0 - material.poisson.powi(2)),
             poisson: material.poisson / (1.0 - material.poisson),
@@ -91,10 +91,6 @@ impl Oracle for PressFit {
         "Lamé"
     }
 
-    fn kind(&self) -> ReferenceKind {
-        ReferenceKind::Analytic
-    }
-
     fn source(&self) -> Source {
         Source::new(
             "G. Lamé 1852; S. Timoshenko and J. N. Goodier, Theory of Elasticity, 1951, §26",
@@ -103,15 +99,11 @@ impl Oracle for PressFit {
     }
 
     fn read(&self, quantity: &Quantity) -> Reading {
-        let mut parameters = self.parameters();
+        let parameters = self.parameters();
         let value = match quantity {
-            Quantity::PeakPressure => self.pressure(),
-            Quantity::Pressure { at } => {
-                parameters.push(finite("at", *at));
-                self.pressure()
-            }
+            Quantity::PeakPressure | Quantity::Pressure { .. } => self.pressure(),
             _ => return Reading::Silent,
         };
-        answer(&parameters, value)
+        answer(parameters, quantity, value)
     }
 }

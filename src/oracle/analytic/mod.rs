@@ -59,8 +59,11 @@ fn poisson_ratio(name: &'static str, value: f64) -> Parameter {
     Parameter { name, value, holds: value > -1.0 && value <= 0.5, range: "above -1 and at most 0.5" }
 }
 
-/// The value as a reading, or which parameter keeps it from being one.
-fn answer(parameters: &[Parameter], value: f64) -> Reading {
+/// The value of a quantity as a reading, or which parameter, its place among them, keeps it from being one.
+fn answer(mut parameters: Vec<Parameter>, quantity: &Quantity, value: f64) -> Reading {
+    if let Quantity::Pressure { at } | Quantity::HoopStress { at } | Quantity::PinHoopStress { at } = quantity {
+        parameters.push(finite("at", *at));
+    }
     if let Some(wrong) = parameters.iter().find(|parameter| !parameter.holds) {
         return Reading::Unavailable(format!("{} is {}, must be {}", wrong.name, wrong.value, wrong.range));
     }
@@ -74,17 +77,13 @@ fn answer(parameters: &[Parameter], value: f64) -> Reading {
 }
 
 /// A quantity of a contact under one pressure everywhere.
-fn uniform_answer(mut parameters: Vec<Parameter>, quantity: &Quantity, pressure: f64, resultant: f64) -> Reading {
+fn uniform_answer(parameters: Vec<Parameter>, quantity: &Quantity, pressure: f64, resultant: f64) -> Reading {
     let value = match quantity {
         Quantity::Resultant => resultant,
-        Quantity::PeakPressure => pressure,
-        Quantity::Pressure { at } => {
-            parameters.push(finite("at", *at));
-            pressure
-        }
+        Quantity::PeakPressure | Quantity::Pressure { .. } => pressure,
         _ => return Reading::Silent,
     };
-    answer(&parameters, value)
+    answer(parameters, quantity, value)
 }
 
 /// Where a function is largest between two places, about the second of which it is even: the best of many, then a golden section.

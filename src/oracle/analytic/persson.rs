@@ -2,8 +2,8 @@
 
 use std::f64::consts::PI;
 
-use super::{Parameter, Plane, answer, finite, non_negative, poisson_ratio, positive};
-use crate::oracle::{Oracle, Quantity, Reading, ReferenceKind, Source};
+use super::{Parameter, Plane, answer, non_negative, poisson_ratio, positive};
+use crate::oracle::{Oracle, Quantity, Reading, Source};
 
 /// Frictionless pin in a hole of an infinite plate of the same material (Persson 1964).
 ///
@@ -159,10 +159,6 @@ impl Oracle for PinInHole {
         "Persson"
     }
 
-    fn kind(&self) -> ReferenceKind {
-        ReferenceKind::Analytic
-    }
-
     fn source(&self) -> Source {
         Source::new(
             "B. G. A. Persson, On the stress distribution of cylindrical elastic bodies in contact, 1964; \
@@ -172,10 +168,7 @@ impl Oracle for PinInHole {
     }
 
     fn read(&self, quantity: &Quantity) -> Reading {
-        let mut parameters = self.parameters();
-        if let Quantity::Pressure { at } | Quantity::HoopStress { at } | Quantity::PinHoopStress { at } = quantity {
-            parameters.push(finite("at", *at));
-        }
+        let parameters = self.parameters();
         let value = match quantity {
             Quantity::HalfWidth => self.half_angle(),
             Quantity::PeakPressure => self.peak_pressure(),
@@ -186,6 +179,6 @@ impl Oracle for PinInHole {
             Quantity::SecondMomentWidth => self.second_moment(),
             _ => return Reading::Silent,
         };
-        answer(&parameters, value)
+        answer(parameters, quantity, value)
     }
 }

@@ -2,8 +2,8 @@
 
 use std::f64::consts::PI;
 
-use super::{answer, finite, positive};
-use crate::oracle::{Oracle, Quantity, Reading, ReferenceKind, Source};
+use super::{answer, positive};
+use crate::oracle::{Oracle, Quantity, Reading, Source};
 
 /// Rigid flat punch with sharp corners (Sadowsky 1928; Johnson, Contact Mechanics, 1985, §2.8).
 ///
@@ -67,10 +67,6 @@ impl Oracle for FlatPunch {
         "flat punch"
     }
 
-    fn kind(&self) -> ReferenceKind {
-        ReferenceKind::Analytic
-    }
-
     fn source(&self) -> Source {
         Source::new(
             "M. Sadowsky 1928; K. L. Johnson, Contact Mechanics, 1985, §2.8",
@@ -79,17 +75,14 @@ impl Oracle for FlatPunch {
     }
 
     fn read(&self, quantity: &Quantity) -> Reading {
-        let mut parameters = vec![positive("load", self.load), positive("half_width", self.half_width)];
+        let parameters = vec![positive("load", self.load), positive("half_width", self.half_width)];
         let value = match quantity {
             Quantity::HalfWidth => self.half_width,
             Quantity::SecondMomentWidth => self.second_moment(),
             Quantity::Resultant => self.load,
-            Quantity::Pressure { at } => {
-                parameters.push(finite("at", *at));
-                self.pressure(*at)
-            }
+            Quantity::Pressure { at } => self.pressure(*at),
             _ => return Reading::Silent,
         };
-        answer(&parameters, value)
+        answer(parameters, quantity, value)
     }
 }

@@ -1,7 +1,7 @@
 //! A patch under uniform pressure.
 
 use super::{positive, uniform_answer};
-use crate::oracle::{Oracle, Quantity, Reading, ReferenceKind, Source};
+use crate::oracle::{Oracle, Quantity, Reading, Source};
 
 /// Two blocks with matching faces pressed together by a uniform pressure.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -27,10 +27,6 @@ impl Uniform {
 impl Oracle for Uniform {
     fn name(&self) -> &str {
         "uniform patch"
-    }
-
-    fn kind(&self) -> ReferenceKind {
-        ReferenceKind::Analytic
     }
 
     fn source(&self) -> Source {

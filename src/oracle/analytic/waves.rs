@@ -2,8 +2,8 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use super::{answer, finite, positive};
-use crate::oracle::{Oracle, Quantity, Reading, ReferenceKind, Source};
+use super::{answer, positive};
+use crate::oracle::{Oracle, Quantity, Reading, Source};
 
 /// Points of the midpoint rule of the second moment.
 const PARTS: usize = 512;
@@ -79,16 +79,12 @@ impl Oracle for Waves {
         "Westergaard"
     }
 
-    fn kind(&self) -> ReferenceKind {
-        ReferenceKind::Analytic
-    }
-
     fn source(&self) -> Source {
         Source::new("Westergaard 1939; Johnson, Contact Mechanics, 1985, §13.2", "as printed")
     }
 
     fn read(&self, quantity: &Quantity) -> Reading {
-        let mut parameters = vec![
+        let parameters = vec![
             positive("modulus", self.modulus),
             positive("amplitude", self.amplitude),
             positive("wavelength", self.wavelength),
@@ -99,12 +95,9 @@ impl Oracle for Waves {
             Quantity::SecondMomentWidth => self.second_moment(),
             Quantity::PeakPressure => self.pressure(0.0),
             Quantity::Resultant => self.mean * self.wavelength,
-            Quantity::Pressure { at } => {
-                parameters.push(finite("at", *at));
-                self.pressure(*at)
-            }
+            Quantity::Pressure { at } => self.pressure(*at),
             _ => return Reading::Silent,
         };
-        answer(&parameters, value)
+        answer(parameters, quantity, value)
     }
 }

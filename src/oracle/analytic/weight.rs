@@ -1,7 +1,7 @@
 //! A block under its own weight.
 
 use super::{positive, uniform_answer};
-use crate::oracle::{Oracle, Quantity, Reading, ReferenceKind, Source};
+use crate::oracle::{Oracle, Quantity, Reading, Source};
 
 /// Rectangular block standing free on a rigid frictionless plane.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -29,10 +29,6 @@ impl OwnWeight {
 impl Oracle for OwnWeight {
     fn name(&self) -> &str {
         "own weight"
-    }
-
-    fn kind(&self) -> ReferenceKind {
-        ReferenceKind::Analytic
     }
 
     fn source(&self) -> Source {

@@ -15,6 +15,9 @@ pub fn slope(profile: &Profile, s: f64) -> f64 {
             let terms = coefficients.iter().enumerate().rev();
             terms.fold(0.0, |sum, (k, c)| 2.0 * (k + 1) as f64 * c + sum * s * s) * s
         }
+        Profile::Powers { ref terms } => {
+            s.signum() * terms.iter().map(|[c, n]| c * n * s.abs().powf(n - 1.0)).sum::<f64>()
+        }
         Profile::Wedge { slope } => slope * s.signum(),
         Profile::Cosine { amplitude, wavelength } => {
             let wave = 2.0 * PI / wavelength;

@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::checkout::{root, sha256};
 use crate::error::Error;
-use crate::oracle::cross_code::{Code, DiscreteAnswer, scripts};
+use crate::oracle::cross_code::{Code, DiscreteAnswer, PhysicalScene, scripts};
 
 /// What renews the frozen results.
 pub const REFREEZE: &str = "freeze them again by `cargo run --release -p contact-vv-live`, and review the diff";
@@ -23,6 +23,26 @@ pub struct Frozen {
     pub versions: BTreeMap<String, String>,
     /// The same discrete problems, by name.
     pub discrete: BTreeMap<String, Digest>,
+}
+
+/// What the scripts of a folder answered, each by its key, of our scenes by name.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(bound = "K: Ord + Deserialize<'de>, A: Deserialize<'de>")]
+pub struct Answered<K, A> {
+    /// SHA-256 of the scripts.
+    pub scripts: String,
+    /// The scenes.
+    pub scenes: BTreeMap<String, Asked<K, A>>,
+}
+
+/// A scene, and what every script answers.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(bound = "K: Ord + Deserialize<'de>, A: Deserialize<'de>")]
+pub struct Asked<K, A> {
+    /// The scene as it was given.
+    pub scene: PhysicalScene,
+    /// The answers.
+    pub answers: BTreeMap<K, A>,
 }
 
 /// A discrete answer small enough to be kept: its products with the ten fixed vectors, and all contact pressures.

@@ -8,6 +8,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::checkout::root;
 use crate::error::Error;
+use crate::oracle::cross_code::frozen::Answered;
 
 /// What asks the scripts again.
 pub const ASK_AGAIN: &str = "run `/usr/bin/python3 oracles/high/freeze.py`, and review the diff";
@@ -36,31 +37,7 @@ impl Way {
 }
 
 /// What the scripts answered.
-#[derive(Clone, Debug, Deserialize)]
-pub struct High {
-    /// SHA-256 of the scripts.
-    pub scripts: String,
-    /// The scenes, by our names.
-    pub scenes: BTreeMap<String, Asked>,
-}
-
-/// A scene, and what every script answers.
-#[derive(Clone, Debug, Deserialize)]
-pub struct Asked {
-    /// The scene as it was given.
-    pub scene: Given,
-    /// The answers.
-    pub answers: BTreeMap<Way, Answer>,
-}
-
-/// A scene in numbers: lengths \[mm\], angles \[rad\], moduli \[MPa\] and forces \[N\] by name.
-#[derive(Clone, Debug, PartialEq, Deserialize)]
-pub struct Given {
-    /// Which body, supports and loads.
-    pub case: String,
-    /// The numbers.
-    pub numbers: BTreeMap<String, f64>,
-}
+pub type High = Answered<Way, Answer>;
 
 /// An answer.
 #[derive(Clone, Debug, Deserialize)]

@@ -129,7 +129,8 @@ pub struct PhysicalScene {
     pub case: String,
     /// Lengths \[mm\], angles \[rad\], moduli \[MPa\] and forces \[N\] by name.
     pub numbers: BTreeMap<String, f64>,
-    /// Contact coordinates at which the profile is asked \[mm, or rad\].
+    /// Contact coordinates at which the profile is asked \[mm, or rad\]; none where numbers alone are.
+    #[serde(default)]
     pub stations: Vec<f64>,
 }
 

@@ -1,35 +1,19 @@
 //! What the scripts of bodies of revolution in `oracles/revolution` answered, frozen in `oracles/frozen/revolution.json`.
 
-use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use serde::Deserialize;
 
 use crate::checkout::root;
 use crate::error::Error;
-use crate::oracle::cross_code::frozen::read_json;
-use crate::oracle::cross_code::{PhysicalAnswer, PhysicalScene};
+use crate::oracle::cross_code::PhysicalAnswer;
+use crate::oracle::cross_code::frozen::{Answered, read_json};
 
 /// What asks all scripts again.
 pub const RENEW: &str = "run `python3 oracles/revolution/freeze.py`";
 
-/// The frozen file.
-#[derive(Clone, Debug, Deserialize)]
-pub struct Revolution {
-    /// SHA-256 of the scripts.
-    pub scripts: String,
-    /// By case.
-    pub scenes: BTreeMap<String, Asked>,
-}
-
-/// A scene, and what every script answers, by the name of its module.
-#[derive(Clone, Debug, Deserialize)]
-pub struct Asked {
-    /// The scene.
-    pub scene: PhysicalScene,
-    /// The answers.
-    pub answers: BTreeMap<String, Series>,
-}
+/// What every script answers, by the name of its module.
+pub type Revolution = Answered<String, Series>;
 
 /// What a script answers.
 #[derive(Clone, Debug, Deserialize)]

@@ -63,6 +63,15 @@ pub(super) fn kind(discretisation: &Discretisation) -> Result<&'static str, Erro
         (PlaneHypothesis::Stress, Order::Quadratic) => "CPS8",
         (PlaneHypothesis::Axisymmetric, Order::Linear) => "CAX4",
         (PlaneHypothesis::Axisymmetric, Order::Quadratic) => "CAX8",
+        (PlaneHypothesis::AxisymmetricAboutX, _) => {
+            let message =
+                "bodies of revolution about y = 0 have no deck and no script: other codes turn them about x = 0";
+            return Err(Error::at(
+                "export",
+                message,
+                "exchange x and y in your code's own mesh, and hand in CSV or JSON to `judge`",
+            ));
+        }
         (_, order) => {
             let message =
                 format!("its cells have {} nodes, and other codes read those of 4 and 8", order.nodes_per_cell());

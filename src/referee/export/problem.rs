@@ -11,7 +11,7 @@ use crate::referee::answer::Point;
 use crate::referee::export::deck::kind;
 use crate::referee::export::rows::{approach, retained};
 use crate::referee::profile::tributary;
-use crate::scene::{Load, Place, PlaneHypothesis, Scene};
+use crate::scene::{Load, Place, Scene};
 use crate::solve::Discretisation;
 
 /// Scripts that solve an exported plane case by another code, and what they share: name, text, what it is.
@@ -29,12 +29,13 @@ pub const SCRIPTS: [(&str, &str, &str); 10] = [
 ];
 
 /// The same of bodies of revolution: none of the others knows a hoop strain.
-const OF_REVOLUTION: [(&str, &str, &str); 2] = [
+const OF_REVOLUTION: [(&str, &str, &str); 3] = [
     SCRIPTS[0],
+    (SCRIPTS[2].0, SCRIPTS[2].1, "what that one takes of NGSolve; alone it solves plane scenes"),
     (
         "run_revolution.py",
         include_str!("../../../oracles/peers/run_revolution.py"),
-        "solves it by scikit-fem, dolfinx or CalculiX; for GetFEM, NGSolve, SfePy, Kratos, Akantu and FElupe bodies of revolution have no script",
+        "solves it by scikit-fem, dolfinx, FElupe, NGSolve or CalculiX; for GetFEM, SfePy, Kratos and Akantu bodies of revolution have no script",
     ),
 ];
 
@@ -116,11 +117,7 @@ pub fn text(name: &str, discretisation: &Discretisation) -> Result<String, Error
     kind(discretisation)?;
     let mut problem = Problem {
         case: name.into(),
-        plane: match scene.plane {
-            PlaneHypothesis::Strain => "strain",
-            PlaneHypothesis::Stress => "stress",
-            PlaneHypothesis::Axisymmetric => "axisymmetric",
-        },
+        plane: scene.plane.name(),
         thickness: scene.thickness,
         order: mesh.order.number(),
         points: mesh.points.clone(),

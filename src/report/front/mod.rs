@@ -33,7 +33,8 @@ pub fn page(findings: &[Finding]) -> String {
     let symbols = links::to_page("symbols", symbols::FILE);
     format!(
         "# Validation report\n\nThree contact elements × three iterations for frictionless elastic contact in 2D (Égert 1999). \
-         Every sentence and number here is computed; do not edit. What letters stand for: {symbols}.\n\n{}\n",
+         Numbers, verdicts and conditions are computed, and with them the sentences that have any; typed are definitions, sources, hypotheses, \
+         the reasons of checks, and what is out of scope. Do not edit. What letters stand for: {symbols}.\n\n{}\n",
         body.trim_end()
     )
 }

@@ -1,8 +1,9 @@
 //! Is it right, and against what?
 
-use crate::case::Verdict;
-use crate::markdown;
+use crate::case::{Judged, Relation, Verdict};
+use crate::markdown::{self, Column};
 use crate::oracle::ReferenceKind;
+use crate::report::grouped::in_order;
 use crate::report::links::to_page as link;
 use crate::report::{checks_page, study_page, told};
 use crate::solve::Settings;
@@ -17,8 +18,8 @@ const SHOWS: [(ReferenceKind, &str, &str); 4] = [
     (ReferenceKind::Measured, "measurements", "that the equations are the right ones (validation)"),
 ];
 
-/// The share from which on a kind is called most of all.
-const MOST: f64 = 0.5;
+/// Truths of a kind that are named, those with the most checks.
+const NAMED: usize = 4;
 
 /// Whether any check fails, and how many error bars hold.
 pub fn right(findings: &[Finding]) -> String {
@@ -53,29 +54,61 @@ pub fn right(findings: &[Finding]) -> String {
     )
 }
 
-/// Counts of checks by kind, and what no measurement has seen.
+/// Counts of checks by kind, the truths with the agreement with each, and what no measurement has seen.
 pub fn against(findings: &[Finding]) -> String {
     let all = told::once(findings.iter().flat_map(|finding| &finding.judged));
     let own = |kind: ReferenceKind| all.iter().copied().filter(move |one| one.reference.kind == kind);
     let mut kinds = SHOWS;
     kinds.sort_by_key(|(kind, ..)| std::cmp::Reverse(own(*kind).count()));
-    let (largest, name, _) = kinds[0];
-    let share = own(largest).count() as f64 / all.len() as f64;
-    let most = if share > MOST { "Most" } else { "Many" };
     let rows = kinds.map(|(kind, against, shows)| {
         let [pass, fail, absent] = told::counts(own(kind)).map(|number| number.to_string());
-        vec![format!("{against} ({kind})"), shows.into(), own(kind).count().to_string(), pass, fail, absent]
+        let share = markdown::significant(100.0 * own(kind).count() as f64 / all.len().max(1) as f64, 2);
+        vec![format!("{against} ({kind})"), shows.into(), own(kind).count().to_string(), share, pass, fail, absent]
     });
-    let head = ["held against", "what it can show", "checks", "pass", "fail", "not run"].map(String::from);
+    let head = ["held against", "what it can show", "checks", "%", "pass", "fail", "not run"].map(String::from);
+    let truths: Vec<Agreement> = [ReferenceKind::Analytic, ReferenceKind::CrossCode, ReferenceKind::Measured]
+        .into_iter()
+        .flat_map(|kind| agreements(&own(kind).collect::<Vec<_>>()))
+        .collect();
+    let columns: [Column<Agreement>; 4] = [
+        ("truth", |(name, all)| format!("{name} ({})", all[0].reference.kind)),
+        ("numbers", |(_, all)| all.len().to_string()),
+        ("tightest agreement", |(_, all)| told_agreement(all.first())),
+        ("loosest", |(_, all)| told_agreement(all.last())),
+    ];
     format!(
-        "**{most} checks are held against {name}: {} of {} ({} %).** {} {}.\n\n{}",
-        own(largest).count(),
-        all.len(),
-        markdown::significant(100.0 * share, 2),
+        "{}\n{} {}. Of closed forms and of other codes the {NAMED} with the most numbers that agree \
+         with them, not by round-off alone:\n\n{}",
+        markdown::table(&head, &rows),
         experiments(findings),
         link("Each check, and how near it is to its limit", checks_page::FILE),
-        markdown::table(&head, &rows),
+        markdown::columns(&columns, &truths),
     )
+}
+
+/// A truth with the passed checks against it that have a relative error, by this.
+type Agreement<'a> = (&'a str, Vec<&'a Judged>);
+
+fn told_agreement(one: Option<&&Judged>) -> String {
+    one.map_or("–".into(), |one| format!("{}: {}", markdown::error(one.error), one.check.quantity.name()))
+}
+
+/// A tolerance from which on an error is counted in what it may be, and is no agreement; an agreement below the second is round-off.
+const COUNTED: f64 = 1.0;
+const ROUND_OFF: f64 = 1e-9;
+
+/// The truths of a kind that are named.
+fn agreements<'a>(own: &[&'a Judged]) -> Vec<Agreement<'a>> {
+    let is_agreement = |one: &&Judged| {
+        let near = !matches!(one.check.relation, Relation::AtMost | Relation::AtLeast);
+        one.verdict == Verdict::Pass && near && one.check.tolerance < COUNTED && one.error >= ROUND_OFF
+    };
+    let told = own.iter().copied().filter(is_agreement);
+    let mut truths = in_order(told.map(|one| (&*one.reference.name, one)));
+    truths.sort_by_key(|(_, all)| std::cmp::Reverse(all.len()));
+    truths.truncate(NAMED);
+    truths.iter_mut().for_each(|(_, all)| all.sort_by(|a, b| a.error.total_cmp(&b.error)));
+    truths
 }
 
 /// How many comparisons with measurements were judged, and of what kind.

@@ -8,6 +8,7 @@ use crate::report::matrix::{self, Column};
 use crate::report::{case_page, checks_page, statements, study_page, told};
 use crate::study::cases::page;
 use crate::study::paper::NOT_COVERED;
+use crate::study::paper::statement::Judgement;
 use crate::study::{Finding, Room, Study, cases, paper};
 
 /// Judgement and one measured clause.
@@ -15,7 +16,15 @@ pub fn statements(findings: &[Finding]) -> String {
     let judged = statements::judge(findings);
     let rows: Vec<Vec<String>> = judged
         .iter()
-        .map(|one| vec![one.text.into(), format!("**{}**", one.judgement.brief()), one.clause.clone()])
+        .map(|one| {
+            let judgement = format!("**{}**", one.judgement.brief());
+            let judgement = if matches!(one.judgement, Judgement::Undecidable(_)) {
+                link(&judgement, &study_page::file(paper::Numbers::NAME))
+            } else {
+                judgement
+            };
+            vec![one.text.into(), judgement, one.clause.clone()]
+        })
         .collect();
     let words = counted(judged.iter().map(|one| one.judgement.word()));
     let words: Vec<String> = words.iter().map(|(word, count)| format!("{count} {word}")).collect();
@@ -33,7 +42,9 @@ pub fn statements(findings: &[Finding]) -> String {
 
 /// The matrix of the cases that all formulations solve, and the others in short.
 pub fn verdicts(findings: &[Finding], recommended: Option<Column>) -> String {
-    let first = if recommended.is_some() { ", the recommended formulation first" } else { "" };
+    let first = recommended.map_or(String::new(), |(element, algorithm)| {
+        format!(", first by what is recommended, {} + {}", element.name(), algorithm.name())
+    });
     format!(
         "Iterations to convergence{first}; ✓ all checks of the run pass, ✗ some fail, ○ some could not be run, · reported only.\n\n{}\n{}",
         matrix::verdict_matrix(findings, recommended, named),

@@ -4,6 +4,7 @@ use crate::drawing::{ColourMap, Detail, Field, Window};
 use crate::error::Error;
 use crate::markdown::significant;
 use crate::solve::{Discretisation, Run, shapes};
+use crate::study::drawn::marks;
 
 /// Largest displacement in the drawing, over the size of the bodies.
 const SHOWN: f64 = 0.05;
@@ -45,7 +46,10 @@ pub fn field(discretisation: &Discretisation, run: &Run) -> Result<Option<Field>
         magnification,
         map: ColourMap::Sequential,
         range,
-        zoom: detail(discretisation, run, &fields.displacement, magnification),
+        details: (0..run.contacts.len())
+            .filter_map(|contact| detail(discretisation, run, contact, &fields.displacement, magnification))
+            .collect(),
+        marks: marks(discretisation)?,
         notes: overlap.into_iter().chain(above).collect(),
     }))
 }
@@ -77,16 +81,23 @@ fn range(values: &[f64]) -> (Option<(f64, f64)>, Option<String>) {
     (Some((low, high)), Some(note))
 }
 
-/// A square around the first contact as it is truly displaced, cut at the bodies; none where the contact is not small.
-fn detail(discretisation: &Discretisation, run: &Run, displacement: &[[f64; 2]], magnification: f64) -> Option<Detail> {
-    let (scene, mesh) = (&discretisation.scene, &discretisation.mesh);
-    let [begin, edge] = [run.measures().begin(), run.measures().edge()];
-    let reach = 0.5 * (edge - begin) * scene.contact().path.metric();
+/// A square around a contact as it is truly displaced, cut at the bodies; none where the contact is not small.
+fn detail(
+    discretisation: &Discretisation,
+    run: &Run,
+    contact: usize,
+    displacement: &[[f64; 2]],
+    magnification: f64,
+) -> Option<Detail> {
+    let (pair, mesh) = (&discretisation.scene.contacts[contact], &discretisation.mesh);
+    let measures = &run.contacts[contact].measures;
+    let [begin, edge] = [measures.begin(), measures.edge()];
+    let reach = 0.5 * (edge - begin) * pair.path.metric();
     if !(reach > 0.0 && reach < SMALL * side(bounds(&mesh.points))) {
         return None;
     }
-    let part = &mesh.bodies[scene.contact().first];
-    let own = &part.candidates[part.candidates_of(0)];
+    let part = &mesh.bodies[pair.first];
+    let own = &part.candidates[part.candidates_of(contact)];
     let closed = || own.iter().filter(|at| at.coordinate >= begin && at.coordinate <= edge);
     let moved = |node: usize| [0, 1].map(|k| mesh.points[node][k] + displacement[node][k]);
     let middle = bounds(&closed().map(|at| moved(at.node)).collect::<Vec<_>>()).map(|[low, high]| 0.5 * (low + high));
@@ -101,14 +112,14 @@ fn detail(discretisation: &Discretisation, run: &Run, displacement: &[[f64; 2]],
     let mean = [0, 1].map(|k| closed().map(|at| displacement[at.node][k]).sum::<f64>() / count);
     let further = |k: usize| ((magnification - 1.0) * mean[k], ends[k]);
     let [x, y] = [0, 1].map(further).map(|(by, (low, high))| (low + by, high + by));
-    Some(Detail { window: Window { x: ends[0], y: ends[1] }, magnification: 1.0, marked: Window { x, y } })
+    let name = if run.contacts.len() > 1 { pair.name.clone() } else { String::new() };
+    Some(Detail { name, window: Window { x: ends[0], y: ends[1] }, magnification: 1.0, marked: Window { x, y } })
 }
 
 /// What closed gaps look like where displacements are magnified, if it can be seen.
 fn overlap(discretisation: &Discretisation, run: &Run, magnification: f64, visible: f64) -> Option<String> {
     let floor = run.formulation.settings.tolerance * discretisation.scene.reference.pressure;
-    let elastic = discretisation.scene.contacts.iter().enumerate().filter(|(_, pair)| pair.second.is_some());
-    let gaps = elastic.flat_map(|(contact, pair)| {
+    let gaps = discretisation.scene.contacts.iter().enumerate().flat_map(|(contact, pair)| {
         let closed = run.solution.points_of(contact).iter().filter(move |point| point.pressure > floor);
         closed.map(|point| pair.gap(point.position))
     });

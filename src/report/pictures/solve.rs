@@ -74,7 +74,8 @@ fn profile(problem: &Case, run: &Run, contact: usize, [title, y]: [&str; 2], of:
     let x = Axis::linear(if factor > 1.0 { "θ [°]" } else { "s [mm]" }).over(ends[0], ends[1]);
     let title = if run.contacts.len() > 1 { format!("{title}, {}", pair.name) } else { title.to_string() };
     let mut chart = Chart::new(&title, x, Axis::linear(y));
-    chart.series.push(Series::new(label(&run.formulation), found, style(&run.formulation)));
+    let solid = Style { dash: Dash::Solid, ..style(&run.formulation) };
+    chart.series.push(Series::new(label(&run.formulation), found, solid));
     chart
 }
 
@@ -96,9 +97,10 @@ pub fn pressure(problem: &Case, run: &Run, contact: usize) -> Chart {
     let mut chart =
         profile(problem, run, contact, ["Contact pressure", "contact pressure [MPa]"], |point| point.pressure);
     let pair = &problem.scene.contacts[contact];
-    if let (Some(oracle), 0) = (problem.oracle(), contact) {
+    if let Some(oracle) = problem.oracle_of(contact) {
         let factor = display_factor(&pair.path);
-        let places = (0..=INTERVALS).map(|k| k as f64 / INTERVALS as f64 * pair.stretch);
+        let [begin, end] = [pair.begin(), pair.stretch];
+        let places = (0..=INTERVALS).map(|k| begin + k as f64 / INTERVALS as f64 * (end - begin));
         let curve = places.map(|s| (factor * s, problem.reference_pressure(contact, s)));
         chart.series.push(Series::new(oracle.name(), curve, Style::reference()));
     }

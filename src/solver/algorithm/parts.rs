@@ -32,7 +32,7 @@ pub fn forces(points: &[ContactPoint], states: &[PointState], dofs: usize) -> Ve
 
 /// `p̄ = Σ A_ie p_i / Σ A_ie` over each edge e of one contact, from the parts of the points' areas that belong to it.
 pub fn means(edges: &[ContactEdge], points: &[ContactPoint], states: &[PointState]) -> Vec<EdgeState> {
-    let empty = |edge: &ContactEdge| EdgeState { ends: edge.ends, weight: 0.0, pressure: 0.0, is_ring: edge.is_ring };
+    let empty = |edge: &ContactEdge| EdgeState { ends: edge.ends, weight: 0.0, pressure: 0.0, axis: edge.axis };
     let mut means: Vec<EdgeState> = edges.iter().map(empty).collect();
     for (point, state) in points.iter().zip(states) {
         for &(edge, area) in &point.shares {

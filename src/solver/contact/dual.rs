@@ -50,7 +50,7 @@ pub(super) fn rows(interface: &Interface, primary: &PrimarySurface) -> Vec<Vec<(
     }
     let each = rows.into_iter().zip(areas).zip(&interface.nodes);
     each.map(|((row, area), node)| {
-        if interface.is_of_revolution && node.coordinate <= primary.same {
+        if interface.is_on_axis(node.coordinate, primary.same) {
             let nodes = primary.at(node.coordinate).into_iter().flatten();
             return nodes.map(|(node, value)| (node.dof, value)).collect();
         }

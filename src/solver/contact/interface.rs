@@ -31,8 +31,8 @@ pub struct Interface {
     pub pair: ContactPair,
     /// Thickness \[mm\]; 1 of bodies of revolution.
     pub thickness: f64,
-    /// Whether the bodies are of revolution; the contact coordinate is then the radius.
-    pub is_of_revolution: bool,
+    /// Which coordinate of bodies of revolution is the radius.
+    pub radial: Option<usize>,
 }
 
 /// A node of the first body and, unless the other side is rigid, what it faces on the second.
@@ -104,8 +104,8 @@ impl Interface {
             .filter_map(|edge| edge.iter().map(|&n| index(n)).collect())
             .collect();
         edges.sort_by_key(|edge| edge[0].min(edge[1]));
-        let (thickness, is_of_revolution) = (scene.thickness, scene.is_of_revolution());
-        Ok(Self { nodes, edges, primary, contact, pair: pair.clone(), thickness, is_of_revolution })
+        let (thickness, radial) = (scene.thickness, scene.plane.radial());
+        Ok(Self { nodes, edges, primary, contact, pair: pair.clone(), thickness, radial })
     }
 
     /// Where the candidate edges begin and end.
@@ -113,14 +113,24 @@ impl Interface {
         self.edges.iter().map(|edge| {
             let [a, b] = [edge[0], edge[1]].map(|node| self.nodes[node].coordinate);
             let ends = [a.min(b), a.max(b)];
-            ContactEdge { contact: self.contact, ends, nodes: edge.len(), is_ring: self.is_of_revolution }
+            ContactEdge {
+                contact: self.contact,
+                ends,
+                nodes: edge.len(),
+                axis: self.radial.and_then(|radial| self.pair.path.axis(radial, ends)),
+            }
         })
     }
 
     /// The circumference `2πr` at a contact coordinate of bodies of revolution \[mm\]; 1 in the plane, where the thickness
     /// stands for it.
     pub fn circumference(&self, position: f64) -> f64 {
-        if self.is_of_revolution { TAU * position } else { 1.0 }
+        self.radial.map_or(1.0, |radial| TAU * self.pair.path.point(position)[radial])
+    }
+
+    /// Whether a contact coordinate is that of the axis of revolution, but for so much rounding \[mm\].
+    pub fn is_on_axis(&self, position: f64, rounding: f64) -> bool {
+        self.radial.is_some_and(|radial| self.pair.path.point(position)[radial] <= rounding)
     }
 
     /// At a natural coordinate of an edge: shape functions `N_a`, contact coordinate `s`, and length per ξ \[mm\].
@@ -141,7 +151,7 @@ impl Interface {
     /// of the edges the pressure of Hertz's sphere is 40 % too small at the axis.
     pub fn ruled(&self, edge: &[usize], quadrature: Quadrature) -> Vec<(f64, f64)> {
         let rule = quadrature.rule(edge.len());
-        if !self.is_of_revolution {
+        if self.radial.is_none() {
             return self.on_pieces(edge, &rule);
         }
         let area = |&(xi, weight): &(f64, f64)| {
@@ -164,7 +174,7 @@ impl Interface {
 
     /// Area of a point of such a rule \[mm²\], with the length of the edge per ξ there.
     pub fn area(&self, weight: f64, length: f64) -> f64 {
-        if self.is_of_revolution { weight } else { weight * length * self.thickness }
+        if self.radial.is_some() { weight } else { weight * length * self.thickness }
     }
 
     /// Points and weights of a rule on every piece of an edge; it is cut where opposite edges meet, so that the shape

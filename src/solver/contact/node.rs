@@ -26,7 +26,7 @@ impl ContactElement for Node {
         // On the axis of revolution the node of an edge of order 2 or more has no area, `∫ N r dr = 0` but for what a curved
         // edge adds, and carries nothing.
         let is_high = interface.edges.iter().any(|edge| edge.len() > 2);
-        let has_area = |node: &ContactNode| !(interface.is_of_revolution && is_high && node.coordinate <= ON_AXIS);
+        let has_area = |node: &ContactNode| !(is_high && interface.is_on_axis(node.coordinate, ON_AXIS));
         let nodes = interface.nodes.iter().zip(shares);
         nodes
             .filter(|(node, _)| has_area(node))

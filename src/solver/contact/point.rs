@@ -45,6 +45,6 @@ pub struct ContactEdge {
     pub ends: [f64; 2],
     /// Its nodes, 2 to 9.
     pub nodes: usize,
-    /// Whether it stands for a ring of a body of revolution, whose radius is the contact coordinate.
-    pub is_ring: bool,
+    /// Contact coordinate of the axis of revolution, by the line of its radii; none in the plane, and along the axis.
+    pub axis: Option<f64>,
 }

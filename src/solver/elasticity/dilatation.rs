@@ -42,8 +42,8 @@ impl Split {
         let mut plain = material.stiffness(plane);
         let ordinary = plain[2][2] * 2.0 * ORDINARY / (1.0 - 2.0 * ORDINARY);
         let excess = match plane {
-            PlaneHypothesis::Strain | PlaneHypothesis::Axisymmetric => (plain[0][1] - ordinary).max(0.0),
             PlaneHypothesis::Stress => 0.0,
+            _ => (plain[0][1] - ordinary).max(0.0),
         };
         plain[..2].iter_mut().flat_map(|row| &mut row[..2]).for_each(|entry| *entry -= excess);
         Self { plain, excess }

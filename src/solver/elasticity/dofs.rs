@@ -171,7 +171,9 @@ fn marks(scene: &Scene, mesh: &Mesh, body: usize, axes: &[[f64; 2]]) -> Result<V
     let mut marks = vec![[Mark::Free; 2]; axes.len()];
     let on_axis = axis::holds(scene, mesh, body);
     for node in mesh.bodies[body].nodes.clone().filter(|&node| on_axis(node)) {
-        let (axis, _) = aligned(axes[node - first], Component::X).ok_or_else(|| oblique(scene, body, node, "x"))?;
+        let radial = axis::radial(scene);
+        let (axis, _) =
+            aligned(axes[node - first], radial).ok_or_else(|| oblique(scene, body, node, &radial.to_string()))?;
         marks[node - first][axis] = Mark::Prescribed(0.0);
     }
     let mut set = |at: &Place, component: Component, mark: Mark| -> Result<(), Error> {

@@ -23,7 +23,8 @@ pub struct CellStiffness {
     split: Split,
     /// Thickness, or the circumference per radius of a body of revolution.
     thickness: f64,
-    is_of_revolution: bool,
+    /// Which coordinate of a body of revolution is the radius.
+    radial: Option<usize>,
     order: Order,
     processor: pulp::Arch,
 }
@@ -40,10 +41,8 @@ impl CellStiffness {
             true => Self::new(order, &material.stiffness(plane), thickness),
             false => Self::tabulated(order, Split::of(material, plane), thickness),
         };
-        match plane.is_of_revolution() {
-            true => Self { is_of_revolution: true, thickness: TAU, ..plane_kernel },
-            false => plane_kernel,
-        }
+        let radial = plane.radial();
+        Self { radial, thickness: radial.map_or(plane_kernel.thickness, |_| TAU), ..plane_kernel }
     }
 
     fn tabulated(order: Order, split: Split, thickness: f64) -> Self {
@@ -56,7 +55,7 @@ impl CellStiffness {
             rule: rule.iter().map(|&(at, weight)| (slopes(nodes, at), weight)).collect(),
             split,
             thickness,
-            is_of_revolution: false,
+            radial: None,
             order,
             processor: pulp::Arch::new(),
         }
@@ -106,16 +105,19 @@ impl CellStiffness {
     fn add_pairs_of_revolution<const N: usize, const G: usize>(
         &self,
         points: &[[f64; 2]; N],
+        radial: usize,
         pairs: &mut [[[[f64; N]; 2]; 2]; N],
     ) -> Result<(), f64> {
         // `λ + 2μ`, `λ` and `μ`.
         let [[direct, across, _], _, [_, _, shear]] = self.split.plain;
         let mut samples = [Sample::EMPTY; G];
         self.sample(points, &mut samples)?;
-        let hoops = self.revolve(points, &mut samples);
+        let hoops = self.revolve(points, radial, &mut samples);
         for (a, pair) in pairs.iter_mut().enumerate() {
-            let [[rr, rz], [zr, zz]] = pair;
-            for (Sample { gradients: [along_r, along_z], area }, hoop) in samples.iter().zip(&hoops) {
+            let [[xx, xy], [yx, yy]] = pair;
+            let (rr, rz, zr, zz) = if radial == 0 { (xx, xy, yx, yy) } else { (yy, yx, xy, xx) };
+            for (Sample { gradients, area }, hoop) in samples.iter().zip(&hoops) {
+                let [along_r, along_z] = [&gradients[radial], &gradients[1 - radial]];
                 let [r, z, h] = [along_r[a], along_z[a], hoop[a]].map(|strain| area * strain);
                 add_scaled(rr, direct * r + across * h, along_r);
                 add_scaled(rr, across * r + direct * h, hoop);
@@ -130,7 +132,7 @@ impl CellStiffness {
             }
         }
         if self.split.excess > 0.0 {
-            self.modes(points, &dilating(samples, &hoops)).add(self.split.excess, pairs);
+            self.modes(points, &dilating(samples, radial, &hoops)).add(self.split.excess, pairs);
         }
         Ok(())
     }
@@ -140,11 +142,12 @@ impl CellStiffness {
     fn revolve<const N: usize, const G: usize>(
         &self,
         points: &[[f64; 2]; N],
+        radial: usize,
         samples: &mut [Sample<N>; G],
     ) -> [[f64; N]; G] {
         let mut hoops = [[0.0; N]; G];
         for ((sample, shapes), hoop) in samples.iter_mut().zip(&self.shapes).zip(&mut hoops) {
-            let [radius, _] = place(shapes, points);
+            let radius = place(shapes, points)[radial];
             sample.area *= radius;
             hoop.iter_mut().zip(shapes).for_each(|(hoop, value)| *hoop = value / radius);
         }
@@ -190,14 +193,14 @@ impl CellStiffness {
         }
     }
 
-    /// Stresses `σ = D₀ ε + λ₁ θ̄ m` \[MPa\] at some natural coordinates of the cell with nodes at some points.
+    /// Stresses `σ = D₀ ε + λ₁ θ̄ m` \[MPa\] at some places of the cell with nodes at some points.
     ///
     /// A Jacobian determinant that is not positive is returned as the error.
     pub fn stresses(
         &self,
         points: &[[f64; 2]],
         displacements: &[[f64; 2]],
-        at: &[[f64; 2]],
+        at: &[Tabulated],
     ) -> Result<Vec<[f64; 3]>, f64> {
         let smoothed = match self.order {
             Order::Linear if self.split.excess > 0.0 => self.smoothed::<4, 4>(points, displacements, at)?,
@@ -206,19 +209,20 @@ impl CellStiffness {
             _ => vec![0.0; at.len()],
         };
         let mut stresses = vec![[0.0; 3]; at.len()];
-        for ((&at, mean), stress) in at.iter().zip(smoothed).zip(&mut stresses) {
+        for ((Tabulated { shapes, slopes }, mean), stress) in at.iter().zip(smoothed).zip(&mut stresses) {
+            let (inverse, _) = jacobian(slopes, points)?;
             let mut strain = [0.0; 3];
-            for ([x, y], [u, v]) in gradients(points, at)?.0.into_iter().zip(displacements) {
+            for (slope, [u, v]) in slopes.iter().zip(displacements) {
+                let [x, y] = gradient(&inverse, slope);
                 strain[0] += x * u;
                 strain[1] += y * v;
                 strain[2] += y * u + x * v;
             }
             let d = &self.split.plain;
             *stress = std::array::from_fn(|i| (0..3).map(|j| d[i][j] * strain[j]).sum());
-            if self.is_of_revolution {
-                let shapes = shape_functions::values(points.len(), at);
-                let [[radius, _], [outwards, _]] = [place(&shapes, points), place(&shapes, displacements)];
-                let hoop = hoop_strain(radius, outwards, strain[0]);
+            if let Some(radial) = self.radial {
+                let [radius, outwards] = [points, displacements].map(|of| place(shapes, of)[radial]);
+                let hoop = hoop_strain(radius, outwards, strain[radial]);
                 stress[..2].iter_mut().for_each(|stress| *stress += d[0][1] * hoop);
             }
             stress[..2].iter_mut().for_each(|stress| *stress += mean);
@@ -226,23 +230,23 @@ impl CellStiffness {
         Ok(stresses)
     }
 
-    /// `λ₁ θ̄` \[MPa\] at some natural coordinates.
+    /// `λ₁ θ̄` \[MPa\] at some places.
     fn smoothed<const N: usize, const G: usize>(
         &self,
         points: &[[f64; 2]],
         displacements: &[[f64; 2]],
-        at: &[[f64; 2]],
+        at: &[Tabulated],
     ) -> Result<Vec<f64>, f64> {
         let [points, displacements] =
             [points, displacements].map(|all| std::array::from_fn(|a| all.get(a).copied().unwrap_or([f64::NAN; 2])));
         let mut samples = [Sample::EMPTY; G];
         self.sample(&points, &mut samples)?;
-        if self.is_of_revolution {
-            let hoops = self.revolve(&points, &mut samples);
-            samples = dilating(samples, &hoops);
+        if let Some(radial) = self.radial {
+            let hoops = self.revolve(&points, radial, &mut samples);
+            samples = dilating(samples, radial, &hoops);
         }
         let modes = self.modes::<N, G>(&points, &samples);
-        let places = at.iter().map(|&at| place(&shape_functions::values(N, at), &points));
+        let places = at.iter().map(|at| place(&at.shapes, &points));
         Ok(modes.dilatation(&displacements, places).map(|theta| self.split.excess * theta).collect())
     }
 
@@ -254,8 +258,8 @@ impl CellStiffness {
     ) -> Result<(), f64> {
         let points: [[f64; 2]; N] = std::array::from_fn(|_| points.next().unwrap_or([f64::NAN; 2]));
         let mut pairs = [[[[0.0; N]; 2]; 2]; N];
-        if self.is_of_revolution {
-            let sums = AddPairsOfRevolution::<N, G> { kernel: self, points: &points, pairs: &mut pairs };
+        if let Some(radial) = self.radial {
+            let sums = AddPairsOfRevolution::<N, G> { kernel: self, points: &points, radial, pairs: &mut pairs };
             self.processor.dispatch(sums)?;
         } else {
             self.processor.dispatch(AddPairs::<N, G> { kernel: self, points: &points, pairs: &mut pairs })?;
@@ -276,6 +280,23 @@ impl CellStiffness {
             *at = place(shapes, points);
         }
         Modes::of(samples, &places)
+    }
+}
+
+/// The shape functions of a cell and their slopes at a place of it, the same for all cells.
+#[derive(Clone, Debug)]
+pub struct Tabulated {
+    /// `N_a`.
+    shapes: Vec<f64>,
+    /// `[∂N_a/∂ξ, ∂N_a/∂η]`.
+    slopes: Vec<[f64; 2]>,
+}
+
+impl Tabulated {
+    /// Those of a cell of so many nodes at (ξ, η).
+    pub fn of(nodes: usize, at: [f64; 2]) -> Self {
+        let (shapes, slopes) = shape_functions::cell(nodes, at).into_iter().unzip();
+        Self { shapes, slopes }
     }
 }
 
@@ -300,6 +321,7 @@ impl<const N: usize, const G: usize> pulp::WithSimd for AddPairs<'_, N, G> {
 struct AddPairsOfRevolution<'a, const N: usize, const G: usize> {
     kernel: &'a CellStiffness,
     points: &'a [[f64; 2]; N],
+    radial: usize,
     pairs: &'a mut [[[[f64; N]; 2]; 2]; N],
 }
 
@@ -308,14 +330,18 @@ impl<const N: usize, const G: usize> pulp::WithSimd for AddPairsOfRevolution<'_,
 
     #[inline(always)]
     fn with_simd<S: pulp::Simd>(self, _: S) -> Self::Output {
-        self.kernel.add_pairs_of_revolution::<N, G>(self.points, self.pairs)
+        self.kernel.add_pairs_of_revolution::<N, G>(self.points, self.radial, self.pairs)
     }
 }
 
 /// Samples whose gradients are those of the dilatation, `N_a,r + N_a/r` and `N_a,z`.
-fn dilating<const N: usize, const G: usize>(mut samples: [Sample<N>; G], hoops: &[[f64; N]; G]) -> [Sample<N>; G] {
+fn dilating<const N: usize, const G: usize>(
+    mut samples: [Sample<N>; G],
+    radial: usize,
+    hoops: &[[f64; N]; G],
+) -> [Sample<N>; G] {
     for (sample, hoop) in samples.iter_mut().zip(hoops) {
-        sample.gradients[0].iter_mut().zip(hoop).for_each(|(radial, hoop)| *radial += hoop);
+        sample.gradients[radial].iter_mut().zip(hoop).for_each(|(radial, hoop)| *radial += hoop);
     }
     samples
 }

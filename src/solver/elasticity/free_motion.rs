@@ -130,8 +130,8 @@ impl Frame {
 /// What the supports and the rigid faces of a body stop, and the axis of a body of revolution.
 fn supported(scene: &Scene, mesh: &Mesh, body: usize, dofs: &Dofs, frame: Frame) -> Result<Vec<[f64; 3]>, Error> {
     let mut rows = Vec::new();
-    if scene.is_of_revolution() {
-        rows.extend([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0]]);
+    if let Some(radial) = scene.plane.radial() {
+        rows.extend([radial, 2].map(|held| [0, 1, 2].map(|k| if k == held { 1.0 } else { 0.0 })));
     }
     for node in mesh.bodies[body].nodes.clone() {
         let components = dofs.of_node(node).into_iter().zip(dofs.frame(node));

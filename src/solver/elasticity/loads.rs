@@ -77,8 +77,8 @@ fn body_force(scene: &Scene, mesh: &Mesh, body: usize, density: [f64; 2], take: 
             let (_, determinant) =
                 element::gradients(&points, at).map_err(|jacobian| degenerate(scene, body, cell, jacobian))?;
             let shapes = shape_functions::cell(points.len(), at);
-            let radius = shapes.iter().zip(&points).map(|((value, _), point)| value * point[0]).sum();
-            let volume = weight * determinant * scene.depth(radius);
+            let of = |k: usize| shapes.iter().zip(&points).map(|((value, _), point)| value * point[k]).sum();
+            let volume = weight * determinant * scene.depth([of(0), of(1)]);
             for (&node, (value, _)) in nodes.iter().zip(shapes) {
                 take(node, density.map(|b| b * value * volume));
             }

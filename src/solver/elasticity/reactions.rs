@@ -7,7 +7,7 @@ use crate::elasticity::degenerate::degenerate;
 use crate::elasticity::element::CellStiffness;
 use crate::error::Error;
 use crate::mesh::Mesh;
-use crate::scene::{Component, Scene};
+use crate::scene::Scene;
 
 /// Internal force `Σ k_e u_e` of a body at each of its nodes, in x and y \[N\]: what must act on a node to hold the cells
 /// around it as deformed as they are.
@@ -53,13 +53,13 @@ pub fn internal_forces_at(
 }
 
 /// Which support of a body holds a component of a node: the last one that prescribes it, as in the numbering. The axis of a
-/// body of revolution holds its nodes along x by itself.
+/// body of revolution holds its nodes along the radius by itself.
 pub fn holders(scene: &Scene, mesh: &Mesh, body: usize) -> Result<BTreeMap<(usize, usize), usize>, Error> {
     let mut holders = BTreeMap::new();
     let on_axis = axis::holds(scene, mesh, body);
     for (index, support) in scene.bodies[body].supports.iter().enumerate() {
         for node in mesh.nodes_at(scene, body, &support.at)? {
-            if support.component == Component::Y || !on_axis(node) {
+            if support.component != axis::radial(scene) || !on_axis(node) {
                 holders.insert((node, support.component.index()), index);
             }
         }

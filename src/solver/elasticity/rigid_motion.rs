@@ -50,8 +50,8 @@ pub fn refuse_free(scene: &Scene, mesh: &Mesh, body: usize, dofs: &Dofs) -> Resu
             hold(held(edge[0], axis) - held(edge[1], axis));
         }
     }
-    if scene.is_of_revolution() {
-        [Vector3::x(), Vector3::z()].into_iter().for_each(&mut hold);
+    if let Some(radial) = scene.plane.radial() {
+        [Vector3::ith(radial, 1.0), Vector3::z()].into_iter().for_each(&mut hold);
     }
     let eigen = SymmetricEigen::new(gram);
     let weakest = eigen.eigenvalues.imin();

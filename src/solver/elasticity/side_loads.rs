@@ -82,7 +82,7 @@ impl<'a> LoadedSide<'a> {
     fn integrate(&self, traction: &dyn Fn([f64; 2], [f64; 2], f64) -> [f64; 2], take: Taker) {
         for Sample { edge, shapes, point, slope, weight } in self.samples() {
             let t = traction(point, [slope[1], -slope[0]], slope[0].hypot(slope[1]));
-            let depth = self.scene.depth(point[0]);
+            let depth = self.scene.depth(point);
             for (&node, (value, _)) in edge.iter().zip(&shapes) {
                 take(node, t.map(|t| t * value * weight * depth));
             }
@@ -92,7 +92,7 @@ impl<'a> LoadedSide<'a> {
     /// Area of the side \[mm²\].
     fn area(&self) -> f64 {
         match self.scene.is_of_revolution() {
-            true => self.integral(|point| self.scene.depth(point[0])),
+            true => self.integral(|point| self.scene.depth(point)),
             false => self.scene.thickness * self.integral(|_| 1.0),
         }
     }

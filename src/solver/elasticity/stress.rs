@@ -1,7 +1,7 @@
 //! Nodal stresses: from Gauss points to the nodes, averaged over the cells that meet at a node.
 
 use crate::elasticity::degenerate::degenerate;
-use crate::elasticity::element::CellStiffness;
+use crate::elasticity::element::{CellStiffness, Tabulated};
 use crate::elasticity::{quadrature, shape_functions};
 use crate::error::Error;
 use crate::mesh::{Mesh, Order, lobatto};
@@ -28,6 +28,7 @@ pub fn of_body(
     let mut sums = vec![[0.0; 3]; part.nodes.len()];
     let mut counts = vec![0.0; part.nodes.len()];
     let (places, weights) = extrapolation(mesh.order);
+    let places: Vec<Tabulated> = places.into_iter().map(|at| Tabulated::of(mesh.order.nodes_per_cell(), at)).collect();
     let kernel = CellStiffness::of(mesh.order, &scene.bodies[body].material, scene.plane, scene.thickness);
     for cell in part.cells.clone() {
         let nodes = mesh.cell(cell);
@@ -78,7 +79,9 @@ pub fn across([x, y, _]: [f64; 3], plane: PlaneHypothesis, material: &Material, 
     match plane {
         PlaneHypothesis::Stress => 0.0,
         PlaneHypothesis::Strain => material.poisson * (x + y),
-        PlaneHypothesis::Axisymmetric => material.poisson * (x + y) + material.young * hoop_strain,
+        PlaneHypothesis::Axisymmetric | PlaneHypothesis::AxisymmetricAboutX => {
+            material.poisson * (x + y) + material.young * hoop_strain
+        }
     }
 }
 

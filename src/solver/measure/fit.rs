@@ -45,9 +45,9 @@ impl Fit {
         let scaled = |s: f64| (s - centre) / width;
         let row_of = |pair: &EdgeState| {
             let [a, b] = pair.ends.map(scaled);
-            let mean = |k: i32| match pair.is_ring {
-                true => mean_of_power_over_ring([a, b], scaled(0.0), k),
-                false => mean_of_power(a, b, k),
+            let mean = |k: i32| match pair.axis {
+                Some(axis) => mean_of_power_over_ring([a, b], scaled(axis), k),
+                None => mean_of_power(a, b, k),
             };
             (b - a, powers(count, mean), pair.pressure)
         };

@@ -45,12 +45,12 @@ pub use stretch::Stretch;
 #[derive(Clone, Debug, serde::Serialize)]
 pub struct Measures {
     /// Second-moment width about the centre, `2 √(∫p (s − c)² / ∫p)` \[mm\]: that of a semi-ellipse is its half-width; on arcs the
-    /// same functional of the angle \[rad\]. On bodies of revolution `√(5/2 ∫p r² dA / ∫p dA)`, the radius of a semi-ellipsoid.
+    /// same functional of the angle \[rad\]. Around an axis of revolution `√(5/2 ∫p r² dA / ∫p dA)`, the radius of a semi-ellipsoid.
     pub second_moment_width: f64,
     /// Centre of pressure `∫p s / ∫p` of a contact on both sides of s = 0; 0 where it begins there \[mm\].
     pub centre: f64,
-    /// Half-width by counting active points: `Σ A / thickness` over them, half of it on both sides \[mm, or rad\]; on bodies of
-    /// revolution the radius of the circle of that area.
+    /// Half-width by counting active points: `Σ A / thickness` over them, half of it on both sides \[mm, or rad\]; around an axis
+    /// of revolution the radius of the circle of that area.
     pub half_width_nodes: f64,
     /// Active points: with a pressure above [`ACTIVE`] times the largest.
     pub active: usize,
@@ -90,7 +90,7 @@ impl Measures {
     pub fn of(scene: &Scene, contact: usize, part: Part) -> Self {
         let Part { points, edges, .. } = part;
         let pair = &scene.contacts[contact];
-        let (across, revolves) = (pair.path.has_both_sides(), scene.is_of_revolution());
+        let (across, is_circle) = (pair.path.has_both_sides(), scene.is_around_axis(contact));
         let centre = if across { profile::centre(points) } else { 0.0 };
         let largest = points.iter().max_by(|a, b| a.pressure.total_cmp(&b.pressure));
         let largest = largest.map_or(f64::NAN, |point| point.pressure);
@@ -106,11 +106,15 @@ impl Measures {
         let nodal::Reading { peak, through_points, at_origin } = nodal::read(part, centre).unwrap_or_else(in_pairs);
         Self {
             second_moment_width: profile::second_moment_width(points, centre)
-                * if revolves { OF_ELLIPSOID } else { 1.0 },
+                * if is_circle { OF_ELLIPSOID } else { 1.0 },
             centre,
-            half_width_nodes: match (active().map(|p| p.weight).sum::<f64>(), revolves) {
-                (area, true) => (area / PI).sqrt(),
-                (area, false) => area / (sides * scene.thickness * pair.path.metric()),
+            half_width_nodes: match active().map(|p| p.weight).sum::<f64>() {
+                area if is_circle => (area / PI).sqrt() / pair.path.metric(),
+                _ if scene.is_of_revolution() => {
+                    let lengths = active().map(|p| p.weight / scene.depth(pair.path.point(p.position)));
+                    lengths.sum::<f64>() / (sides * pair.path.metric())
+                }
+                area => area / (sides * scene.thickness * pair.path.metric()),
             },
             active: active().count(),
             pressed_edges: edges.iter().filter(|edge| edge.pressure > floor).count(),

@@ -9,7 +9,7 @@ use crate::measure::fit::{Fit, Peak, ROUNDING, least_squares, powers};
 use crate::measure::peak::{DROP, PARABOLA, QUARTIC, on_one_side};
 use crate::measure::profile;
 use crate::mesh::lobatto::{self, lagrange, legendre};
-use crate::solution::{Part, PointState};
+use crate::solution::{EdgeState, Part, PointState};
 
 /// Nodes of an edge beyond which its points tell the profile better than means over edges.
 const MANY: usize = 3;
@@ -81,7 +81,9 @@ pub fn read(part: Part, centre: f64) -> Option<Reading> {
 /// fewer than there are nodes inside the edge whose own means are theirs halves that at order 6 and 7, at order 8 it leaves a third. None
 /// where points are no nodes, are [few](INNER), or one does not press, or where the means depart from it.
 fn on_axis(part: Part) -> Option<f64> {
-    let first = part.edges.first().filter(|edge| edge.is_ring && edge.ends[0].abs() <= ROUNDING * edge.ends[1])?;
+    let is_at_0 = |s: f64, edge: &EdgeState| s.abs() <= ROUNDING * edge.ends[1];
+    let first = part.edges.first().filter(|edge| edge.axis.is_some_and(|axis| is_at_0(axis, edge)))?;
+    let first = Some(first).filter(|edge| is_at_0(edge.ends[0], edge))?;
     let nodes: Vec<f64> = lobatto::points(part.nodes).iter().map(|x| 0.5 * (1.0 + x)).collect();
     let inside = part.nodes.checked_sub(2).filter(|inside| *inside >= INNER)?;
     let points = part.points.get(..inside)?;

@@ -94,7 +94,7 @@ fn pairs(edges: &[EdgeState]) -> Vec<EdgeState> {
     let joined = |two: &[EdgeState]| {
         let weight = two[0].weight + two[1].weight;
         let force = two[0].weight * two[0].pressure + two[1].weight * two[1].pressure;
-        EdgeState { ends: [two[0].ends[0], two[1].ends[1]], weight, pressure: force / weight, is_ring: two[0].is_ring }
+        EdgeState { ends: [two[0].ends[0], two[1].ends[1]], weight, pressure: force / weight, axis: two[0].axis }
     };
     if all.len() < 2 { all } else { all.windows(2).map(joined).collect() }
 }
@@ -189,7 +189,7 @@ pub fn drawn(edges: &[EdgeState], floor: f64) -> Drawn {
     // The mean of a parabola over a circle is above that over the strip which the means over rings continue, by a sixth of
     // what the rings fall from the first to the second.
     let above_strip = |k: usize| {
-        let is_circle = pairs[k].is_ring && pairs[k].ends[0] < 0.0 && pairs[k].ends[1] > 0.0;
+        let is_circle = pairs[k].axis.is_some_and(|axis| pairs[k].ends[0] < axis && axis < pairs[k].ends[1]);
         if is_circle { (pressure(k + 1) - pressure(k + 2)) / 6.0 } else { 0.0 }
     };
     let within = |k: isize| usize::try_from(k).ok().filter(|&k| k < pairs.len());

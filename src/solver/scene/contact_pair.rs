@@ -72,6 +72,11 @@ pub enum Profile {
         /// `c_k` [mm^{−1−2k}].
         coefficients: Arc<[f64]>,
     },
+    /// Powers `g = Σ c |s|ⁿ`, n > 1.
+    Powers {
+        /// `[c, n]` of each term [mm^{1−n}, 1].
+        terms: Arc<[[f64; 2]]>,
+    },
     /// Wedge, `g = s tan β`.
     Wedge {
         /// `tan β`.
@@ -214,6 +219,7 @@ impl Profile {
             Self::Circles { radii } => gap_of_circles(radii, s),
             Self::Parabola { radius } => s * s / (2.0 * radius),
             Self::Even { ref coefficients } => coefficients.iter().rev().fold(0.0, |sum, c| c + sum * s * s) * s * s,
+            Self::Powers { ref terms } => terms.iter().map(|[c, n]| c * s.abs().powf(*n)).sum(),
             Self::Wedge { slope } => slope * s.abs(),
             // 1 − cos x = 2 sin² x/2, without lost digits.
             Self::Cosine { amplitude, wavelength } => {
@@ -268,6 +274,14 @@ impl Profile {
             }
             _ => Vec::new(),
         })
+    }
+
+    /// By how much the pressure falls from s = 0 over a spacing of nodes, over E\*: `c n (2 − n)/(n − 1) hⁿ⁻¹` of a power below 2, whose
+    /// pressure has a cusp there; at least what the closed form of a body of revolution says.
+    pub fn cusp(&self, spacing: f64) -> f64 {
+        let Self::Powers { terms } = self else { return 0.0 };
+        let of = |[c, n]: &[f64; 2]| c.abs() * n * (2.0 - n) / (n - 1.0) * spacing.powf(n - 1.0);
+        terms.iter().filter(|[_, n]| *n < 2.0).map(of).sum()
     }
 
     /// Whether points tell the gap, between which its curvature, or its slope, may leap.

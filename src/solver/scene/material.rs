@@ -12,6 +12,8 @@ pub enum PlaneHypothesis {
     Stress,
     /// Bodies of revolution about x = 0: x is the radius r, y the axial coordinate, and `ε_θ = u_r/r`.
     Axisymmetric,
+    /// The same about y = 0: y is the radius, and x the axial coordinate.
+    AxisymmetricAboutX,
 }
 
 /// Largest Poisson's ratio in plane strain and of bodies of revolution.
@@ -21,17 +23,37 @@ pub enum PlaneHypothesis {
 pub const LARGEST_POISSON: f64 = 0.4999;
 
 impl PlaneHypothesis {
+    /// In a word.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Strain => "strain",
+            Self::Stress => "stress",
+            Self::Axisymmetric | Self::AxisymmetricAboutX => "axisymmetric",
+        }
+    }
+
     /// Whether bodies may have a Poisson's ratio.
     pub fn takes(self, poisson: f64) -> bool {
         match self {
-            Self::Strain | Self::Axisymmetric => poisson > -1.0 && poisson <= LARGEST_POISSON,
+            Self::Strain | Self::Axisymmetric | Self::AxisymmetricAboutX => {
+                poisson > -1.0 && poisson <= LARGEST_POISSON
+            }
             Self::Stress => poisson > -1.0 && poisson < 1.0,
         }
     }
 
     /// Whether the bodies are of revolution.
     pub fn is_of_revolution(self) -> bool {
-        self == Self::Axisymmetric
+        self.radial().is_some()
+    }
+
+    /// Which coordinate of bodies of revolution is the radius: x, 0, or y, 1; none in the plane.
+    pub fn radial(self) -> Option<usize> {
+        match self {
+            Self::Strain | Self::Stress => None,
+            Self::Axisymmetric => Some(0),
+            Self::AxisymmetricAboutX => Some(1),
+        }
     }
 
     /// Kolosov's constant `κ'`: `(3−ν)/(1+ν)` in plane stress, `3−4ν` in plane strain, and near a circular edge of a body of
@@ -39,7 +61,7 @@ impl PlaneHypothesis {
     pub fn kolosov(self, poisson: f64) -> f64 {
         match self {
             Self::Stress => (3.0 - poisson) / (1.0 + poisson),
-            Self::Strain | Self::Axisymmetric => 3.0 - 4.0 * poisson,
+            Self::Strain | Self::Axisymmetric | Self::AxisymmetricAboutX => 3.0 - 4.0 * poisson,
         }
     }
 
@@ -49,7 +71,7 @@ impl PlaneHypothesis {
             Self::Strain => format!(
                 "above -1 and at most {LARGEST_POISSON} in plane strain, which serves for bodies that keep their volume"
             ),
-            Self::Axisymmetric => format!(
+            Self::Axisymmetric | Self::AxisymmetricAboutX => format!(
                 "above -1 and at most {LARGEST_POISSON} in bodies of revolution, which serves for those that keep their volume"
             ),
             Self::Stress => "between -1 and 1, both excluded".into(),
@@ -74,10 +96,9 @@ impl Material {
     /// Plane modulus `E/(1−ν²)` in plane strain and of bodies of revolution, `E` in plane stress \[MPa\].
     pub fn plane_modulus(&self, plane: PlaneHypothesis) -> f64 {
         match plane {
-            PlaneHypothesis::Strain => self.young / (1.0 - self.poisson * self.poisson),
-            // A narrow contact around the axis is as good as straight.
-            PlaneHypothesis::Axisymmetric => self.plane_modulus(PlaneHypothesis::Strain),
             PlaneHypothesis::Stress => self.young,
+            // A narrow contact around the axis is as good as straight.
+            _ => self.young / (1.0 - self.poisson * self.poisson),
         }
     }
 
@@ -88,9 +109,7 @@ impl Material {
     pub fn stiffness(&self, plane: PlaneHypothesis) -> [[f64; 3]; 3] {
         let (e, nu) = match plane {
             PlaneHypothesis::Stress => (self.young, self.poisson),
-            PlaneHypothesis::Strain | PlaneHypothesis::Axisymmetric => {
-                (self.plane_modulus(plane), self.poisson / (1.0 - self.poisson))
-            }
+            _ => (self.plane_modulus(plane), self.poisson / (1.0 - self.poisson)),
         };
         let c = e / (1.0 - nu * nu);
         [[c, c * nu, 0.0], [c * nu, c, 0.0], [0.0, 0.0, c * (1.0 - nu) / 2.0]]

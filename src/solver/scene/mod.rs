@@ -38,7 +38,7 @@ pub mod material;
 pub mod path;
 pub mod place;
 mod range;
-mod revolution;
+pub mod revolution;
 pub mod shape;
 pub mod side_part;
 pub mod spline;
@@ -121,10 +121,15 @@ impl Scene {
         self.plane.is_of_revolution()
     }
 
-    /// What the model stands for across its plane at a distance from the axis: the thickness, or the circumference `2πr` of a
-    /// body of revolution \[mm\].
-    pub fn depth(&self, radius: f64) -> f64 {
-        if self.is_of_revolution() { TAU * radius } else { self.thickness }
+    /// What the model stands for across its plane at a point: the thickness, or the circumference `2πr` of a body of
+    /// revolution \[mm\].
+    pub fn depth(&self, point: [f64; 2]) -> f64 {
+        self.plane.radial().map_or(self.thickness, |radial| TAU * point[radial])
+    }
+
+    /// Whether a contact of bodies of revolution begins on their axis, so that it is a circle, and no ring.
+    pub fn is_around_axis(&self, contact: usize) -> bool {
+        self.contacts[contact].path.is_around_axis(self.plane)
     }
 
     /// The first contact, which is the only one of most scenes.

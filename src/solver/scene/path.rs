@@ -2,6 +2,7 @@
 
 use crate::error::Coordinate;
 use crate::scene::circle::Circle;
+use crate::scene::material::PlaneHypothesis;
 
 /// The curve along which the contact coordinate `s` runs.
 #[derive(Clone, Copy, Debug)]
@@ -11,6 +12,9 @@ pub enum Path {
     /// `s = θ` \[rad\] from the downward vertical about a centre; normals are radial and areas those of the circle.
     Arc(Circle),
 }
+
+/// Difference of two radii, over one of them, up to which they are one.
+const SAME: f64 = 1e-9;
 
 /// A horizontal line that contact runs along.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -61,6 +65,26 @@ impl Path {
                 d[0].abs().atan2(-d[1])
             }
         }
+    }
+
+    /// Its point at a contact coordinate, on the right of the origin where `s` runs to both sides of it \[mm\].
+    pub fn point(&self, s: f64) -> [f64; 2] {
+        match self {
+            Self::Straight(Line { origin: [x, y], .. }) => [x + s, *y],
+            Self::Arc(Circle { centre: [x, y], radius }) => [x + radius * s.sin(), y - radius * s.cos()],
+        }
+    }
+
+    /// Whether it begins on the axis of bodies of revolution, so that the contact is a circle, and no ring.
+    pub fn is_around_axis(&self, plane: PlaneHypothesis) -> bool {
+        plane.radial().is_some_and(|radial| self.point(0.0)[radial].abs() <= 0.0)
+    }
+
+    /// Contact coordinate of the axis x = 0 or y = 0, by the line of the radii at both ends of a stretch; none where they are the same.
+    pub fn axis(&self, radial: usize, [from, to]: [f64; 2]) -> Option<f64> {
+        let [first, last] = [from, to].map(|s| self.point(s)[radial]);
+        let grows = last - first;
+        (grows.abs() > SAME * last.abs()).then(|| from - first * ((to - from) / grows))
     }
 
     /// A contact coordinate as messages give it.

@@ -1,46 +1,60 @@
 //! What a scene of bodies of revolution cannot have.
 
 use crate::error::{Error, Part, Place};
+use crate::scene::range::ROUNDING;
 use crate::scene::{Path, Scene};
 
 impl Scene {
-    /// Refuses a thickness, contacts along an arc, off the axis or on both sides of it, and halves, where bodies are of
-    /// revolution.
+    /// Refuses a thickness, and contacts that are not where bodies of revolution have them, or are halves that are none.
     pub(super) fn refuse_beside_revolution(&self) -> Result<(), Error> {
-        if !self.is_of_revolution() {
-            return Ok(());
-        }
+        let Some(radial) = self.plane.radial() else { return Ok(()) };
         if (self.thickness - 1.0).abs() > 0.0 {
             let expected = "bodies of revolution have none: loads are whole forces";
             return Err(Error::value(Place::from(self.name.as_str()), "thickness", self.thickness, expected, "use 1"));
         }
         for (contact, pair) in self.contacts.iter().enumerate() {
             let refused =
-                |message: &str, remedy: &str| Err(Error::at(self.place_of(contact, Part::Stretch), message, remedy));
-            match pair.path {
-                Path::Arc(_) => {
-                    let message = "contact along an arc is not computed for bodies of revolution";
-                    return refused(
-                        message,
-                        "let the contact run along y = const from the axis on, or model it in the plane",
-                    );
-                }
-                Path::Straight(line) if line.both_sides => {
-                    let message = "bodies of revolution lie on one side of their axis, and so does their contact";
-                    return refused(message, "leave `both-sides` out");
-                }
-                Path::Straight(line) if line.origin[0].abs() > 0.0 => {
-                    let message = "the contact coordinate of bodies of revolution is the radius";
-                    return refused(message, "let the path begin on the axis, at x = 0");
-                }
-                Path::Straight(_) if pair.symmetric => {
-                    let message =
-                        "bodies of revolution are modelled whole: their section is no half of a symmetric scene";
-                    return refused(message, "leave `symmetric` out, or make it false");
-                }
-                Path::Straight(_) => {}
+                |[message, remedy]: [&str; 2]| Err(Error::at(self.place_of(contact, Part::Stretch), message, remedy));
+            if let Some(refusal) = beside(&pair.path, radial, pair.stretch) {
+                return refused(refusal);
+            }
+            if pair.symmetric && radial == 0 {
+                return refused(NO_HALF);
             }
         }
         Ok(())
+    }
+}
+
+/// A section of bodies of revolution about x = 0 that shall be one half of a symmetric scene.
+pub const NO_HALF: [&str; 2] = [
+    "bodies of revolution are modelled whole: their section is no half of a symmetric scene",
+    "leave `symmetric` out, or make it false",
+];
+
+/// Why bodies of revolution cannot touch along a path, and the remedy.
+pub fn beside(path: &Path, radial: usize, stretch: f64) -> Option<[&'static str; 2]> {
+    let [x, _] = path.origin();
+    match path {
+        Path::Straight(line) if radial == 0 && line.both_sides && x - stretch < 0.0 - ROUNDING * stretch => Some([
+            "the candidates go on beyond x = 0: bodies of revolution lie on one side of their axis, and so does their contact",
+            "around the axis leave `both-sides` out; off it give an `origin` that lies farther out than `stretch`",
+        ]),
+        Path::Straight(line) if radial == 0 && !line.both_sides && x.abs() > 0.0 => Some([
+            "off the axis the contact of bodies of revolution is a ring, and has both sides",
+            "give `both-sides = true` and an `origin` within the ring, or let the path begin on the axis, at x = 0",
+        ]),
+        Path::Straight(_) if radial == 1 && path.point(0.0)[1] <= 0.0 => Some([
+            "the contact lies on the axis of revolution y = 0, where a side has no area",
+            "give an `origin` at the radius of the contact",
+        ]),
+        Path::Arc(_) if radial == 0 && x.abs() > 0.0 => Some([
+            "on an arc the contact is the same on both sides of its centre, and a ring about x = 0 is not",
+            "put the centre of `arc` on the axis, or turn the bodies about y = 0, `axis = \"x\"`",
+        ]),
+        Path::Arc(circle) if radial == 1 && circle.centre[1] < circle.radius => {
+            Some(["the arc goes on beyond the axis y = 0", "put its centre at least one radius above the axis"])
+        }
+        _ => None,
     }
 }

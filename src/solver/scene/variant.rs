@@ -231,6 +231,9 @@ fn scaled_profile(profile: &Profile, length: f64) -> Profile {
             let scaled = coefficients.iter().zip(0..).map(|(c, k)| c / length.powi(1 + 2 * k));
             Profile::Even { coefficients: scaled.collect() }
         }
+        Profile::Powers { ref terms } => {
+            Profile::Powers { terms: terms.iter().map(|&[c, n]| [c * length.powf(1.0 - n), n]).collect() }
+        }
         Profile::Wedge { slope } => Profile::Wedge { slope },
         Profile::Cosine { amplitude, wavelength } => {
             Profile::Cosine { amplitude: amplitude * length, wavelength: wavelength * length }

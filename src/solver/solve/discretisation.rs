@@ -111,12 +111,13 @@ impl Discretisation {
             n => formulation.stiffness_pattern[i % n],
         };
         let scale = Scale { gap: reference.gap, stiffness: unit };
-        // Of a body of revolution a flat punch as wide as the candidates, `δ = F/(2E*a)`.
-        let across = |pair: &ContactPair| match self.scene.is_of_revolution() {
+        // Around the axis a flat punch as wide as the candidates, `δ = F/(2E*a)`.
+        let across = |(contact, pair): (usize, &ContactPair)| match self.scene.is_around_axis(contact) {
             true => 2.0 * pair.stretch,
-            false => self.scene.thickness,
+            false => self.scene.depth(pair.path.point(0.0)),
         };
-        let compliance = self.scene.contacts.iter().map(|pair| 1.0 / (self.scene.modulus_of(pair) * across(pair)));
+        let contacts = self.scene.contacts.iter().enumerate();
+        let compliance = contacts.map(|one| 1.0 / (self.scene.modulus_of(one.1) * across(one)));
         let mut problem = ContactProblem {
             stiffness: &self.condensed.stiffness,
             load,

@@ -27,8 +27,9 @@ impl Discretisation {
     fn mean_over(&self, edges: &[Edge]) -> Weights {
         let rule = quadrature::gauss(EDGE_POINTS);
         let mut weights = Weights::new();
-        let radius = |node: usize| self.mesh.points[node][0].abs();
-        let revolves = self.scene.is_of_revolution() && edges.iter().flatten().any(|&node| radius(node) > 0.0);
+        let radial = self.scene.plane.radial();
+        let radius = |node: usize| radial.map_or(0.0, |radial| self.mesh.points[node][radial].abs());
+        let revolves = edges.iter().flatten().any(|&node| radius(node) > 0.0);
         for edge in edges {
             for &(xi, weight) in &rule {
                 let shapes = shape_functions::edge(edge.len(), xi);

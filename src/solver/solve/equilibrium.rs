@@ -40,10 +40,12 @@ struct Sum {
 }
 
 impl Sum {
-    fn add(&mut self, arm: [f64; 2], force: [f64; 2]) {
+    /// Adds a force; around a body of revolution it is `kept` but for what cancels there, whose size counts.
+    fn add(&mut self, arm: [f64; 2], force: [f64; 2], kept: impl Fn([f64; 2]) -> [f64; 2]) {
+        self.sizes += force[0].hypot(force[1]);
+        let force = kept(force);
         self.force = [self.force[0] + force[0], self.force[1] + force[1]];
         self.moment += arm[0] * force[1] - arm[1] * force[0];
-        self.sizes += force[0].hypot(force[1]);
     }
 
     fn resultant(&self) -> f64 {
@@ -72,9 +74,9 @@ impl Discretisation {
         let points = &mesh.points[part.nodes.clone()];
         let middle = [0, 1].map(|k| points.iter().map(|point| point[k]).sum::<f64>() / points.len() as f64);
         // Around a body of revolution radial forces and moments cancel, whatever they are.
-        let revolves = scene.is_of_revolution();
-        let kept = |force: [f64; 2]| if revolves { [0.0, force[1]] } else { force };
-        let arm = |node: usize| match revolves {
+        let radial = scene.plane.radial();
+        let kept = |force: [f64; 2]| [0, 1].map(|k| if radial == Some(k) { 0.0 } else { force[k] });
+        let arm = |node: usize| match radial.is_some() {
             true => [0.0; 2],
             false => [mesh.points[node][0] - middle[0], mesh.points[node][1] - middle[1]],
         };
@@ -82,12 +84,12 @@ impl Discretisation {
         let loads = loads::at_nodes(scene, mesh, body)?;
         let mut applied = Sum::default();
         for (node, force) in part.nodes.clone().zip(&loads) {
-            applied.add(arm(node), kept(force.map(|f| share * f)));
+            applied.add(arm(node), force.map(|f| share * f), kept);
         }
         let mut contacts = vec![Sum::default(); scene.contacts.len()];
         for (index, candidate) in part.candidates.iter().enumerate() {
             let force = solution.contact_force[self.condensed.offsets[body] + index];
-            contacts[candidate.contact].add(arm(candidate.node), kept(candidate.normal.map(|n| n * force)));
+            contacts[candidate.contact].add(arm(candidate.node), candidate.normal.map(|n| n * force), kept);
         }
         let mut all = vec![applied];
         all.extend(contacts);
@@ -103,7 +105,7 @@ impl Discretisation {
                 let mut force = [0.0; 2];
                 force[k] = internal[node - first][k] - share * loads[node - first][k];
                 passed[k] += force[k];
-                held.add(arm(node), kept(force));
+                held.add(arm(node), force, kept);
             }
             // A rigid face passes on to its nodes what keeps them in line; that shall add up to the force on it.
             if let Some((k, force)) = given {

@@ -67,9 +67,10 @@ impl Discretisation {
         for (index, (body, part)) in self.scene.bodies.iter().zip(&self.mesh.bodies).enumerate() {
             let on_axis = axis::holds(&self.scene, &self.mesh, index);
             for node in part.nodes.clone() {
-                let hoop_strain = displacement[node][0] / self.mesh.points[node][0];
+                let radial = self.scene.plane.radial().unwrap_or(0);
+                let hoop_strain = displacement[node][radial] / self.mesh.points[node][radial];
                 across[node] = match on_axis(node) {
-                    true => stress[node][0],
+                    true => stress[node][radial],
                     false => stress::across(stress[node], self.scene.plane, &body.material, hoop_strain),
                 };
             }

@@ -86,7 +86,7 @@ fn told(discretisation: &Discretisation, run: &Run, contact: usize) -> Result<Op
     let per_halving = scene.modulus_of(pair) * LN_2 / (2.0 * PI * pair.path.metric() * measures.peak.pressure);
     let tips = pair.profile.tips().unwrap_or_default().into_iter().filter(|[s, _]| holds(*s));
     // A cone, `p = ½ E* tan β arcosh a/r`, adds `E* Δ ln 2/4`; an edge around the axis is as good as straight.
-    let is_cone = |s: f64| scene.is_of_revolution() && s.abs() <= 0.0;
+    let is_cone = |s: f64| scene.is_around_axis(contact) && s.abs() <= 0.0;
     let tip = |[s, leap]: [f64; 2]| {
         let growth = per_halving * leap * if is_cone(s) { FRAC_PI_2 } else { 1.0 };
         Unbounded { position: pair.path.reported(s), growth, exponent: None }

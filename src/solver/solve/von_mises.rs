@@ -60,7 +60,9 @@ impl Discretisation {
         }
         let singular: HashSet<usize> = without_limit.iter().map(|one| one.node).collect();
         let cells = self.mesh.bodies[body].cells.clone();
-        let at_nodes = |cell: usize| self.mesh.cell(cell).iter().map(|&node| von_mises(tensors[node]));
+        let first = self.mesh.bodies[body].nodes.start;
+        let at_nodes: Vec<f64> = tensors[self.mesh.bodies[body].nodes.clone()].iter().copied().map(von_mises).collect();
+        let at_nodes = |cell: usize| self.mesh.cell(cell).iter().map(|&node| at_nodes[node - first]);
         let largest = |cell: usize| at_nodes(cell).fold(f64::NEG_INFINITY, f64::max);
         let is_beside = |cell: &usize| self.mesh.cell(*cell).iter().any(|node| singular.contains(node));
         let (beside, elsewhere): (Vec<usize>, Vec<usize>) = cells.partition(is_beside);

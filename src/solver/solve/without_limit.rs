@@ -146,14 +146,17 @@ impl<'a> Outline<'a> {
     fn of(discretisation: &'a Discretisation, body: usize) -> Self {
         let (scene, mesh) = (&discretisation.scene, &discretisation.mesh);
         let sides = mesh.order.sides();
-        let of_cell = |cell: &'a [usize]| sides.each_ref().map(|side| side.iter().map(|&k| cell[k]).collect::<Edge>());
-        let edges: Vec<Edge> = mesh.bodies[body].cells.clone().flat_map(|cell| of_cell(mesh.cell(cell))).collect();
-        let all: HashSet<[usize; 2]> = edges.iter().map(|edge| [edge[0], edge[1]]).collect();
-        let outer = edges.into_iter().filter(|edge| !all.contains(&[edge[1], edge[0]]));
+        let cells = || mesh.bodies[body].cells.clone().map(|cell| mesh.cell(cell));
+        let all: HashSet<[usize; 2]> =
+            cells().flat_map(|cell| sides.each_ref().map(|side| [cell[side[0]], cell[side[1]]])).collect();
         let (mut leaving, mut arriving) = (HashMap::new(), HashMap::new());
-        for edge in outer {
-            leaving.insert(edge[0], edge.clone());
-            arriving.insert(edge[1], edge);
+        for (cell, side) in cells().flat_map(|cell| sides.each_ref().map(|side| (cell, side))) {
+            let [from, to] = [cell[side[0]], cell[side[1]]];
+            if !all.contains(&[to, from]) {
+                let edge: Edge = side.iter().map(|&k| cell[k]).collect();
+                leaving.insert(from, edge.clone());
+                arriving.insert(to, edge);
+            }
         }
         let mut fixed: HashMap<[usize; 2], [bool; 2]> = HashMap::new();
         let own = &scene.bodies[body];
@@ -172,7 +175,7 @@ impl<'a> Outline<'a> {
         }
         let on_axis = axis::holds(scene, mesh, body);
         for edge in leaving.values().filter(|edge| edge[..2].iter().all(|node| on_axis(*node))) {
-            fixed.entry([edge[0], edge[1]]).or_default()[0] = true;
+            fixed.entry([edge[0], edge[1]]).or_default()[axis::radial(scene).index()] = true;
         }
         Self { discretisation, leaving, arriving, fixed }
     }

@@ -39,7 +39,8 @@ impl Study for Numbers {
         title: "Where methods fail",
         asked: "How many iterations every method takes from each initial stiffness, and from which it ends right, over candidates, meshes and \
                 scenes.",
-        limits: "Scenes of one contact without friction; beyond the surveyed range nothing is known.",
+        limits: "Scenes of one contact in the plane, without friction; what of this holds for bodies of revolution is computed in \
+                 [Predicted against measured](stability.md#bodies-of-revolution). Beyond the surveyed range nothing is known.",
     };
 
     fn plan() -> Vec<Planned<Self>> {
@@ -57,7 +58,7 @@ impl Study for Numbers {
         text += &picture(
             "iterations-predicted.svg",
             &format!(
-                "As Fig. 11, predicted: measured points on curves predicted from the condensed matrices; truncated Hertz, candidates to \
+                "As Fig. 11, predicted: measured points beside curves predicted from the condensed matrices; truncated Hertz, candidates to \
                  {STRETCH} half-widths; colours tell the rules apart. Hollow markers above the frame: how the others ended"
             ),
         );

@@ -3,9 +3,10 @@
 use crate::algorithm::{Acceleration, StiffnessRule};
 use crate::drawing::palette::{self, Dash, Marker, Style};
 use crate::drawing::{Axis, Cell, Chart as Figure, ClassMap, Colour, Drawing, MapPanel, Series, panels};
-use crate::solve::Ended;
-use crate::solve::{Element, Iteration, Settings};
+use crate::markdown::significant;
+use crate::solve::{Element, Ended, Iteration, Settings};
 use crate::study::atlas::plane::{Chart, Plane, Record, STRETCH, same};
+use crate::study::atlas::run::FACTOR;
 use crate::study::drawn::{label, style};
 use crate::study::method::Method;
 
@@ -69,7 +70,28 @@ fn predicted(stretch: &Chart) -> Drawing {
         panel
     };
     let pairs = Iteration::ALL.into_iter().flat_map(|algorithm| Element::ALL.map(|element| on(algorithm, element)));
-    panels("Iterations against initial stiffness: measured points on predicted curves", &pairs.collect::<Vec<_>>(), 3)
+    let mut panels_of_all: Vec<Figure> = pairs.collect();
+    panels_of_all.iter_mut().take(1).for_each(|first| first.notes.extend(missed(stretch)));
+    panels("Iterations against initial stiffness: measured (points) and predicted (curves)", &panels_of_all, 3)
+}
+
+/// The methods whose measured iterations are off their predicted curve by more than a factor, in the median of the starts.
+fn missed(stretch: &Chart) -> Option<String> {
+    let told = |method: Method| {
+        let row = stretch.of_method(method).find(|row| same(row[0].ordinate, STRETCH))?;
+        let sound = row.iter().filter(|record| record.class == Ended::Converged);
+        let ratio =
+            |record: &Record| Some(record.iterations as f64 / record.predicted_iterations.filter(|n| n.is_finite())?);
+        let mut ratios: Vec<f64> = sound.filter_map(ratio).collect();
+        ratios.sort_by(f64::total_cmp);
+        let median = *ratios.get(ratios.len() / 2)?;
+        let off = !(1.0 / FACTOR..=FACTOR).contains(&median);
+        off.then(|| format!("{method} (measured {} times what is predicted)", significant(median, 2)))
+    };
+    let missed: Vec<String> = Method::all().into_iter().filter_map(told).collect();
+    (!missed.is_empty()).then(|| {
+        format!("Off their curves by a factor above {FACTOR} in the median of the starts: {}.", missed.join(", "))
+    })
 }
 
 /// Name of a method's rule, with what is added.

@@ -235,6 +235,8 @@ pub struct Digest {
     pub ends: Vec<(Ended, usize)>,
     /// Runs that had a prediction.
     pub predicted: usize,
+    /// Plane by plane, runs that did not end right, of all.
+    pub wrong: Vec<(Plane, [usize; 2])>,
 }
 
 /// The longest range of initial stiffnesses from which every run ends right.
@@ -275,7 +277,13 @@ fn digest(charts: &[&Chart], method: Method) -> Digest {
         safe: safe(&rows, method.algorithm.default_stiffness()),
         ends: Ended::ALL.map(count).into_iter().filter(|(_, number)| *number > 0).collect(),
         predicted: all().filter(|record| record.predicted_iterations.is_some()).count(),
+        wrong: charts.iter().map(|chart| (chart.plane, wrong(chart.of_method(method)))).collect(),
     }
+}
+
+/// Runs that did not end right, of all.
+fn wrong<'a>(rows: impl Iterator<Item = &'a [Record]>) -> [usize; 2] {
+    rows.flatten().fold([0, 0], |[wrong, all], record| [wrong + usize::from(!record.is_right()), all + 1])
 }
 
 /// The range, from rows with the same initial stiffnesses; of equal starts the one nearest to the algorithm's own is the best.
@@ -338,16 +346,40 @@ pub fn recommendation(digests: &[Digest]) -> String {
          to the paper's. From {points} runs over candidate surface, mesh and both paper scenes, {predicted} of them beside a prediction:\n\n{}",
         markdown::columns(&ADVICE, &rows)
     );
+    let usual = Formulation::verification();
+    let usual = Method::default(usual.element, usual.algorithm);
+    let _ = writeln!(text, "\nIf nothing is said, `contact-vv` takes `{usual}`.");
     let nowhere = digests.iter().filter(|digest| digest.safe.is_none());
-    let nowhere: Vec<String> = nowhere.map(|digest| format!("`{}`", digest.method)).collect();
-    if !nowhere.is_empty() {
-        let _ = writeln!(
+    let mut failing: Vec<([String; 2], Vec<String>)> = Vec::new();
+    for digest in nowhere {
+        let (told, method) = (failures(digest), format!("`{}`", digest.method));
+        match failing.iter_mut().find(|(known, _)| *known == told) {
+            Some((_, methods)) => methods.push(method),
+            None => failing.push((told, vec![method])),
+        }
+    }
+    if !failing.is_empty() {
+        let row = |(failures, methods): &([String; 2], Vec<String>)| {
+            std::iter::once(methods.join(", ")).chain(failures.clone()).collect::<Vec<_>>()
+        };
+        let head = ["what fails", "runs that end right", "runs that do not, by plane"].map(String::from);
+        let rows: Vec<Vec<String>> = failing.iter().map(row).collect();
+        let _ = write!(
             text,
-            "\n**What fails**: {}. From no initial stiffness do all of their runs end right.",
-            nowhere.join(", ")
+            "\nFrom no initial stiffness do all runs of these end right, over all planes of the survey:\n\n{}",
+            markdown::table(&head, &rows)
         );
     }
     text
+}
+
+/// How many runs of a method end right, and where the others are.
+fn failures(digest: &Digest) -> [String; 2] {
+    let [wrong, all] = digest.wrong.iter().fold([0, 0], |sum, (_, own)| [sum[0] + own[0], sum[1] + own[1]]);
+    let places = digest.wrong.iter().filter(|(_, [wrong, _])| *wrong > 0);
+    let places: Vec<String> =
+        places.map(|(plane, [wrong, all])| format!("{}: {wrong} of {all}", plane.name())).collect();
+    [format!("{} of {all}", all - wrong), places.join(", ")]
 }
 
 /// The κ₀ of a method, or that it need not be set.

@@ -33,7 +33,7 @@ impl Study for Compared {
     const NAME: &'static str = "independent";
     const ABOUT: About = About {
         title: "Against independent codes",
-        asked: "Whether codes that share nothing but the scene find the same numbers.",
+        asked: "Whether codes that share the scene and the definitions of its numbers, and no line, find the same.",
         limits: "That codes agree is no measurement.",
     };
 
@@ -65,9 +65,9 @@ impl Study for Compared {
         let entered: Vec<String> = findings.iter().map(entered).collect();
         let _ = write!(
             text,
-            "\nEach script has its own mesh, its own contact terms in the language of its code, its own iteration and its own measures; none imports \
-             from another. They share the numbers of the scene and the names of what is asked. ± is the standard uncertainty from three meshes; \
-             |E| shall be at most {COVERAGE} u_val, of both meshes and of the script's penalty (what springs of its stiffness change on our mesh). \
+            "\nEach script has its own mesh, its own contact terms in the language of its code, its own iteration and its own code; none imports \
+             from another. They share the numbers of the scene, the names of what is asked, and the formulas that read peak and width from a profile. Uncertainties are from \
+             three meshes; |E| shall be at most {COVERAGE} u_val, of both meshes and of the script's penalty (what springs of its stiffness change on our mesh). \
              Springs are k_n = κ E*/ℓ with κ = {KAPPA:e}, so that bodies enter one another by p₀/k_n [mm]: {}.\n\n",
             entered.join(", ")
         );

@@ -181,17 +181,19 @@ const COLUMNS: [Column<[f64; 3]>; 3] = [
 pub fn section(photograph: &Photograph) -> String {
     let [a, deviation] = photograph.half_width;
     let [red, green, blue] = photograph.constants.orders.map(|order| significant(order, 3));
+    let passing = photograph.widths.iter().filter(|[.., fitted]| *fitted <= ACCEPTED).map(|[a_over_r, ..]| *a_over_r);
+    let [narrow, wide] = passing.fold([f64::INFINITY, 0.0], |[least, most], x| [x.min(least), x.max(most)]);
     let end =
         |(end, points, rms): &(End, usize, f64)| format!("{end}: {} orders ({points} points)", significant(*rms, 3));
     format!(
         "A photoelastic disc squeezed between two plates (provenance in `oracles/digitised/photoelastic-disc`): *measured, shape only, \
          uncalibrated*. Load, material, diameter and friction are unknown. The difference of the principal stresses over that at the centre, \
          times a constant of each colour channel, is the fringe order. Five constants are fitted at the bottom; nothing is fitted at the top.\n\n\
-         Fitted: a/R = {} ± {} (standard deviation if readings were independent), orders at the centre {red} (red), {green} (green), {blue} \
+         Fitted: a/R = {} (standard deviation {}, if readings were independent), orders at the centre {red} (red), {green} (green), {blue} \
          (blue), loaded edge {} R above the end of the diameter. Root mean square: {}. Reading: about 0.03 orders. A mesh twice as coarse changes \
          {} orders (root mean square), at most {}.\n\n{}\n\
-         It shows the stress field near a line contact, the transfer of the load from one contact to the other, and the second moment of the \
-         pressure: far-off widths fail, near ones do not. It cannot show the shape of the pressure (uniform, Hertz and punch fit alike), the law \
+         With all else refitted every a/R from {} to {} of these passes ({ACCEPTED} orders are accepted): it validates the shape of the stress field \
+         near a line contact, and nothing else. It cannot show the width, the shape of the pressure (uniform, Hertz and punch fit alike), the law \
          between load and width, E, ν, or anything about pins.\n\n{}",
         significant(a, 3),
         significant(deviation, 2),
@@ -200,6 +202,8 @@ pub fn section(photograph: &Photograph) -> String {
         significant(photograph.mesh[0], 2),
         significant(photograph.mesh[1], 2),
         markdown::columns(&COLUMNS, &photograph.widths),
+        significant(narrow, 2),
+        significant(wide, 2),
         picture(FRINGES, "Dark fringes near both loaded ends: read from the photograph (points) and computed (lines)"),
     )
 }

@@ -31,7 +31,7 @@ pub const SURVEY: Survey<Site, Record> = Survey {
 /// Scenes of a family: five of each cells, element, and way to end.
 const EACH: usize = 90;
 /// Of so many scenes one is solved again whenever the record is judged.
-const AGAIN: usize = 45;
+const AGAIN: usize = EACH;
 
 const COLUMNS: [&str; 8] = ["family", "number", "kind", "ends_at_candidates", "error", "apart", "hidden", "rest"];
 

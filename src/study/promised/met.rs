@@ -34,13 +34,17 @@ const HEAD: [&str; 9] = ["family", "number", "asked", "met", "estimate", "peak",
 pub const ASKED: [f64; 5] = [3e-2, 1e-2, 3e-3, 1e-3, 3e-4];
 /// Families whose mesh is halved or made evenly finer.
 const EVENLY: [Family; 2] = [Family::Mesh, Family::Pair];
-/// Number of the scene that is solved again, of each family to the first of the accuracies, of those of closed form to so many.
-const AGAIN: (usize, usize) = (family::FIRST + 10, 4);
+/// Number of the scene that is solved again, of each family to the first of the accuracies, of those of closed form in turn to that
+/// and the third, or to the second and the fourth.
+const AGAIN: usize = family::FIRST + 10;
 
 fn again((site, asked): &(Site, f64)) -> bool {
-    let (number, accuracies) = AGAIN;
-    let accuracies = if family::JUDGED.contains(&site.family) { accuracies } else { 1 };
-    site.number == number && ASKED[..accuracies].contains(asked)
+    let accuracies = match family::JUDGED.iter().position(|family| *family == site.family) {
+        Some(turn) if turn % 2 == 1 => [ASKED[1], ASKED[3]],
+        Some(_) => [ASKED[0], ASKED[2]],
+        None => [ASKED[0]; 2],
+    };
+    site.number == AGAIN && accuracies.contains(asked)
 }
 
 /// All families but those whose peak has no limit.

@@ -260,6 +260,12 @@ pub const FAMILIES: [Family; 21] = [
 /// are told.
 pub const JUDGED: &[Family] = FAMILIES.split_at(11).0;
 
+/// Six of a family: each kind of cells with each element once, each way to end twice; of three neighbouring families every combination.
+pub fn chosen(family: Family) -> impl Iterator<Item = Site> {
+    let turn = FAMILIES.iter().position(|one| *one == family).unwrap_or(0);
+    (0..6).map(move |k| Site { family, number: FIRST + 6 * ((k + turn) % 3) + k })
+}
+
 /// Those of a family.
 pub fn unseen(family: Family) -> impl Iterator<Item = Site> {
     (FIRST..FIRST + EACH).map(move |number| Site { family, number })

@@ -261,10 +261,10 @@ pub fn table_of_ratios(ratios: &[Ratio; 4]) -> String {
     let columns: [Column<Row>; 8] = [
         ("a/R", |(ratio, _)| ratio.a_over_r.to_string()),
         ("p₀ / Hertz − 1", |(ratio, _)| format!("{:+.2e}", ratio.departures[0][0])),
-        ("bound of the mesh", |(ratio, _)| format!("{:.0e}", ratio.departures[0][1])),
+        ("error bar of the mesh", |(ratio, _)| format!("{:.0e}", ratio.departures[0][1])),
         ("power", |(_, powers)| powers[0].clone()),
         ("a / Hertz − 1", |(ratio, _)| format!("{:+.2e}", ratio.departures[1][0])),
-        ("bound of the mesh", |(ratio, _)| format!("{:.0e}", ratio.departures[1][1])),
+        ("error bar of the mesh", |(ratio, _)| format!("{:.0e}", ratio.departures[1][1])),
         ("power", |(_, powers)| powers[1].clone()),
         ("dofs", |(ratio, _)| ratio.dofs.to_string()),
     ];

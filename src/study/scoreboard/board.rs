@@ -21,11 +21,12 @@ use crate::measure::Quantity as Number;
 use crate::named::named_enum;
 use crate::oracle::cross_code::frozen::{read_json, write_json};
 use crate::referee::export::deck;
+use crate::referee::export::own;
 use crate::referee::export::problem::{self, SCRIPTS};
-use crate::referee::judge::ENGINEERING;
+use crate::referee::judge::{self, ENGINEERING};
 use crate::referee::units::Role;
-use crate::referee::{self, Answer, Truth, calculix, read, verdicts};
-use crate::solve::Discretisation;
+use crate::referee::{self, Answer, Truth, calculix, contact_laws, read, verdicts};
+use crate::solve::{Discretisation, Formulation, Run};
 use crate::uncertainty::COVERAGE;
 
 named_enum! {
@@ -78,52 +79,73 @@ pub struct Setting {
     pub method: &'static str,
     /// The same in words.
     pub says: &'static str,
-    /// Whether it is what the code documents first or, where it has no contact of its own, what one writes first.
-    pub first: bool,
+    /// Whose contact it is.
+    pub contact: Contact,
+}
+
+/// Whose contact a code is run with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Contact {
+    /// The code's own, as it documents it first.
+    First,
+    /// The code's own with other parameters.
+    Tried,
+    /// Our contact rows, which the code only solves: its answer is ours again, whatever its contact is worth.
+    OurRows,
 }
 
 impl Setting {
     /// All, the first choice of each code before the others.
     pub const ALL: [Self; 20] = [
-        Self::of(Code::Calculix, "pair", "contact pair, surface to surface, K = 50 E per mm", true),
-        Self::of(Code::Calculix, "stiff-pair", "the same with K = 1000 E per mm", false),
-        Self::of(Code::Calculix, "gaps", "gap elements of the exported deck", false),
-        Self::of(Code::Getfem, "integral", "integral contact brick, augmented Lagrangian", true),
-        Self::of(Code::Getfem, "basic", "basic contact brick on the exported rows", false),
-        Self::of(Code::Ngsolve, "contact", "contact boundary, energy of overlap, K = 50 E per mm", true),
-        Self::of(Code::Ngsolve, "stiff-contact", "the same with K = 1000 E per mm", false),
-        Self::of(Code::Ngsolve, "active-set", "active sets on the exported rows", false),
-        Self::of(Code::Sfepy, "contact", "contact term on both sides, cells of 4 nodes, K = 10 E per mm", true),
-        Self::of(Code::Sfepy, "stiff-contact", "the same with K = 100 E per mm, quadrature of order 30", false),
+        Self::of(Code::Calculix, "pair", "contact pair, surface to surface, K = 50 E per mm", Contact::First),
+        Self::of(Code::Calculix, "stiff-pair", "the same with K = 1000 E per mm", Contact::Tried),
+        Self::of(Code::Calculix, "gaps", "gap elements of the exported deck", Contact::OurRows),
+        Self::of(Code::Getfem, "integral", "integral contact brick, augmented Lagrangian", Contact::First),
+        Self::of(Code::Getfem, "basic", "basic contact brick on the exported rows", Contact::OurRows),
+        Self::of(Code::Ngsolve, "contact", "contact boundary, energy of overlap, K = 50 E per mm", Contact::First),
+        Self::of(Code::Ngsolve, "stiff-contact", "the same with K = 1000 E per mm", Contact::Tried),
+        Self::of(Code::Ngsolve, "active-set", "active sets on the exported rows", Contact::OurRows),
+        Self::of(
+            Code::Sfepy,
+            "contact",
+            "contact term on both sides, cells of 4 nodes, K = 10 E per mm",
+            Contact::First,
+        ),
+        Self::of(
+            Code::Sfepy,
+            "stiff-contact",
+            "the same with K = 100 E per mm, quadrature of order 30",
+            Contact::Tried,
+        ),
         Self::of(
             Code::Kratos,
             "contact",
             "mortar contact, augmented Lagrangian, cells of 4 nodes, one load step",
-            true,
+            Contact::First,
         ),
-        Self::of(Code::Kratos, "contact-in-steps", "the same in 10 load steps", false),
+        Self::of(Code::Kratos, "contact-in-steps", "the same in 10 load steps", Contact::Tried),
         Self::of(
             Code::Akantu,
             "contact",
             "penalty contact, cells of 4 nodes, ε = 400 E per mm; reactions, tangent and turn of the scene are ours",
-            true,
+            Contact::First,
         ),
-        Self::of(Code::Akantu, "stiff-contact", "the same with ε = 4000 E per mm", false),
+        Self::of(Code::Akantu, "stiff-contact", "the same with ε = 4000 E per mm", Contact::Tried),
         Self::of(
             Code::Felupe,
             "contact",
             "contact with rigid planes, its only one; facing nodes of two bodies are paired by us; k = mean nodal stiffness",
-            true,
+            Contact::First,
         ),
-        Self::of(Code::Felupe, "stiff-contact", "the same with 100 times that k", false),
-        Self::of(Code::ScikitFem, "penalty", "springs on the exported rows, k = 10 E/h", true),
-        Self::of(Code::ScikitFem, "active-set", "active sets on the exported rows", false),
-        Self::of(Code::Dolfinx, "penalty", "springs on the exported rows, k = 10 E/h", true),
-        Self::of(Code::Dolfinx, "active-set", "active sets on the exported rows", false),
+        Self::of(Code::Felupe, "stiff-contact", "the same with 100 times that k", Contact::Tried),
+        Self::of(Code::ScikitFem, "penalty", "springs on the exported rows, k = 10 E/h", Contact::OurRows),
+        Self::of(Code::ScikitFem, "active-set", "active sets on the exported rows", Contact::OurRows),
+        Self::of(Code::Dolfinx, "penalty", "springs on the exported rows, k = 10 E/h", Contact::OurRows),
+        Self::of(Code::Dolfinx, "active-set", "active sets on the exported rows", Contact::OurRows),
     ];
 
-    const fn of(code: Code, method: &'static str, says: &'static str, first: bool) -> Self {
-        Self { code, method, says, first }
+    const fn of(code: Code, method: &'static str, says: &'static str, contact: Contact) -> Self {
+        Self { code, method, says, contact }
     }
 
     /// The setting of a code by the name of its method.
@@ -350,6 +372,9 @@ fn kept(
 pub struct Scored {
     /// Peak pressure, half-width.
     pub scores: [Score; 2],
+    /// Largest penetration over the approach that the contact makes, and largest tension over the largest pressure; none where the answer
+    /// does not tell them.
+    pub laws: [Option<f64>; 2],
     /// What is not met.
     pub failed: Vec<String>,
 }
@@ -367,7 +392,18 @@ pub struct Score {
 
 /// Peak and second-moment width of a file that a code wrote for an exported case, and what of all that is judged is not met.
 pub fn scored(truth: &Truth, discretisation: &Discretisation, file: &Path, bytes: &[u8]) -> Result<Scored, Error> {
-    let answer = answer(&truth.case, discretisation, file, bytes)?;
+    of_answer(truth, answer(&truth.case, discretisation, file, bytes)?)
+}
+
+/// Our own answer on the mesh of a case, by the same.
+pub fn ours(truth: &Truth, discretisation: &Discretisation) -> Result<Scored, Error> {
+    let run = Run::of(discretisation, &Formulation::verification())?;
+    let document = serde_json::to_vec(&own::answer(&truth.case.name, discretisation, &run));
+    let bytes = document.map_err(|error| Error::at(truth.case.name.as_str(), error.to_string(), "report it"))?;
+    of_answer(truth, answer(&truth.case, discretisation, Path::new("ours.json"), &bytes)?)
+}
+
+fn of_answer(truth: &Truth, answer: Answer) -> Result<Scored, Error> {
     let found = verdicts(truth, answer, ENGINEERING)?;
     let judged: Vec<&Judged> = found.ruled.iter().flat_map(|ruled| &ruled.judged).collect();
     let score = |wanted: Number| {
@@ -380,7 +416,9 @@ pub fn scored(truth: &Truth, discretisation: &Discretisation, file: &Path, bytes
     };
     let failed = judged.iter().filter(|one| one.verdict == Verdict::Fail).map(|one| one.check.quantity.to_string());
     let scores = [Number::PeakPressure, Number::SecondMomentWidth].map(score);
-    Ok(Scored { scores, failed: failed.collect() })
+    let law = |name: &str| judged.iter().find(|one| one.check.quantity.name() == name).map(|one| one.error);
+    let laws = [contact_laws::PENETRATION, judge::TENSION].map(law);
+    Ok(Scored { scores, laws, failed: failed.collect() })
 }
 
 /// The answer in a file: numbers are in mm, N and MPa, and nodes are those of the exported mesh.

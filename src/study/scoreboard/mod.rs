@@ -1,5 +1,6 @@
-//! The scoreboard: exported cases solved by other codes, each with the contact it documents and with the best of its settings that were
-//! tried. The frozen answers of a case are scored as `contact-vv judge` does; whether they are read, are of the present scripts, and agree.
+//! The scoreboard: exported cases solved by other codes, each by its own contact: as it documents it, and by the best of its parameters that
+//! were tried; our own answer among them. Runs in which a code only solves our contact rows are told apart and count for nothing. The frozen
+//! answers of a case are scored as `contact-vv judge` does; whether they are read, and are of the present scripts.
 //!
 //! A folder, since asking the codes and judging what they wrote are two things of 400 lines.
 //!
@@ -14,16 +15,16 @@ use std::fs;
 use crate::case::{Case, Check, Judged, Quantity, library};
 use crate::checkout::root;
 use crate::drawing::palette::{self, Dash, Marker, Style};
-use crate::drawing::{Axis, Chart, Drawing, Series};
+use crate::drawing::{Axis, Chart, Drawing, Remark, Series, panels};
 use crate::error::Error;
 use crate::markdown::{self, Column};
 use crate::measure::{Quantity as Number, larger};
 use crate::oracle::ReferenceKind;
 use crate::referee::Truth;
-use crate::solve::Discretisation;
+use crate::solve::{Discretisation, Formulation};
 use crate::study::about::{About, Found, Planned, Study};
 use crate::study::drawn::picture;
-use crate::study::scoreboard::board::{Board, Code, Ended, RENEW, Scored, Setting, Told, hashes, scored};
+use crate::study::scoreboard::board::{Board, Code, Contact, Ended, RENEW, Scored, Setting, Told, hashes, scored};
 
 /// One body on a rigid one, flat and curved; two bodies, straight, curved, and conforming.
 pub const CASES: [&str; 6] = ["cylinder", "truncated-hertz", "bars", "own-weight", "two-cylinders", "pin-rod"];
@@ -45,6 +46,8 @@ pub struct Numbers {
     pub changed: Vec<String>,
     /// Kind of the truth of the peak.
     pub kind: ReferenceKind,
+    /// Our own answer on the exported mesh.
+    pub ours: Result<Scored, String>,
     /// A row a run.
     pub rows: Vec<Row>,
 }
@@ -53,8 +56,8 @@ impl Study for Numbers {
     const NAME: &'static str = "scoreboard";
     const ABOUT: About = About {
         title: "Scoreboard of contact codes",
-        asked: "How far other codes are from the truths of exported cases, with the contact they document and with the best setting tried.",
-        limits: "One mesh a case, settings tried by us, seconds of one machine; another user may find better settings. Looked at and not asked: \
+        asked: "How far other codes are from the truths of exported cases by their own contact, as they document it and by the best parameters tried.",
+        limits: "One mesh a case, few parameters tried, and by us, seconds of one machine; another user may find better ones. Looked at and not asked: \
                  FreeFEM, which leaves contact to an optimiser, MFEM's wheel, which has none, and Elmer and code_aster, which neither Debian 12 nor PyPI holds.",
     };
 
@@ -65,8 +68,7 @@ impl Study for Numbers {
         planned.into()
     }
 
-    /// Whether the frozen answers are read, are of the present scripts and meshes, and whether some code agrees with the truth: one of
-    /// them, not all.
+    /// Whether the frozen answers are read, and are of the present scripts and meshes.
     fn judge(&self) -> Result<Vec<Judged>, Error> {
         let rows = || self.rows.iter();
         let unread =
@@ -85,67 +87,108 @@ impl Study for Numbers {
     fn section(findings: &[Found<Self>]) -> Result<String, Error> {
         let board = Board::load()?;
         let mut text = format!(
-            "Each case is exported by `contact-vv export`, and solved on the exported mesh by the scripts that are exported with it. What each code \
-             writes is judged by what `contact-vv judge` judges by: errors of the peak pressure p₀ and of the half-width a are relative to the \
-             truth, which may itself be off by the larger of its bars in the fifth column. *First choice* is the contact that a code documents; \
-             scikit-fem and dolfinx have none of their own, and are given what one writes first: springs. The best setting that was tried is set \
-             in bold: the one with the least that is not met, then with the smaller error of p₀ and a together. Seconds are those of the solution by the script's own account, CalculiX's of the whole \
-             process, over one sparse Cholesky solve of the exported mesh just before, of one machine ({}), and are recorded; errors and \
-             verdicts are computed from the frozen files with every report. CalculiX makes bricks of plane cells, so that it solves for more unknowns. \
-             In the plane the contact of SfePy, of Kratos and of Akantu has edges with 2 nodes alone: they are given each 8-node cell cut into four with 4 nodes. \
-             Akantu finds pairs, gaps and the forces on the first side; the forces on the other side, the tangent and a turn of the scene are ours, since its \
-             contact in the plane has faults there. FElupe's contact knows rigid planes only: beside a second body each node has a plane of its own, which \
-             moves with the node that faces it, and these pairs are ours.\n\n",
+            "Each case is exported by `contact-vv export`, solved on the exported mesh by the scripts that are exported with it, and judged by \
+             what `contact-vv judge` judges by. *Error* is the larger relative one of the peak pressure p₀ and the half-width a. *Penetration* is \
+             over the approach that the contact makes, *tension* over the largest pressure; – is not told by the answer.\n\n\
+             * **Its own contact**: as the code documents it first, and with each other parameter that the tables below name. The best is the one \
+             with the least that is not met, then with the smaller error, of {}.\n\
+             * **Our rows, their solver**: the code is handed our contact rows and only solves them. What comes out is our discrete answer again; \
+             it tells nothing of its contact, and counts for nothing. scikit-fem and dolfinx have no contact of their own.\n\
+             * **Ours**: {} on the same mesh, read by the same reader.\n\n\
+             Seconds are those of the solution by the script's own account, CalculiX's of the whole process, over one sparse Cholesky solve of the \
+             exported mesh just before, of one machine ({}), and are recorded; errors and verdicts are computed from the frozen files with every \
+             report. CalculiX makes bricks of plane cells, so that it solves for more unknowns. In the plane the contact of SfePy, of Kratos and of \
+             Akantu has edges with 2 nodes alone: they are given each 8-node cell cut into four with 4 nodes. Akantu finds pairs, gaps and the forces \
+             on the first side; the forces on the other side, the tangent and a turn of the scene are ours, since its contact in the plane has faults \
+             there. FElupe's contact knows rigid planes only: beside a second body each node has a plane of its own, which moves with the node that \
+             faces it, and these pairs are ours.\n\n",
+            tried(),
+            Formulation::verification().name(),
             board.processor
         );
-        text += &(markdown::columns(&SUMMARY, &Code::ALL.map(|code| summed(findings, code))) + "\n");
+        text += &(markdown::columns(&SUMMARY, &ranked(findings)) + "\n");
         text += &picture(
             FILE,
             &format!(
-                "Scoreboard: larger error of p₀ and a over seconds; hollow: runs that failed; errors below {} are drawn there",
+                "Scoreboard: error of each code by its own contact, first choice to best of its parameters tried; errors below {} are drawn there",
                 markdown::bound(FLOOR)
             ),
         );
         for found in findings {
             let numbers = found.numbers;
-            let is_best = |row: &Row| {
-                numbers.best(|setting| setting.code == row.setting.code).is_some_and(|best| best.setting == row.setting)
-            };
-            let rows: Vec<Line> = numbers.rows.iter().map(|row| (row.clone(), is_best(row))).collect();
+            let bar = |scored: &Scored| markdown::error(larger(scored.scores[0].bar, scored.scores[1].bar));
             let _ = write!(
                 text,
-                "\n## {}, {} degrees of freedom, truth: {}\n\n",
-                numbers.case, numbers.dofs[0], numbers.kind
+                "\n## {}, {} degrees of freedom, truth: {}, error bar {}\n\n",
+                numbers.case,
+                numbers.dofs[0],
+                numbers.kind,
+                numbers.ours.as_ref().map_or("unknown".into(), bar)
             );
-            text += &markdown::columns(&RUNS, &rows);
+            text += &markdown::columns(&RUNS, &numbers.lines(false));
+            let rows = markdown::columns(&RUNS, &numbers.lines(true));
+            text += &("\n".to_owned() + &markdown::folded("our rows, their solver", &rows, false));
         }
         Ok(text)
     }
 
-    /// Error over seconds, code by code.
+    /// Error of each code by its own contact, a panel a case.
     fn pictures(findings: &[Found<Self>]) -> Result<Vec<(String, Drawing)>, Error> {
-        let mut chart = Chart::new(
-            "Other codes on exported cases",
-            Axis::log("seconds over one sparse Cholesky solve [–]"),
-            Axis::log("larger relative error of p₀ and a [–]"),
-        );
-        for (code, first) in Code::ALL.into_iter().flat_map(|code| [(code, true), (code, false)]) {
-            let (mut points, mut hollow) = (Vec::new(), Vec::new());
-            for found in findings {
-                let best = found.numbers.best(|setting| setting.code == code).map(|row| row.setting);
-                let rows = found.numbers.rows.iter().filter(|row| row.setting.code == code);
-                for row in rows.filter(|row| if first { row.setting.first } else { Some(row.setting) == best }) {
-                    match row.scored {
-                        Ok(_) => points.push([row.seconds(), row.error().max(FLOOR)]),
-                        Err(_) => hollow.push(row.seconds()),
-                    }
+        let order: Vec<Option<Code>> =
+            ranked(findings).into_iter().rev().map(|one| one.code).filter(|code| code.is_none_or(has_own)).collect();
+        let names = || order.iter().map(|code| code.map_or("ours", Code::name).to_owned()).collect();
+        let panel = |found: &Found<Self>| {
+            let error = Axis::log("larger error of p₀ and a [–]").over(0.5 * FLOOR, 2.0);
+            let mut chart = Chart::new(&found.numbers.case, error, Axis::rows(names()));
+            let [mut first, mut best, mut ours] = [vec![], vec![], vec![]];
+            for (row, code) in order.iter().enumerate() {
+                let at = |error: f64| (error.max(FLOOR), row as f64 + 1.0);
+                let Some(code) = code else {
+                    ours.extend(found.numbers.ours.as_ref().map(|scored| at(scored.error())));
+                    continue;
+                };
+                let both = found.numbers.own(*code).map(|row| row.map(Row::error).filter(|error| error.is_finite()));
+                first.extend(both[0].map(at));
+                best.extend(both[1].map(at));
+                let way: Vec<(f64, f64)> = both.into_iter().flatten().map(at).collect();
+                chart.series.push(Series::new("", way, Style::run(palette::GREY, Dash::Solid, Marker::Absent)));
+                if both[0].is_none() {
+                    let (at, text, colour) = ((1.0, row as f64 + 1.0), "failed".into(), palette::LAYER);
+                    chart.remarks.push(Remark { at, text, ring: None, colour });
                 }
             }
-            let label = format!("{}, {}", code.name(), if first { "first choice" } else { "best setting" });
-            chart.series.push(Series { hollow, ..Series::new(label, points, style(code, first)) });
-        }
-        Ok(vec![(FILE.into(), chart.drawing())])
+            let points = |colour, marker| Style::run(colour, Dash::Absent, marker);
+            chart.series.extend([
+                Series::new("first choice", first, points(palette::LAYER, Marker::Square)),
+                Series::new("best of its parameters tried", best, points(palette::LINE, Marker::Circle)),
+                Series::new("ours", ours, points(palette::NODE, Marker::Diamond)),
+            ]);
+            chart
+        };
+        let charts: Vec<Chart> = findings.iter().map(panel).collect();
+        Ok(vec![(
+            FILE.into(),
+            panels("Each code by its own contact: from first choice to best parameters", &charts, 3),
+        )])
     }
+}
+
+/// How many parameters of each code's own contact were tried.
+fn tried() -> String {
+    let own =
+        |code: Code| Setting::ALL.into_iter().filter(|one| one.code == code && one.contact != Contact::OurRows).count();
+    let counts = Code::ALL.map(own).into_iter().filter(|count| *count > 0);
+    let [least, most] = [counts.clone().min(), counts.max()].map(Option::unwrap_or_default);
+    if least == most {
+        format!("{least} that were tried of each code")
+    } else {
+        format!("the {least} to {most} that were tried of each code")
+    }
+}
+
+/// Whether a code has a contact of its own.
+fn has_own(code: Code) -> bool {
+    Setting::ALL.iter().any(|one| one.code == code && one.contact != Contact::OurRows)
 }
 
 /// A run.
@@ -167,8 +210,7 @@ impl Row {
 
     /// The larger error of peak and second-moment width; NaN of a run that failed.
     pub fn error(&self) -> f64 {
-        let of = |scored: &Scored| larger(scored.scores[0].error.abs(), scored.scores[1].error.abs());
-        self.scored.as_ref().map_or(f64::NAN, of)
+        self.scored.as_ref().map_or(f64::NAN, Scored::error)
     }
 
     /// Seconds over those of one sparse Cholesky solve.
@@ -185,6 +227,33 @@ impl Numbers {
         rows.min_by(|a, b| {
             a.not_met().cmp(&b.not_met()).then(a.error().max(ROUND_OFF).total_cmp(&b.error().max(ROUND_OFF)))
         })
+    }
+
+    /// A code's rows by its own contact: the first choice, and the best.
+    pub fn own(&self, code: Code) -> [Option<&Row>; 2] {
+        let first = self.rows.iter().find(|row| row.setting.code == code && row.setting.contact == Contact::First);
+        [first, self.best(|setting| setting.code == code && setting.contact != Contact::OurRows)]
+    }
+
+    /// The rows of the page, by error: of the codes' own contacts with ours among them, or of our rows by their solvers.
+    fn lines(&self, our_rows: bool) -> Vec<Line> {
+        let rows = self.rows.iter().filter(|row| (row.setting.contact == Contact::OurRows) == our_rows);
+        let line = |row: &Row| {
+            let is_best = !our_rows && self.own(row.setting.code)[1].is_some_and(|best| best.setting == row.setting);
+            (Some((row.clone(), is_best)), row.scored.clone())
+        };
+        let mut lines: Vec<Line> = rows.map(line).collect();
+        lines.extend((!our_rows).then(|| (None, self.ours.clone())));
+        let error = |line: &Line| line.1.as_ref().map_or(f64::INFINITY, |scored| scored.error().max(ROUND_OFF));
+        lines.sort_by(|a, b| error(a).total_cmp(&error(b)));
+        lines
+    }
+}
+
+impl Scored {
+    /// The larger relative error of peak and second-moment width.
+    pub fn error(&self) -> f64 {
+        larger(self.scores[0].error.abs(), self.scores[1].error.abs())
     }
 }
 
@@ -205,6 +274,7 @@ pub fn numbers(name: &str, case: &Case, board: &Board) -> Result<Numbers, Error>
         dofs: [discretisation.system.dofs(), asked.dofs],
         changed: changed.map(|(script, _)| script.clone()).collect(),
         kind: peak.reference.kind,
+        ours: board::ours(&truth, &discretisation).map_err(|error| error.message.to_string()),
         rows,
     })
 }
@@ -225,95 +295,115 @@ fn row(truth: &Truth, discretisation: &Discretisation, told: &Told) -> Option<Ro
     Some(Row { setting, told: told.clone(), scored })
 }
 
-/// A code, its row of each case by the first choice and by the best setting, and how many of its runs failed.
-type Summed = (Code, [Vec<Option<Row>>; 2], usize);
+/// A code over all cases, or ours: its answers by the first choice, by the best parameters, and by our rows.
+struct Summed {
+    /// The code; none is ours.
+    code: Option<Code>,
+    /// Case by case; none where a run failed, or there is no such contact.
+    answers: [Vec<Option<Scored>>; 3],
+}
 
-/// Code by code: how many cases are met, by the first choice and by the best setting.
-const SUMMARY: [Column<Summed>; 6] = [
-    ("code", |(code, ..)| code.name().into()),
-    ("all met, first choice", |(_, [first, _], _)| met(first)),
-    ("all met, best setting", |(_, [_, best], _)| met(best)),
-    ("worst error, first choice", |(_, [first, _], _)| worst(first)),
-    ("worst error, best setting", |(_, [_, best], _)| worst(best)),
-    ("runs that failed", |(_, _, failed)| failed.to_string()),
+impl Summed {
+    /// The largest of a number over the cases; none where no answer tells it.
+    fn worst(&self, which: usize, of: impl Fn(&Scored) -> Option<f64>) -> Option<f64> {
+        self.answers[which].iter().flatten().filter_map(of).reduce(larger)
+    }
+
+    fn told(&self, which: usize, of: impl Fn(&Scored) -> Option<f64>) -> String {
+        let failed = self.answers[which].iter().filter(|one| one.is_none()).count();
+        let worst = self.worst(which, of).map_or("–".into(), markdown::error);
+        if failed == 0 || failed == self.answers[which].len() { worst } else { format!("{worst}, {failed} failed") }
+    }
+
+    fn met(&self, which: usize) -> String {
+        let all = &self.answers[which];
+        let met = all.iter().flatten().filter(|scored| scored.failed.is_empty()).count();
+        if all.iter().flatten().next().is_none() { "–".into() } else { format!("{met} of {}", all.len()) }
+    }
+}
+
+/// Code by code, over all cases.
+const SUMMARY: [Column<Summed>; 8] = [
+    ("code", |one| one.code.map_or("**ours**", Code::name).into()),
+    ("worst error, first choice", |one| one.told(0, |scored| Some(scored.error()))),
+    ("worst error, best", |one| one.told(1, |scored| Some(scored.error()))),
+    ("worst penetration, best", |one| one.told(1, |scored| scored.laws[0])),
+    ("worst tension, best", |one| one.told(1, |scored| scored.laws[1])),
+    ("all met, first choice", |one| one.met(0)),
+    ("all met, best", |one| one.met(1)),
+    ("our rows, their solver: worst error", |one| one.told(2, |scored| Some(scored.error()))),
 ];
 
-fn met(rows: &[Option<Row>]) -> String {
-    let met = rows.iter().flatten().filter(|row| row.not_met() == 0).count();
-    format!("{met} of {}", rows.len())
+/// All codes and ours, by the worst error of the best.
+fn ranked(findings: &[Found<Numbers>]) -> Vec<Summed> {
+    let answer = |row: Option<&Row>| row.and_then(|row| row.scored.clone().ok());
+    let of_code = |code: Code| {
+        let own = |which: usize| findings.iter().map(move |found| answer(found.numbers.own(code)[which])).collect();
+        let rows = |setting: &Setting| setting.code == code && setting.contact == Contact::OurRows;
+        let ours = findings.iter().map(|found| answer(found.numbers.best(rows))).collect();
+        Summed { code: Some(code), answers: [own(0), own(1), ours] }
+    };
+    let ours: Vec<Option<Scored>> = findings.iter().map(|found| found.numbers.ours.clone().ok()).collect();
+    let ours = Summed { code: None, answers: [ours.clone(), ours, vec![]] };
+    let mut all: Vec<Summed> = Code::ALL.map(of_code).into_iter().chain([ours]).collect();
+    let worst = |one: &Summed| one.worst(1, |scored| Some(scored.error())).unwrap_or(f64::INFINITY);
+    all.sort_by(|a, b| worst(a).total_cmp(&worst(b)));
+    all
 }
 
-fn worst(rows: &[Option<Row>]) -> String {
-    let errors = rows.iter().flatten().map(Row::error).filter(|error| error.is_finite());
-    errors.reduce(f64::max).map_or("–".into(), markdown::error)
-}
-
-fn summed(findings: &[Found<Numbers>], code: Code) -> Summed {
-    let cases = || findings.iter().map(|found| found.numbers);
-    let own =
-        |numbers: &Numbers| numbers.rows.iter().filter(|row| row.setting.code == code).cloned().collect::<Vec<_>>();
-    let first = cases().map(|numbers| own(numbers).into_iter().find(|row| row.setting.first)).collect();
-    let best = cases().map(|numbers| numbers.best(|setting| setting.code == code).cloned()).collect();
-    (code, [first, best], cases().flat_map(own).filter(|row| row.scored.is_err()).count())
-}
-
-/// A row of a run, and whether its setting is the best of its code.
-type Line = (Row, bool);
+/// A run with whether it is the best of its code, and its answer; ours without a run.
+type Line = (Option<(Row, bool)>, Result<Scored, String>);
 
 /// A run.
-const RUNS: [Column<Line>; 8] = [
-    ("code", |(row, _)| {
-        let version = row.told.version.as_ref().map_or(String::new(), |version| format!(" {version}"));
-        format!("{}{version}", row.setting.code.name())
+const RUNS: [Column<Line>; 10] = [
+    ("code", |(run, _)| match run {
+        Some((row, _)) => {
+            let version = row.told.version.as_ref().map_or(String::new(), |version| format!(" {version}"));
+            format!("{}{version}", row.setting.code.name())
+        }
+        None => "**ours**".into(),
     }),
-    ("contact", |(Row { setting: Setting { says, first, .. }, .. }, best)| {
-        let says = if *best { format!("**{says}**") } else { (*says).to_owned() };
-        if *first { format!("first choice: {says}") } else { says }
+    ("contact", |(run, _)| match run {
+        Some((Row { setting: Setting { says, contact, .. }, .. }, best)) => {
+            let says = if *best { format!("**{says}**") } else { (*says).to_owned() };
+            if *contact == Contact::First { format!("first choice: {says}") } else { says }
+        }
+        None => Formulation::verification().name(),
     }),
-    ("p₀ − truth", |(row, _)| departure(row, 0)),
-    ("a − truth", |(row, _)| departure(row, 1)),
-    ("truth ±", |(row, _)| {
-        let bar = |scored: &Scored| markdown::error(larger(scored.scores[0].bar, scored.scores[1].bar));
-        row.scored.as_ref().map_or("–".into(), bar)
-    }),
-    ("iterations", |(row, _)| match (&row.told.ended, &row.scored) {
-        (Ended::Answered { iterations, .. }, Ok(_)) => iterations.to_string(),
+    ("error", |(_, scored)| scored.as_ref().map_or("failed".into(), |scored| markdown::error(scored.error()))),
+    ("p₀ − truth", |(_, scored)| departure(scored, 0)),
+    ("a − truth", |(_, scored)| departure(scored, 1)),
+    ("penetration", |(_, scored)| law(scored, 0)),
+    ("tension", |(_, scored)| law(scored, 1)),
+    ("iterations", |(run, scored)| match (run.as_ref().map(|(row, _)| &row.told.ended), scored) {
+        (Some(Ended::Answered { iterations, .. }), Ok(_)) => iterations.to_string(),
         _ => "–".into(),
     }),
-    ("seconds ÷ Cholesky", |(row, _)| markdown::significant(row.seconds(), 2)),
-    ("not met", |(row, _)| match &row.scored {
+    ("seconds ÷ Cholesky", |(run, _)| {
+        run.as_ref().map_or("–".into(), |(row, _)| markdown::significant(row.seconds(), 2))
+    }),
+    ("not met", |(_, scored)| match scored {
         Ok(scored) if scored.failed.is_empty() => "–".into(),
         Ok(scored) => scored.failed.join("; "),
         Err(why) => why.clone(),
     }),
 ];
 
+/// Penetration, or tension.
+fn law(scored: &Result<Scored, String>, which: usize) -> String {
+    scored.as_ref().ok().and_then(|scored| scored.laws[which]).map_or("–".into(), markdown::error)
+}
+
 /// How far a number is from its truth.
-fn departure(row: &Row, k: usize) -> String {
+fn departure(scored: &Result<Scored, String>, k: usize) -> String {
     let told = |scored: &Scored| match scored.scores[k].error {
         error if error.abs() < ROUND_OFF => markdown::error(error.abs()),
         error => format!("{} %", markdown::signed(100.0 * error, 2)),
     };
-    row.scored.as_ref().map_or("failed".into(), told)
+    scored.as_ref().map_or("failed".into(), told)
 }
 
 /// File of the chart.
 const FILE: &str = "scoreboard.svg";
 /// Errors below this are drawn there.
 const FLOOR: f64 = 1e-6;
-
-/// Colour = code, sign = setting.
-fn style(code: Code, first: bool) -> Style {
-    let colour = match code {
-        Code::Calculix => palette::ORANGE,
-        Code::Getfem => palette::PURPLE,
-        Code::Ngsolve => palette::NODE,
-        Code::Sfepy => palette::SKY,
-        Code::Kratos => palette::INK,
-        Code::Akantu => palette::WINE,
-        Code::Felupe => palette::GREY,
-        Code::ScikitFem => palette::LINE,
-        Code::Dolfinx => palette::LAYER,
-    };
-    Style::run(colour, Dash::Absent, if first { Marker::Square } else { Marker::Circle })
-}

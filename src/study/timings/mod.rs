@@ -7,8 +7,8 @@
 //! * `record` — what is kept under `snapshots/timings`, measured on demand by the command `timings`, and what of it is cheapest.
 //! * `targets` — what was asked for, and what was measured.
 //!
-//! Below are the trials, the page, the sentence of the front page, and its chart: the worst error of
-//! p₀ and a under all loads against seconds and counted work.
+//! Below are the trials, the page, the answer of the front page, and the charts. An error is everywhere the larger one of p₀ and a under
+//! the worst of all loads.
 
 pub mod growth;
 pub mod precision;
@@ -21,14 +21,13 @@ use crate::drawing::palette::{self, Dash, Marker, Style};
 use crate::drawing::{self, Axis, Bars, Chart, Colour, Direction, Drawing, Guide, Remark, panels};
 use crate::error::Error;
 use crate::markdown::{self, Column, significant};
-use crate::mesh::Order;
 use crate::solve::{Element, Formulation, Iteration};
 use crate::study::about::{About, Found, Planned, Study};
 use crate::study::drawn::picture;
 use crate::study::timings::growth::{Counts, Growth, exponent};
 use crate::study::timings::precision::{LOADS, Point, Series, TOLERANCE, cells};
-use crate::study::timings::record::{Beside, MEASURES, Measure, Record, cheapest, front, sound};
-use crate::study::timings::targets::{COMPARED, NOT_ASKED, Target, ours, targets};
+use crate::study::timings::record::{Beside, Record, cheapest, front, sound};
+use crate::study::timings::targets::{COMPARED, Target, ours, targets};
 
 /// Name of the trials.
 const CASE: &str = "speed against accuracy";
@@ -87,7 +86,8 @@ impl Study for Numbers {
 
     /// The chart of the committed record.
     fn pictures(_: &[Found<Self>]) -> Result<Vec<(String, Drawing)>, Error> {
-        Ok(vec![("work-precision.svg".into(), chart(&Record::read()?))])
+        let record = Record::read()?;
+        Ok(vec![(FRONTS[0].into(), fronts(&record)), (CLOUD[0].into(), cloud(&record))])
     }
 }
 
@@ -154,7 +154,16 @@ const ASKED: [Column<Target>; 4] = [
 
 /// The page of a record.
 pub fn page(record: &Record) -> String {
-    let asked = markdown::columns(&ASKED, &targets(record));
+    let targets = targets(record);
+    let count = |met: Option<bool>| targets.iter().filter(|target| target.met == met).count();
+    let asked = format!(
+        "Of {} targets {} are met, {} are not and {} could not be measured. A target is no check: what seconds are worth changes with the machine.\n\n{}",
+        targets.len(),
+        count(Some(true)),
+        count(Some(false)),
+        count(None),
+        markdown::columns(&ASKED, &targets)
+    );
     [machine(record), asked, precision(), growth(record)].concat()
 }
 
@@ -189,8 +198,7 @@ fn precision() -> String {
         cells(Series::Ngsolve),
         significant(PARABOLA, 1)
     );
-    let caption = "Truncated Hertz: worst error of peak and second-moment width against seconds and counted operations";
-    text + &picture("work-precision.svg", caption)
+    text + &picture(FRONTS[0], FRONTS[1]) + &picture(CLOUD[0], CLOUD[1])
 }
 
 /// What grows with the mesh, by its name.
@@ -227,21 +235,66 @@ fn growth(record: &Record) -> String {
     )
 }
 
-/// The cheapest run of each code that keeps the error in both quantities under every load.
+/// Who is compared on the front page: a name, whose points, and a colour.
+pub type Compared = (&'static str, &'static [Series], Colour);
+
+/// Ours on meshes that do not know where the contact ends, ours on meshes fitted to where it is found to end, and other codes.
+pub const COMPARED_CODES: [Compared; 5] = [
+    ("ours, 8-node cells", &[Series::Quadratic, Series::SteepQuadratic], palette::NODE),
+    ("ours, fitted", &[Series::Fitted], palette::INK),
+    ("NGSolve", &[Series::Ngsolve], palette::SKY),
+    ("scikit-fem", &[Series::ScikitFem], palette::PURPLE),
+    ("dolfinx", &[Series::Dolfinx], palette::ORANGE),
+];
+/// Errors at which they are compared.
+const ACCURACIES: [f64; 3] = [COMPARED, 1e-4, 1e-5];
+
+/// The points of one that is compared to which none of its own is both as cheap and as exact.
+pub fn front_of<'a>(record: &'a Record, series: &[Series]) -> Vec<&'a Point> {
+    let own: Vec<&Point> = record.points.iter().filter(|point| series.contains(&point.series)).collect();
+    front(&own, |point| point.seconds, &Point::worst)
+}
+
+/// Who is the cheapest at each accuracy, from where on other codes are ahead of our cells that are not fitted, and what each takes.
 pub fn conclusion(record: &Record) -> String {
-    let best = |points: Vec<&Point>| cheapest(points, |point| point.seconds, Point::worst, COMPARED).cloned();
-    let own = best(sound(&record.points)).map(|Point { series, seconds, formulation, mesh, dofs, .. }| {
-        let formulation = formulation.unwrap_or_default();
-        let (told, nodes) = (milliseconds(seconds), series.order().map_or(0, Order::nodes_per_cell));
-        format!("ours {told} ({formulation}, {nodes}-node cells, {mesh} per half-width, {dofs} dofs)")
+    let within = |points: &[&Point], most: f64| {
+        let best = cheapest(points.iter().copied(), |point| point.seconds, Point::worst, most);
+        best.map_or(f64::INFINITY, |point| point.seconds)
+    };
+    let fronts = COMPARED_CODES.map(|(_, series, _)| front_of(record, series));
+    let fastest = ACCURACIES.map(|most| {
+        let all = fronts.each_ref().map(|front| within(front, most));
+        let least = (0..all.len()).min_by(|a, b| all[*a].total_cmp(&all[*b])).filter(|k| all[*k].is_finite());
+        format!("**{}** to {}", least.map_or("nobody", |k| COMPARED_CODES[k].0), percent_of(most, 1))
     });
-    let theirs = Series::CODES.map(|code| match best(record.of(code).collect()) {
-        Some(best) => format!("{} {} ({} dofs)", code.name(), milliseconds(best.seconds), best.dofs),
-        None if record.of(code).next().is_some() => format!("{} on none of its meshes", code.name()),
-        None => format!("{} {NOT_ASKED}", code.name()),
+    let [own, _, others @ ..] = &fronts;
+    let ahead = others.iter().zip(&COMPARED_CODES[2..]).filter_map(|(front, (name, ..))| {
+        let ours = own.iter().filter(|point| within(front, point.worst()) >= point.seconds);
+        let ours = ours.map(|point| point.worst()).fold(f64::INFINITY, f64::min);
+        let least = front.iter().map(|point| point.worst()).fold(f64::INFINITY, f64::min);
+        let from = if ours.is_finite() { format!("below {}", percent_of(ours, 2)) } else { "everywhere".into() };
+        (least < ours).then(|| format!("{name} {from}, down to {}", percent_of(least, 2)))
     });
-    let own = own.unwrap_or("ours on no mesh".into());
-    format!("Within {} in p₀ and a under each of the {LOADS} loads: {own}; {}.", percent(), theirs.join("; "))
+    let ahead: Vec<String> = ahead.collect();
+    let ahead = match &ahead[..] {
+        [] => "No other code is ahead of our 8-node cells.".into(),
+        some => format!("Ahead of our 8-node cells are: {}.", some.join("; ")),
+    };
+    let told = |seconds: f64| if seconds.is_finite() { milliseconds(seconds) } else { "–".into() };
+    let head: Vec<String> = std::iter::once("worst error of p₀ and a")
+        .chain(COMPARED_CODES.map(|(name, ..)| name))
+        .map(String::from)
+        .collect();
+    let rows = ACCURACIES.map(|most| {
+        let cells = fronts.iter().map(|front| told(within(front, most)));
+        std::iter::once(percent_of(most, 1)).chain(cells).collect::<Vec<_>>()
+    });
+    format!(
+        "The fastest on truncated Hertz: {}. {ahead} Errors are the larger one of p₀ and a under the worst of {LOADS} loads; – on no mesh that \
+         was tried.\n\n{}",
+        fastest.join(", "),
+        markdown::table(&head, &rows)
+    )
 }
 
 /// What our own solve took beside each of the other codes.
@@ -249,15 +302,16 @@ pub fn beside(record: &Record) -> Vec<String> {
     let own = ours(&record.points).map_or(f64::NAN, |own| own.seconds);
     let told = |Beside { code, version, seconds, machine }: &Beside| {
         format!(
-            "Beside {} {version} ({}, {} threads, {}) our solve to {} took {} against {} in the chart: its seconds compare with ours by the \
-             ratio to these alone.",
+            "Beside {} {version} ({}, {} threads, {}) our solve to {} under the median load took {}, and {} when our points were recorded: \
+             {} times as long.",
             code.name(),
             machine.processor,
             machine.threads,
             machine.system,
             percent(),
             milliseconds(seconds.median),
-            milliseconds(own)
+            milliseconds(own),
+            significant(seconds.median / own, 3)
         )
     };
     record.measured.beside.iter().map(told).collect()
@@ -265,7 +319,12 @@ pub fn beside(record: &Record) -> Vec<String> {
 
 /// The error to which codes are compared.
 pub fn percent() -> String {
-    format!("{} %", 100.0 * COMPARED)
+    percent_of(COMPARED, 1)
+}
+
+/// An error in per cent.
+fn percent_of(error: f64, digits: usize) -> String {
+    format!("{} %", significant(100.0 * error, digits))
 }
 
 /// Seconds in milliseconds.
@@ -273,100 +332,72 @@ pub fn milliseconds(seconds: f64) -> String {
     format!("{} ms", significant(1e3 * seconds, 2))
 }
 
-/// What a run costs: the axis, the number, and how it is told with its unit.
-type Cost = (&'static str, fn(&Point) -> f64, fn(f64) -> String);
+/// The chart of the front page, and what it shows.
+pub const FRONTS: [&str; 2] = [
+    "cost.svg",
+    "Truncated Hertz: worst error of p₀ and a against seconds, ours and other codes, of each the runs that none of its own beats; upright bars begin at the median of the loads",
+];
+/// The chart of all our points.
+const CLOUD: [&str; 2] = [
+    "work-precision.svg",
+    "Truncated Hertz: all our runs by elements on meshes that do not know where the contact ends, against seconds and counted operations",
+];
 
-const SECONDS: Cost = ("time from the scene to the pressures [s]", |point| point.seconds, milliseconds);
-const OPERATIONS: Cost = (
-    "counted operations [floating-point operations]",
-    |point| point.operations,
-    |count| format!("{} million", significant(1e-6 * count, 2)),
-);
-
-/// Truncated Hertz, whose answer is known, beside meshes fitted to the contact and codes on meshes of their own.
-pub fn chart(record: &Record) -> Drawing {
-    let mut charts = charts(record);
-    for (chart, measure) in charts.iter_mut().step_by(2).zip(MEASURES) {
-        let style = Style::run(palette::INK, Dash::Dashed, Marker::Square);
-        let label = "node element, high order, fitted to the contact it finds".into();
-        curve(chart, label, style, record.of(Series::Fitted).collect(), SECONDS, measure);
-        others(chart, record, measure);
+/// Of each that is compared the runs that none of its own beats, its name at their end.
+fn fronts(record: &Record) -> Drawing {
+    let error = Axis::log("worst error of p₀ and a [%]");
+    let title = format!("What accuracy costs: truncated Hertz under {LOADS} loads");
+    let mut chart = Chart::new(&title, Axis::log("time from the scene to the pressures [s]"), error);
+    for (name, series, colour) in COMPARED_CODES {
+        let own = front_of(record, series);
+        let place = |error: f64, point: &Point| (point.seconds, 100.0 * error);
+        let points = own.iter().map(|point| place(point.worst(), point));
+        chart.series.push(drawing::Series::new("", points, Style::run(colour, Dash::Solid, Marker::Circle)));
+        let ends = own.iter().map(|point| [place(point.error(), point), place(point.worst(), point)]).collect();
+        chart.bars.push(Bars { label: String::new(), ends, colour });
+        chart.remarks.extend(own.last().map(|point| Remark {
+            at: place(point.worst(), point),
+            text: name.into(),
+            ring: None,
+            colour,
+        }));
+        chart.remarks.extend(cheapest(own, |point| point.seconds, Point::worst, COMPARED).map(|point| Remark {
+            at: place(point.worst(), point),
+            text: milliseconds(point.seconds),
+            ring: Some(format!("cheapest within {}", percent())),
+            colour,
+        }));
     }
-    panels(&format!("What accuracy costs: truncated Hertz, worst error under {LOADS} loads"), &charts, 2)
-}
-
-/// A row a quantity, a column a cost: ours, and what is cheapest.
-fn charts(record: &Record) -> Vec<Chart> {
-    let points = sound(&record.points);
-    let both = |measure: Measure| [SECONDS, OPERATIONS].map(|cost| own(&points, measure, cost));
-    MEASURES.into_iter().flat_map(both).collect()
-}
-
-fn own(points: &[&Point], measure @ (name, errors): Measure, cost: Cost) -> Chart {
-    let (axis, value, _) = cost;
-    let worst = |point: &Point| errors(point)[1];
-    let mut chart = Chart::new(name, Axis::log(axis), Axis::log("worst relative error [%]"));
-    for (element, colour) in Element::ALL.into_iter().zip(palette::CURVES) {
-        let names = Iteration::ALL.map(|algorithm| Some(Formulation::new(element, algorithm).name()));
-        let own = points.iter().filter(|point| names.contains(&point.formulation));
-        let label = format!("{} element, any algorithm and mesh", element.name());
-        let points = own.map(|point| (value(point), 100.0 * worst(point)));
-        chart.series.push(drawing::Series::new(label, points, Style::run(colour, Dash::Absent, Marker::Dot)));
-    }
-    let label = "Pareto front: none is cheaper and as exact".into();
-    let style = Style::run(palette::INK, Dash::Solid, Marker::Absent);
-    curve(&mut chart, label, style, front(points, value, &worst), cost, measure);
     chart.guides.push(Guide { direction: Direction::Horizontal, at: 100.0 * COMPARED, label: percent() });
-    remark(&mut chart, points.iter().copied(), cost, measure, false, palette::INK);
-    chart
+    chart.drawing()
 }
 
-/// A curve through the worst errors of some points, with bars from their medians; nothing where there is no point.
-fn curve(
-    chart: &mut Chart,
-    label: String,
-    style: Style,
-    mut points: Vec<&Point>,
-    (_, cost, _): Cost,
-    (_, errors): Measure,
-) {
-    if points.is_empty() {
-        return;
-    }
-    points.sort_by(|a, b| cost(a).total_cmp(&cost(b)));
-    let ends: Vec<_> = points.iter().map(|point| errors(point).map(|error| (cost(point), 100.0 * error))).collect();
-    chart.series.push(drawing::Series::new(label, ends.iter().map(|[_, worst]| *worst), style));
-    let label = format!("upright bar: median to worst of {LOADS} loads");
-    chart.bars.push(Bars { label, ends, colour: style.colour });
-}
+/// What a run costs: the axis and the number.
+type Cost = (&'static str, fn(&Point) -> f64);
 
-/// What the cheapest of some points within the compared error costs.
-fn remark<'a>(
-    chart: &mut Chart,
-    points: impl IntoIterator<Item = &'a Point>,
-    (_, cost, told): Cost,
-    (_, errors): Measure,
-    right: bool,
-    colour: Colour,
-) {
-    let worst = |point: &Point| errors(point)[1];
-    if let Some(point) = cheapest(points, cost, worst, COMPARED) {
-        let label = format!("cheapest within {}", percent());
-        let (at, text) = ((cost(point), 100.0 * worst(point)), told(cost(point)));
-        chart.remarks.push(Remark { at, text, right, label, colour });
-    }
-}
+const COSTS: [Cost; 2] = [
+    ("time from the scene to the pressures [s]", |point| point.seconds),
+    ("counted operations [floating-point operations]", |point| point.operations),
+];
 
-/// Codes that ran under all loads, on meshes of their own.
-fn others(chart: &mut Chart, record: &Record, measure: Measure) {
-    let looks = [
-        (Series::ScikitFem, palette::PURPLE, Marker::Triangle),
-        (Series::Dolfinx, palette::ORANGE, Marker::Wedge),
-        (Series::Ngsolve, palette::SKY, Marker::Diamond),
-    ];
-    for (code, colour, marker) in looks {
-        let (label, style) = (format!("{}, {}", code.name(), cells(code)), Style::run(colour, Dash::DashDot, marker));
-        curve(chart, label, style, record.of(code).collect(), SECONDS, measure);
-        remark(chart, record.of(code), SECONDS, measure, code != Series::ScikitFem, colour);
-    }
+/// All our runs on meshes that do not know where the contact ends, a panel a cost.
+fn cloud(record: &Record) -> Drawing {
+    let points = sound(&record.points);
+    let panel = |(axis, cost): Cost| {
+        let mut chart = Chart::new("", Axis::log(axis), Axis::log("worst error of p₀ and a [%]"));
+        let place = |point: &Point| (cost(point), 100.0 * point.worst());
+        for (element, colour) in Element::ALL.into_iter().zip(palette::CURVES) {
+            let names = Iteration::ALL.map(|algorithm| Some(Formulation::new(element, algorithm).name()));
+            let own = points.iter().filter(|point| names.contains(&point.formulation)).map(|point| place(point));
+            let label = format!("{} element, any algorithm and mesh", element.name());
+            chart.series.push(drawing::Series::new(label, own, Style::run(colour, Dash::Absent, Marker::Dot)));
+        }
+        let front = front(&points, cost, &Point::worst);
+        let style = Style::run(palette::INK, Dash::Solid, Marker::Absent);
+        let front = front.into_iter().map(place).collect::<Vec<_>>();
+        chart.series.push(drawing::Series::new("Pareto front: none is cheaper and as exact", front, style));
+        chart.guides.push(Guide { direction: Direction::Horizontal, at: 100.0 * COMPARED, label: percent() });
+        chart
+    };
+    panels("All our runs on truncated Hertz", &COSTS.map(panel), 2)
 }

@@ -108,15 +108,6 @@ fn files() -> [PathBuf; 2] {
     ["measured.json", "precision.csv"].map(|name| root().join(FOLDER).join(name))
 }
 
-/// What is drawn: its name, and its median and its worst error over the loads.
-pub type Measure = (&'static str, fn(&Point) -> [f64; 2]);
-
-/// Peak pressure and half-width.
-pub const MEASURES: [Measure; 2] = [
-    ("peak pressure p₀", |point| [point.peak, point.peak_worst]),
-    ("half-width a", |point| [point.half_width, point.half_width_worst]),
-];
-
 /// Our points on meshes that do not know where the contact ends, under all of whose loads the runs converge.
 pub fn sound(points: &[Point]) -> Vec<&Point> {
     points.iter().filter(|point| point.series.order().is_some() && point.peak_worst.is_finite()).collect()

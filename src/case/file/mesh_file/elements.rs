@@ -68,6 +68,8 @@ pub struct Elements {
     pub called: [&'static str; 2],
     /// How such groups are made.
     pub made: &'static str,
+    /// What is said of elements of bodies of revolution in a scene of the plane; none where the file has none.
+    pub of_revolution: Option<Error>,
 }
 
 impl Elements {

@@ -15,9 +15,11 @@ use crate::error::Error;
 use super::elements::{Elements, INSTANCE, KINDS, OPTIONS, PLANE, Piece, add_to, is_off, number};
 use super::words::shown;
 
-/// What plane elements are called before the number of their nodes: plane stress and strain, and flat shells and membranes, as which
-/// pre-processors write them.
-const CELLS: [&str; 8] = ["CPS", "CPE", "CPEG", "S", "STRI", "M3D", "R3D", "DC2D"];
+/// What plane elements are called before the number of their nodes: plane stress and strain, flat shells and membranes, as which
+/// pre-processors write them, and sections of bodies of revolution.
+const CELLS: [&str; 9] = ["CPS", "CPE", "CPEG", "S", "STRI", "M3D", "R3D", "DC2D", OF_REVOLUTION];
+/// What elements of bodies of revolution are called.
+const OF_REVOLUTION: &str = "CAX";
 /// As what meshio writes every 4-node quadrilateral.
 const OF_MESHIO: &str = "CAX4P";
 /// What the names of elements that are no cells begin with: lines, and what joins nodes.
@@ -380,6 +382,13 @@ impl Deck {
     fn read_elements(&mut self, block: &Block) -> Result<(), Error> {
         let kind = block.parameter("TYPE").ok_or_else(|| block.refused("it has no TYPE", AGAIN))?;
         let cell = kind_of(block, kind)?;
+        let upper = kind.to_uppercase();
+        if upper.starts_with(OF_REVOLUTION) && upper != OF_MESHIO {
+            let message = format!("elements of type {} are of bodies of revolution", shown(kind));
+            let remedy =
+                "the scene is in plane strain or plane stress: give CPE or CPS elements, or `plane = \"axisymmetric\"`";
+            self.elements.of_revolution.get_or_insert_with(|| block.refused(message, remedy));
+        }
         let mut rows = block.rows();
         while let Some(mut row) = rows.next() {
             // The codes differ in the nodes of what is no cell, of which each has a line of the deck.
@@ -405,7 +414,7 @@ impl Deck {
             if self.index.insert(behind + tag, index).is_some() {
                 return Err(refused(format!("element {tag} stands twice"), AGAIN));
             }
-            if cell.is_some() && SHELLS.iter().any(|name| kind.to_uppercase().starts_with(name)) {
+            if cell.is_some() && SHELLS.iter().any(|name| upper.starts_with(name)) {
                 self.shells.insert(behind + tag);
             }
             if let Some(set) = block.parameter("ELSET") {
@@ -615,17 +624,11 @@ fn kind_of(block: &Block, kind: &str) -> Result<Option<(usize, usize)>, Error> {
     if begins(&["C3D", "SC"]) {
         return refused("are solids", PLANE);
     }
-    if begins(&["CAX", "CGAX", "SAX"]) && upper != OF_MESHIO {
-        return refused(
-            "are of bodies of revolution",
-            "scenes are in plane strain or plane stress: give CPE or CPS elements",
-        );
-    }
     if begins(&NO_CELLS) {
         return Ok(None);
     }
     // Of names that begin another one the longest counts.
-    let rests = CELLS.iter().chain(&["CAX"]).filter_map(|name| upper.strip_prefix(name));
+    let rests = CELLS.iter().filter_map(|name| upper.strip_prefix(name));
     let rest = rests.min_by_key(|rest| rest.len()).unwrap_or_default();
     let digits = rest.bytes().take_while(u8::is_ascii_digit).count();
     let nodes: usize = rest[..digits].parse().unwrap_or_default();

@@ -37,8 +37,8 @@ pub fn path(table: Value) -> PathBuf {
     table.source.file.parent().unwrap_or(Path::new("")).join(table.at("file").text())
 }
 
-/// A group of cells of a mesh file as a body.
-pub fn shape(table: Value) -> Result<Shape, Error> {
+/// A group of cells of a mesh file as a body, of revolution or of the plane.
+pub fn shape(revolves: bool, table: Value) -> Result<Shape, Error> {
     let [group, side] = ["group", "contact"].map(|key| table.at(key));
     let path = path(table);
     let bytes = bytes(table.at("file"), &path)?;
@@ -47,6 +47,9 @@ pub fn shape(table: Value) -> Result<Shape, Error> {
     // Decks have other endings too, and every line of them that is no data begins with a star.
     let is_deck = is_deck || bytes.trim_ascii_start().starts_with(b"*");
     let mesh = if is_deck { inp::parse(&path, bytes)? } else { msh::parse(&path, bytes)? };
+    if let Some(refused) = mesh.of_revolution.as_ref().filter(|_| !revolves) {
+        return Err(refused.clone());
+    }
     let (cells, turned) = cells(group, &mesh)?;
     let sides = sides(&cells);
     let mut numbers = HashMap::new();
@@ -157,8 +160,10 @@ fn cells(name: Value, mesh: &Elements) -> Result<(Vec<Vec<u64>>, usize), Error> 
         let at = |k: usize| mesh.nodes.get(&piece.nodes[k % 4]).copied().unwrap_or([f64::NAN; 2]);
         (0..4).map(|k| at(k)[0] * at(k + 1)[1] - at(k + 1)[0] * at(k)[1]).sum::<f64>()
     };
-    if let Some(piece) = pieces().find(|piece| area(piece).is_nan() || area(piece) == 0.0) {
-        return refused(format!("cell {} of `{}` is degenerate", piece.tag, name.text()), "repair the mesh");
+    let stands_twice = |piece: &Piece| piece.nodes.iter().collect::<HashSet<_>>().len() < piece.nodes.len();
+    if let Some(piece) = pieces().find(|piece| area(piece).is_nan() || area(piece) == 0.0 || stands_twice(piece)) {
+        let remedy = "repair the mesh: a quadrilateral with a node twice is a triangle";
+        return refused(format!("cell {} of `{}` is degenerate", piece.tag, name.text()), remedy);
     }
     let clockwise = |piece: &Piece| area(piece) < 0.0;
     let counter_clockwise = |piece: &Piece| match clockwise(piece) {

@@ -18,6 +18,9 @@ const MOST_GROUPS: usize = 16;
 const LONGEST_NAME: usize = 127;
 /// How groups are made.
 const MADE: &str = "give the body a Physical Surface and its sides Physical Curves in Gmsh";
+/// What to do with a file that is none of Gmsh's.
+const OTHER: &str = "give a mesh of Gmsh (.msh), or an input deck of CalculiX or Abaqus (.inp); Gmsh opens .bdf, .unv, .med, .cgns, .stl and .vtk and \
+                     saves them as .msh, as `meshio convert` does";
 /// What to do with a file of another version.
 const VERSIONS: &str = "save it as version 4.1 or 2.2: Mesh.MshFileVersion = 4.1";
 
@@ -65,7 +68,8 @@ pub fn parse(file: &Path, bytes: &[u8]) -> Result<Elements, Error> {
             _ if name.starts_with('$') => gmsh.words.at = place.end,
             _ => {
                 let message = format!("`{}` stands where a section should begin", shown(&name));
-                return Err(gmsh.words.wrong(place, message, "save the mesh again as version 4.1, ASCII"));
+                let remedy = if sections.is_empty() { OTHER } else { "save the mesh again as version 4.1, ASCII" };
+                return Err(gmsh.words.wrong(place, message, remedy));
             }
         }
         if is_read {

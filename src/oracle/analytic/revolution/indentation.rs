@@ -13,7 +13,7 @@ use nalgebra::Complex;
 use super::half_space::Potential;
 use crate::oracle::analytic::{Parameter, answer, finite, grown_to, largest, non_negative, positive};
 use crate::oracle::boundary::quadrature::panels;
-use crate::oracle::{Oracle, Quantity, Reading, ReferenceKind, Source};
+use crate::oracle::{Oracle, Quantity, Reading, Source};
 
 /// Contact of the profile `g = Σ c rⁿ`, n > 0, with a half-space.
 #[derive(Debug, Clone, PartialEq)]
@@ -147,10 +147,6 @@ impl Oracle for Indentation {
         "profile of revolution on a half-space"
     }
 
-    fn kind(&self) -> ReferenceKind {
-        ReferenceKind::Analytic
-    }
-
     fn source(&self) -> Source {
         Source::new(
             "I. N. Sneddon 1965; V. L. Popov and M. Heß, Method of Dimensionality Reduction, 2015, §3",
@@ -171,7 +167,7 @@ impl Oracle for Indentation {
             parameters.push(Parameter { holds, range: "above 0 and at most 1000", ..finite("power", power) });
         }
         if parameters.iter().any(|parameter| !parameter.holds) {
-            return answer(&parameters, f64::NAN);
+            return answer(parameters, quantity, f64::NAN);
         }
         let value = match quantity {
             Quantity::HalfWidth => self.radius,
@@ -180,12 +176,9 @@ impl Oracle for Indentation {
             Quantity::PeakPressure => self.peak_pressure(),
             Quantity::Resultant => self.load(),
             Quantity::Approach => self.approach(),
-            Quantity::Pressure { at } => {
-                parameters.push(finite("at", *at));
-                self.pressure(*at)
-            }
+            Quantity::Pressure { at } => self.pressure(*at),
             _ => return Reading::Silent,
         };
-        answer(&parameters, value)
+        answer(parameters, quantity, value)
     }
 }

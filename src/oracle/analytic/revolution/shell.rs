@@ -1,5 +1,7 @@
 //! Thick shells under pressure, spheres and cylinders, and one fitted into another.
 
+use crate::oracle::analytic::{Parameter, answer, finite, non_negative};
+use crate::oracle::{Oracle, Quantity, Reading, Source};
 use crate::scene::Material;
 
 /// What a shell is.
@@ -63,14 +65,58 @@ impl Shell {
         let [radial, hoop, third] = self.stress(radius);
         radius * (hoop - self.material.poisson * (radial + third)) / self.material.young
     }
+}
 
-    /// Pressure between an inner shell and an outer one that overlap by a radial interference before they are fitted \[MPa\].
+/// An inner shell and an outer one that overlap by a radial interference before they are fitted.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Fitted {
+    /// The inner shell; its outer radius is that of the interface.
+    pub inner: Shell,
+    /// The outer shell.
+    pub outer: Shell,
+    /// Radial interference \[mm\].
+    pub interference: f64,
+}
+
+impl Fitted {
+    /// Pressure between them \[MPa\].
     ///
     /// Their displacements at the interface differ by the interference; both are proportional to the pressure.
-    pub fn fitted(inner: Self, outer: Self, interference: f64) -> f64 {
-        let interface = inner.radii[1];
-        let narrowing = -Self { pressures: [0.0, 1.0], ..inner }.displacement(interface);
-        let widening = Self { pressures: [1.0, 0.0], ..outer }.displacement(interface);
-        interference / (narrowing + widening)
+    pub fn pressure(&self) -> f64 {
+        let interface = self.inner.radii[1];
+        let narrowing = -Shell { pressures: [0.0, 1.0], ..self.inner }.displacement(interface);
+        let widening = Shell { pressures: [1.0, 0.0], ..self.outer }.displacement(interface);
+        self.interference / (narrowing + widening)
+    }
+}
+
+impl Oracle for Fitted {
+    fn name(&self) -> &str {
+        "Lamé"
+    }
+
+    fn source(&self) -> Source {
+        Source::new(
+            "G. Lamé 1852; S. Timoshenko and J. N. Goodier, Theory of Elasticity, 1951, §§26, 127",
+            "re-derived; checked by equilibrium and by the mismatch of radial displacements",
+        )
+    }
+
+    fn read(&self, quantity: &Quantity) -> Reading {
+        let [[a, b], [_, c]] = [self.inner.radii, self.outer.radii];
+        let parameters = vec![
+            non_negative("bore", a),
+            Parameter { holds: b > a, range: "above the bore", ..finite("interface", b) },
+            Parameter {
+                holds: c > b && c.is_finite(),
+                range: "above the interface and finite",
+                ..finite("outside", c)
+            },
+            non_negative("interference", self.interference),
+        ];
+        match quantity {
+            Quantity::PeakPressure | Quantity::Pressure { .. } => answer(parameters, quantity, self.pressure()),
+            _ => Reading::Silent,
+        }
     }
 }

@@ -3,8 +3,8 @@
 use std::f64::consts::PI;
 
 use super::half_space::Potential;
-use crate::oracle::analytic::{answer, finite, largest, positive};
-use crate::oracle::{Oracle, Quantity, Reading, ReferenceKind, Source};
+use crate::oracle::analytic::{answer, largest, positive};
+use crate::oracle::{Oracle, Quantity, Reading, Source};
 
 /// Contact of two spheres, or of a sphere and a plane, each a paraboloid (Johnson, Contact Mechanics, 1985, §4.2).
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -81,10 +81,6 @@ impl Oracle for Sphere {
         "Hertz's sphere"
     }
 
-    fn kind(&self) -> ReferenceKind {
-        ReferenceKind::Analytic
-    }
-
     fn source(&self) -> Source {
         Source::new(
             "H. Hertz 1882; M. T. Huber 1904; K. L. Johnson, Contact Mechanics, 1985, §§3.4, 4.2",
@@ -93,19 +89,16 @@ impl Oracle for Sphere {
     }
 
     fn read(&self, quantity: &Quantity) -> Reading {
-        let mut parameters =
+        let parameters =
             vec![positive("load", self.load), positive("radius", self.radius), positive("modulus", self.modulus)];
         let value = match quantity {
             Quantity::HalfWidth | Quantity::SecondMomentWidth => self.contact_radius(),
             Quantity::PeakPressure => self.peak_pressure(),
             Quantity::Resultant => self.load,
             Quantity::Approach => self.approach(),
-            Quantity::Pressure { at } => {
-                parameters.push(finite("at", *at));
-                self.pressure(*at)
-            }
+            Quantity::Pressure { at } => self.pressure(*at),
             _ => return Reading::Silent,
         };
-        answer(&parameters, value)
+        answer(parameters, quantity, value)
     }
 }

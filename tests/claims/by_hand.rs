@@ -1,0 +1,310 @@
+//! Numbers that a planted fault could move unseen, against what a line of calculation by hand gives.
+
+use std::f64::consts::TAU;
+use std::path::Path;
+
+use approx::assert_relative_eq;
+use contact_vv::accuracy::{Quantity, bars};
+use contact_vv::case::library::find;
+use contact_vv::case::{self, Against, Case, Check, plausible};
+use contact_vv::cli::vtu;
+use contact_vv::elasticity::stress;
+use contact_vv::measure::profile;
+use contact_vv::mesh::{Mesh, Order, Resolution};
+use contact_vv::referee::answer::Point;
+use contact_vv::referee::source::Source;
+use contact_vv::referee::units::Role;
+use contact_vv::referee::{Asked, Handed, Profile, frd, norm, read};
+use contact_vv::scene::{Action, Load, MonotoneCubic};
+use contact_vv::solution::{EdgeState, PointState};
+use contact_vv::solve::{Discretisation, Formulation, Run};
+use vtkio::IOBuffer;
+
+use crate::outputs::{contact_vv, json, piece, scene};
+use crate::referee_readers::Frd;
+use crate::scene_file::text_of;
+use crate::workbench::parsed;
+
+#[test]
+fn smooth_table_of_uneven_points_on_a_parabola_has_its_slope_and_its_gap_between_them() {
+    const POINTS: [f64; 7] = [-3.0, -2.6, -1.5, -0.4, 0.7, 1.0, 2.4];
+    let cubic = MonotoneCubic::through(&POINTS.map(|s| [s, 0.25 * s * s]));
+    // Three points tell the slope of a parabola wherever they lie; around the lowest point the slope is bounded, so that no cell overshoots.
+    for s in [-2.9, -2.5, -2.0, -1.7, 1.2, 1.9, 2.3] {
+        assert_relative_eq!(cubic.gap(s), 0.25 * s * s, max_relative = 1e-12);
+        assert_relative_eq!(cubic.slope(s), 0.5 * s, max_relative = 1e-12);
+    }
+}
+
+#[test]
+fn pressures_on_a_line_do_not_oscillate_however_unevenly_their_points_lie() {
+    let at = |position: f64| PointState { position, weight: 1.0, pressure: 7.0 - 2.0 * position, gap: 0.0 };
+    let mut points = [0.0, 0.1, 1.0, 1.2, 2.5].map(at);
+    assert!(profile::oscillation(&points, 3.0) <= 1e-15);
+    points[2].pressure += 0.5;
+    assert_relative_eq!(profile::oscillation(&points, 3.0), 0.5, max_relative = 1e-12);
+}
+
+#[test]
+fn blocks_approach_by_their_gap_and_their_strains_whichever_is_the_first() {
+    // No strain along x and z: Δ = g + p Σ H (1 + ν)(1 − 2ν)/((1 − ν) E).
+    let strain = |young: f64, poisson: f64| (1.0 + poisson) * (1.0 - 2.0 * poisson) / ((1.0 - poisson) * young);
+    let wanted = 0.01 + 100.0 * (10.0 * strain(210e3, 0.3) + 5.0 * strain(70e3, 0.33));
+    let text = text_of("blocks.toml");
+    let swapped = text.replace("first = \"upper\"\nsecond = \"lower\"", "first = \"lower\"\nsecond = \"upper\"");
+    assert_ne!(text, swapped);
+    for text in [text, swapped] {
+        let (meshed, run) = parsed(&text).solve().expect("solved");
+        let displacement = meshed.discretisation.displacement_under(run.share(), &run.solution);
+        let found = meshed.discretisation.approach(&displacement, 0).expect("found").expect("both sides are pressed");
+        assert_relative_eq!(found, wanted, max_relative = 1e-7);
+    }
+}
+
+#[test]
+fn stresses_that_are_linear_are_exact_at_the_nodes_of_8_node_cells() {
+    let case = parsed(&text_of("blocks.toml"));
+    let mesh = Mesh::of(&case.scene, Resolution { order: Order::Quadratic, ..case.resolution }).expect("meshed");
+    let displacement: Vec<[f64; 2]> = mesh.points.iter().map(|[x, y]| [x * x + x * y, y * y - 0.5 * x * y]).collect();
+    let found = stress::at_nodes(&case.scene, &mesh, &displacement).expect("stress");
+    for (body, part) in case.scene.bodies.iter().zip(&mesh.bodies) {
+        // Hooke's law in plane strain: σ = λ (ε_x + ε_y) + 2 μ ε, τ = μ γ.
+        let (young, poisson) = (body.material.young, body.material.poisson);
+        let shear = 0.5 * young / (1.0 + poisson);
+        let lambda = 2.0 * shear * poisson / (1.0 - 2.0 * poisson);
+        for node in part.nodes.clone() {
+            let [x, y] = mesh.points[node];
+            let [along, across, sheared] = [2.0 * x + y, 2.0 * y - 0.5 * x, x - 0.5 * y];
+            let volume = lambda * (along + across);
+            let wanted = [volume + 2.0 * shear * along, volume + 2.0 * shear * across, shear * sheared];
+            (0..3).for_each(|k| {
+                assert_relative_eq!(found[node][k], wanted[k], epsilon = 1e-7 * young, max_relative = 1e-9)
+            });
+        }
+    }
+}
+
+/// Numbers of what `solve` prints behind a name.
+fn printed(arguments: &[&str], name: &str) -> Vec<f64> {
+    let (_, text, _) = contact_vv(&[&["solve"], arguments].concat());
+    let (_, line) = text.split_once(name).unwrap_or_else(|| panic!("{name}: {text}"));
+    line.split(|mark: char| " (,)°".contains(mark)).filter_map(|word| word.parse().ok()).collect()
+}
+
+#[test]
+fn angles_are_told_with_their_bars_in_degrees() {
+    let case = find("pin-rod", None).expect("a case");
+    let (meshed, run) = case.solve().expect("solved");
+    let all = bars(&meshed.discretisation, &run, &case.displaced()).expect("bars");
+    let known = all.of(0, &Quantity::HalfWidth).expect("a bar").total().to_degrees();
+    for (arguments, name) in [(&["pin-rod"][..], "half-angle "), (&["pin-rod", "--all"], "contact  half-width ")] {
+        let [told, bar, ..] = printed(arguments, name)[..] else { panic!("no angle") };
+        assert!((bar - known).abs() <= 0.06 * known, "{bar}: {known}");
+        assert!((told - run.contacts[0].measures.half_width().to_degrees()).abs() <= known, "{told}");
+    }
+}
+
+#[test]
+fn places_of_largest_stresses_are_told_to_the_size_of_their_cells() {
+    for (name, body) in [("pin-rod", "pin"), ("truncated-hertz", "block")] {
+        let (meshed, run) = find(name, None).expect("a case").solve().expect("solved");
+        let made = &meshed.discretisation;
+        let displacement = made.displacement_under(run.share(), &run.solution);
+        let stresses = made.largest_von_mises(&run, &displacement).expect("stresses");
+        let index = made.scene.bodies.iter().position(|one| one.name == body).expect("a body");
+        let largest = stresses[index].largest.expect("a largest stress");
+        let diagonal = |cell: usize| {
+            let [a, b] = [0, 2].map(|k| made.mesh.points[made.mesh.cell(cell)[k]]);
+            (a[0] - b[0]).hypot(a[1] - b[1])
+        };
+        let mut cells = made.mesh.bodies[index].cells.clone();
+        assert!(cells.any(|cell| (diagonal(cell) - largest.within).abs() <= 1e-12), "{}", largest.within);
+        let [_, _, x, y, ..] = printed(&[name], &format!("`{body}` "))[..] else { panic!("no place") };
+        let off = (x - largest.at[0]).abs().max((y - largest.at[1]).abs());
+        // Half of the power of ten that is no more than a cell.
+        let half = 0.5 * 10_f64.powf(largest.within.log10().floor());
+        assert!(off <= half * (1.0 + 1e-9), "({x}, {y}): {:?} within {}", largest.at, largest.within);
+    }
+}
+
+#[test]
+fn forces_of_an_even_pressure_on_rings_are_that_pressure_at_every_node() {
+    const RADII: [f64; 5] = [0.0, 0.5, 0.7, 1.6, 2.0];
+    let scene = find("sphere", None).expect("a case").scene;
+    assert!(scene.is_of_revolution());
+    // 2π p ∫ N r dr of the hat function of each node: of a piece from a to b, (b − a)(2a + b)/6 at its inner end.
+    let piece = |inner: f64, outer: f64, at: f64| (outer - inner) * (inner + outer + at) / 6.0;
+    let share = |k: usize| {
+        let inwards = k.checked_sub(1).map_or(0.0, |before| piece(RADII[before], RADII[k], RADII[k]));
+        inwards + RADII.get(k + 1).map_or(0.0, |after| piece(RADII[k], *after, RADII[k]))
+    };
+    let point = |k: usize| Point { position: RADII[k], value: 30.0 * TAU * share(k), area: None, gap: None };
+    let points = (0..RADII.len()).map(point).collect();
+    let handed = Handed { contact: 0, points, order: Order::Linear, edges: vec![], forces: true };
+    let profile = Profile::of(&scene, &handed);
+    for state in &profile.points {
+        assert_relative_eq!(state.pressure, 30.0, max_relative = 1e-12);
+    }
+    assert_relative_eq!(
+        profile.points.iter().map(|one| one.weight).sum::<f64>(),
+        0.5 * TAU * 4.0,
+        max_relative = 1e-12
+    );
+}
+
+#[test]
+fn means_over_rings_are_compared_with_means_over_their_areas() {
+    // ∫ s² ds / ∫ s ds from 1 to 3.
+    let edge = EdgeState { ends: [1.0, 3.0], weight: 1.0, pressure: 26.0 / 12.0, axis: Some(0.0) };
+    assert!(norm::of_means(&[edge], |s| s) <= 1e-3);
+    assert_relative_eq!(norm::of_means(&[EdgeState { axis: None, ..edge }], |s| s), 1.0 / 12.0, max_relative = 1e-3);
+}
+
+#[test]
+fn penetrations_of_a_table_stay_below_zero_and_tension_positive_turns_pressures_alone() {
+    let case = find("truncated-hertz", None).expect("a case");
+    let table = "position [mm],pressure [MPa],gap [um]\n0,-50,-2\n1,-30,-1\n2,0,5\n";
+    let asked = Asked { tension_positive: true, ..Asked::default() };
+    let answer = read::parse(Path::new("a.csv"), table.as_bytes(), &case, &asked).expect("read");
+    let found: Vec<[f64; 2]> =
+        answer.contacts[0].points.iter().map(|point| [point.value, point.gap.expect("a gap")]).collect();
+    for (found, wanted) in found.iter().zip([[50.0, -2e-3], [30.0, -1e-3], [0.0, 5e-3]]) {
+        (0..2).for_each(|k| assert_relative_eq!(found[k], wanted[k], epsilon = 1e-12));
+    }
+}
+
+#[test]
+fn a_polynomial_in_metres_has_the_peak_of_hertz() {
+    // p₀ = √(P E* / πR), the gap s²/2R: 10/m of a radius of 0.05 m.
+    let text = text_of("cylinder-in-metres.toml");
+    let polynomial = text.replace(
+        "{ hertz = { load = 22.6557162518, radius = 0.05 } }",
+        "{ polynomial = { load = 22.6557162518, coefficients = [10, 0, 0] } }",
+    );
+    assert_ne!(text, polynomial);
+    let peak = (22655.7162518 * 210e3 / 0.91 / (0.5 * TAU * 50.0)).sqrt();
+    let case = parsed(&polynomial);
+    let Against::Value(reference) = &case.checks[0].against else { panic!("no value") };
+    assert_relative_eq!(reference.value, peak, max_relative = 1e-9);
+}
+
+#[test]
+fn the_document_of_a_flat_punch_holds_each_number_under_its_name() {
+    // Ends at 0 and a, √2 a from the second moment, P on the whole of it.
+    let document = json(&["solve", &scene("flat-punch")]);
+    let contact = &document["contacts"][0];
+    let number = |value: &serde_json::Value| value.as_f64().expect("a number");
+    let [begin, end] = [0, 1].map(|k| number(&contact["closed"][0][k]));
+    assert!(begin.abs() <= 1e-12, "{contact}");
+    for (found, wanted, within) in [
+        (end, 1.0, 1e-9),
+        (number(&contact["half_width"]), 1.0, 1e-9),
+        (number(&contact["second_moment_width"]), 2_f64.sqrt(), 2e-3),
+        (number(&contact["resultant"]), 1000.0, 1e-6),
+    ] {
+        assert_relative_eq!(found, wanted, max_relative = within);
+    }
+}
+
+#[test]
+fn points_of_a_cell_of_high_order_are_written_evenly_spaced() {
+    let case = find("truncated-hertz", None).expect("a case");
+    let resolution = Resolution { order: Order::Quartic, ..case.resolution };
+    let made = Discretisation::of(case.scene, resolution).expect("meshed");
+    let run = Run::of(&made, &Formulation::verification()).expect("solved");
+    let piece = piece(&vtu::text(&made, &run).expect("written"));
+    let IOBuffer::F64(points) = &piece.points else { panic!("no points") };
+    let cell = made.mesh.cell(0);
+    let mut along: Vec<f64> = cell.iter().map(|&node| points[3 * node]).collect();
+    along.sort_by(f64::total_cmp);
+    along.dedup_by(|a, b| (*a - *b).abs() <= 1e-9);
+    // A rectangle: five columns of nodes, the outer ones at its corners.
+    let corners = || cell.iter().map(|&node| made.mesh.points[node][0]);
+    let [begin, end] = [corners().fold(f64::INFINITY, f64::min), corners().fold(f64::NEG_INFINITY, f64::max)];
+    assert_eq!(along.len(), 5, "{along:?}");
+    (0..5).for_each(|k| assert_relative_eq!(along[k], begin + (end - begin) * k as f64 / 4.0, epsilon = 1e-9));
+}
+
+#[test]
+fn displacements_of_a_frd_are_those_of_its_last_state() {
+    // Every node moves by 1 and 2 µm in the first state, by 3 and 4 µm in the last.
+    let plain = Frd::plain().text();
+    let nodes = plain.lines().skip_while(|line| !line.starts_with("    2C")).skip(1);
+    let numbers: Vec<&str> = nodes.take_while(|line| line.starts_with(" -1")).map(|line| line[3..13].trim()).collect();
+    let block = |state: usize| {
+        let names = ["D1", "D2", "D3"].map(|name| format!(" -5  {name:<12}1    2    1    0\n")).concat();
+        let row = |node: &&str| {
+            let moved = [1.0, 2.0, 0.0].map(|x| format!("{:>12.5E}", x + 2.0 * (state as f64 - 1.0))).concat();
+            format!(" -1{node:>10}{moved}\n")
+        };
+        let head = format!("    1PSTEP{state:>26}{:>12}{state:>12}\n  100CL  101{state:>12.5E}\n", 1);
+        format!("{head} -4  DISP        3    1\n{names}{} -3\n", numbers.iter().map(row).collect::<String>())
+    };
+    let text = plain.replace(" 9999\n", &(block(1) + &block(2) + " 9999\n"));
+    let case = find("truncated-hertz", None).expect("a case");
+    let units = [(Role::Position, "mm"), (Role::Displacement, "um")].map(|(role, unit)| (role, unit.to_owned()));
+    let asked = Asked { units: units.into(), ..Asked::default() };
+    let source = Source { file: Path::new("a.frd"), text: &text };
+    let field = frd::displacements((&source, &case.scene), &asked, None, None).expect("read").expect("a field");
+    for [x, y] in field.displacement {
+        assert_relative_eq!(x, 3e-3, max_relative = 1e-12);
+        assert_relative_eq!(y, 4e-3, max_relative = 1e-12);
+    }
+}
+
+#[test]
+fn weights_and_moments_in_kilonewtons_and_metres_are_in_newtons_and_millimetres() {
+    // 1 kN/m³ = 1e-6 N/mm³, 1 kN m = 1e6 N mm.
+    let text = text_of("cylinder-in-metres.toml");
+    let more = ", { body-force = [0, -77] }, { moment = { at = \"cut\", value = 2 } }]";
+    let loaded =
+        text.replace("value = [0, -0.226557162518] } }]", &format!("value = [0, -0.226557162518] }} }}{more}"));
+    assert_ne!(text, loaded);
+    let scene = parsed(&loaded).scene;
+    let [_, Load::BodyForce([along, down]), Load::OnSide { action: Action::Moment(moment), .. }] =
+        &scene.bodies[0].loads[..]
+    else {
+        panic!("{:?}", scene.bodies[0].loads)
+    };
+    assert!(along.abs() <= 0.0);
+    assert_relative_eq!(*down, -77e-6, max_relative = 1e-12);
+    assert_relative_eq!(*moment, 2e6, max_relative = 1e-12);
+}
+
+#[test]
+fn parts_of_an_arc_are_given_in_degrees() {
+    let ring = "plane = \"strain\"\nthickness = 1\n[[body]]\nname = \"wheel\"\nyoung = 210e3\npoisson = 0.3\n\
+        shape = { ring = { centre = [0, 50], inner = 40, outer = 50, sweep = 180, contact = \"outer\" } }\n\
+        supports = [{ at = \"start\", component = \"x\" }, { at = \"end\", component = \"x\" }]\n\
+        loads = [{ pressure = { at = \"inner\", part = { centre = [0, 50], from = 15, to = 30 }, law = { uniform = 1 } } }]\n\
+        [contact]\nfirst = \"wheel\"\ngap = { circle = 50 }\nstretch = 1\n[mesh]\nelements = 12\nper = 0.3\n";
+    let scene = parsed(ring).scene;
+    let [Load::OnSide { part: Some(part), .. }] = &scene.bodies[0].loads[..] else {
+        panic!("{:?}", scene.bodies[0].loads)
+    };
+    assert_relative_eq!(part.from, TAU / 24.0, max_relative = 1e-12);
+    assert_relative_eq!(part.to, TAU / 12.0, max_relative = 1e-12);
+}
+
+#[test]
+fn an_interference_is_held_against_the_smaller_extent_of_a_body() {
+    // 0.6 mm of the lower block's height of 5, whose width is 10; 0.4 mm is less than a tenth.
+    for (gap, is_deep) in [("-0.6", true), ("-0.4", false)] {
+        let text = text_of("blocks.toml").replace("uniform = 0.01", &format!("uniform = {gap}"));
+        let (meshed, run) = parsed(&text).solve().expect("solved");
+        let doubts = plausible::doubts(&meshed.discretisation, &run).concat();
+        assert_eq!(doubts.iter().any(|doubt| doubt.contains("within one another")), is_deep, "{gap}: {doubts:?}");
+    }
+}
+
+#[test]
+fn a_pressure_that_departs_by_a_hundredth_is_judged_as_that() {
+    let check = Check::error(case::Quantity::Departure, Against::Oracle, 1e-8, "exact in the discrete space");
+    let case = Case { checks: vec![check], ..find("patch", None).expect("a case") };
+    let (meshed, mut run) = case.solve().expect("solved");
+    let peak = run.measures().peak.pressure;
+    run.solution.points[0].pressure += 0.01 * peak;
+    let judged = case.judge(&meshed, &run).expect("judged");
+    let departure = judged.iter().find(|one| one.check.quantity == case::Quantity::Departure).expect("a check");
+    assert_relative_eq!(departure.value, 0.01, max_relative = 1e-5);
+}

@@ -1,0 +1,234 @@
+//! Files as other programs code, name and cut them: letters of Windows and of old Macs, what VTK and COMSOL write beside numbers, left halves.
+
+use std::path::Path;
+
+use approx::assert_relative_eq;
+use contact_vv::case::Case;
+use contact_vv::error::Error;
+use contact_vv::referee::judge::ENGINEERING;
+use contact_vv::referee::{Answer, Asked, Truth, Verdicts, verdicts};
+
+use crate::referee_readers::{Frd, ellipse, vtk};
+use crate::referee_wild::{parsed, tiny, usual};
+
+fn judged(answer: Answer) -> Result<Verdicts, Error> {
+    verdicts(&Truth::of(tiny()).expect("solved"), answer, ENGINEERING)
+}
+
+fn refused(name: &str, text: impl AsRef<[u8]>, asked: &Asked, parts: &[&str]) {
+    let error = parsed(name, text, asked).and_then(judged).map(|_| ()).expect_err(name).to_string();
+    assert!(parts.iter().all(|part| error.contains(part)), "{parts:?}: {error}");
+}
+
+fn read(name: &str, text: impl AsRef<[u8]>) -> Answer {
+    parsed(name, text, &usual()).unwrap_or_else(|error| panic!("{error}"))
+}
+
+#[test]
+fn texts_are_read_as_windows_and_old_macs_code_them_and_what_is_no_text_is_refused() {
+    let text = ellipse::text().replace("[MPa]", "[N/mm²]");
+    let words = |of: fn(u16) -> [u8; 2]| format!("\u{feff}{text}").encode_utf16().flat_map(of).collect::<Vec<u8>>();
+    let latin: Vec<u8> = text.chars().map(|letter| u8::try_from(u32::from(letter)).expect("a letter")).collect();
+    for bytes in [words(u16::to_le_bytes), words(u16::to_be_bytes), latin, text.replace('\n', "\r").into_bytes()] {
+        ellipse::assert(&read("theirs.csv", bytes), 1e-5);
+    }
+    let named = Frd::plain().text().replacen("    1C", "    1UUSER  J\u{fc}rgen\n    1C", 1);
+    let latin: Vec<u8> = named.chars().map(|letter| u8::try_from(u32::from(letter)).expect("a letter")).collect();
+    ellipse::assert(&read("theirs.frd", latin), 1e-4);
+    for bytes in [&b"PK\x03\x04\x14\x00\xb2"[..], b"\xff\xfe\x00\xd8", b"\x89HDF\r\n\x1a\n"] {
+        refused("theirs.csv", bytes, &usual(), &["it is no text", "UTF-8"]);
+    }
+}
+
+/// A grid of two rows of nodes as VTK writes it, with what it knows of an array behind its numbers.
+fn grid(place: impl Fn(f64, f64) -> [f64; 3], pressure: impl Fn(f64) -> String) -> String {
+    let nodes = || (0..2 * ellipse::NODES).map(|k| (ellipse::place(k % ellipse::NODES), (k / ellipse::NODES) as f64));
+    let array = |kind: &str, name: &str, more: &str, numbers: String| {
+        format!(
+            "<DataArray type=\"{kind}\" Name=\"{name}\" {more} format=\"ascii\">\n{numbers}\n<InformationKey name=\"L2_NORM_RANGE\" \
+             location=\"vtkDataArray\" length=\"2\">\n<Value index=\"0\">0</Value>\n</InformationKey>\n</DataArray>\n"
+        )
+    };
+    let list = |all: Vec<String>| all.join(" ");
+    let cell = |k: usize| format!("{k} {} {} {}", k + 1, k + 1 + ellipse::NODES, k + ellipse::NODES);
+    let count = ellipse::NODES - 1;
+    let points = nodes().map(|(x, y)| place(x, y)).map(|[x, y, z]| format!("{x} {y} {z}")).collect();
+    let pressures = nodes().map(|(x, y)| if y > 0.0 { "0".into() } else { pressure(x) }).collect();
+    format!(
+        "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt32\" \
+         compressor=\"vtkLZ4DataCompressor\">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{count}\">\n<PointData>\n{}</PointData>\n\
+         <Points>\n{}</Points>\n<Cells>\n{}{}{}</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n",
+        2 * ellipse::NODES,
+        array("Float64", "contact_pressure", "", list(pressures)),
+        array("Float64", "Points", "NumberOfComponents=\"3\"", list(points)),
+        array("Int64", "connectivity", "", list((0..count).map(cell).collect())),
+        array("Int64", "offsets", "", list((1..=count).map(|k| (4 * k).to_string()).collect())),
+        array("UInt8", "types", "", list(vec!["9".into(); count])),
+    )
+}
+
+fn written(s: f64) -> String {
+    ellipse::pressure(s).to_string()
+}
+
+#[test]
+fn what_vtk_knows_of_an_array_is_none_of_its_numbers_and_text_is_compressed_by_nothing() {
+    ellipse::assert(&read("theirs.vtu", grid(|x, y| [x, y, 0.0], written)), 1e-9);
+}
+
+#[test]
+fn nodes_beyond_the_contact_may_have_no_number_in_grids_as_in_files_of_calculix() {
+    let beyond = |s: f64| if s > 2.15 { "nan".into() } else { written(s) };
+    let answer = read("theirs.vtu", grid(|x, y| [x, y, 0.0], beyond));
+    assert_eq!(answer.contacts[0].points.len(), 22);
+    assert!(judged(answer).expect("judged").met());
+    let within = |s: f64| if s > 1.55 { "nan".into() } else { written(s) };
+    refused("theirs.vtu", grid(|x, y| [x, y, 0.0], within), &usual(), &["33 of the 49 nodes", "none is no zero"]);
+    let infinite = |s: f64| if s > 2.15 { "inf".into() } else { written(s) };
+    refused("theirs.vtu", grid(|x, y| [x, y, 0.0], infinite), &usual(), &["of the 49 nodes", "none is no zero"]);
+}
+
+#[test]
+fn cells_upright_on_the_plane_of_the_scene_are_refused() {
+    for place in [|x: f64, y: f64| [x, 0.0, y], |x: f64, y: f64| [0.0, x, y]] {
+        refused("theirs.vtu", grid(place, written), &usual(), &["none of its 48 plane cells has an area in x and y"]);
+    }
+}
+
+#[test]
+fn the_left_half_of_a_symmetric_contact_is_judged_as_the_right_one() {
+    let left = |s: f64| format!("-{s},{}\n", ellipse::pressure(s));
+    let rows: String = (0..ellipse::NODES).map(ellipse::place).map(left).collect();
+    let table = format!("position [mm],pressure [MPa]\n{rows}");
+    for (name, text) in [("theirs.csv", table), ("theirs.vtu", grid(|x, y| [0.0 - x, y, 0.0], written))] {
+        let answer = read(name, text);
+        ellipse::assert(&answer, 1e-9);
+        let found = judged(answer).expect("judged");
+        assert!(
+            found.met() && found.answer.read.iter().any(|how| how.contains("left half")),
+            "{:?}",
+            found.answer.read
+        );
+    }
+}
+
+#[test]
+fn pressures_that_are_missing_at_mid_sides_are_named() {
+    let k = |s: f64| (10.0 * s).round() as usize;
+    let zero = |s: f64| if k(s) % 2 == 1 { "0".into() } else { written(s) };
+    let truth = Truth::of(tiny()).expect("solved");
+    // Corners 0.2 mm apart leave 2 % of the width.
+    let found = verdicts(&truth, read("theirs.vtu", grid(|x, y| [x, y, 0.0], zero)), 3e-2).expect("judged");
+    assert!(!found.met() && found.mistakes.iter().any(|says| says.contains("mid-side")), "{:?}", found.mistakes);
+}
+
+#[test]
+fn no_half_of_a_half_is_missing_and_no_mistake_takes_means_over_edges_away() {
+    let points = || (0..ellipse::NODES).map(ellipse::place);
+    let list = |of: fn(f64) -> f64| points().map(|s| of(s).to_string()).collect::<Vec<_>>().join(",");
+    let edge = |times: f64| {
+        let one = move |k: usize| {
+            let [from, to] = [k, k + 1].map(ellipse::place);
+            let mean = 0.5 * times * (ellipse::pressure(from) + ellipse::pressure(to));
+            format!("{{\"from\":{from},\"to\":{to},\"area\":{},\"pressure\":{mean}}}", to - from)
+        };
+        (0..ellipse::NODES - 1).map(one).collect::<Vec<_>>().join(",")
+    };
+    let document = |times: f64| {
+        format!(
+            "{{\"units\":{{\"position\":\"mm\",\"pressure\":\"MPa\",\"area\":\"mm2\"}},\"contacts\":[{{\"position\":[{}],\"pressure\":[{}],\
+             \"edges\":[{}]}}]}}",
+            list(|s| s),
+            list(ellipse::pressure),
+            edge(times)
+        )
+    };
+    assert!(judged(read("theirs.json", document(1.0))).expect("judged").met());
+    let found = judged(read("theirs.json", document(2.0))).expect("judged");
+    assert!(!found.met() && !found.mistakes.iter().any(|says| says.contains("missing")), "{:?}", found.mistakes);
+}
+
+#[test]
+fn tables_are_read_as_comsol_excel_and_fortran_write_them() {
+    let row = |separator: &str, end: &str| ellipse::rows(separator, |x| x.to_string()).replace('\n', end);
+    for text in [
+        format!("% x (mm)    Contact pressure, contact pair p1 (MPa)\n{}", row("    ", "\n")),
+        format!("% x-coordinate (mm)    solid.Tn_p1 (MPa)\n{}", row("    ", "\n")),
+        format!("position [mm],pressure [MPa]\n{}", row(",", ",\n")),
+        format!("position [mm],pressure [MPa]\n−{}", row(",", "\n−")).trim_end_matches('−').to_owned(),
+    ] {
+        ellipse::assert(&read("theirs.txt", text), 1e-9);
+    }
+    let inches = ellipse::rows(",", |x| x.to_string());
+    let inches = parsed("theirs.csv", format!("position [inch],pressure [MPa]\n{inches}"), &usual()).expect("read");
+    assert_relative_eq!(inches.contacts[0].points[1].position, 25.4 * ellipse::place(1));
+    let commas = "position [mm],pressure [MPa]\n0,0,100,0\n1,0,86,6\n2,0,0,0\n";
+    refused("theirs.csv", commas, &usual(), &["theirs.csv:2", "4 cells", "decimal commas need semicolons"]);
+    refused("theirs.json", "{\"units\":{},\"contacts\":[{\"position\":[NaN]}]}", &usual(), &["numbers are finite"]);
+    refused("theirs.vtk", &vtk::ascii(&written)[..2000], &usual(), &["it is cut"]);
+}
+
+#[test]
+fn numbers_that_fill_their_columns_have_no_blanks_between_in_a_frd() {
+    let moved = |line: &str| {
+        let number = |text: &str| format!("{:>10}", text.trim().parse::<u64>().expect("a number") + 1_000_000_000);
+        match line.get(..3) {
+            Some(" -1") if line.contains('.') => format!("{}{}{}\n", &line[..3], number(&line[3..13]), &line[13..]),
+            Some(" -2") => {
+                let nodes = line.as_bytes()[3..].chunks(10).map(|own| number(std::str::from_utf8(own).expect("text")));
+                format!(" -2{}\n", nodes.collect::<String>())
+            }
+            _ => format!("{line}\n"),
+        }
+    };
+    ellipse::assert(&read("theirs.frd", Frd::plain().text().lines().map(moved).collect::<String>()), 1e-4);
+}
+
+/// A cone or a block of 4-node cells in a deck, pressed on a rigid plane.
+fn deck(kind: &str, plane: &str, cells: &str) -> Result<Case, Error> {
+    let folder = tempfile::tempdir().expect("a folder");
+    let nodes = "*NODE\n1, 0, 0\n2, 1, 0\n3, 2, 0\n4, 0, 1\n5, 1, 1\n6, 2, 1\n";
+    let sets = "*NSET, NSET=sole\n1, 2, 3\n*NSET, NSET=roof\n4, 5, 6\n*NSET, NSET=axis\n1, 4\n";
+    let text = format!("{nodes}*ELEMENT, TYPE={kind}, ELSET=body\n{cells}{sets}");
+    std::fs::write(folder.path().join("a.inp"), text).expect("written");
+    scene(folder.path(), "a.inp", plane)
+}
+
+fn scene(folder: &Path, file: &str, plane: &str) -> Result<Case, Error> {
+    // On the axis nodes stay by themselves.
+    let supports = if plane.contains("axi") { "" } else { "supports = [{ at = \"axis\", component = \"x\" }]\n" };
+    let text = format!(
+        "{plane}\n[[body]]\nname = \"body\"\nyoung = 1000\npoisson = 0.3\nshape = {{ mesh = {{ file = \"{file}\", group = \"body\", contact = \"sole\" }} }}\n\
+         {supports}loads = [{{ pressure = {{ at = \"roof\", law = {{ uniform = 5 }} }} }}]\n\
+         [contact]\nfirst = \"body\"\ngap = {{ uniform = 0 }}\nstretch = 2\n[reference]\npressure = 5\n"
+    );
+    Case::parse(&folder.join("scene.toml"), &text)
+}
+
+#[test]
+fn decks_of_bodies_of_revolution_are_read_in_scenes_of_such_bodies_alone() {
+    let (cells, strain) = ("1, 1, 2, 5, 4\n2, 2, 3, 6, 5\n", "plane = \"strain\"\nthickness = 1");
+    for (kind, plane) in [("CAX4", "plane = \"axisymmetric\""), ("CAX4R", "plane = \"axisymmetric\""), ("CPE4", strain)]
+    {
+        let case = deck(kind, plane, cells).unwrap_or_else(|error| panic!("{error}"));
+        for point in &case.solve().expect("solved").1.solution.points {
+            assert_relative_eq!(point.pressure, 5.0, max_relative = 1e-6);
+        }
+    }
+    let error = deck("CAX4", strain, cells).map(|_| ()).expect_err("refused").to_string();
+    assert!(error.contains("CAX4 are of bodies of revolution") && error.contains("axisymmetric"), "{error}");
+}
+
+#[test]
+fn quadrilaterals_with_a_node_twice_are_triangles_and_files_that_are_no_mesh_say_what_to_give() {
+    let strain = "plane = \"strain\"\nthickness = 1";
+    let error = deck("CPE4", strain, "1, 1, 2, 5, 4\n2, 2, 3, 6, 6\n").map(|_| ()).expect_err("refused").to_string();
+    assert!(error.contains("cell 2 of `body` is degenerate") && error.contains("a node twice"), "{error}");
+    let folder = tempfile::tempdir().expect("a folder");
+    for (name, text) in [("a.bdf", "GRID,1,,0.,0.,0.\n"), ("a.unv", "    -1\n  2411\n"), ("a.vtk", "# vtk DataFile\n")]
+    {
+        std::fs::write(folder.path().join(name), text).expect("written");
+        let error = scene(folder.path(), name, strain).map(|_| ()).expect_err(name).to_string();
+        assert!(error.contains("meshio convert") && error.contains(name), "{error}");
+    }
+}
