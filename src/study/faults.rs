@@ -96,7 +96,7 @@ impl Study for Numbers {
         let of_truths = faults.iter().filter(|fault| is_seen_by(fault, &TRUTHS)).count();
         Ok(format!(
             "Faults planted one at a time on a copy of the tree (`tests/faults`), and a test of each kind that turned red: a trial of the suite, or a \
-             claim. {of_truths} of {} are seen by a closed form or another code. ✓ with the day of the sources where the file of the fault and those \
+             claim. {of_truths} of {} are seen by a closed form or another code; which claims ask one is kept by hand (`tests/truths.toml`). ✓ with the day of the sources where the file of the fault and those \
              of the claims are as they were, else ○.\n\n{}\n\n\
              Operators and values that a program changes one at a time (`tests/mutants/room.py`), of a sample by chance, and how many turn a test red: \
              any, or one against a closed form or another code; those that give the same answers are not counted. The share has its interval of 95 %.\n\n{}\n",

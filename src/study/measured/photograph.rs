@@ -192,7 +192,7 @@ pub fn section(photograph: &Photograph) -> String {
          Fitted: a/R = {} (standard deviation {}, if readings were independent), orders at the centre {red} (red), {green} (green), {blue} \
          (blue), loaded edge {} R above the end of the diameter. Root mean square: {}. Reading: about 0.03 orders. A mesh twice as coarse changes \
          {} orders (root mean square), at most {}.\n\n{}\n\
-         With all else refitted every a/R from {} to {} of these passes ({ACCEPTED} orders are accepted): it validates the shape of the stress field \
+         With all else refitted, what passes of these lies between a/R = {} and {} ({ACCEPTED} orders are accepted): the picture validates the shape of the stress field \
          near a line contact, and nothing else. It cannot show the width, the shape of the pressure (uniform, Hertz and punch fit alike), the law \
          between load and width, E, ν, or anything about pins.\n\n{}",
         significant(a, 3),
