@@ -21,6 +21,8 @@ pub struct Indented {
     pub material: Material,
     /// Radius of the contact that block and candidates are drawn for \[mm\].
     pub drawn: f64,
+    /// Candidate stretch over that radius, where the block allows it.
+    pub stretch: f64,
 }
 
 impl Indented {
@@ -28,7 +30,8 @@ impl Indented {
     pub fn to(a: f64, powers: Vec<[f64; 2]>, profile: Profile) -> Self {
         let material = Material::STEEL;
         let modulus = material.plane_modulus(PlaneHypothesis::Axisymmetric);
-        Self { contact: Indentation::smooth(modulus, a, powers), profile, material, drawn: a }
+        let stretch = TruncatedHertz::default().stretch;
+        Self { contact: Indentation::smooth(modulus, a, powers), profile, material, drawn: a, stretch }
     }
 
     /// By a paraboloid of radius 50 mm.
@@ -48,7 +51,9 @@ impl Indented {
         let (a, nu, below) = (self.contact.radius, self.material.poisson, self.contact.clone());
         let stress = move |[r, depth]: [f64; 2]| below.potential(r, depth).stress(nu).in_plane();
         let Material { young, poisson } = self.material;
-        let block = TruncatedHertz { radius: self.drawn, young, poisson, a_over_r: 1.0, ..Default::default() };
+        let plain = TruncatedHertz::default();
+        let stretch = self.stretch.min(plain.size);
+        let block = TruncatedHertz { radius: self.drawn, young, poisson, a_over_r: 1.0, stretch, ..plain };
         let mut scene = block.scene_under(StressField(Arc::new(stress)));
         scene.plane = PlaneHypothesis::Axisymmetric;
         let pair = &mut scene.contacts[0];

@@ -58,7 +58,7 @@ pub fn sites() -> impl Iterator<Item = (Site, f64)> {
     let each = |family: Family| match family {
         Family::Mesh | Family::Pair => 20,
         Family::Power | Family::Flat | Family::Skew | Family::Hump | Family::Ripple | Family::Blocks => 30,
-        Family::Layer | Family::Row => 30,
+        Family::Layer | Family::Row | Family::Sphere | Family::Spheres | Family::Indented => 30,
         _ => 90,
     };
     families()

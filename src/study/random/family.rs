@@ -100,6 +100,14 @@ named_enum! {
         Layer = "layer",
         /// row of contacts.
         Row = "row",
+        /// truncated sphere.
+        ///
+        /// Paraboloids on blocks of revolution: Hertz's sphere without model error.
+        Sphere = "sphere",
+        /// power of the radius, 1.5 to 30, on a block of revolution.
+        Indented = "power-of-revolution",
+        /// two spheres of different moduli.
+        Spheres = "two-spheres",
     }
 }
 
@@ -232,7 +240,7 @@ pub const EACH: usize = 200;
 /// Number of the first one: from scenes of lower numbers the constants of the bars were chosen.
 pub const FIRST: usize = 90_000;
 /// Families with one contact and a mesh made here; those of smooth tops first.
-pub const FAMILIES: [Family; 21] = [
+pub const FAMILIES: [Family; 24] = [
     Family::Hertz,
     Family::Polynomial,
     Family::Wedge,
@@ -244,6 +252,9 @@ pub const FAMILIES: [Family; 21] = [
     Family::Eccentric,
     Family::Punch,
     Family::Rolling,
+    Family::Sphere,
+    Family::Spheres,
+    Family::Indented,
     Family::Power,
     Family::Flat,
     Family::Skew,
@@ -258,7 +269,7 @@ pub const FAMILIES: [Family; 21] = [
 
 /// Families of smooth tops, of which every bar is judged; of the others, any gap with its truth by the boundary method or a series, those that
 /// are told.
-pub const JUDGED: &[Family] = FAMILIES.split_at(11).0;
+pub const JUDGED: &[Family] = FAMILIES.split_at(13).0;
 
 /// Six of a family: each kind of cells with each element once, each way to end twice; of three neighbouring families every combination.
 pub fn chosen(family: Family) -> impl Iterator<Item = Site> {

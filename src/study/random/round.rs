@@ -12,7 +12,7 @@ use crate::oracle::boundary::strip::OnStrip;
 use crate::oracle::boundary::{Ring, Strip};
 use crate::scene::{
     Body, Circle, Component, ContactPair, Face, Load, Material, Path, Place, PlaneHypothesis, Profile, ReferenceValues,
-    Sector, Shape, Support, TractionField,
+    Scene, Sector, Shape, Support, TractionField,
 };
 use crate::study::random::blocks::{GROWING, even, of_hertz, rectangle, scene};
 use crate::study::random::family::{Draw, Sample};
@@ -65,14 +65,22 @@ pub fn pin(draw: &mut Draw, material: Material, guess: f64) -> Sample {
 
 /// An elastic cylinder on another one; the gap is the parabola of both, as Hertz has it.
 pub fn cylinders(draw: &mut Draw, upper: Material, guess: f64) -> Sample {
+    let (mut scene, [half_width, radius, above]) = discs(draw, upper, guess);
+    let modulus = scene.contact_modulus();
+    let hertz = Hertz { load: Hertz::load_for(half_width, radius, modulus), radius, modulus };
+    scene.bodies[0].loads =
+        vec![Load::Traction { boundary: "cut".into(), traction: [0.0, -hertz.load / (2.0 * above)] }];
+    scene.reference = ReferenceValues::hertz(half_width, hertz.load, radius);
+    Sample::of(scene, of_hertz(&hertz))
+}
+
+/// Two quarters of discs without a load: half-width of the contact that they are drawn for, relative radius and that of the upper one.
+pub fn discs(draw: &mut Draw, upper: Material, guess: f64) -> (Scene, [f64; 3]) {
     let lower = Material { young: upper.young * draw.decades(0.1, 10.0), poisson: draw.between(0.0, 0.45) };
     let (above, below) = (draw.decades(0.1, 1000.0), draw.decades(0.3, 3.0));
     let [above, below] = [above, above * below];
     let half_width = above.min(below) * draw.decades(0.001, 0.005);
     let radius = 1.0 / (1.0 / above + 1.0 / below);
-    let compliance: f64 = [upper, lower].iter().map(|m| 1.0 / m.plane_modulus(PlaneHypothesis::Strain)).sum();
-    let hertz =
-        Hertz { load: Hertz::load_for(half_width, radius, 1.0 / compliance), radius, modulus: 1.0 / compliance };
     let held =
         |boundary: &'static str, component| Support { at: Place::Boundary(boundary.into()), component, value: 0.0 };
     let disc = |name: &str, centre: f64, radius, contact, material| Body {
@@ -85,20 +93,15 @@ pub fn cylinders(draw: &mut Draw, upper: Material, guess: f64) -> Sample {
     };
     let mut bodies =
         vec![disc("upper", above, above, Face::Bottom, upper), disc("lower", -below, below, Face::Top, lower)];
-    bodies[0].loads = vec![Load::Traction { boundary: "cut".into(), traction: [0.0, -hertz.load / (2.0 * above)] }];
     bodies[1].supports.push(held("cut", Component::Y));
     let scene = scene(
-        "two cylinders",
+        "two discs",
         bodies,
         ContactPair::new(Some(1), Path::HORIZONTAL, Profile::Parabola { radius }, guess * half_width),
-        ReferenceValues {
-            length: half_width,
-            pressure: 2.0 * hertz.load / (PI * half_width),
-            gap: half_width * half_width / (2.0 * radius),
-        },
+        ReferenceValues::hertz(half_width, 1.0, radius),
         [1.7, 1.6, 0.3],
     );
-    Sample::of(scene, of_hertz(&hertz))
+    (scene, [half_width, radius, above])
 }
 
 /// Two rings of any thickness and materials; the cuts of each carry what the fit makes them.
