@@ -5,7 +5,7 @@ use std::sync::LazyLock;
 use contact_vv::accuracy::{self, Answer, Asked};
 use contact_vv::mesh::Order;
 use contact_vv::solve::Formulation;
-use contact_vv::study::promised::met::Record;
+use contact_vv::study::promised::met::{Record, record};
 use contact_vv::study::random::{Family, Sample, Site};
 
 const SITE: Site = Site { family: Family::Cosine, number: 90_001 };
@@ -21,7 +21,7 @@ static ANSWERED: LazyLock<(Sample, Answer)> = LazyLock::new(|| {
 fn order_that_does_not_halve_a_bar_once_is_followed_by_smaller_cells() {
     let (sample, answer) = &*ANSWERED;
     assert!(answer.unmet.is_none() && answer.resolution.order > Order::Quadratic, "{:?}", answer.unmet);
-    assert!(answer.run.dofs <= 8_000, "{}", answer.run.dofs);
+    assert!(answer.run.dofs <= 9_000, "{}", answer.run.dofs);
     let found = Record::of(&SITE, 1e-4, sample, answer);
     assert!(found.met && !found.is_falsely_met(), "{found:?}");
 }

@@ -71,7 +71,10 @@ impl Found {
         }
         checks.extend(accurate.iter().map(|(asked, answer)| met(asked, answer)));
         let most_dofs = accurate.as_ref().and_then(|(asked, _)| asked.most_dofs);
-        let barred = || accuracy::bars_up_to(most_dofs, &discretisation, &run, &problem.displaced());
+        let barred = || {
+            let bars = accuracy::bars_up_to(most_dofs, &discretisation, &run, &problem.displaced());
+            bars.map(|bars| bars.estimated(accurate.as_ref().map_or(&[], |(_, answer)| &answer.estimates)))
+        };
         let bars = with_bars.then(barred).transpose()?;
         if let Some(bars) = bars.as_ref().filter(|_| run.solution.converged()) {
             checks = checks.into_iter().map(|check| check.with_bar(&bars.all)).collect();

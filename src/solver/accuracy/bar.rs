@@ -119,6 +119,17 @@ impl Bars {
     pub fn of(&self, contact: usize, quantity: &Quantity) -> Option<Bar> {
         self.all.iter().find(|one| one.contact == contact && one.quantity == *quantity).map(|one| one.bar)
     }
+
+    /// The same where a search has estimated some of the numbers by a mesh of its own.
+    pub fn estimated(mut self, estimates: &[Barred]) -> Self {
+        for one in &mut self.all {
+            let is_it = |other: &&Barred| (other.contact, &other.quantity) == (one.contact, &one.quantity);
+            if let Some(estimate) = estimates.iter().find(is_it) {
+                *one = estimate.clone();
+            }
+        }
+        self
+    }
 }
 
 /// The bars of a run on its mesh; displacements are those of loaded sides, and what is wanted besides.

@@ -17,6 +17,8 @@ pub struct MonotoneCubic {
 const ROUND: f64 = 3.0;
 /// Difference of the curvatures on both sides of a point, over the larger of them, from which on it leaps there.
 const LEAP: f64 = 0.4;
+/// Curvature, over the largest one, up to which it is round-off.
+const STRAIGHT: f64 = 1e-9;
 
 impl MonotoneCubic {
     /// Through at least two points; where they begin at s = 0 the gap is even, and its slope there 0.
@@ -79,7 +81,12 @@ impl MonotoneCubic {
                 [(6.0 * chord - 4.0 * m - 2.0 * n) / h, (2.0 * m + 4.0 * n - 6.0 * chord) / h]
             })
             .collect();
-        let leaps = |two: &[[f64; 2]]| (two[1][0] - two[0][1]).abs() > LEAP * two[0][1].abs().max(two[1][0].abs());
+        let largest = curvatures.iter().flatten().fold(0.0, |largest: f64, one| largest.max(one.abs()));
+        let leaps = |two: &[[f64; 2]]| {
+            let [before, after] = [two[0][1], two[1][0]];
+            let size = before.abs().max(after.abs());
+            size > STRAIGHT * largest && (after - before).abs() > LEAP * size
+        };
         let inner = self.points.iter().skip(1).map(|point| point[0]);
         inner.zip(curvatures.windows(2)).filter(|(_, two)| leaps(two)).map(|(s, _)| s).collect()
     }
