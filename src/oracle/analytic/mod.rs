@@ -5,6 +5,7 @@
 //! * [`persson`]: a pin in a hole with clearance.
 //! * [`on_arc`]: one of a straight line, read on an arc.
 //! * [`lame`]: press fit of two rings.
+//! * [`michell`]: a ring under a harmonic of pressure.
 //! * [`bars`]: two bars closing a gap.
 //! * [`punch`]: a rigid flat punch on a half-plane.
 //! * [`revolution`]: bodies of revolution on a half-space, and thick shells.
@@ -18,6 +19,7 @@ pub mod bars;
 pub mod even_gap;
 pub mod hertz;
 pub mod lame;
+pub mod michell;
 pub mod on_arc;
 pub mod persson;
 pub mod punch;

@@ -7,10 +7,11 @@
 
 use std::f64::consts::{LN_2, PI};
 
-use nalgebra::{DMatrix, DVector, Matrix4, Vector4};
+use nalgebra::{DMatrix, DVector};
 
 use crate::oracle::analytic::Plane;
-use crate::scene::Profile;
+use crate::oracle::analytic::michell::{Harmonic, Side};
+use crate::scene::{Material, Profile};
 
 /// Polynomials of the pressure.
 const TERMS: usize = 24;
@@ -53,30 +54,16 @@ impl Ring {
         let [inner, outer] = self.radii;
         let (beta, kappa) = (outer / inner, self.plane.kolosov(self.poisson));
         let scale = inner * (1.0 + self.poisson) / self.young;
-        let n = n as f64;
-        if n < 0.5 {
+        if n == 0 {
             // A/r² + 2C is −1 on the inside, 0 outside.
             let c = 0.5 / (beta * beta - 1.0);
             return scale * (2.0 * c * beta * beta + (kappa - 1.0) * c);
         }
-        if n < 1.5 {
+        if n == 1 {
             return 0.0;
         }
-        // Michell's terms r^n, r^−n, r^{n+2}, r^{2−n}; those that grow are 1 on the outside.
-        let powers = [n, -n, n + 2.0, 2.0 - n];
-        let moves = [-n, n, kappa - n - 1.0, kappa + n - 1.0];
-        let unit = |k: usize| if k.is_multiple_of(2) { beta.powf(-powers[k]) } else { 1.0 };
-        let radial = |k: usize| powers[k] - n * n;
-        let along = |k: usize| n * (powers[k] - 1.0);
-        let outside = |k: usize| if k.is_multiple_of(2) { beta.powi(-2) } else { beta.powf(powers[k] - 2.0) };
-        let matrix = Matrix4::from_fn(|row, k| match row {
-            0 => radial(k) * unit(k),
-            1 => along(k) * unit(k),
-            2 => radial(k) * outside(k),
-            _ => along(k) * outside(k),
-        });
-        let answer = matrix.lu().solve(&Vector4::new(-1.0, 0.0, 0.0, 0.0));
-        answer.map_or(f64::NAN, |found| scale * (0..4).map(|k| found[k] * unit(k) * moves[k]).sum::<f64>())
+        let material = Material { young: self.young, poisson: self.poisson };
+        Harmonic::pressed(n, Side::Inside, self.radii, material, self.plane).displacement(inner)[0]
     }
 
     /// How far the inside moves outwards under the pressure on the outside \[mm\].

@@ -1,11 +1,13 @@
 //! Refinement: observed orders pair by pair, the cylinder against Hertz and against the whole of it, and the pin–rod's dimensionless
-//! family. Three questions of one page; those of nested meshes and of the family are files of their own:
+//! family. Four questions of one page; those of nested meshes, of curved sides and of the family are files of their own:
 //!
+//! * [`curved`] — rings on meshes that do not match.
 //! * [`nested`] — truncated Hertz on nested meshes.
 //! * [`family`] — the pin–rod by three dimensionless numbers.
 //!
 //! Below are the page, and the quarter cylinder under uniform load: how far it is from Hertz, and from the half cylinder.
 
+pub mod curved;
 pub mod family;
 pub mod nested;
 
@@ -36,6 +38,8 @@ pub enum Numbers {
         /// Largest relative error of the assembled load.
         load: f64,
     },
+    /// Rings on meshes that do not match.
+    Rings(curved::Curved),
     /// The cylinder beside Hertz, from the smallest contact to the largest.
     ModelError([Ratio; 4]),
     /// The half cylinder against the quarter, from the smallest contact to the largest.
@@ -70,6 +74,9 @@ impl Study for Numbers {
                 nested::truncated(order).map(|(series, load)| Numbers::Orders { series, load })
             })
         });
+        let rings = [("4-node", Order::Linear), ("8-node", Order::Quadratic)].map(|(name, order)| {
+            Planned::new("order of accuracy, rings", name, move || curved::rings(order).map(Numbers::Rings))
+        });
         let others = [
             Planned::new("model error, cylinder", "node.kinematic", || model_error().map(Numbers::ModelError)),
             Planned::new("half cylinder against quarter", "node.kinematic", || changes().map(Numbers::Quarter)),
@@ -79,12 +86,13 @@ impl Study for Numbers {
                 Ok(Numbers::Family { curves, same_place: [first, other], wide_plate })
             }),
         ];
-        orders.into_iter().chain(others).collect()
+        orders.into_iter().chain(rings).chain(others).collect()
     }
 
     fn judge(&self) -> Result<Vec<Judged>, Error> {
         Ok(match self {
             Numbers::Orders { series, load } => nested::judge_orders(series, *load),
+            Numbers::Rings(rings) => curved::judge(rings),
             Numbers::ModelError(ratios) => judge_model_error(ratios),
             Numbers::Quarter(changes) => changes.iter().flat_map(judge_change).collect(),
             Numbers::Family { curves, same_place, wide_plate } => family::judge(curves, same_place, *wide_plate),
@@ -93,20 +101,22 @@ impl Study for Numbers {
 
     /// Tables of the nested meshes and of the model error; the quarter; the family.
     fn section(findings: &[Found<Self>]) -> Result<String, Error> {
-        let [mut refinement, mut quarter, mut family] = [
+        let [mut refinement, mut rings, mut quarter, mut family] = [
             picture(nested::FILE, "Observed orders of accuracy") + nested::INTRODUCTION,
+            curved::INTRODUCTION.to_owned(),
             "## Half cylinder against quarter\n\n".to_owned(),
             format!("## The dimensionless family of the pin–rod\n\n{}\n\n", family::INTRODUCTION),
         ];
         for found in findings {
             match found.numbers {
                 Numbers::Orders { series, load } => refinement += &nested::table_of_orders(series, *load),
+                Numbers::Rings(found) => rings += &curved::table(found),
                 Numbers::ModelError(ratios) => refinement += &table_of_ratios(ratios),
                 Numbers::Quarter(changes) => quarter += &table_of_changes(changes),
                 Numbers::Family { curves, .. } => family += &family::table_of_curves(curves),
             }
         }
-        Ok(refinement + &quarter + &family)
+        Ok(refinement + &rings + &quarter + &family)
     }
 
     /// Errors over the mesh size.

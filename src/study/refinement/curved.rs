@@ -1,0 +1,248 @@
+//! Two rings pressed into one another on meshes that do not match: the orders in L2 of the pressure, and of the displacements of both.
+//!
+//! Their interference is `δ + Δ cos 2θ`, and by Lamé and Michell so is the pressure, `p₀ + p₂ cos 2θ`, all around: no end of the contact
+//! limits the orders, as it does on a half-plane.
+
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use crate::case::library::PressFit;
+use crate::case::{Check, Judged, Quantity, Reference};
+use crate::elasticity::{element, quadrature, shape_functions};
+use crate::error::Error;
+use crate::markdown::{self, Column};
+use crate::measure::order::{Observed, pairs};
+use crate::measure::profile::relative_l2;
+use crate::mesh::{Mesh, Order, Resolution};
+use crate::oracle::analytic::lame;
+use crate::oracle::analytic::michell::{Harmonic, Side};
+use crate::scene::{Profile, Scene, Shape};
+use crate::solve::{Discretisation, Element, Formulation, Iteration, Run};
+
+/// Elements of the inner and of the outer ring along the fit, on the coarsest mesh.
+const COARSEST: [usize; 2] = [6, 9];
+/// Nested meshes.
+const LEVELS: u32 = 4;
+/// Δ over δ.
+const WAVE: f64 = 0.4;
+/// Tolerance of the iteration, far below what the meshes leave.
+const TOLERANCE: f64 = 1e-8;
+/// Gauss points of a cell in each direction.
+const POINTS: usize = 5;
+
+/// What is found on one mesh; NaN where the run did not converge.
+#[derive(Clone, Debug)]
+pub struct Level {
+    /// Elements of the inner ring along the fit.
+    pub elements: usize,
+    /// Degrees of freedom.
+    pub dofs: usize,
+    /// Errors of the pressure and of the displacements, relative in L2.
+    pub errors: [f64; 2],
+}
+
+/// The rings: closed form and scene.
+struct Rings {
+    numbers: PressFit,
+    uniform: lame::PressFit,
+    /// Of the inner and of the outer ring, per MPa.
+    harmonics: [Harmonic; 2],
+    /// p₂ \[MPa\].
+    wave: f64,
+}
+
+impl Rings {
+    fn new() -> Self {
+        let numbers = PressFit::default();
+        let &PressFit { inner: bore, interface, outer: outside, interference, materials, plane } = &numbers;
+        let [inner, outer] = materials;
+        let uniform = lame::PressFit { bore, interface, outside, interference, inner, outer, plane };
+        let harmonics = [
+            Harmonic::pressed(2, Side::Outside, [bore, interface], inner, plane),
+            Harmonic::pressed(2, Side::Inside, [interface, outside], outer, plane),
+        ];
+        let [inwards, outwards] = harmonics.map(|one| one.displacement(interface)[0]);
+        let wave = WAVE * interference / (outwards - inwards);
+        Self { numbers, uniform, harmonics, wave }
+    }
+
+    /// Pressure at an angle \[MPa\].
+    fn pressure(&self, angle: f64) -> f64 {
+        self.uniform.pressure() + self.wave * (2.0 * angle).cos()
+    }
+
+    /// Displacement of a ring at a point \[mm\].
+    fn displacement(&self, ring: usize, [x, y]: [f64; 2]) -> [f64; 2] {
+        let (radius, angle) = (x.hypot(y), x.atan2(-y));
+        let lame = match ring {
+            0 => self.uniform.inner_displacement(radius),
+            _ => self.uniform.outer_displacement(radius),
+        };
+        let [outwards, along] = self.harmonics[ring].displacement(radius).map(|one| self.wave * one);
+        let (outwards, along) = (lame + outwards * (2.0 * angle).cos(), along * (2.0 * angle).sin());
+        let (sine, cosine) = angle.sin_cos();
+        [outwards * sine + along * cosine, along * sine - outwards * cosine]
+    }
+
+    /// The scene on meshes of the rings that do not match.
+    fn scene(&self, order: Order) -> Result<Scene, Error> {
+        let mut scene = self.numbers.scene();
+        let wave = WAVE * self.numbers.interference;
+        scene.contacts[0].profile = Profile::Cosine { amplitude: wave, wavelength: PI };
+        scene.contacts[0].clearance = -self.numbers.interference - wave;
+        let plain = scene.clone();
+        for (body, elements) in COARSEST.into_iter().enumerate() {
+            let mesh = Mesh::of(&plain, Resolution { elements, refinement: 0, order })?;
+            scene.bodies[body].shape = Shape::Given(mesh.given(body).into());
+        }
+        Ok(scene)
+    }
+
+    /// Error of the displacements of both rings, relative in L2.
+    fn relative_error(&self, mesh: &Mesh, displacement: &[[f64; 2]]) -> Result<f64, Error> {
+        let [mut error, mut scale] = [0.0; 2];
+        for (ring, body) in mesh.bodies.iter().enumerate() {
+            for cell in body.cells.clone().map(|cell| mesh.cell(cell)) {
+                let points: Vec<[f64; 2]> = cell.iter().map(|&node| mesh.points[node]).collect();
+                for (at, weight) in quadrature::gauss_square(POINTS) {
+                    let shapes = shape_functions::values(cell.len(), at);
+                    let sum =
+                        |of: &dyn Fn(usize) -> f64| shapes.iter().enumerate().map(|(k, n)| n * of(k)).sum::<f64>();
+                    let area =
+                        weight * element::gradients(&points, at).map_or(f64::NAN, |(_, determinant)| determinant);
+                    let exact = self.displacement(ring, [0, 1].map(|axis| sum(&|k| points[k][axis])));
+                    for axis in [0, 1] {
+                        let found = sum(&|k| displacement[cell[k]][axis]);
+                        error += area * (found - exact[axis]).powi(2);
+                        scale += area * exact[axis].powi(2);
+                    }
+                }
+            }
+        }
+        Ok((error / scale).sqrt())
+    }
+}
+
+/// Errors of a contact element on nested meshes of cells of one order, coarse to fine.
+fn levels(order: Order, element: Element) -> Result<Vec<Level>, Error> {
+    let rings = Rings::new();
+    let scene = rings.scene(order)?;
+    let on_mesh = |refinement| {
+        let elements = COARSEST[0] << refinement;
+        let made = Discretisation::of(scene.clone(), Resolution { elements, refinement, order })?;
+        let run = Run::of(&made, &Formulation::new(element, Iteration::Kinematic).tolerance(TOLERANCE))?;
+        let displacement = made.displacement_under(1.0, &run.solution);
+        let errors = [
+            relative_l2(&run.solution.points, |angle| rings.pressure(angle), FRAC_PI_2),
+            rings.relative_error(&made.mesh, &displacement)?,
+        ];
+        let errors = if run.solution.converged() { errors } else { [f64::NAN; 2] };
+        Ok(Level { elements, dofs: run.dofs, errors })
+    };
+    (0..LEVELS).map(on_mesh).collect()
+}
+
+/// What is found by each contact element on nested meshes of cells of one order.
+#[derive(Clone, Debug)]
+pub struct Curved {
+    /// Order of the cells.
+    pub order: Order,
+    /// Contact elements, each on the meshes from coarse to fine.
+    pub series: [(Element, Vec<Level>); 3],
+}
+
+/// Both rings by every contact element.
+pub fn rings(order: Order) -> Result<Curved, Error> {
+    let [line, layer, node] = Element::ALL.map(|element| levels(order, element).map(|levels| (element, levels)));
+    Ok(Curved { order, series: [line?, layer?, node?] })
+}
+
+/// Observed orders of one of the errors of a contact element, between each two successive meshes.
+fn orders(levels: &[Level], number: usize) -> Vec<Observed> {
+    let sizes: Vec<f64> = levels.iter().map(|level| 1.0 / level.elements as f64).collect();
+    pairs(&sizes, &levels.iter().map(|level| level.errors[number]).collect::<Vec<_>>(), TOLERANCE)
+}
+
+/// What is below the order expected and passes: pairs approach it from both sides.
+const SLACK: f64 = 0.1;
+
+/// Orders expected of the node element on 4-node and on 8-node cells, of the pressure and of the displacements.
+const EXPECTED: [[(f64, &str); 2]; 2] = [
+    [(1.5, "linear cells, and no end of a contact in between"), (2.0, "linear cells")],
+    [
+        (2.0, "the pressure of a node is its force over its area: not the 2.5 of pressures drawn as the cells are"),
+        (3.0, "quadratic cells"),
+    ],
+];
+
+/// What the orders are of.
+const NUMBERS: [&str; 2] = ["observed order of the pressure in L2", "observed order of the displacements in L2"];
+
+/// The order between each two successive meshes reaches the one expected; one that is withheld does not.
+pub fn judge(curved: &Curved) -> Vec<Judged> {
+    let expected = EXPECTED[usize::from(curved.order != Order::Linear)];
+    let [.., (_, levels)] = &curved.series;
+    let judged = NUMBERS.into_iter().zip(expected).enumerate().flat_map(|(number, (name, (order, because)))| {
+        let of_pair = move |(two, pair): (&[Level], Observed)| {
+            let quantity = Quantity::at(name, format!("{} to {} elements", two[0].elements, two[1].elements));
+            let expected = Reference::analytic(&format!("order {order}, a tenth less"), order - SLACK);
+            Check::at_least(quantity, expected, because).judge(pair.value())
+        };
+        levels.windows(2).zip(orders(levels, number)).map(of_pair)
+    });
+    judged.collect()
+}
+
+/// How it is asked.
+pub const INTRODUCTION: &str = "## Curved sides that do not match\n\n\
+     Two rings are pressed into one another with the interference `δ + Δ cos 2θ`, the inner one with two elements beside three of the outer \
+     one. By Lamé and Michell the pressure is `p₀ + p₂ cos 2θ` all around the fit: no end of the contact limits the orders. Errors are \
+     relative in L2, of the pressure over the points of the contact, of the displacements over both rings; orders are in brackets. \
+     A dash is a run that did not converge.\n\n";
+
+/// Errors and orders by each contact element.
+pub fn table(curved: &Curved) -> String {
+    type Row = (usize, usize, Vec<String>);
+    const COLUMNS: [Column<Row>; 8] = [
+        ("elements", |(elements, ..)| elements.to_string()),
+        ("dofs", |(_, dofs, _)| dofs.to_string()),
+        ("L2(p), line", |(.., cells)| cells[0].clone()),
+        ("L2(p), layer", |(.., cells)| cells[2].clone()),
+        ("L2(p), node", |(.., cells)| cells[4].clone()),
+        ("L2(u), line", |(.., cells)| cells[1].clone()),
+        ("L2(u), layer", |(.., cells)| cells[3].clone()),
+        ("L2(u), node", |(.., cells)| cells[5].clone()),
+    ];
+    let all: Vec<[Vec<Observed>; 2]> =
+        curved.series.iter().map(|(_, levels)| [0, 1].map(|number| orders(levels, number))).collect();
+    let [.., (_, levels)] = &curved.series;
+    let rows: Vec<Row> = levels
+        .iter()
+        .enumerate()
+        .map(|(k, level)| {
+            let cells = curved.series.iter().zip(&all).flat_map(|((_, levels), pairs)| {
+                [0, 1].map(|number| {
+                    let error = levels[k].errors[number];
+                    let order = k.checked_sub(1).and_then(|before| pairs[number].get(before));
+                    match order {
+                        _ if error.is_nan() => "–".into(),
+                        Some(Observed::Order(order)) => format!("{error:.2e} ({order:.2})"),
+                        _ => format!("{error:.2e}"),
+                    }
+                })
+            });
+            (level.elements, level.dofs, cells.collect())
+        })
+        .collect();
+    let [others @ .., (_, own)] = &curved.series;
+    let of_others = || others.iter().flat_map(|(_, levels)| levels.iter().zip(own));
+    let off = of_others().map(|(level, _)| level.errors[0]).fold(f64::NAN, f64::min);
+    let beside = of_others().map(|(level, own)| level.errors[1] / own.errors[1]).fold(f64::NAN, f64::max);
+    format!(
+        "**Rings, {}-node cells**\n\n{}\nOn every mesh the pressures at the points of the line and the layer element are off by {} or more, and \
+         their displacements by {} times those of the node element or less.\n\n",
+        curved.order.nodes_per_cell(),
+        markdown::columns(&COLUMNS, &rows),
+        markdown::error(off),
+        markdown::significant(beside, 2),
+    )
+}
