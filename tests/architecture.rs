@@ -214,12 +214,12 @@ fn matrix_types_of_libraries_stay_inside_the_numerics() {
 const BUDGETS: [(&str, usize); 9] = [
     ("solver", 20_680),
     ("drawing", 3_200),
-    ("case", 8_305),
-    ("oracle", 4_305),
-    ("study", 15_085),
+    ("case", 8_310),
+    ("oracle", 4_375),
+    ("study", 15_425),
     ("referee", 5_950),
     ("report", 3_570),
-    ("cli", 4_935),
+    ("cli", 4_940),
     ("live", 500),
 ];
 
@@ -234,7 +234,7 @@ fn rooms_keep_to_their_budgets() {
 }
 
 /// Files and types that the studies may have together.
-const STUDIES: [usize; 2] = [63, 133];
+const STUDIES: [usize; 2] = [64, 135];
 
 #[test]
 fn studies_keep_to_their_files_and_types() {
