@@ -1,6 +1,6 @@
 //! A chart drawn: areas, axes, guides, curves and signs, in this order.
 
-use super::canvas::{Canvas, EDGE, TITLE};
+use super::canvas::{Canvas, EDGE, TITLE, WIDTH};
 use super::chart::Chart;
 use super::curves::{Curve, curves};
 use super::drawing::Drawing;
@@ -14,20 +14,29 @@ use super::signs;
 
 const PLOT_WIDTH: f64 = 560.0;
 const PLOT_HEIGHT: f64 = 372.0;
+/// Room of the labels of guides, right of a plot as wide as the drawing.
+const OF_GUIDES: f64 = 56.0;
+/// Room of the axis below such a plot.
+const OF_AXIS: f64 = 14.0;
 
 impl Chart {
-    /// The chart, drawn, its legend on the right.
+    /// The chart, drawn: its legend on the right, or below where that is a row.
     pub fn drawing(&self) -> Drawing {
         Drawing::of(self.drawn())
     }
 
     fn drawn(&self) -> Result<Drawing, Error> {
         let mut canvas = Canvas::new();
-        let outer = Frame { left: EDGE, top: TITLE, right: EDGE + PLOT_WIDTH, bottom: TITLE + PLOT_HEIGHT };
+        let (legend, whole) = (Legend::of([self]), WIDTH - 2.0 * EDGE);
+        let is_below = legend.is_row_of(whole);
+        let width = if is_below { whole - OF_GUIDES } else { PLOT_WIDTH };
+        let outer = Frame { left: EDGE, top: TITLE, right: EDGE + width, bottom: TITLE + PLOT_HEIGHT };
         let plot = Plot::new(self, outer, Plot::headroom(self))?;
         plot.draw(&mut canvas);
-        let corner = (outer.right + EDGE, plot.frame.top - 4.0);
-        let (right, bottom) = Legend::of([self]).draw(&mut canvas, corner, 0.0);
+        let (right, bottom) = match is_below {
+            true => (outer.right, legend.draw(&mut canvas, (plot.frame.left, outer.bottom + OF_AXIS), whole).1),
+            false => legend.draw(&mut canvas, (outer.right + EDGE, plot.frame.top - 4.0), 0.0),
+        };
         canvas.drawing(&self.title, (right, bottom.max(outer.bottom)), &self.notes)
     }
 }

@@ -75,13 +75,22 @@ impl Legend {
         }
     }
 
+    /// Whether its entries stand side by side within a width.
+    pub fn is_row_of(&self, width: f64) -> bool {
+        !self.entries.is_empty() && self.entries.len() as f64 * self.pitch() <= width
+    }
+
+    /// Width of an entry and of the room to the next.
+    fn pitch(&self) -> f64 {
+        SAMPLE + widest(self.entries.iter().map(|(text, _)| text.as_str()), SIZE) + 4.0 * GAP
+    }
+
     /// Draws the entries from an upper left corner, column by column within a width; returns the lower right corner.
     pub fn draw(&self, canvas: &mut Canvas, (left, top): Point, width: f64) -> Point {
         if self.entries.is_empty() {
             return (left, top);
         }
-        let text = widest(self.entries.iter().map(|(text, _)| text.as_str()), SIZE);
-        let pitch = SAMPLE + text + 4.0 * GAP;
+        let pitch = self.pitch();
         let columns = ((width / pitch) as usize).clamp(1, self.entries.len());
         let rows = self.entries.len().div_ceil(columns);
         for (place, (text, sample)) in self.entries.iter().enumerate() {
