@@ -212,7 +212,7 @@ fn matrix_types_of_libraries_stay_inside_the_numerics() {
 
 /// Lines that a room may have; raised only by a commit that says what for.
 const BUDGETS: [(&str, usize); 9] = [
-    ("solver", 20_680),
+    ("solver", 20_740),
     ("drawing", 3_200),
     ("case", 8_310),
     ("oracle", 4_375),

@@ -5,12 +5,12 @@ use std::f64::consts::{FRAC_PI_2, SQRT_2};
 use approx::assert_relative_eq;
 use contact_vv::accuracy::longest::longest;
 use contact_vv::accuracy::{self, Answer, Asked, Quantity, ends, fitted, percentage};
-use contact_vv::case::library::{Cylinder, PinPlate, TruncatedHertz};
+use contact_vv::case::library::{Cylinder, PinPlate, PressFit, TruncatedHertz};
 use contact_vv::case::solved::met;
 use contact_vv::case::{Case, Verdict, library};
 use contact_vv::measure::larger;
 use contact_vv::mesh::{Order, Resolution};
-use contact_vv::scene::Scene;
+use contact_vv::scene::{Material, PlaneHypothesis, Scene};
 use contact_vv::solve::{Discretisation, Element, Formulation, Iteration, Run};
 
 use crate::scene_file::files;
@@ -124,6 +124,62 @@ fn from_a_thousandth_on_cells_of_high_order_meet_up_to_a_millionth_with_few_free
             assert!(error <= answer.estimate() && answer.estimate() <= asked, "{ratio}, {asked}: {error:e}");
             assert!(answer.resolution.order > Order::Quadratic, "{ratio}, {asked}");
             assert!(answer.run.dofs <= dofs, "{ratio}, {asked}: {}", answer.run.dofs);
+        }
+    }
+}
+
+/// A block on a gap whose pressure has its peak beside the middle: the first mesh ends the contact a sixth too early.
+const BESIDE_THE_MIDDLE: &str = "plane = \"strain\"\nthickness = 1\n[[body]]\nname = \"block\"\nyoung = 70e3\npoisson = 0.3\n\
+    shape = { rectangle = { x = [0, 200], y = [0, 200], contact = \"bottom\" } }\n\
+    supports = [{ at = \"left\", component = \"x\" }]\nloads = [{ traction = { at = \"far\", value = [0, -0.5] } }]\n\
+    [contact]\nfirst = \"block\"\ngap = { even = [0.00005, 0.0001] }\nstretch = 4\nsymmetric = true\n\
+    [mesh]\nelements = 12\nper = 1\n";
+
+#[test]
+fn cells_end_with_a_contact_whose_end_the_first_mesh_misses() {
+    let scene = parsed(BESIDE_THE_MIDDLE).scene;
+    for asked in [1e-2, 1e-4] {
+        let answer = accuracy::solve(&scene, &plain(), &Asked::new(asked)).expect("solved");
+        assert!(answer.unmet.is_none() && answer.resolution.order > Order::Quartic, "{asked}: {:?}", answer.unmet);
+    }
+}
+
+/// A ring of a fiftieth of its radius on a block: its stiffness leaves forces no better than 1e-7.
+const THIN_ON_BLOCK: &str = "plane = \"stress\"\nthickness = 1\n[[body]]\nname = \"ring\"\nyoung = 210e3\npoisson = 0.3\n\
+    shape = { ring = { centre = [0, 50], inner = 49, outer = 50, sweep = 90, contact = \"outer\" } }\n\
+    supports = [{ at = \"start\", component = \"x\" }]\n\
+    loads = [{ rigid-face = { at = \"end\", component = \"y\", force = -1 } }]\n\
+    [[body]]\nname = \"block\"\nyoung = 210e3\npoisson = 0.3\n\
+    shape = { rectangle = { x = [0, 20], y = [-20, 0], contact = \"top\" } }\n\
+    supports = [{ at = \"left\", component = \"x\" }, { at = \"far\", component = \"y\" }]\n\
+    [contact]\nfirst = \"ring\"\nsecond = \"block\"\ngap = { circle = 50 }\nstretch = 0.3\nsymmetric = true\n\
+    [mesh]\nelements = 12\nper = 0.1\n";
+
+#[test]
+fn asked_for_more_than_round_off_leaves_the_answer_is_no_worse() {
+    let scene = parsed(THIN_ON_BLOCK).scene;
+    let [met, beyond] =
+        [1e-3, 1e-4].map(|asked| accuracy::solve(&scene, &plain(), &Asked::new(asked)).expect("solved"));
+    let [within, left] = [met.estimate(), beyond.estimate()];
+    assert!(met.unmet.is_none() && left <= within, "{left:.1e} of 1e-4, {within:.1e} of 1e-3");
+}
+
+#[test]
+fn fit_of_a_ring_with_a_narrow_bore_is_within_its_bar() {
+    let [soft, steel] = [(21e3, 0.49), (210e3, 0.3)].map(|(young, poisson)| Material { young, poisson });
+    for part in [400.0, 50.0, 8.0] {
+        let fit = PressFit { materials: [soft, steel], plane: PlaneHypothesis::Strain, ..Default::default() };
+        let case = PressFit { inner: fit.interface / part, ..fit }.case();
+        let truth = case.reading(0, &Quantity::PeakPressure).value;
+        for asked in [1e-2, 1e-3, 1e-4, 1e-5] {
+            let answer = accuracy::solve(&case.scene, &plain(), &Asked::new(asked)).expect("solved");
+            let [peak] =
+                answer.estimates.iter().filter(|one| one.quantity == Quantity::PeakPressure).collect::<Vec<_>>()[..]
+            else {
+                panic!("one peak")
+            };
+            let [error, bar] = [(peak.value / truth - 1.0).abs(), peak.relative()];
+            assert!(error <= bar, "bore of 1/{part}, {asked}: {error:.1e} of {bar:.1e}");
         }
     }
 }

@@ -8,7 +8,7 @@ use crate::accuracy::coarser::finer;
 use crate::accuracy::laid::Laid;
 use crate::accuracy::rungs::{Rung, Rungs};
 use crate::accuracy::{Asked, Quantity};
-use crate::error::Error;
+use crate::error::{Error, Kind};
 use crate::mesh::{Order, Resolution};
 use crate::scene::Scene;
 use crate::solve::edge_fitted::{self, Sought};
@@ -91,27 +91,38 @@ pub(super) fn found(scene: &Scene, rungs: &mut Rungs) -> Result<Option<Rung>, Er
     Ok(best)
 }
 
-/// The first mesh, whose lines lie on the ends of the contact that the cheap one shows; none where none can be fitted, or is allowed.
+/// The first mesh, whose lines lie on the ends of the contact that the cheap one shows; a coarser one where the iteration does not converge on
+/// it, and none where none can be fitted, or is allowed.
 fn first(scene: &Scene, rungs: &mut Rungs) -> Option<(Discretisation, Rung)> {
-    let first = rungs.first.as_ref()?.run.clone();
     let of_ends = rungs.asked.quantities.contains(&Quantity::HalfWidth);
     let meshes = if of_ends { &OF_ENDS[..] } else { &OF_PEAK };
-    let (_, mesh) = meshes.iter().find(|(least, _)| *least <= rungs.asked.relative)?;
+    let wanted = meshes.iter().position(|(least, _)| *least <= rungs.asked.relative)?;
+    for (_, mesh) in meshes[..=wanted].iter().rev() {
+        let answer = sought(*mesh, scene, rungs).map_err(|error| rungs.is_refused(&error)).ok()?;
+        // The last one is the mesh itself.
+        let others = answer.tried.len().saturating_sub(1);
+        answer.tried[..others].iter().for_each(|tried| rungs.sought(tried));
+        let rung = rungs.remember(&answer.discretisation, answer.run, PURPOSE);
+        if is_kept(&answer.discretisation, &rung, rungs) {
+            return Some((answer.discretisation, rung));
+        }
+    }
+    None
+}
+
+/// A mesh whose lines lie on the ends of the contact.
+fn sought(mesh: Fitted, scene: &Scene, rungs: &Rungs) -> Result<edge_fitted::Answer, Error> {
     let permits = |dofs| rungs.watch.permits(dofs);
     let at_rest = at_rest(rungs.asked);
     let sought =
         Sought { is_near: at_rest >= AT_ONCE, permits: &permits, ..Sought::new(scene, &rungs.formulation, at_rest) };
-    let found = match mesh.around(&first, &sought) {
-        // Two stretches that the first mesh took for one have no lines: they are sought on finer ones.
-        Ok(answer) if !answer.is_where_it_was_sought() => mesh.found(&Sought { is_near: false, ..sought }),
-        found => found,
-    };
-    let answer = found.map_err(|error| rungs.is_refused(&error)).ok()?;
-    // The last one is the mesh itself.
-    let others = answer.tried.len().saturating_sub(1);
-    answer.tried[..others].iter().for_each(|tried| rungs.sought(tried));
-    let rung = rungs.remember(&answer.discretisation, answer.run, PURPOSE);
-    is_kept(&answer.discretisation, &rung, rungs).then_some((answer.discretisation, rung))
+    let around = rungs.first.as_ref().map(|first| mesh.around(&first.run, &sought));
+    match around {
+        Some(Ok(answer)) if answer.is_where_it_was_sought() => Ok(answer),
+        Some(Err(error @ Error { kind: Kind::TooManyDofs { .. }, .. })) => Err(error),
+        // The cheap mesh takes two stretches for one, or one that ends elsewhere: ends are sought on finer ones.
+        _ => mesh.found(&Sought { is_near: false, ..sought }),
+    }
 }
 
 /// Move of an end, over the half-width, that no longer matters.

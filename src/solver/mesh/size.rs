@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use crate::mesh::block::Block;
-use crate::mesh::outline::{Layout, widest};
+use crate::mesh::outline::{Layout, cells_at_bore, widest};
 use crate::mesh::{Order, Resolution};
 use crate::scene::{Body, ContactPair, Face, Path, Scene, Shape};
 
@@ -139,8 +139,12 @@ fn cells(scene: &Scene, resolution: Resolution, index: usize) -> f64 {
                 .map(|([from, to], first, ratio)| counted(to - from, first, ratio, grading.coarsest * (to - from))),
             Shape::Disc { radius, .. } => arc([size, step], radius, radius),
             Shape::Ring { inner, outer, contact, .. } => {
-                let face = if contact == Face::Top { outer } else { inner };
-                arc([size, step], face.radius, outer.radius - inner.radius)
+                let of_radii = |face: f64| arc([size, step], face, outer.radius - inner.radius);
+                let at_bore = || cells_at_bore([inner.radius, outer.radius], grading.coarsest);
+                match contact {
+                    Face::Top => of_radii(outer.radius).map(|count| count.max(at_bore())),
+                    Face::Bottom => of_radii(inner.radius),
+                }
             }
             Shape::Eye { outer_radius, .. } => arc([size, step], outer_radius, outer_radius),
             Shape::Blocks(_) | Shape::Given(_) => [0.0, 0.0],

@@ -19,6 +19,7 @@ use crate::mesh::block::Block;
 use crate::scene::{Face, Shape};
 
 pub(crate) use layout::{Layout, widest};
+pub(crate) use ring::cells_at_bore;
 
 impl Layout<'_> {
     /// Blocks of a shape.

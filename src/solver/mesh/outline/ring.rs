@@ -37,6 +37,8 @@ fn right_blocks(layout: &Layout, pole: Point, circles: [Circle; 2], sweep: f64, 
         return rows(layout, pole, circles, &angles, contact);
     }
     let positions = layout.across(first, depth);
+    let positions =
+        if contact == Face::Top { around_bore(&positions, inner.radius, layout.grading.coarsest) } else { positions };
     let inwards: Vec<f64> = match contact {
         Face::Bottom => positions.iter().rev().map(|d| 1.0 - d / depth).collect(),
         Face::Top => positions.iter().map(|d| d / depth).collect(),
@@ -53,6 +55,33 @@ fn right_blocks(layout: &Layout, pole: Point, circles: [Circle; 2], sweep: f64, 
         top: Side::named(name(Face::Bottom, "inner"), arc(inner)),
         left: Side::named("start", radial(0.0)),
     }]
+}
+
+/// Length of the cells at a bore over its radius and the coarsest element's part of the body: rings whose bore is wider than a fifth of their
+/// outer radius have none as long.
+const AT_BORE: f64 = 4.0;
+
+/// Depths below the outer circle, with those among them that cells need near a bore that is small beside them.
+///
+/// There displacements go as 1/r, which a cell misses across which the radius grows many times, and a coarser one alike: the fit of a ring of
+/// ν = 0.49 with a bore of 1/400 of its radius was 2e-5 off on any mesh.
+fn around_bore(depths: &[f64], bore: f64, coarsest: f64) -> Vec<f64> {
+    let whole = depths[depths.len() - 1];
+    let radius = |depth: f64| bore + (whole - depth);
+    let mut all = vec![depths[0]];
+    for ends in depths.windows(2) {
+        let [outside, inside] = [radius(ends[0]), radius(ends[1])];
+        let parts = (cells_at_bore([inside, outside], coarsest) - 1e-9).ceil().max(1.0) as i32;
+        let within = |k: i32| ends[0] + outside * (1.0 - (inside / outside).powf(f64::from(k) / f64::from(parts)));
+        all.extend((1..parts).map(within));
+        all.push(ends[1]);
+    }
+    all
+}
+
+/// How many cells of those lie between two radii.
+pub(crate) fn cells_at_bore([inside, outside]: [f64; 2], coarsest: f64) -> f64 {
+    (outside / inside).ln() / (AT_BORE * coarsest).ln_1p()
 }
 
 /// Depth below the face, as difference of logarithms of radii, up to which rows grow as the grading has it.
