@@ -6,11 +6,12 @@
 
 use crate::accuracy::coarser::finer;
 use crate::accuracy::laid::Laid;
+use crate::accuracy::longest::longest;
 use crate::accuracy::rungs::{Rung, Rungs};
 use crate::accuracy::{Asked, Quantity};
 use crate::error::{Error, Kind};
 use crate::mesh::{Order, Resolution};
-use crate::scene::Scene;
+use crate::scene::{ContactPair, Scene};
 use crate::solve::edge_fitted::{self, Sought};
 use crate::solve::{Discretisation, Element, Fitted, Formulation};
 
@@ -98,7 +99,17 @@ fn first(scene: &Scene, rungs: &mut Rungs) -> Option<(Discretisation, Rung)> {
     let meshes = if of_ends { &OF_ENDS[..] } else { &OF_PEAK };
     let wanted = meshes.iter().position(|(least, _)| *least <= rungs.asked.relative)?;
     for (_, mesh) in meshes[..=wanted].iter().rev() {
-        let answer = sought(*mesh, scene, rungs).map_err(|error| rungs.is_refused(&error)).ok()?;
+        let mut answer = sought(*mesh, scene, rungs).map_err(|error| rungs.is_refused(&error)).ok()?;
+        if let Some(wider) = wider(scene, &answer.stretches) {
+            answer.tried.iter().for_each(|tried| rungs.sought(tried));
+            let permits = |dofs| rungs.watch.permits(dofs);
+            let near = Sought {
+                permits: &permits,
+                is_near: true,
+                ..Sought::new(&wider, &rungs.formulation, at_rest(rungs.asked))
+            };
+            answer = mesh.around(&answer.run, &near).map_err(|error| rungs.is_refused(&error)).ok()?;
+        }
         // The last one is the mesh itself.
         let others = answer.tried.len().saturating_sub(1);
         answer.tried[..others].iter().for_each(|tried| rungs.sought(tried));
@@ -123,6 +134,26 @@ fn sought(mesh: Fitted, scene: &Scene, rungs: &Rungs) -> Result<edge_fitted::Ans
         // The cheap mesh takes two stretches for one, or one that ends elsewhere: ends are sought on finer ones.
         _ => mesh.found(&Sought { is_near: false, ..sought }),
     }
+}
+
+/// Candidates over the farther end of a contact below which the cells beyond that end are squeezed, and how far they go then.
+const SQUEEZED: f64 = 1.2;
+const BEYOND: f64 = 4.0 / 3.0;
+
+/// A scene with candidates that go farther than where its contacts end, where they hardly do; none where they do, or cannot.
+///
+/// A cheap mesh may have taken a contact for a quarter shorter than it is: of a sphere with 4 % of candidates beyond, no order of cells told
+/// the half-width to better than 1e-4.
+fn wider(scene: &Scene, stretches: &[Vec<[f64; 2]>]) -> Option<Scene> {
+    let mut wider = scene.clone();
+    for (pair, ends) in wider.contacts.iter_mut().zip(stretches) {
+        let end = ends.iter().flatten().fold(0.0, |far: f64, end| far.max(end.abs()));
+        if pair.stretch < SQUEEZED * end {
+            pair.stretch = (BEYOND * end).min(longest(scene, pair)).max(pair.stretch);
+        }
+    }
+    let goes_farther = |(wider, pair): (&ContactPair, &ContactPair)| wider.stretch > pair.stretch * (1.0 + 1e-9);
+    wider.contacts.iter().zip(&scene.contacts).any(goes_farther).then_some(wider)
 }
 
 /// Move of an end, over the half-width, that no longer matters.
