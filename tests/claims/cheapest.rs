@@ -3,7 +3,9 @@
 use std::sync::LazyLock;
 
 use contact_vv::accuracy::{self, Answer, Asked};
+use contact_vv::case::library;
 use contact_vv::mesh::Order;
+use contact_vv::oracle::{Quantity, Reading};
 use contact_vv::solve::Formulation;
 use contact_vv::study::promised::met::{Record, record};
 use contact_vv::study::random::{Family, Sample, Site};
@@ -66,4 +68,20 @@ fn mesh_that_judges_one_is_the_next_that_is_judged() {
     assert!(orders.len() > 2 && orders.iter().all(|tried| tried.coarser == 0), "{orders:?}");
     // The last one judges the answer.
     assert_eq!(orders[orders.len() - 2].dofs, answer.run.dofs);
+}
+
+#[test]
+fn sphere_that_a_cheap_mesh_takes_for_a_smaller_one_is_met_by_few_dofs() {
+    let case = library::find("truncated-sphere", None).expect("known");
+    for (asked, most) in [(1e-3, 900), (1e-5, 5_000)] {
+        let answer = accuracy::solve(&case.scene, &Formulation::verification(), &Asked::new(asked)).expect("solved");
+        assert!(answer.unmet.is_none() && answer.run.dofs <= most, "{asked}: {} {:?}", answer.run.dofs, answer.unmet);
+        let found = [answer.run.measures().half_width(), answer.run.measures().peak.pressure];
+        for (found, quantity) in found.into_iter().zip([&Quantity::HalfWidth, &Quantity::PeakPressure]) {
+            let Reading::Value { value, .. } = case.oracles[0].as_ref().expect("a truth").read(quantity) else {
+                panic!("{quantity:?} is told")
+            };
+            assert!((found / value - 1.0).abs() <= asked, "{asked}, {quantity:?}: {found} for {value}");
+        }
+    }
 }
