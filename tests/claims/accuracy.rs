@@ -12,6 +12,7 @@ use contact_vv::measure::larger;
 use contact_vv::mesh::{Order, Resolution};
 use contact_vv::scene::{Material, PlaneHypothesis, Scene};
 use contact_vv::solve::{Discretisation, Element, Formulation, Iteration, Run};
+use contact_vv::study::random::{Family, Site};
 
 use crate::scene_file::files;
 use crate::workbench::{self, block_text, parsed};
@@ -141,6 +142,24 @@ fn cells_end_with_a_contact_whose_end_the_first_mesh_misses() {
     for asked in [1e-2, 1e-4] {
         let answer = accuracy::solve(&scene, &plain(), &Asked::new(asked)).expect("solved");
         assert!(answer.unmet.is_none() && answer.resolution.order > Order::Quartic, "{asked}: {:?}", answer.unmet);
+    }
+}
+
+#[test]
+fn other_algorithms_leave_what_the_mesh_of_kinematic_load_does() {
+    let sample = Site { family: Family::Wedge, number: 93_000 }.sample().expect("a sample");
+    for algorithm in [Iteration::Varying, Iteration::Constant] {
+        let formulation = Formulation::new(Element::Node, algorithm);
+        let answer = accuracy::solve(&sample.scene, &formulation, &Asked::new(1e-3)).expect("solved");
+        assert!(answer.unmet.is_none(), "{algorithm:?}: {:?}", answer.unmet);
+        for one in &answer.estimates {
+            let error = (one.value / sample.truth(0, &one.quantity) - 1.0).abs();
+            assert!(
+                error <= one.relative() && one.relative() <= 1e-3,
+                "{algorithm:?}, {:?}: {error:.1e}",
+                one.quantity
+            );
+        }
     }
 }
 

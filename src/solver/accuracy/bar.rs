@@ -108,6 +108,17 @@ impl Barred {
         }
     }
 
+    /// Takes the mesh's part from what is known of the same number on the same mesh.
+    pub(super) fn take_mesh_of(&mut self, known: &[Self]) {
+        let Some(known) = known.iter().find(|one| one.contact == self.contact && one.quantity == self.quantity) else {
+            return;
+        };
+        (self.bar.mesh, self.told) = (known.bar.mesh, known.told);
+        if self.unknown != Some(NOT_FOUND) {
+            self.unknown = known.unknown;
+        }
+    }
+
     /// The bar over the value; NaN where it is not known.
     pub fn relative(&self) -> f64 {
         (self.bar.total() / self.value).abs()

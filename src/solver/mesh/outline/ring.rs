@@ -37,8 +37,10 @@ fn right_blocks(layout: &Layout, pole: Point, circles: [Circle; 2], sweep: f64, 
         return rows(layout, pole, circles, &angles, contact);
     }
     let positions = layout.across(first, depth);
+    let has_narrow_bore =
+        contact == Face::Top && cells_at_bore(circles.map(|circle| circle.radius), layout.grading.coarsest) > 0.0;
     let positions =
-        if contact == Face::Top { around_bore(&positions, inner.radius, layout.grading.coarsest) } else { positions };
+        if has_narrow_bore { around_bore(&positions, inner.radius, layout.grading.coarsest) } else { positions };
     let inwards: Vec<f64> = match contact {
         Face::Bottom => positions.iter().rev().map(|d| 1.0 - d / depth).collect(),
         Face::Top => positions.iter().map(|d| d / depth).collect(),
@@ -57,11 +59,11 @@ fn right_blocks(layout: &Layout, pole: Point, circles: [Circle; 2], sweep: f64, 
     }]
 }
 
-/// Length of the cells at a bore over its radius and the coarsest element's part of the body: rings whose bore is wider than a fifth of their
-/// outer radius have none as long.
-const AT_BORE: f64 = 4.0;
+/// Depth of a ring below the outer face over the radius of its bore from which on that is narrow; length of the cells there over that radius
+/// and the coarsest element's part of the body.
+const NARROW: f64 = 4.0;
 
-/// Depths below the outer circle, with those among them that cells need near a bore that is small beside them.
+/// Depths below the outer circle, with those among them that cells need near a narrow bore.
 ///
 /// There displacements go as 1/r, which a cell misses across which the radius grows many times, and a coarser one alike: the fit of a ring of
 /// ν = 0.49 with a bore of 1/400 of its radius was 2e-5 off on any mesh.
@@ -71,7 +73,7 @@ fn around_bore(depths: &[f64], bore: f64, coarsest: f64) -> Vec<f64> {
     let mut all = vec![depths[0]];
     for ends in depths.windows(2) {
         let [outside, inside] = [radius(ends[0]), radius(ends[1])];
-        let parts = (cells_at_bore([inside, outside], coarsest) - 1e-9).ceil().max(1.0) as i32;
+        let parts = (across([inside, outside], coarsest) - 1e-9).ceil().max(1.0) as i32;
         let within = |k: i32| ends[0] + outside * (1.0 - (inside / outside).powf(f64::from(k) / f64::from(parts)));
         all.extend((1..parts).map(within));
         all.push(ends[1]);
@@ -79,9 +81,14 @@ fn around_bore(depths: &[f64], bore: f64, coarsest: f64) -> Vec<f64> {
     all
 }
 
-/// How many cells of those lie between two radii.
+/// How many of the cells at a narrow bore lie between two radii.
+fn across([inside, outside]: [f64; 2], coarsest: f64) -> f64 {
+    (outside / inside).ln() / (NARROW * coarsest).ln_1p()
+}
+
+/// How many of them a ring has; none where its bore is not narrow.
 pub(crate) fn cells_at_bore([inside, outside]: [f64; 2], coarsest: f64) -> f64 {
-    (outside / inside).ln() / (AT_BORE * coarsest).ln_1p()
+    if outside - inside > NARROW * inside { across([inside, outside], coarsest) } else { 0.0 }
 }
 
 /// Depth below the face, as difference of logarithms of radii, up to which rows grow as the grading has it.
