@@ -29,8 +29,8 @@ pub fn told(pairs: &Pairs) -> Vec<Told> {
         let cases: BTreeSet<[&str; 2]> = others.map(case).collect();
         section(what, rows.iter().map(|row| (*row, alone(row, &cases))))
     };
-    let (failing, passing): (Vec<&CheckRow>, Vec<&CheckRow>) =
-        pairs.came.iter().copied().partition(|row| is_failing(row));
+    let came = pairs.came.iter().filter(|row| !is_stale(row)).copied();
+    let (failing, passing): (Vec<&CheckRow>, Vec<&CheckRow>) = came.partition(|row| is_failing(row));
     let told = [
         moved("Verdicts that got WORSE against closed forms, other codes and measurements", is_worse_of_truth, verdict),
         of_one_record("New checks that FAIL", &failing, 0),
@@ -60,8 +60,9 @@ fn section<'a>(what: &str, changes: impl Iterator<Item = (&'a CheckRow, Change)>
 
 /// Records that the present code no longer gives: one line.
 pub fn stale(pairs: &Pairs) -> Option<Told> {
-    let own = pairs.both.iter().filter(|pair| is_worse(pair) && !is_worse_of_truth(pair) && is_of_record(pair));
-    let records: BTreeSet<String> = own.map(|[_, after]| format!("`{}`", after.against)).collect();
+    let worse = pairs.both.iter().filter(|pair| is_worse(pair)).map(|pair| pair[1]);
+    let stale = worse.chain(pairs.came.iter().copied()).filter(|row| is_stale(row));
+    let records: BTreeSet<String> = stale.map(|row| format!("`{}`", row.against)).collect();
     let named = records.iter().map(String::as_str).collect::<Vec<_>>().join(", ");
     (!records.is_empty())
         .then(|| Told { heading: format!("STALE records: {} ({named})", records.len()), ..Told::default() })
@@ -214,16 +215,20 @@ fn is_worse([before, after]: &Pair) -> bool {
     after.verdict > before.verdict
 }
 
-/// Whether a check is worse that is held against something that is not this code.
-fn is_worse_of_truth(pair: &Pair) -> bool {
-    is_worse(pair) && pair[1].kind != ReferenceKind::SelfConsistency.to_string()
+/// Whether a check is held against something that is not this code.
+fn is_of_truth(row: &CheckRow) -> bool {
+    row.kind != ReferenceKind::SelfConsistency.to_string()
 }
 
-/// Whether a check holds this code against a record of its own.
-fn is_of_record([_, after]: &Pair) -> bool {
-    Path::new(&after.against).starts_with(SNAPSHOTS)
+/// Whether the present code does not give a record of its own.
+fn is_stale(row: &CheckRow) -> bool {
+    row.verdict != Mark::Pass && !is_of_truth(row) && Path::new(&row.against).starts_with(SNAPSHOTS)
+}
+
+fn is_worse_of_truth(pair: &Pair) -> bool {
+    is_worse(pair) && is_of_truth(pair[1])
 }
 
 fn is_worse_of_itself(pair: &Pair) -> bool {
-    is_worse(pair) && !is_worse_of_truth(pair) && !is_of_record(pair)
+    is_worse(pair) && !is_of_truth(pair[1]) && !is_stale(pair[1])
 }
