@@ -218,7 +218,7 @@ const BUDGETS: [(&str, usize); 9] = [
     ("oracle", 4_305),
     ("study", 15_085),
     ("referee", 5_950),
-    ("report", 3_225),
+    ("report", 3_220),
     ("cli", 4_935),
     ("live", 500),
 ];

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use crate::markdown::significant;
+use crate::markdown::{counted, significant};
 use crate::report::grouped::largest_first;
 
 /// One thing that differs.
@@ -74,11 +74,6 @@ fn row(changes: &[Change], noun: &str) -> String {
     let ratios = ratios.map(|all| format!(", {}", factors(&all))).unwrap_or_default();
     let first = if *size > 0.0 && size.is_finite() { "most" } else { "first" };
     format!("{}{cases}, {of}{ratios}; {first} {at}{how}", counted(changes.len(), noun))
-}
-
-/// `1 check`, `2 checks`.
-fn counted(count: usize, noun: &str) -> String {
-    if count == 1 { format!("1 {noun}") } else { format!("{count} {noun}s") }
 }
 
 /// A factor in a word where there is one.
