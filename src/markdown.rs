@@ -50,6 +50,11 @@ pub fn to_bound(value: f64, bound: f64) -> String {
     format!("{value:.*}", places as usize)
 }
 
+/// `1 check`, `2 checks`.
+pub fn counted(count: usize, noun: &str) -> String {
+    if count == 1 { format!("1 {noun}") } else { format!("{count} {noun}s") }
+}
+
 /// `digits` significant digits without an exponent where that is short.
 pub fn significant(x: f64, digits: usize) -> String {
     if x.abs() < 1e-99 || !x.is_finite() {

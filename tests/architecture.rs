@@ -218,7 +218,7 @@ const BUDGETS: [(&str, usize); 9] = [
     ("oracle", 4_375),
     ("study", 15_425),
     ("referee", 5_950),
-    ("report", 3_570),
+    ("report", 3_220),
     ("cli", 4_940),
     ("live", 500),
 ];

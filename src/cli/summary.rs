@@ -3,8 +3,8 @@
 use crate::case::judged::worst;
 use crate::case::{Judged, Verdict};
 use crate::cli::terminal::{say, table_on, width};
-use crate::report::matrix;
-use crate::study::{Finding, Room};
+use crate::report::{matrix, study_page};
+use crate::study::Finding;
 
 /// A check that did not pass: its verdict, its trial, and what it asked.
 type Row = [String; 3];
@@ -49,11 +49,8 @@ fn row(title: &str, check: &Judged) -> Option<(bool, Row)> {
 /// A row for each study: worst verdict, trials, and its checks by verdict.
 fn studies(findings: &[Finding], columns: u16) -> String {
     let mut told = table_on(columns, ["verdict", "study", "trials", "checks", "passed", "failed", "not run"]);
-    for room in Room::ALL {
-        let own: Vec<&Finding> = findings.iter().filter(|finding| finding.study == room.name).collect();
-        if own.is_empty() {
-            continue;
-        }
+    for room in study_page::asked(findings) {
+        let own: Vec<&Finding> = study_page::of(room.name, findings).collect();
         let judged = || own.iter().flat_map(|finding| &finding.judged);
         let sign = match worst(judged()) {
             Some(Verdict::Pass) => "✓ pass",

@@ -51,8 +51,7 @@ pub fn page(shared: &Shared, has_sheet: bool) -> String {
 fn asked(shared: &Shared) -> String {
     let mut names: Vec<&str> = shared.runs.iter().map(|(finding, _)| finding.case.as_str()).collect();
     names.dedup();
-    let runs = shared.runs.len();
-    format!("{}: {runs} {}.", names.join("; "), if runs == 1 { "run" } else { "runs" })
+    format!("{}: {}.", names.join("; "), markdown::counted(shared.runs.len(), "run"))
 }
 
 /// Sketch, and the input: the text of the scene file, or the numbers of the scene.
@@ -113,14 +112,9 @@ fn named<'a>(shared: &'a Shared<'a>) -> impl Iterator<Item = (String, &'a Findin
 
 /// All checks: the declared ones of each case, then what every run must satisfy.
 fn checked(shared: &Shared) -> String {
-    let parts: Vec<&[(&Finding, &Numbers)]> = shared.runs.chunk_by(|a, b| a.0.case == b.0.case).collect();
-    let part = |members: &&[(&Finding, &Numbers)]| {
-        let named: Vec<checks::Named> = members.iter().map(|(one, _)| (one.name.as_str(), &one.judged[..])).collect();
-        let table = checks::of(&named);
-        if parts.len() > 1 && !table.is_empty() { format!("### {}\n\n{table}", members[0].0.case) } else { table }
-    };
-    let own: String = parts.iter().map(part).collect();
-    let every = checks::of_every_run(shared.runs.iter().flat_map(|(finding, _)| &finding.judged));
+    let findings: Vec<&Finding> = shared.runs.iter().map(|(finding, _)| *finding).collect();
+    let own = checks::by_case(&findings, |own, _| own);
+    let every = checks::of_every_run(findings.iter().flat_map(|finding| &finding.judged));
     format!(
         "## Checks\n\n{own}What every run must satisfy, for reasons given with [all checks](checks.md):\n\n{every}\n"
     )

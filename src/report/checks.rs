@@ -4,6 +4,7 @@ use crate::case::{Judged, Quantity, Relation, Scope, Verdict, judged};
 use crate::markdown;
 use crate::report::grouped::{in_order, sorted};
 use crate::report::told;
+use crate::study::Finding;
 use crate::uncertainty::COVERAGE;
 
 /// What a check is told by in a column; the flag tells whether the sentence above the table has its reference and tolerance.
@@ -83,6 +84,17 @@ impl Requirement<'_> {
         }
         rows
     }
+}
+
+/// The requirements of each case with whatever else is told of it, below its name where there are several.
+pub fn by_case(findings: &[&Finding], with: impl Fn(String, &[&Finding]) -> String) -> String {
+    let parts: Vec<&[&Finding]> = findings.chunk_by(|a, b| a.case == b.case).collect();
+    let part = |members: &&[&Finding]| {
+        let named: Vec<Named> = members.iter().map(|one| (one.name.as_str(), &one.judged[..])).collect();
+        let table = with(of(&named), members);
+        if parts.len() > 1 && !table.is_empty() { format!("### {}\n\n{table}", members[0].case) } else { table }
+    };
+    parts.iter().map(part).collect()
 }
 
 /// The requirements of some trials with their checks; those that every run must meet are left to [`of_every_run`].

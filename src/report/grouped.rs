@@ -35,3 +35,14 @@ pub fn largest_first<K: Ord, T>(all: impl IntoIterator<Item = (K, T)>) -> Vec<(K
     groups.sort_by_key(|(_, members)| Reverse(members.len()));
     groups
 }
+
+/// Two versions by key, side by side; none where a version has no such key.
+pub fn joined<K: Ord, V>(versions: [impl IntoIterator<Item = (K, V)>; 2]) -> BTreeMap<K, [Option<V>; 2]> {
+    let mut both: BTreeMap<K, [Option<V>; 2]> = BTreeMap::new();
+    for (side, version) in versions.into_iter().enumerate() {
+        for (key, one) in version {
+            both.entry(key).or_insert([None, None])[side] = Some(one);
+        }
+    }
+    both
+}

@@ -14,7 +14,7 @@ use crate::case::{Judged, Quantity, Relation, Verdict, judged};
 use crate::error::Error;
 use crate::markdown::Column;
 use crate::report::matrix;
-use crate::report::statements;
+use crate::report::{statements, study_page};
 use crate::solve::Run;
 use crate::study::paper::statement::Statement;
 use crate::study::records::rounded;
@@ -254,7 +254,7 @@ fn share(judged: &Judged, error: f64) -> f64 {
 /// The rows of all checks, sorted by their keys; checks that nothing else tells apart are numbered.
 pub fn rows(findings: &[Finding]) -> Vec<CheckRow> {
     let of_room = |room: &Room| {
-        let own = findings.iter().filter(|finding| finding.study == room.name);
+        let own = study_page::of(room.name, findings);
         judged::requirements(own.flat_map(|finding| finding.judged.iter().map(move |one| (finding, one))))
     };
     numbered(Room::ALL.iter().flat_map(of_room).map(|runs| CheckRow::of_all(&runs)).collect())

@@ -38,13 +38,7 @@ pub fn asked(findings: &[Finding]) -> impl Iterator<Item = &'static Room> {
 /// All checks of a study, one part a case: none can be forgotten.
 pub fn tables(study: &str, findings: &[Finding]) -> String {
     let own: Vec<&Finding> = of(study, findings).collect();
-    let parts: Vec<&[&Finding]> = own.chunk_by(|a, b| a.case == b.case).collect();
-    let table = |members: &&[&Finding]| {
-        let named: Vec<checks::Named> = members.iter().map(|one| (one.name.as_str(), &one.judged[..])).collect();
-        let table = checks::of(&named) + &checks::of_every_run(members.iter().flat_map(|one| &one.judged));
-        if parts.len() > 1 { format!("### {}\n\n{table}", members[0].case) } else { table }
-    };
-    parts.iter().map(table).collect()
+    checks::by_case(&own, |own, members| own + &checks::of_every_run(members.iter().flat_map(|one| &one.judged)))
 }
 
 /// What a study cannot tell, and what of it was not run.

@@ -2,7 +2,7 @@
 
 use contact_vv::case::Relation;
 use contact_vv::report::diff::Difference;
-use contact_vv::report::diff::charts::{Change, change};
+use contact_vv::report::diff::charts::no_data;
 use contact_vv::report::diff::tree::Tree;
 use contact_vv::report::record::{self, CHECKS, CheckRow, Mark, floored};
 
@@ -120,35 +120,42 @@ fn what_moved_among_the_checks_is_told_as_what_it_is() {
             true,
             &[
                 "Verdicts that got WORSE against closed forms, other codes and measurements: 30 checks (30 analytic)",
-                "10 checks of 2 cases, half-width against Hertz; most pin × run 4: pass → FAIL",
-                "Error bars that moved: 30 checks of 30, 30 wider",
+                "10 checks of 2 cases, half-width against Hertz; most pin × run 4: pass → FAIL; error",
+                "Error bars that moved: 30 checks (30 analytic)",
+                "10 checks of 2 cases, half-width against Hertz, × 20.0; most",
             ],
             &[],
         ),
         (
             changed(&|rows| rows.retain(|row| row.case != "pin")),
             false,
-            &["Checks that are GONE: 15 of 1 case", "pin: 15 checks, the whole case is gone"],
+            &["Checks that are GONE: 15 checks (15 analytic)", "15 checks, the whole case pin; first pin × run 0"],
             &[],
         ),
         (
             changed(&|rows| rows.iter_mut().for_each(renamed)),
             false,
-            &["Renamed, with the same numbers: 10 checks", "10 checks: quantity `profile` → `pressure profile`"],
+            &[
+                "Checks renamed, with the same numbers: 10 checks",
+                "10 checks of 2 cases, quantity `profile` → `pressure profile`",
+            ],
             &["GONE", "New checks"],
         ),
         (
             changed(&|rows| rows.push(check("cylinder", "run 9", "centre", f64::NAN))),
             true,
-            &["New checks: 1 of 1 case", "1 FAIL"],
-            &[],
+            &[
+                "New checks that FAIL: 1 check (1 analytic)",
+                "cylinder × run 9, centre against Hertz: error not a number, tolerance 1.0 %",
+            ],
+            &["New checks:"],
         ),
         (told(&bound(0.9), &bound(0.8)), false, &["Tolerances LOOSENED: 1 check"], &[]),
         (told(&bound(0.9), &bound(0.95)), false, &["Tolerances tightened: 1 check"], &[]),
         (
             told(&tree(&[asked(30)]), &tree(&[asked(29)])),
             false,
-            &["Asked of FEWER runs: 1 check", "imbalance: 30 → 29 runs"],
+            &["Checks asked of FEWER runs: 1 check", "imbalance against Hertz: 30 runs → 29 runs"],
             &[],
         ),
         (told(&tree(&[asked(30)]), &tree(&[failing])), true, &["pin × run 4", "pass → FAIL"], &[]),
@@ -163,9 +170,15 @@ fn what_moved_among_the_checks_is_told_as_what_it_is() {
 #[test]
 fn surveys_tell_columns_and_rows_and_statements_their_judgement() {
     let (text, _) = replaced("snapshots/met.csv", "hertz,2,true,0.2", "hertz,2,false,0.4");
-    assert!(text.contains("snapshots/met.csv: of 2 rows: error in 1 (doubled), met in 1 (1 true → false)"), "{text}");
+    for part in [
+        "snapshots/met.csv: 1 of 2 rows changed\n",
+        "hertz × 2, error: 0.2 → 0.4 (doubled)",
+        "hertz × 2, met: true → false",
+    ] {
+        assert!(text.contains(part), "{text}");
+    }
     let (text, _) = replaced("snapshots/statements.csv", "reproduced", "not reproduced");
-    assert!(text.contains("“It holds”: reproduced → not reproduced"), "{text}");
+    assert!(text.contains("It holds, judgement: reproduced → not reproduced"), "{text}");
 }
 
 #[test]
@@ -179,8 +192,8 @@ fn loosened_tolerance_is_told_first_even_of_a_renamed_check() {
         }
         let (text, worse) = of_checks(record::numbered(rows));
         let second = text.lines().nth(1).expect("a heading");
-        assert_eq!(second, "Tolerances LOOSENED: 1 check", "{text}");
-        assert!(text.contains("tolerance 1.0 % → 5.0 %"), "{text}");
+        assert_eq!(second, "Tolerances LOOSENED: 1 check (1 analytic)", "{text}");
+        assert!(text.contains("tolerance 1.0 % → tolerance 5.0 %"), "{text}");
         assert!(!worse && !text.contains("GONE") && !text.contains("Numbers that moved"), "{text}");
     }
 }
@@ -202,6 +215,8 @@ fn failures_against_truths_come_first_and_stale_records_are_one_last_line() {
     (0..10).for_each(|k| fail(&mut rows[3 * k], 2.0 + k as f64));
     fail(&mut rows[4], 50.0);
     rows[30..].iter_mut().for_each(|row| fail(row, 1000.0));
+    // A record of which another part is recomputed is stale, too, and no new check.
+    rows[30].place = "of 92".into();
     // A tolerance that is three bars, and one that somebody loosened.
     (rows[1].tolerance, rows[1].bar) = (2.0 * rows[1].tolerance, rows[1].bar.map(|bar| 2.0 * bar));
     rows[2].tolerance *= 2.0;
@@ -220,6 +235,7 @@ fn failures_against_truths_come_first_and_stale_records_are_one_last_line() {
         "Tolerances wider as the error bars that they follow: 1 check",
     ];
     assert!(order.map(at).is_sorted(), "{text}");
+    assert!(!text.contains("New checks that FAIL"), "{text}");
     assert_eq!(lines.last(), Some(&"STALE records: 2 (`snapshots/coverage.csv`, `snapshots/met.csv`)"), "{text}");
     assert!(difference.worse && difference.laxer);
     // What follows a bar alone is not laxer; what is gone is.
@@ -235,37 +251,65 @@ fn work_that_changed_alike_is_one_row() {
     let halved = |run: &str| (format!("snapshots/cylinder@{run}.snap"), SNAPSHOT.replace("tions: 40", "tions: 20"));
     let after = before.with("another", ["line", "layer", "node"].map(halved).into(), &[]);
     let (text, _) = told(&before, &after);
-    assert!(text.contains("Snapshots of runs that changed: 3 of 3"), "{text}");
-    assert!(text.contains("3 runs: back-substitutions halved"), "{text}");
+    assert!(text.contains("snapshots of runs: 3 of 3 rows changed"), "{text}");
+    assert!(text.contains("3 rows, back-substitutions, halved; most cylinder × layer: 40 → 20 (halved)"), "{text}");
 }
 
 #[test]
 fn timings_measured_anew_are_apart_and_within_noise_where_spreads_overlap() {
     let path = "snapshots/timings/measured.json";
     let (text, worse) = replaced(path, "\"median\": 2.0", "\"median\": 2.5");
-    assert!(text.contains("Timings measured anew: 1 of 1 within noise"), "{text}");
-    assert!(text.contains("no count, error or machine beside the seconds moved") && !worse, "{text}");
+    let within = "snapshots/timings/measured.json: 0 of 3 rows changed, 1 within error bars or spreads\n";
+    assert!(text.ends_with(within) && !worse, "{text}");
     let slow = "\"median\": 20.0, \"least\": 10.0, \"most\": 30.0";
     let (text, _) = replaced(path, "\"median\": 2.0, \"least\": 1.0, \"most\": 3.0", slow);
-    assert!(text.contains("0 of 1 within noise") && text.contains("1 slower"), "{text}");
+    assert!(
+        text.contains("measured.json: 1 of 3 rows changed\n") && text.contains("median: 2.0 → 20.0 (× 10.0)"),
+        "{text}"
+    );
     let (text, _) = replaced(path, "\"dofs\": 9", "\"dofs\": 10");
-    assert!(text.contains("beside the seconds: 1 value moved") && text.contains("9 → 10"), "{text}");
+    assert!(text.contains("growth › 0, dofs: 9 → 10"), "{text}");
+}
+
+#[test]
+fn references_that_stay_within_their_bars_are_counted_and_the_others_told() {
+    let path = "snapshots/references.csv";
+    let table =
+        |value: &str, bound: &str| format!("case,quantity,value,bound\npin,peak,{value},{bound}\npin,width,2,0.1\n");
+    let before = tree(&checks()).with("before", vec![(path.into(), table("1.0", "0.1"))], &[]);
+    let moved = |value: &str, bound: &str| {
+        told(&before, &before.with("after", vec![(path.into(), table(value, bound))], &[])).0
+    };
+    let text = moved("1.15", "0.1");
+    assert!(text.ends_with("references.csv: 0 of 2 rows changed, 1 within error bars or spreads\n"), "{text}");
+    let text = moved("1.25", "0.1");
+    assert!(text.contains("references.csv: 1 of 2 rows changed\n  pin × peak, value: 1.0 → 1.25 (× 1.25)"), "{text}");
+    // A wider bar hides nothing: it is told itself.
+    assert!(moved("1.25", "0.2").contains("pin × peak, bound: 0.1 → 0.2 (doubled)"));
 }
 
 #[test]
 fn exchanged_palette_moves_no_data_and_a_recoloured_part_does() {
     let path = "snapshots/charts/one.svg";
     let (text, _) = replaced(path, "#0072B2", "#D55E00");
-    assert!(text.contains("1 chart: only colours, dashes or fonts were exchanged, no data moved"), "{text}");
+    assert!(
+        text.contains("Charts that look otherwise, no data moved: 1 chart\n  snapshots/charts/one.svg, only fill"),
+        "{text}"
+    );
     let (text, _) = replaced(path, "M0 0L1 1", "M0 0L1 2");
-    assert!(text.contains("Charts whose data moved: 1, 0 new or gone"), "{text}");
-    assert_eq!(change(CHART, &CHART.replace("<text>a", "<text>b")), Change::Words);
+    assert!(text.contains("Charts whose data moved: 1 chart\n  snapshots/charts/one.svg"), "{text}");
+    let looks = |before: &str, after: &str| no_data(before, after).map(|names| names.join(", "));
+    assert_eq!(looks(CHART, &CHART.replace("<text>a", "<text>b")).as_deref(), Some("words"));
     let styled = |sheet: &str| CHART.replace("<path", &format!("<style>{sheet}</style><path"));
-    assert_eq!(change(&styled("[fill]{fill:#111111}"), &styled("[fill]{fill:#222222}")), Change::Looks);
-    assert_eq!(change(&styled("a"), &styled("b").replace("<text>a", "<text>b")), Change::Words);
+    assert_eq!(looks(&styled("[fill]{fill:#111111}"), &styled("[fill]{fill:#222222}")).as_deref(), Some("style"));
+    assert_eq!(looks(&styled("a"), &styled("b").replace("<text>a", "<text>b")).as_deref(), Some("style, words"));
     // Of two parts of one colour only one has another: in a map that is data.
     let map = "<svg><path d=\"M0\" fill=\"#111111\"/><path d=\"M1\" fill=\"#111111\"/></svg>";
-    assert_eq!(change(map, &map.replacen("#111111", "#222222", 1)), Change::Data);
+    assert_eq!(looks(map, &map.replacen("#111111", "#222222", 1)), None);
+    assert_eq!(looks(map, &map.replace("#111111", "#222222")).as_deref(), Some("fill"));
+    // Nor are drawings alike where one cannot be read, or a part has no colour any more.
+    assert_eq!(looks(map, &map.replace("</svg>", "<")), None);
+    assert_eq!(looks(map, &map.replace(" fill=\"#111111\"", "")), None);
 }
 
 #[test]

@@ -1,15 +1,15 @@
 //! Charts: whether what is drawn moved, only its words, or only how it looks.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
-use svg::node::Attributes;
+use svg::node::element::tag::Type;
 use svg::parser::{Event, Parser};
 
-use super::told::Told;
-use super::tree::{self, Moved};
-use super::words::{counted, some};
+use super::told::{Change, Told};
+use super::tree::Moved;
+use crate::report::grouped::joined;
 
-/// Attributes that say how something looks, and not what it is.
+/// Attributes that say how something looks, and not what it is; rules of style sheets among them.
 const LOOKS: [&str; 8] = [
     "stroke-width",
     "stroke-dasharray",
@@ -18,83 +18,69 @@ const LOOKS: [&str; 8] = [
     "font-family",
     "font-size",
     "font-weight",
-    "style",
+    STYLE,
 ];
 /// Attributes that hold a colour.
 const COLOURS: [&str; 3] = ["fill", "stroke", "stop-color"];
+/// A style of an attribute, and the element of a style sheet.
+const STYLE: &str = "style";
+/// What words between elements are kept under.
+const WORDS: &str = "words";
 
-/// What of a chart moved.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Change {
-    /// What is drawn.
-    Data,
-    /// Words, and nothing that is drawn.
-    Words,
-    /// Colours exchanged one for one, dashes, fonts.
-    Looks,
-}
-
-/// Charts whose data moved, to be seen before and after; then those that only look otherwise.
+/// Charts whose data moved, to be seen before and after; then those that differ in words and looks alone.
 pub fn told(moved: &[Moved]) -> Vec<Told> {
-    let mut both: BTreeMap<Change, Vec<&str>> = BTreeMap::new();
-    let mut single: Vec<(&str, &str)> = Vec::new();
-    for (path, texts) in moved {
-        match texts {
-            [Some(old), Some(new)] => both.entry(change(old, new)).or_default().push(path),
-            _ => single.push((path, tree::came_or_went(texts))),
+    let (mut data, mut others) = (Vec::new(), Vec::new());
+    for (path, [old, new]) in moved {
+        let change = |of: &str, at: &str| Change { of: of.into(), at: at.into(), ..Change::default() };
+        match old.zip(*new).map(|(old, new)| no_data(old, new)) {
+            Some(Some(names)) => others.push(change(&format!("only {}", names.join(", ")), path)),
+            Some(None) => data.push(((*path).into(), change(path, ""))),
+            None => data.push(((*path).into(), change(if old.is_none() { "new" } else { "GONE" }, path))),
         }
     }
-    let data = both.remove(&Change::Data).unwrap_or_default();
-    let mut told = Vec::new();
-    if !data.is_empty() || !single.is_empty() {
-        let rows = data.iter().map(|path| path.to_string());
-        let rows = rows.chain(single.iter().map(|(path, how)| format!("{path}: {how}"))).collect();
-        let heading = format!("Charts whose data moved: {}, {} new or gone", data.len(), single.len());
-        let charts = data.iter().chain(single.iter().map(|(path, _)| path)).map(|path| path.to_string()).collect();
-        told.push(Told { charts, ..Told::new(heading, rows) });
-    }
-    told.extend(both.into_iter().map(|(change, paths)| {
-        let what = match change {
-            Change::Words => "only words moved, no data",
-            Change::Data | Change::Looks => "only colours, dashes or fonts were exchanged, no data moved",
-        };
-        Told::new(format!("{}: {what}", counted(paths.len(), "chart")), vec![some(paths)])
-    }));
-    told
+    let (charts, data): (Vec<String>, Vec<Change>) = data.into_iter().unzip();
+    let data = Told::counted("Charts whose data moved", "chart", data).map(|told| Told { charts, ..told });
+    let others = Told::counted("Charts that look otherwise, no data moved", "chart", others);
+    data.into_iter().chain(others).collect()
 }
 
-/// Compares two drawings part by part.
+/// The words and looks in which two drawings differ; none where what is drawn does.
 ///
 /// Colours may be data, in maps: a drawing looks otherwise where each old colour became one new one everywhere, and no two became
 /// the same.
-pub fn change(before: &str, after: &str) -> Change {
-    let mut sides = [before, after].map(Parser::new);
-    let [mut to, mut from] = [const { BTreeMap::new() }; 2];
-    let mut change = Change::Looks;
-    let mut of_style = false;
-    loop {
-        let both = sides.each_mut().map(Iterator::next);
-        if let [Some(Event::Tag(name, ..)), _] = both {
-            of_style = name == "style";
-        }
-        match both {
-            [None, None] => return change,
-            [Some(Event::Text(_)), Some(Event::Text(_))] if of_style => (),
-            [Some(Event::Text(old)), Some(Event::Text(new))] if old.trim() != new.trim() => change = Change::Words,
-            [Some(Event::Text(_)), Some(Event::Text(_))] | [Some(Event::Comment(_)), Some(Event::Comment(_))] => (),
-            [Some(Event::Tag(a, _, old)), Some(Event::Tag(b, _, new))]
-                if a == b && only_looks(&old, &new, &mut to) && only_looks(&new, &old, &mut from) => {}
-            _ => return Change::Data,
-        }
-    }
+pub fn no_data(before: &str, after: &str) -> Option<Vec<String>> {
+    let parts = joined([parts(before), parts(after)]);
+    let is_colour = |name: &str| COLOURS.contains(&name);
+    let colours = parts.iter().filter(|((_, name), _)| is_colour(name)).map(|(_, both)| both);
+    let colours: BTreeSet<&[Option<String>; 2]> = colours.collect();
+    let each = |side: usize| colours.iter().map(|both| &both[side]).collect::<BTreeSet<_>>();
+    let is_exchange = [each(0), each(1)].iter().all(|side| side.len() == colours.len() && !side.contains(&None));
+    let is_look = |name: &str| name == WORDS || LOOKS.contains(&name) || is_colour(name) && is_exchange;
+    let moved = parts.into_iter().filter(|(_, [old, new])| old != new).map(|((_, name), _)| name);
+    let moved: BTreeSet<String> = moved.collect();
+    moved.iter().all(|name| is_look(name)).then(|| moved.into_iter().collect())
 }
 
-/// Whether attributes differ from others in looks only, each colour always becoming the one that is known for it.
-fn only_looks(own: &Attributes, others: &Attributes, known: &mut BTreeMap<String, String>) -> bool {
-    own.iter().filter(|(name, _)| !LOOKS.contains(&name.as_str())).all(|(name, value)| match others.get(name) {
-        Some(other) if COLOURS.contains(&name.as_str()) => {
-            *known.entry(value.to_string()).or_insert_with(|| other.to_string()) == **other
+/// Elements, attributes and words of a drawing by where they are and their name.
+fn parts(text: &str) -> BTreeMap<(usize, String), String> {
+    let mut parts = BTreeMap::new();
+    let mut within = WORDS;
+    for (place, event) in Parser::new(text).enumerate() {
+        match event {
+            Event::Tag(element, kind, attributes) => {
+                within = if element == STYLE && kind == Type::Start { STYLE } else { WORDS };
+                parts.insert((place, "element".into()), element.into());
+                parts.extend(attributes.into_iter().map(|(name, value)| ((place, name), value.to_string())));
+            }
+            Event::Text(words) => {
+                parts.insert((place, within.into()), words.trim().into());
+            }
+            Event::Error(error) => {
+                parts.insert((place, "error".into()), error.to_string());
+                return parts;
+            }
+            Event::Comment(_) | Event::Declaration(_) | Event::Instruction(_) => {}
         }
-        other => other == Some(value),
-    })
+    }
+    parts
 }

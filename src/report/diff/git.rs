@@ -1,8 +1,9 @@
 //! Trees of commits, asked of git as a process: a library that reads its objects would be a hundred crates for three questions.
 
-use std::io::Write as _;
 use std::path::Path;
-use std::process::{Command, Stdio};
+use std::process::Command;
+
+use rayon::prelude::*;
 
 use super::tree::{COMPARED, Tree};
 use crate::error::Error;
@@ -35,48 +36,16 @@ pub fn commit(root: &Path, name: &str) -> Result<String, Error> {
 /// What a commit holds of what is compared.
 pub fn tree(root: &Path, name: &str) -> Result<Tree, Error> {
     let full = commit(root, name)?;
-    let listed = asked(root, &[&["ls-tree", "-r", "-z", &full, "--"], &COMPARED[..]].concat())?;
-    let entries = listed.split('\0').filter_map(|line| line.split_once('\t'));
-    let (objects, paths): (Vec<&str>, Vec<&str>) =
-        entries.filter_map(|(about, path)| Some((about.split(' ').nth(2)?, path))).unzip();
-    let texts = texts(root, &objects)?;
-    let files = paths.into_iter().map(String::from).zip(texts).collect();
+    let listed = asked(root, &[&["ls-tree", "-r", "-z", "--name-only", &full, "--"], &COMPARED[..]].concat())?;
+    let paths: Vec<&str> = listed.split_terminator('\0').collect();
+    let text = |path: &&str| -> Result<(String, String), Error> {
+        Ok(((*path).into(), asked(root, &["cat-file", "blob", &format!("{full}:{path}")])?))
+    };
+    let files = paths.par_iter().map(text).collect::<Result<_, Error>>()?;
     let short = asked(root, &["rev-parse", "--short", &full])?;
     let short = short.trim();
     let name = if full.starts_with(name) { short.into() } else { format!("{name} ({short})") };
     Ok(Tree { name, files })
-}
-
-/// The texts of objects, asked for at once.
-fn texts(root: &Path, objects: &[&str]) -> Result<Vec<String>, Error> {
-    let mut git = Command::new("git")
-        .arg("-C")
-        .arg(root)
-        .args(["cat-file", "--batch"])
-        .stdin(Stdio::piped())
-        .stdout(Stdio::piped())
-        .spawn()
-        .map_err(not_started)?;
-    let wanted = objects.join("\n") + "\n";
-    let mut input = git.stdin.take().ok_or_else(|| broken("it takes no input"))?;
-    // Written beside the reading: either pipe may be full while the other waits.
-    let writing = std::thread::spawn(move || input.write_all(wanted.as_bytes()));
-    let output = git.wait_with_output().map_err(not_started)?;
-    writing.join().map_err(|_| broken("it stopped reading"))?.map_err(not_started)?;
-    let mut rest = output.stdout.as_slice();
-    objects
-        .iter()
-        .map(|object| next(&mut rest).ok_or_else(|| broken(&format!("object {object} cannot be read"))))
-        .collect()
-}
-
-/// The next text of a batch: a line that ends with its length, its bytes, the end of a line.
-fn next(rest: &mut &[u8]) -> Option<String> {
-    let line = rest.iter().position(|byte| *byte == b'\n')?;
-    let length: usize = std::str::from_utf8(&rest[..line]).ok()?.split(' ').nth(2)?.parse().ok()?;
-    let bytes = rest.get(line + 1..line + 1 + length)?;
-    *rest = rest.get(line + length + 2..)?;
-    Some(String::from_utf8_lossy(bytes).into_owned())
 }
 
 /// What git prints to a question.

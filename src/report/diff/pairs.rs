@@ -1,10 +1,9 @@
 //! Which check of one record is which of another: by its key, or, where that was changed, by its numbers.
 
 use std::cmp::Reverse;
-use std::collections::BTreeMap;
 use std::ptr;
 
-use super::words::differ;
+use crate::report::grouped::joined;
 use crate::report::record::CheckRow;
 
 /// A check before and after.
@@ -15,8 +14,6 @@ pub type Pair<'a> = [&'a CheckRow; 2];
 pub struct Pairs<'a> {
     /// In both, renamed ones too.
     pub both: Vec<Pair<'a>>,
-    /// Of these the renamed ones.
-    pub renamed: Vec<Pair<'a>>,
     /// Before only.
     pub gone: Vec<&'a CheckRow>,
     /// After only.
@@ -29,34 +26,28 @@ const KEPT: [usize; 2] = [2, 5];
 impl<'a> Pairs<'a> {
     /// Matches two records.
     pub fn of(before: &'a [CheckRow], after: &'a [CheckRow]) -> Self {
-        let mut left: BTreeMap<[&str; 6], &CheckRow> = before.iter().map(|row| (row.key(), row)).collect();
-        let mut pairs = Self::default();
-        for new in after {
-            match left.remove(&new.key()) {
-                Some(old) => pairs.both.push([old, new]),
-                None => pairs.came.push(new),
-            }
-        }
-        pairs.gone = left.into_values().collect();
-        // First those of the same tolerance, then those that were renamed and loosened at once.
-        pairs.rename(|pair| is_alike(pair) && !differ(pair.map(|row| row.tolerance)));
-        pairs.rename(is_alike);
-        pairs.both.extend(pairs.renamed.clone());
+        let all = joined([before, after].map(|rows| rows.iter().map(|row| (row.key(), row))));
+        let mut pairs = Self {
+            both: all.values().filter_map(|[old, new]| Some([(*old)?, (*new)?])).collect(),
+            gone: all.values().filter_map(|[old, new]| old.filter(|_| new.is_none())).collect(),
+            came: all.values().filter_map(|[old, new]| new.filter(|_| old.is_none())).collect(),
+        };
+        pairs.rename();
         pairs
     }
 
-    /// Matches what is left over, those with the most parts of the key in common first.
-    fn rename(&mut self, is_one: impl Fn(&Pair) -> bool) {
+    /// Matches what is left over: first those of the same tolerance, then those that were renamed and loosened at once; of these
+    /// those with the most parts of the key in common first.
+    fn rename(&mut self) {
         let all = self.gone.iter().flat_map(|&old| self.came.iter().map(move |&new| [old, new]));
-        let alike = all.filter(is_one).map(|pair| (parts_kept(&pair), pair));
-        let mut found: Vec<(usize, Pair)> = alike.filter(|(kept, pair)| *kept >= parts_needed(pair)).collect();
-        found.sort_by_key(|(kept, _)| Reverse(*kept));
-        for (_, pair) in found {
+        let mut found: Vec<Pair> = all.filter(|one| is_alike(one) && parts_kept(one) >= parts_needed(one)).collect();
+        found.sort_by_key(|one| Reverse((!differ(one.map(|row| row.tolerance)), parts_kept(one))));
+        for pair in found {
             let place = |rows: &[&CheckRow], row: &CheckRow| rows.iter().position(|one| ptr::eq(*one, row));
             if let (Some(gone), Some(came)) = (place(&self.gone, pair[0]), place(&self.came, pair[1])) {
                 self.gone.remove(gone);
                 self.came.remove(came);
-                self.renamed.push(pair);
+                self.both.push(pair);
             }
         }
     }
@@ -82,4 +73,9 @@ pub fn is_moved(pair: &Pair) -> bool {
 fn is_alike(pair: &Pair) -> bool {
     let [before, after] = pair;
     !is_moved(pair) && before.kind == after.kind && before.relation == after.relation && before.verdict == after.verdict
+}
+
+/// Whether two numbers of a record differ; what is no number is like what is no number.
+pub fn differ([before, after]: [f64; 2]) -> bool {
+    before.to_bits() != after.to_bits() && !(before.is_nan() && after.is_nan())
 }

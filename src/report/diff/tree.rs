@@ -1,11 +1,12 @@
 //! The committed results at one commit, on disk, or as they would be written: texts by path.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 
 use crate::checkout;
 use crate::error::Error;
+use crate::report::grouped::joined;
 
 /// What is compared: the page, and the folder of everything that is recorded.
 pub const COMPARED: [&str; 2] = ["VALIDATION.md", "snapshots"];
@@ -52,12 +53,6 @@ pub type Moved<'a> = (&'a str, [Option<&'a str>; 2]);
 
 /// The files that differ between two trees, in the order of their paths.
 pub fn moved<'a>(trees: [&'a Tree; 2]) -> Vec<Moved<'a>> {
-    let paths: BTreeSet<&str> = trees.iter().flat_map(|tree| tree.files.keys()).map(String::as_str).collect();
-    let both = paths.into_iter().map(|path| (path, trees.map(|tree| tree.text(path))));
-    both.filter(|(_, [old, new])| old != new).collect()
-}
-
-/// What became of a file that only one of two trees has.
-pub fn came_or_went(texts: &[Option<&str>; 2]) -> &'static str {
-    if texts[1].is_some() { "new" } else { "GONE" }
+    let files = joined(trees.map(|tree| tree.files.iter().map(|(path, text)| (path.as_str(), text.as_str()))));
+    files.into_iter().filter(|(_, [old, new])| old != new).collect()
 }

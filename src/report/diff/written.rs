@@ -44,8 +44,8 @@ impl Difference {
             (false, true) => "a verdict got WORSE",
             (false, false) => "no verdict got worse",
         };
-        let notes: String = self.notes.iter().map(|note| format!(" {note}.")).collect();
-        format!("{before} → {after}: {verdict}.{notes}")
+        let note = self.note.as_ref().map(|note| format!(" {note}.")).unwrap_or_default();
+        format!("{before} → {after}: {verdict}.{note}")
     }
 
     /// What is told with the number of its rows that there is room for: a row each in turn, from the most important on.

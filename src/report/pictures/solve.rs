@@ -26,17 +26,11 @@ const MANY: usize = 100;
 
 /// The sheet of a run, converged or not.
 pub fn sheet(problem: &Case, discretisation: &Discretisation, run: &Run) -> Result<Sheet, Error> {
-    let iterations = run.solution.work.iterations;
-    let plural = if iterations == 1 { "" } else { "s" };
+    let iterations = markdown::counted(run.solution.work.iterations, "iteration");
     let field = deformed::field(discretisation, run)?;
     let missing = field.is_none().then(|| "The last iteration has no finite displacements to draw.".to_string());
     Ok(Sheet {
-        title: format!(
-            "{}: {}, {} after {iterations} iteration{plural}",
-            problem.name,
-            run.formulation.name(),
-            run.solution.outcome
-        ),
+        title: format!("{}: {}, {} after {iterations}", problem.name, run.formulation.name(), run.solution.outcome),
         field,
         charts: charts(problem, run),
         notes: missing.into_iter().chain(told(problem, discretisation, run)).collect(),
