@@ -35,7 +35,7 @@ pub struct Arguments {
 
 /// Writes the files, and names them.
 pub fn run(arguments: &Arguments) -> Result<(), Error> {
-    let case = choice::case(&arguments.case, None)?;
+    let case = choice::case("export", &arguments.case, None)?;
     let folder = &arguments.folder;
     writable::folder(folder, "name a folder that may be written")?;
     let written = files(&case, arguments.condensed).map_err(|error| case.located(error))?;
