@@ -180,7 +180,9 @@ fn forces_of_a_deck_press_with_either_sign_and_tension_positive_alone_turns_them
     let set = "GAPS_CONTACT";
     let deck = format!("** truncated-hertz: mm, N, MPa.\n*NODE\n1, 0, 0\n2, 2, 0\n*NSET, NSET={set}\n1,\n2,\n");
     let table = |force: f64| {
-        format!(" forces (fx,fy,fz) for set {set} and time  0.1000000E+01\n\n 1 {force:e} 0.0 0.0\n 2 {force:e} 0.0 0.0\n")
+        format!(
+            " forces (fx,fy,fz) for set {set} and time  0.1000000E+01\n\n 1 {force:e} 0.0 0.0\n 2 {force:e} 0.0 0.0\n"
+        )
     };
     for (tension_positive, printed, force) in
         [(false, -100.0, 100.0), (true, 100.0, 100.0), (true, -100.0, -100.0), (false, 100.0, -100.0)]

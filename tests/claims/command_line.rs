@@ -142,6 +142,30 @@ fn what_cannot_be_written_is_refused_by_its_name() {
     assert!(writable::folder(Path::new("/proc"), "").is_err());
 }
 
+#[test]
+fn units_that_no_role_has_are_refused_before_a_file_is_read() {
+    for (unit, parts) in [
+        ("pressure=furlong", ["`--unit pressure=furlong` names no unit of pressure", "MPa, N/mm2"]),
+        ("position=MPa", ["names no unit of position", "mm, m, um"]),
+        ("contact=mm", ["names no unit of contact", "it has none"]),
+    ] {
+        let (sound, _, error) = contact_vv(&["judge", "patch", "missing.csv", "--unit", unit]);
+        assert!(!sound && parts.iter().all(|part| error.contains(part)), "{unit}: {error}");
+    }
+}
+
+#[test]
+fn output_that_a_full_disk_cuts_is_an_error() {
+    // A device that is always full.
+    #[cfg(target_os = "linux")]
+    for arguments in [&["schema"][..], &["new", "cylinder"], &["list"]] {
+        let full = std::fs::OpenOptions::new().write(true).open("/dev/full").expect("a device");
+        let output = Command::new(PROGRAM).args(arguments).stdout(full).output().expect("started");
+        let error = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert!(output.status.code() == Some(2) && error.contains("standard output"), "{arguments:?}: {error}");
+    }
+}
+
 /// A checkout with nothing in it but what tells that it is one.
 fn bare_checkout() -> tempfile::TempDir {
     let folder = tempfile::tempdir().expect("a folder");

@@ -56,7 +56,8 @@ fn a_punch_without_a_limit_is_doubted_by_its_load_over_its_own_area() {
     ] {
         let found = notes(&text);
         let strain: f64 = pressure * (1.0 - 0.3 * 0.3) / 20.0;
-        let told = found.iter().find_map(|note| note.strip_prefix("the mean pressure is ")?.split(' ').next()?.parse().ok());
+        let told =
+            found.iter().find_map(|note| note.strip_prefix("the mean pressure is ")?.split(' ').next()?.parse().ok());
         let told: f64 = told.unwrap_or_else(|| panic!("{found:?}"));
         assert!((told / strain - 1.0).abs() < 5e-3, "{told} for {strain}: {found:?}");
     }
