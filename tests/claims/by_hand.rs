@@ -175,14 +175,14 @@ fn penetrations_of_a_table_stay_below_zero_and_tension_positive_turns_pressures_
 
 #[test]
 fn forces_of_a_deck_press_with_either_sign_and_tension_positive_alone_turns_them() {
-    // 100 MPa on a node at 0 and one at 2 mm of an edge 1 mm thick: what ccx prints are reactions, −100 N each.
+    // Contact presses with 100 N on each of three nodes: what ccx prints are reactions, −100 N each.
     let case = find("truncated-hertz", None).expect("a case");
     let set = "GAPS_CONTACT";
-    let deck = format!("** truncated-hertz: mm, N, MPa.\n*NODE\n1, 0, 0\n2, 2, 0\n*NSET, NSET={set}\n1,\n2,\n");
+    let deck =
+        format!("** truncated-hertz: mm, N, MPa.\n*NODE\n1, 0, 0\n2, 2, 0\n3, 4, 0\n*NSET, NSET={set}\n1, 2, 3\n");
     let table = |force: f64| {
-        format!(
-            " forces (fx,fy,fz) for set {set} and time  0.1000000E+01\n\n 1 {force:e} 0.0 0.0\n 2 {force:e} 0.0 0.0\n"
-        )
+        let rows: String = (1..=3).map(|node| format!(" {node} {force:e} 0.0 0.0\n")).collect();
+        format!(" forces (fx,fy,fz) for set {set} and time  0.1000000E+01\n\n{rows}")
     };
     for (tension_positive, printed, force) in
         [(false, -100.0, 100.0), (true, 100.0, 100.0), (true, -100.0, -100.0), (false, 100.0, -100.0)]
@@ -190,7 +190,7 @@ fn forces_of_a_deck_press_with_either_sign_and_tension_positive_alone_turns_them
         let asked = Asked { tension_positive, ..Asked::default() };
         let answer = calculix::forces(Path::new("a.dat"), &table(printed), &deck, &case.scene, &asked).expect("read");
         let found: Vec<f64> = answer.contacts[0].points.iter().map(|point| point.value).collect();
-        assert_eq!(found.len(), 2, "{tension_positive}, {printed}");
+        assert_eq!(found.len(), 3, "{tension_positive}, {printed}");
         found.iter().for_each(|value| assert_relative_eq!(*value, force, max_relative = 1e-12));
     }
 }
