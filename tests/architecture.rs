@@ -217,7 +217,7 @@ const BUDGETS: [(&str, usize); 9] = [
     ("case", 8_305),
     ("oracle", 4_305),
     ("study", 15_085),
-    ("referee", 5_950),
+    ("referee", 5_970),
     ("report", 3_570),
     ("cli", 4_935),
     ("live", 500),
