@@ -1,4 +1,4 @@
-//! The checkout that the program was built in, and what tells whether a file of it has changed.
+//! The checkout that is read and written, and what tells whether a file of it has changed.
 
 use std::env;
 use std::fs;
@@ -7,14 +7,27 @@ use std::path::{Path, PathBuf};
 
 use sha2::{Digest as _, Sha256};
 
-/// Names the project's folder to a program that has been moved away from where it was built.
+/// Names the checkout to a program that does not run inside it.
 pub const CHECKOUT: &str = "CONTACT_VV_CHECKOUT";
 
-/// The project's folder: what [`CHECKOUT`] names in the environment, else where the program was built.
+/// The checkout that is read: the one that commands write to, else where the program was built.
 pub fn root() -> PathBuf {
-    env::var_os(CHECKOUT)
-        .filter(|named| !named.is_empty())
-        .map_or_else(|| env!("CARGO_MANIFEST_DIR").into(), PathBuf::from)
+    chosen().unwrap_or_else(|| env!("CARGO_MANIFEST_DIR").into())
+}
+
+/// The checkout that commands write to, wherever the program was built: what [`CHECKOUT`] names in the environment, else the one that
+/// the working directory lies in; none outside of any.
+pub fn chosen() -> Option<PathBuf> {
+    if let Some(named) = env::var_os(CHECKOUT).filter(|named| !named.is_empty()) {
+        return Some(named.into());
+    }
+    let here = env::current_dir().ok()?;
+    here.ancestors().find(|folder| is_checkout(folder)).map(Path::to_path_buf)
+}
+
+/// Whether a folder is a checkout of the project.
+pub fn is_checkout(folder: &Path) -> bool {
+    ["Cargo.toml", "snapshots/checks.csv"].iter().all(|file| folder.join(file).is_file())
 }
 
 /// SHA-256 in hexadecimal digits.

@@ -212,14 +212,14 @@ fn matrix_types_of_libraries_stay_inside_the_numerics() {
 
 /// Lines that a room may have; raised only by a commit that says what for.
 const BUDGETS: [(&str, usize); 9] = [
-    ("solver", 20_740),
-    ("drawing", 3_200),
+    ("solver", 20_770),
+    ("drawing", 3_220),
     ("case", 8_310),
     ("oracle", 4_375),
-    ("study", 15_425),
-    ("referee", 5_950),
+    ("study", 15_445),
+    ("referee", 5_970),
     ("report", 3_220),
-    ("cli", 4_940),
+    ("cli", 4_930),
     ("live", 500),
 ];
 

@@ -5,17 +5,20 @@ use std::path::Path;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 
 use crate::case::{Case, library};
-use crate::error::Error;
+use crate::error::{Error, Place};
 
-/// The case of the library, for a/R where that is given, or of a scene file, which has none; a folder of the name of a case, which
-/// `export` may have made, does not hide it.
-pub fn case(name: &str, a_over_r: Option<f64>) -> Result<Case, Error> {
+/// The case that a command is given: of the library, for a/R where that is given, or of a scene file, which has none; a folder of the
+/// name of a case, which `export` may have made, does not hide it.
+pub fn case(command: &str, name: &str, a_over_r: Option<f64>) -> Result<Case, Error> {
     let path = Path::new(name);
     let is_case = library::NAMES.iter().any(|(known, _)| *known == name);
     let is_there = path.exists() && !(path.is_dir() && is_case);
     let is_file = path.extension().is_some_and(|end| end.eq_ignore_ascii_case("toml")) || is_there;
     match (is_file, a_over_r) {
-        (false, _) => library::find(name, a_over_r),
+        (false, _) => library::find(name, a_over_r).map_err(|error| match error.place {
+            Place::Nowhere => Error { place: command.into(), ..error },
+            _ => error,
+        }),
         (true, None) => Case::read(path),
         (true, Some(_)) => {
             Err(Error::at("--a-over-r", "a scene file has no a/R", "leave it out, and set the load in the file"))

@@ -43,7 +43,7 @@ pub struct Arguments {
 
 /// Solves the scene by each formulation; one that fails is a row with its reason. Well where one of them converges.
 pub fn run(arguments: &Arguments) -> Result<Exit, Error> {
-    let case = choice::case(&arguments.case, None)?;
+    let case = choice::case("compare", &arguments.case, None)?;
     let formulations = arguments.chosen(&case)?;
     arguments.refuse_unwritable(&case)?;
     let discretisation = case.meshed()?.discretisation;

@@ -35,7 +35,7 @@ pub struct Arguments {
 
 /// Writes the files, and names them.
 pub fn run(arguments: &Arguments) -> Result<(), Error> {
-    let case = choice::case(&arguments.case, None)?;
+    let case = choice::case("export", &arguments.case, None)?;
     let folder = &arguments.folder;
     writable::folder(folder, "name a folder that may be written")?;
     let written = files(&case, arguments.condensed).map_err(|error| case.located(error))?;
@@ -119,8 +119,11 @@ fn to_fill_in(template: &Document) -> String {
     serde_json::to_string_pretty(&value).expect("numbers, strings and lists can be written as JSON") + "\n"
 }
 
-/// A name for files.
+/// A name for files, of letters that every code takes; `case` where it has none of them.
 fn plain(name: &str) -> String {
     let stem = Path::new(name).file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
+    if !stem.contains(|letter: char| letter.is_ascii_alphanumeric()) {
+        return "case".into();
+    }
     stem.chars().map(|letter| if letter.is_ascii_alphanumeric() { letter } else { '-' }).collect()
 }

@@ -191,11 +191,11 @@ enum Part {
 pub fn main() -> ExitCode {
     let outcome = match Cli::parse().command.unwrap_or(Command::Report { check: false, only: None, part: None }) {
         Command::Report { part: Some(Part::Diff(arguments)), .. } => {
-            root().and_then(|root| review::run(&arguments, &root))
+            writable::checkout().and_then(|root| review::run(&arguments, &root))
         }
         Command::Report { only: Some(name), .. } => only_command(&name).map(Exit::checked),
         Command::Report { check, .. } => report_command(check).map(Exit::checked),
-        Command::Verdicts => writable::checkout().map(|()| Exit::checked(suite::verdicts())),
+        Command::Verdicts => writable::checkout().map(|_| Exit::checked(suite::verdicts())),
         Command::Atlas => survey::atlas().map(|()| Exit::Well),
         Command::Converged(of) => survey::run(&promised::converged::SURVEY, of).map(|()| Exit::Well),
         Command::Met(of) => survey::run(&promised::met::SURVEY, of).map(|()| Exit::Well),
@@ -264,7 +264,7 @@ fn list(json: bool) {
 
 /// Whether all checks pass and, with `check`, the committed page is up to date.
 fn report_command(check: bool) -> Result<bool, Error> {
-    let root = root()?;
+    let root = writable::checkout()?;
     if !check {
         refuse_read_only(&root)?;
     }
@@ -290,7 +290,7 @@ fn report_command(check: bool) -> Result<bool, Error> {
 
 /// Whether all checks of a case or a study pass; its page and its charts are written, and the page is printed.
 fn only_command(name: &str) -> Result<bool, Error> {
-    let root = root()?;
+    let root = writable::checkout()?;
     refuse_read_only(&root)?;
     let only = report::Only::named(name)?;
     let findings = suite::of(&only.trials())?;
@@ -311,16 +311,4 @@ fn refuse_read_only(root: &Path) -> Result<(), Error> {
     [report::links::PAGES, report::links::CHARTS, SHEETS]
         .into_iter()
         .try_for_each(|folder| writable::folder(&root.join(folder), remedy))
-}
-
-/// The project folder: where the page is, upwards from the working directory.
-fn root() -> Result<PathBuf, Error> {
-    let here = std::env::current_dir()
-        .map_err(|error| Error::unreadable(Path::new("."), error, "run in a folder that exists"))?;
-    let is_root = |folder: &&Path| folder.join("Cargo.toml").is_file() && folder.join("snapshots").is_dir();
-    here.ancestors().find(is_root).map(Path::to_path_buf).ok_or_else(|| {
-        let message = "neither this folder nor one above holds Cargo.toml and snapshots/";
-        let remedy = "run inside a checkout of the project; all but the report and the surveys runs anywhere, see `contact-vv help`";
-        Error::file(&here, message, remedy)
-    })
 }

@@ -1,11 +1,12 @@
 //! What the terminal shows: lines, errors and a bar of progress.
 
-use std::io::{IsTerminal, Write};
+use std::io::{ErrorKind, IsTerminal, Write};
 
 use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
 use comfy_table::{ContentArrangement, Table, presets};
 use indicatif::{ProgressBar, ProgressStyle};
 
+use crate::cli::exit::WRONG_INPUT;
 use crate::error::{Error, Located, Place};
 
 /// Prints an error; one in a text file with the line that it is in.
@@ -27,9 +28,16 @@ fn excerpt(error: &Error, Located { file, text, place }: &Located, styled: bool)
     renderer.render(&report)
 }
 
-/// Prints a line; a reader who has gone away (a closed pipe) is no error.
+/// Prints a line; a reader who has gone away (a closed pipe) is no error, but what cannot be written, on a disk that is full, ends the program.
 pub fn say(line: impl std::fmt::Display) {
-    let _ = writeln!(std::io::stdout(), "{line}");
+    match writeln!(std::io::stdout(), "{line}") {
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => {
+            let message = format!("cannot be written: {error}");
+            show(&Error::at("standard output", message, "make room, or send it elsewhere; what is there is cut"));
+            std::process::exit(WRONG_INPUT.into())
+        }
+        _ => {}
+    }
 }
 
 /// Columns where neither a terminal nor `COLUMNS` names them, as the help has it.

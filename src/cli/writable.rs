@@ -1,28 +1,35 @@
 //! Whether results can be written, asked before what takes long.
 
+use std::env;
 use std::fs::{self, File, OpenOptions};
 use std::io;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
-use crate::checkout::{CHECKOUT as VARIABLE, root};
+use crate::checkout::{CHECKOUT as VARIABLE, chosen, is_checkout};
 use crate::error::{Error, Kind};
 
 /// What to do where the records of the checkout cannot be written.
-pub const CHECKOUT: &str = "give the right to write to the checkout that the program was built in";
+pub const CHECKOUT: &str = "give the right to write to the checkout";
 
-/// Refuses to begin what is written below the checkout, where that is no longer there, or its folder cannot be written.
+/// Refuses to begin what is written below the checkout, where there is none, or its folder cannot be written.
 pub fn in_checkout(name: &str) -> Result<(), Error> {
-    checkout().and_then(|()| folder(&root().join(name), CHECKOUT))
+    checkout().and_then(|root| folder(&root.join(name), CHECKOUT))
 }
 
-/// Refuses to begin what reads the checkout, where that is no longer there.
-pub fn checkout() -> Result<(), Error> {
-    if root().join("snapshots/checks.csv").is_file() {
-        return Ok(());
+/// The checkout that is read and written: the one that the working directory lies in, or that is named in the environment.
+pub fn checkout() -> Result<PathBuf, Error> {
+    let named = chosen();
+    if let Some(root) = named.as_ref().filter(|root| is_checkout(root)) {
+        return Ok(root.clone());
     }
-    let message = "the checkout this program was built in is no longer there";
-    let remedy = format!("build it again where the checkout is now, or name that by {VARIABLE} in the environment");
-    Err(Error::file(&root(), message, remedy))
+    let message = match &named {
+        Some(_) => format!("{VARIABLE} names this folder, which is no checkout of the project"),
+        None => "neither this folder nor one above is a checkout of the project".into(),
+    };
+    let remedy = format!(
+        "run inside a checkout, or name it by {VARIABLE} in the environment; all but the report and the surveys runs anywhere, see `contact-vv help`"
+    );
+    Err(Error::file(&named.unwrap_or_else(|| env::current_dir().unwrap_or(".".into())), message, remedy))
 }
 
 /// Refuses a folder in which no file can be made; of one that is not there yet, the nearest above it that is.

@@ -44,6 +44,20 @@ impl Asked {
         if self.tension_positive { -1.0 } else { 1.0 }
     }
 
+    /// The unit that `ROLE=UNIT` names, one that is known of the role.
+    pub fn unit_of(text: &str) -> Result<(Role, String), Error> {
+        let (role, unit) = Self::pair("--unit", text)?;
+        if role.factor(&unit).is_none() {
+            let message = format!("`--unit {text}` names no unit of {}", role.name());
+            let remedy = match role.known_units() {
+                known if known.is_empty() => "leave it out: it has none".into(),
+                known => format!("name one of {known}"),
+            };
+            return Err(Error::at("judge", message, remedy));
+        }
+        Ok((role, unit))
+    }
+
     /// What `ROLE=TEXT` says.
     pub fn pair(option: &str, text: &str) -> Result<(Role, String), Error> {
         let roles = Role::ALL.map(Role::name).join(", ");

@@ -24,6 +24,9 @@ const PLACES: &str = "it lists nodes by their numbers: write their places beside
 /// What to do about a line with other cells than the head.
 const WRONG_CELLS: &str =
     "the file is cut, or a cell is missing: write it again; numbers with decimal commas need semicolons between them";
+/// What to do about numbers of rows that no name stands above.
+const ROW_NUMBERS: &str =
+    "name the first column too, such as `row`, or write the table without the numbers of its rows";
 /// What to do about a second table.
 const ONE: &str = "keep the table of the side, step and frame that is to be judged, and remove the others; of one that was printed in pages remove the \
                    lines between them";
@@ -52,7 +55,8 @@ pub fn parse(file: &Path, text: &str, scene: &Scene, asked: &Asked) -> Result<An
     for (line, cells) in &table.rows {
         if cells.len() != table.head.len() {
             let message = format!("this line has {} cells, but the head names {}", cells.len(), table.head.len());
-            return Err(source.at(line, message, WRONG_CELLS));
+            let is_numbered = cells.len() == table.head.len() + 1 && cells[0].parse::<usize>().is_ok();
+            return Err(source.at(line, message, if is_numbered { ROW_NUMBERS } else { WRONG_CELLS }));
         }
         let (contact, point) = reader.point(line, cells)?;
         match groups.iter_mut().find(|(known, _)| *known == contact) {
@@ -94,6 +98,9 @@ struct Table<'a> {
 impl<'a> Table<'a> {
     fn of(source: &Source<'a>, asked: &Asked) -> Result<Self, Error> {
         let lines: Vec<&str> = source.text.lines().filter(|line| !is_rule(line)).collect();
+        if lines.is_empty() {
+            return Err(source.refused("it holds nothing", HEADER));
+        }
         let is_data = |line: &str, mark: char| comment(line).is_none() && is_data(&cells(line, mark), mark != ',');
         let rows = |mark: &char| lines.iter().take(SEEN).filter(|line| is_data(line, *mark)).count();
         let most = MARKS.iter().map(rows).max().unwrap_or_default();

@@ -14,7 +14,7 @@ use contact_vv::mesh::{Mesh, Order, Resolution};
 use contact_vv::referee::answer::Point;
 use contact_vv::referee::source::Source;
 use contact_vv::referee::units::Role;
-use contact_vv::referee::{Asked, Handed, Profile, frd, norm, read};
+use contact_vv::referee::{Asked, Handed, Profile, calculix, frd, norm, read};
 use contact_vv::scene::{Action, Load, MonotoneCubic};
 use contact_vv::solution::{EdgeState, PointState};
 use contact_vv::solve::{Discretisation, Formulation, Run};
@@ -170,6 +170,28 @@ fn penetrations_of_a_table_stay_below_zero_and_tension_positive_turns_pressures_
         answer.contacts[0].points.iter().map(|point| [point.value, point.gap.expect("a gap")]).collect();
     for (found, wanted) in found.iter().zip([[50.0, -2e-3], [30.0, -1e-3], [0.0, 5e-3]]) {
         (0..2).for_each(|k| assert_relative_eq!(found[k], wanted[k], epsilon = 1e-12));
+    }
+}
+
+#[test]
+fn forces_of_a_deck_press_with_either_sign_and_tension_positive_alone_turns_them() {
+    // Contact presses with 100 N on each of three nodes: what ccx prints are reactions, −100 N each.
+    let case = find("truncated-hertz", None).expect("a case");
+    let set = "GAPS_CONTACT";
+    let deck =
+        format!("** truncated-hertz: mm, N, MPa.\n*NODE\n1, 0, 0\n2, 2, 0\n3, 4, 0\n*NSET, NSET={set}\n1, 2, 3\n");
+    let table = |force: f64| {
+        let rows: String = (1..=3).map(|node| format!(" {node} {force:e} 0.0 0.0\n")).collect();
+        format!(" forces (fx,fy,fz) for set {set} and time  0.1000000E+01\n\n{rows}")
+    };
+    for (tension_positive, printed, force) in
+        [(false, -100.0, 100.0), (true, 100.0, 100.0), (true, -100.0, -100.0), (false, 100.0, -100.0)]
+    {
+        let asked = Asked { tension_positive, ..Asked::default() };
+        let answer = calculix::forces(Path::new("a.dat"), &table(printed), &deck, &case.scene, &asked).expect("read");
+        let found: Vec<f64> = answer.contacts[0].points.iter().map(|point| point.value).collect();
+        assert_eq!(found.len(), 3, "{tension_positive}, {printed}");
+        found.iter().for_each(|value| assert_relative_eq!(*value, force, max_relative = 1e-12));
     }
 }
 

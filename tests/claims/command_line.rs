@@ -5,6 +5,7 @@ use std::process::Command;
 
 use contact_vv::case::library::NAMES;
 use contact_vv::case::{Check, Reference};
+use contact_vv::checkout::CHECKOUT;
 use contact_vv::cli::{self, summary, writable};
 use contact_vv::error::nearest::nearest;
 use contact_vv::oracle::ReferenceKind;
@@ -73,6 +74,10 @@ fn misspelt_names_are_answered_with_the_one_that_was_meant() {
     let (sound, _, error) = contact_vv(&["solve", "cylnder"]);
     assert!(!sound && error.contains("there is no case `cylnder`"), "{error}");
     assert!(error.contains("did you mean `cylinder`?") && error.contains("choose one of"), "{error}");
+    for (command, rest) in [("solve", None), ("compare", None), ("export", Some("x")), ("judge", Some("x.csv"))] {
+        let (sound, _, error) = contact_vv(&[&[command, "cylnder"], rest.as_slice()].concat());
+        assert!(!sound && error.starts_with(&format!("error: {command}: there is no case `cylnder`")), "{error}");
+    }
     let (sound, _, error) = contact_vv(&["solve", "zzz"]);
     assert!(!sound && !error.contains("did you mean") && error.contains("choose one of"), "{error}");
     let (sound, _, error) = contact_vv(&["solve", &scene("pres-fit")]);
@@ -137,13 +142,91 @@ fn what_cannot_be_written_is_refused_by_its_name() {
     assert!(writable::folder(Path::new("/proc"), "").is_err());
 }
 
+#[test]
+fn units_that_no_role_has_are_refused_before_a_file_is_read() {
+    for (unit, parts) in [
+        ("pressure=furlong", ["`--unit pressure=furlong` names no unit of pressure", "MPa, N/mm2"]),
+        ("position=MPa", ["names no unit of position", "mm, m, um"]),
+        ("contact=mm", ["names no unit of contact", "it has none"]),
+    ] {
+        let (sound, _, error) = contact_vv(&["judge", "patch", "missing.csv", "--unit", unit]);
+        assert!(!sound && parts.iter().all(|part| error.contains(part)), "{unit}: {error}");
+    }
+}
+
+#[test]
+fn output_that_a_full_disk_cuts_is_an_error() {
+    // A device that is always full.
+    #[cfg(target_os = "linux")]
+    for arguments in [&["schema"][..], &["new", "cylinder"], &["list"]] {
+        let full = std::fs::OpenOptions::new().write(true).open("/dev/full").expect("a device");
+        let output = Command::new(PROGRAM).args(arguments).stdout(full).output().expect("started");
+        let error = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert!(output.status.code() == Some(2) && error.contains("standard output"), "{arguments:?}: {error}");
+    }
+}
+
+/// A checkout with nothing in it but what tells that it is one.
+fn bare_checkout() -> tempfile::TempDir {
+    let folder = tempfile::tempdir().expect("a folder");
+    std::fs::create_dir_all(folder.path().join("snapshots/charts")).expect("made");
+    for file in ["Cargo.toml", "snapshots/checks.csv"] {
+        std::fs::write(folder.path().join(file), "").expect("written");
+    }
+    folder
+}
+
+/// How the program ends in a folder, and what it says there.
+fn run_in(folder: &Path, arguments: &[&str]) -> (Option<i32>, String) {
+    let mut command = Command::new(PROGRAM);
+    let output = command.env_remove(CHECKOUT).current_dir(folder).args(arguments).output().expect("started");
+    (output.status.code(), String::from_utf8_lossy(&output.stderr).into_owned())
+}
+
+#[test]
+fn reports_and_surveys_outside_of_a_checkout_are_refused_wherever_the_program_was_built() {
+    let folder = tempfile::tempdir().expect("a folder");
+    for arguments in [
+        &["report"][..],
+        &["report", "--check"],
+        &["report", "--only", "patch"],
+        &["report", "diff"],
+        &["verdicts"],
+        &["atlas"],
+        &["met", "--lacking"],
+        &["timings", "--points"],
+        &["scoreboard"],
+    ] {
+        let (code, error) = run_in(folder.path(), arguments);
+        assert_eq!(code, Some(2), "{arguments:?}: {error}");
+        assert!(error.contains("is a checkout of the project") && error.contains(CHECKOUT), "{arguments:?}: {error}");
+    }
+    let named = Command::new(PROGRAM).env(CHECKOUT, folder.path()).arg("verdicts").output().expect("started");
+    assert!(String::from_utf8_lossy(&named.stderr).contains("names this folder"), "{named:?}");
+}
+
+/// Codes that are no package of the system are absent in a checkout that has not installed them; others may be there.
+#[test]
+fn scoreboard_asks_in_the_checkout_it_runs_in_and_writes_nothing_where_a_code_is_absent() {
+    let folder = bare_checkout();
+    let [scripts, frozen] = ["oracles/peers", "oracles/frozen/scoreboard"].map(|name| folder.path().join(name));
+    std::fs::create_dir_all(&scripts).expect("made");
+    std::fs::create_dir_all(&frozen).expect("made");
+    for file in std::fs::read_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join("oracles/peers")).expect("scripts") {
+        let file = file.expect("a script");
+        std::fs::copy(file.path(), scripts.join(file.file_name())).expect("copied");
+    }
+    let (code, error) = run_in(&folder.path().join("oracles"), &["scoreboard"]);
+    assert!(code == Some(2) && error.contains("not all of CalculiX") && error.contains("NGSolve"), "{error}");
+    assert_eq!(std::fs::read_dir(&frozen).expect("read").count(), 0);
+    assert!(folder.path().join("target/scoreboard").is_dir(), "it is asked where it runs");
+}
+
 /// A checkout whose page cannot be written; root may write to any file, but not to a folder of that name.
 #[test]
 fn read_only_checkout_is_refused_before_the_suite_runs() {
-    let folder = tempfile::tempdir().expect("a folder");
-    std::fs::create_dir_all(folder.path().join("snapshots/charts")).expect("made");
+    let folder = bare_checkout();
     std::fs::create_dir_all(folder.path().join("VALIDATION.md")).expect("made");
-    std::fs::write(folder.path().join("Cargo.toml"), "").expect("written");
     let clock = std::time::Instant::now();
     let output = Command::new(PROGRAM).current_dir(folder.path()).output().expect("started");
     let error = String::from_utf8_lossy(&output.stderr).into_owned();

@@ -41,3 +41,24 @@ fn what_is_hardly_meant_is_noted_with_its_number() {
         assert!(found.iter().any(holds), "{wanted:?} in {found:?}");
     }
 }
+
+#[test]
+fn a_punch_without_a_limit_is_doubted_by_its_load_over_its_own_area() {
+    // Half-width or radius 2 below a block of 10, 0.5 MPa on top: 0.5 · 10/2, or 0.5 · 10²/2², over E/(1 − ν²).
+    const PUNCH: &str = "[[body]]\nname = \"block\"\nyoung = 20\npoisson = 0.3\n\
+        shape = { rectangle = { x = [0, 10], y = [0, 10], contact = \"bottom\" } }\n\
+        supports = [{ at = \"left\", component = \"x\" }]\nloads = [{ traction = { at = \"far\", value = [0, -0.5] } }]\n\
+        [contact]\nfirst = \"block\"\ngap = { punch = 2 }\nstretch = 2\n[mesh]\nelements = 8\nper = 1\n";
+    let around = PUNCH.replace("supports = [{ at = \"left\", component = \"x\" }]\n", "");
+    for (text, pressure) in [
+        (format!("plane = \"strain\"\nthickness = 2\n{PUNCH}"), 2.5),
+        (format!("plane = \"axisymmetric\"\n{around}"), 12.5),
+    ] {
+        let found = notes(&text);
+        let strain: f64 = pressure * (1.0 - 0.3 * 0.3) / 20.0;
+        let told =
+            found.iter().find_map(|note| note.strip_prefix("the mean pressure is ")?.split(' ').next()?.parse().ok());
+        let told: f64 = told.unwrap_or_else(|| panic!("{found:?}"));
+        assert!((told / strain - 1.0).abs() < 5e-3, "{told} for {strain}: {found:?}");
+    }
+}

@@ -6,6 +6,7 @@ use std::process::Command;
 
 use contact_vv::case::Case;
 use contact_vv::case::library::{NAMES, find};
+use contact_vv::cli::new::Template;
 use contact_vv::cli::vtu;
 use contact_vv::elasticity::loads;
 use contact_vv::mesh::{Mesh, Order, Resolution};
@@ -173,6 +174,18 @@ fn export_writes_all_that_is_needed_and_its_answers_are_met() {
         let (sound, _, error) = contact_vv(&["judge", case, &empty]);
         assert!(!sound && error.contains("neither pressures nor forces"), "{error}");
     }
+}
+
+#[test]
+fn files_of_a_scene_whose_name_no_code_can_type_are_called_case() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let scene = folder.path().join("цилиндр.toml");
+    std::fs::write(&scene, Template::Cylinder.text()).expect("written");
+    let to = folder.path().join("to").display().to_string();
+    let (sound, printed, error) = contact_vv(&["export", &scene.display().to_string(), &to]);
+    assert!(sound && printed.contains("case.inp") && !printed.contains("/-"), "{printed}{error}");
+    let (sound, table, error) = contact_vv(&["judge", &scene.display().to_string(), &format!("{to}/ours.csv")]);
+    assert!(sound && table.contains("meets all"), "{table}{error}");
 }
 
 /// The blocks of a deck: a keyword with its options, and rows of words.

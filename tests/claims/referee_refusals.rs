@@ -48,6 +48,8 @@ fn what_is_unknown_is_asked_for_with_file_found_and_remedy() {
             ["theirs.csv:3", "`nan`, which is no number"],
         ),
         (&case, "position [mm],pressure [MPa]\n0,3\n1\n", &plain, ["theirs.csv:3", "the file is cut"]),
+        (&case, "position[mm] pressure[MPa]\n0 0 3\n1 1 2\n2 2 1\n", &plain, ["theirs.csv:2", "numbers of its rows"]),
+        (&case, " \n\n", &plain, ["it holds nothing", "position [mm],pressure [MPa]"]),
         (&case, "position [mm],pressure [MPa]\n", &plain, ["no line behind its head", "the file is cut"]),
         (&case, "position [mm],pressure [MPa]\n0,3\n1,2\n", &plain, ["2 points were handed in", "needs 3"]),
         (

@@ -175,6 +175,24 @@ fn no_stress_is_quoted_beside_a_force_at_a_point_nor_a_corner_nor_a_pressure_wit
 }
 
 #[test]
+fn a_pressure_without_limit_on_an_arc_is_where_the_shorter_ring_ends() {
+    let case = parsed(include_str!("../data/scenes/corner-on-an-arc.toml"));
+    let (discretisation, all) = stresses(&case);
+    let (_, run) = case.solve().expect("solved");
+    let place = run.clone().with_limits(&discretisation).expect("told").contacts[0].unbounded.expect("a corner");
+    assert!((place.position.value() - 60_f64.to_radians()).abs() <= 1e-9, "{place:?}");
+    assert!(place.position.to_string() == "60.000000°", "{}", place.position);
+    // 40 mm from the centre, 60° from the lowest point, on both rings.
+    let corner = [40.0 * 60_f64.to_radians().sin(), -40.0 * 60_f64.to_radians().cos()];
+    for VonMises { without_limit, largest, .. } in &all {
+        let under = without_limit.iter().find(|one| one.because == "a contact pressure without limit");
+        let [x, y] = discretisation.mesh.points[under.expect("under the corner").node];
+        assert!((x - corner[0]).hypot(y - corner[1]) < 1.0, "({x}, {y})");
+        assert!(largest.is_none(), "{largest:?}");
+    }
+}
+
+#[test]
 fn stress_of_a_fixed_block_is_quoted_with_the_corner_that_has_none() {
     // Fixed along both directions at its foot, far from the contact.
     let fixed = "supports = [{ at = \"left\", component = \"x\" }, { at = \"far\", component = \"x\" }, { at = \"far\", component = \"y\" }]\n";

@@ -7,7 +7,7 @@ use crate::case::library::{
 use crate::case::library::{
     bars, cylinder, flat_punch, indented, own_weight, patch, pin_plate, pin_rod, sphere, truncated_hertz,
 };
-use crate::error::{Error, meant};
+use crate::error::{Error, Place, meant};
 use crate::scene::PlaneHypothesis;
 
 /// Name, what it is, whether its load can be set, and the case under a load by its a/R.
@@ -58,7 +58,7 @@ pub fn find(name: &str, a_over_r: Option<f64>) -> Result<Case, Error> {
     let Some((name, title, is_loaded, case)) = ENTRIES.iter().find(|(known, ..)| *known == name) else {
         let known = NAMES.map(|(name, _)| name);
         let remedy = format!("{}choose one of {}", meant(name, known), known.join(", "));
-        return Err(Error::at("solve", format!("there is no case `{name}`"), remedy));
+        return Err(Error::at(Place::Nowhere, format!("there is no case `{name}`"), remedy));
     };
     let ratio = match a_over_r {
         None => RATIO,
@@ -66,7 +66,7 @@ pub fn find(name: &str, a_over_r: Option<f64>) -> Result<Case, Error> {
         Some(_) => {
             let loaded: Vec<&str> = ENTRIES.iter().filter(|entry| entry.2).map(|entry| entry.0).collect();
             let remedy = format!("leave it out, or solve one of {}", loaded.join(", "));
-            return Err(Error::at("solve", format!("`{name}` has no a/R"), remedy));
+            return Err(Error::at(Place::Nowhere, format!("`{name}` has no a/R"), remedy));
         }
     };
     Ok(Case { title: (*title).into(), ..case(ratio).named(*name) })

@@ -26,7 +26,7 @@ pub use options::Arguments;
 /// An answer that cannot be read or judged is wrong input; the others are judged all the same, but make no series.
 pub fn run(arguments: &Arguments) -> Result<Exit, Error> {
     arguments.refuse()?;
-    let case = choice::case(&arguments.case, None)?;
+    let case = choice::case("judge", &arguments.case, None)?;
     arguments.refuse_unwritable(&case)?;
     let (asked, tolerance) = (arguments.asked()?, arguments.tolerance()?);
     let (mut answers, mut judged, mut wrong) = (Vec::new(), Vec::new(), Vec::new());

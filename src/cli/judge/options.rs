@@ -73,12 +73,9 @@ pub struct Arguments {
 impl Arguments {
     /// How files are to be read.
     pub fn asked(&self) -> Result<Asked, Error> {
-        let pairs = |option: &str, texts: &[String]| {
-            texts.iter().map(|text| Asked::pair(option, text)).collect::<Result<_, _>>()
-        };
         Ok(Asked {
-            columns: pairs("--column", &self.column)?,
-            units: pairs("--unit", &self.unit)?,
+            columns: self.column.iter().map(|text| Asked::pair("--column", text)).collect::<Result<_, _>>()?,
+            units: self.unit.iter().map(|text| Asked::unit_of(text)).collect::<Result<_, _>>()?,
             order: self.order,
             contact: self.contact.clone(),
             tension_positive: self.tension_positive,

@@ -115,7 +115,7 @@ pub struct Arguments {
 impl Arguments {
     /// The case of the library or of a file.
     pub fn named(&self) -> Result<Case, Error> {
-        let case = choice::case(&self.case, self.a_over_r)?;
+        let case = choice::case("solve", &self.case, self.a_over_r)?;
         Ok(match &case.places {
             Some(_) => case,
             None => Case { formulations: vec![Formulation::new(Element::Node, Iteration::Kinematic)], ..case },

@@ -218,8 +218,14 @@ impl Board {
         read_json(&file(), RENEW)
     }
 
-    /// Writes it.
-    pub fn write(&self) -> Result<(), Error> {
+    /// Writes it, and beside it the files that codes wrote, by their names.
+    pub fn write(&self, files: &[(String, Vec<u8>)]) -> Result<(), Error> {
+        let folder = folder();
+        fs::create_dir_all(&folder).map_err(|error| Error::unwritable(&folder, error))?;
+        for (name, bytes) in files {
+            let kept = folder.join(name);
+            fs::write(&kept, bytes).map_err(|error| Error::unwritable(&kept, error))?;
+        }
         write_json(&file(), self)
     }
 
@@ -253,41 +259,57 @@ const REPEATS: usize = 5;
 /// Endings of files that are kept compressed.
 const LARGE: [&str; 2] = ["frd", "vtu"];
 
-/// A case by every setting; the answers are written beside the record. The second list names what is not installed.
-pub fn ask(name: &str, case: &Case, told: impl Fn(&Setting)) -> Result<(Asked, Vec<String>), Error> {
+/// Refuses where not every code can run, as its first setting tells on a small case.
+pub fn refuse_absent(name: &str, case: &Case) -> Result<(), Error> {
     refuse_other_scripts()?;
-    let discretisation = case.meshed()?.discretisation;
-    let truth = Truth::of(case.clone())?;
+    let place = posed(name, case, &case.meshed()?.discretisation)?;
+    let first = Code::ALL.map(|code| Setting::ALL.into_iter().find(|setting| setting.code == code));
+    let absent: Vec<String> = first.iter().flatten().filter_map(|setting| run(setting, &place).err()).collect();
+    if absent.is_empty() { Ok(()) } else { Err(not_installed(&absent.join("; "))) }
+}
+
+/// Why the record is kept as it was.
+fn not_installed(which: &str) -> Error {
+    let message = format!("not all of {} are installed: {which}", Code::ALL.map(Code::name).join(", "));
+    let remedy =
+        "install them by `bash oracles/peers/setup.sh` and `bash oracles/setup.sh`; the record is kept as it was";
+    Error::at("scoreboard", message, remedy)
+}
+
+/// The folder in which a case waits for the scripts.
+fn posed(name: &str, case: &Case, discretisation: &Discretisation) -> Result<PathBuf, Error> {
     let place = root().join("target/scoreboard").join(name);
     fs::create_dir_all(&place).map_err(|error| Error::unwritable(&place, error))?;
     let files =
-        [("problem.json", problem::text(&case.name, &discretisation)?), ("case.inp", deck::text(&discretisation)?)];
+        [("problem.json", problem::text(&case.name, discretisation)?), ("case.inp", deck::text(discretisation)?)];
     for (file, text) in files {
         let file = place.join(file);
         fs::write(&file, text).map_err(|error| Error::unwritable(&file, error))?;
     }
-    let (mut runs, mut absent) = (Vec::new(), Vec::new());
+    Ok(place)
+}
+
+/// A case by every setting, and the files that the codes wrote, by the names under which they are kept.
+pub fn ask(name: &str, case: &Case, told: impl Fn(&Setting)) -> Result<(Asked, Vec<(String, Vec<u8>)>), Error> {
+    let discretisation = case.meshed()?.discretisation;
+    let truth = Truth::of(case.clone())?;
+    let place = posed(name, case, &discretisation)?;
+    let (mut runs, mut files) = (Vec::new(), Vec::new());
     for setting in Setting::ALL {
         told(&setting);
         let cholesky = cholesky(&discretisation)?;
-        let (seconds, answer) = match run(&setting, &place) {
-            Ok(ran) => ran,
-            Err(why) => {
-                absent.push(why);
-                continue;
-            }
-        };
+        let (seconds, answer) = run(&setting, &place).map_err(|why| not_installed(&why))?;
         let (version, ended) = match answer {
             Ok(value) => {
                 let version = value["version"].as_str().map(str::to_owned);
-                (version, kept(name, &truth, &discretisation, &place, &value)?)
+                (version, kept(name, &truth, &discretisation, &place, &value, &mut files)?)
             }
             Err(why) => (None, Ended::Failed(why)),
         };
         let Setting { code, method, .. } = setting;
         runs.push(Told { code, method: method.into(), version, seconds, cholesky, ended });
     }
-    Ok((Asked { dofs: discretisation.system.dofs(), runs }, absent))
+    Ok((Asked { dofs: discretisation.system.dofs(), runs }, files))
 }
 
 /// Refuses scripts that are not those this program was built with, whose digests it writes.
@@ -336,13 +358,14 @@ fn run(setting: &Setting, place: &Path) -> Result<(f64, Result<Value, String>), 
     })
 }
 
-/// Keeps the file that a code wrote beside the record, and judges it.
+/// Adds the file that a code wrote to those that are kept beside the record, and judges it.
 fn kept(
     name: &str,
     truth: &Truth,
     discretisation: &Discretisation,
     place: &Path,
     value: &Value,
+    files: &mut Vec<(String, Vec<u8>)>,
 ) -> Result<Ended, Error> {
     let file = value["file"].as_str().unwrap_or_default();
     let written = place.join(file);
@@ -356,13 +379,12 @@ fn kept(
             .and_then(|()| compressed.finish())
             .map_err(|error| Error::unwritable(&written, error))?;
     }
-    let kept = folder().join(&named);
-    let scored = scored(truth, discretisation, &kept, &bytes);
+    let scored = scored(truth, discretisation, Path::new(&named), &bytes);
     let found = scored.map_or([f64::NAN; 2], |scored| scored.scores.map(|score| score.value));
     if found.iter().any(|value| !value.is_finite()) {
         return Ok(Ended::Failed(format!("what it wrote holds no profile that can be judged: {file}")));
     }
-    fs::write(&kept, bytes).map_err(|error| Error::unwritable(&kept, error))?;
+    files.push((named.clone(), bytes));
     let iterations = value["iterations"].as_u64().unwrap_or(0) as usize;
     Ok(Ended::Answered { file: named, iterations, found })
 }

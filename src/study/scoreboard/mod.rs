@@ -29,6 +29,9 @@ use crate::study::scoreboard::board::{Board, Code, Contact, Ended, RENEW, Scored
 /// One body on a rigid one, flat and curved; two bodies, straight, curved, and conforming.
 pub const CASES: [&str; 6] = ["cylinder", "truncated-hertz", "bars", "own-weight", "two-cylinders", "pin-rod"];
 
+/// The smallest of them.
+pub const SMALLEST: &str = "own-weight";
+
 /// A case of the library, or of a scene file of the repository.
 pub fn named(name: &str) -> Result<Case, Error> {
     let file = root().join("tests/cases").join(name).with_extension("toml");
