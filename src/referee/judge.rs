@@ -14,6 +14,9 @@ pub const ENGINEERING: f64 = 1e-2;
 /// What tension is told by.
 pub const TENSION: &str = "largest tension over the largest pressure";
 
+/// What alternating pressures are told by.
+const ALTERNATION: &str = "alternation of the pressures from point to point over the peak";
+
 /// What was found of one contact.
 #[derive(Clone, Debug)]
 pub struct Ruled {
@@ -41,6 +44,7 @@ pub fn judge(truth: &Truth, profile: &Profile, tolerance: f64) -> Ruled {
     let mut judged = vec![bench.half_width()];
     judged.extend(bench.peak(&mut missing));
     judged.extend(bench.profile_norm(&mut missing));
+    judged.extend(bench.alternation());
     judged.extend(bench.ends());
     judged.push(bench.resultant());
     judged.push(bench.tension());
@@ -84,6 +88,29 @@ impl Bench<'_> {
         let because = "the tolerance, the bar of the reference, and what the end of the contact leaves within an edge of this mesh";
         let check = Check::error(quantity, known.reference.clone(), allowed + known.bar, because);
         Some(self.ruled(check, error, known))
+    }
+
+    /// How far pressures alternate from point to point, which means over edges do not show; none where the pressure has no limit, or points
+    /// are of a higher order, whose corners and middles differ.
+    ///
+    /// Largest `|e_i − (e_{i−1} + e_{i+1})/2| / 2` of the errors e of three points in a row well within the contact, over the peak.
+    fn alternation(&self) -> Option<Judged> {
+        let contact = self.profile.contact;
+        if self.truth.is_unbounded(contact) {
+            return None;
+        }
+        let ends = &self.truth.run.contacts[contact].measures;
+        let (middle, reach) = (0.5 * (ends.begin() + ends.edge()), 0.5 * (ends.edge() - ends.begin()));
+        let inside = self.profile.alone.iter().filter(|[s, _]| (s - middle).abs() <= INSIDE * reach);
+        let errors: Vec<f64> = inside.map(|&[s, p]| p - self.truth.pressure(contact, s)).collect();
+        let alternates = |three: &[f64]| 0.5 * (three[1] - 0.5 * (three[0] + three[2])).abs();
+        let largest = errors.windows(3).map(alternates).reduce(larger)?;
+        let peak = self.truth.known(contact, &Quantity::PeakPressure).reference.value;
+        let (reference, because) = (
+            Reference::own("neighbouring points", 0.0),
+            "what an answer may alternate by that is quoted at its points",
+        );
+        Some(self.error(ALTERNATION, reference, ALTERNATE, because, largest / peak))
     }
 
     /// Where the contact begins and ends, to within one edge of the mesh that was handed in.
@@ -152,6 +179,9 @@ impl Bench<'_> {
     }
 }
 
+/// Part of the contact, from its middle on, in which pressures must not alternate, and by how much of the peak.
+const INSIDE: f64 = 0.8;
+const ALTERNATE: f64 = 0.1;
 /// Half-widths over which profiles are compared.
 const COMPARED: f64 = 1.5;
 /// Part of the edge length over the half-width that the profile may be off: our own coarse meshes of both orders stay within it.

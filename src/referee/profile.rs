@@ -21,6 +21,9 @@ pub struct Profile {
     pub points: Vec<PointState>,
     /// Means over the edges between them.
     pub edges: Vec<EdgeState>,
+    /// Contact coordinate and pressure of the points as they were handed in, where they follow one another as those of first order, and neither
+    /// are forces nor stand beside means over edges \[mm or rad, MPa\].
+    pub alone: Vec<[f64; 2]>,
     /// Whether it lies on both sides of the middle.
     pub across: bool,
     /// Whether gaps were handed in.
@@ -38,8 +41,9 @@ impl Profile {
         let begun = begun(&scene, handed, across);
         let handed = begun.as_ref().unwrap_or(handed);
         let has_forces = handed.forces || handed.points.iter().all(|point| point.area.is_some());
-        let lines =
-            (handed.order == Order::Linear && !has_forces && handed.edges.is_empty()).then(|| with_middles(handed));
+        let is_of_points = handed.order == Order::Linear && handed.edges.is_empty();
+        let plain = handed;
+        let lines = (is_of_points && !has_forces).then(|| with_middles(handed));
         let handed = lines.as_ref().unwrap_or(handed);
         let areas = tributary(&scene, pair, &handed.points, handed.order);
         let state = |(point, area): (&Point, &f64)| {
@@ -48,12 +52,16 @@ impl Profile {
             PointState { position: point.position, weight, pressure, gap: point.gap.unwrap_or(f64::NAN) }
         };
         let mut points: Vec<PointState> = handed.points.iter().zip(&areas).map(state).collect();
+        let alone = match is_of_points && !plain.forces {
+            true => plain.points.iter().map(|point| [point.position, point.value]).collect(),
+            false => Vec::new(),
+        };
         let on_axis = scene.is_around_axis(handed.contact) && lends_to_axis(&mut points, handed);
         let edges =
             if handed.edges.is_empty() { means(&scene, pair, &points, handed.order) } else { handed.edges.clone() };
         points.drain(..usize::from(on_axis));
         let has_gaps = handed.points.iter().all(|point| point.gap.is_some());
-        Self { contact: handed.contact, order: handed.order, points, edges, across, has_gaps, has_forces, scene }
+        Self { contact: handed.contact, order: handed.order, points, edges, alone, across, has_gaps, has_forces, scene }
     }
 
     /// The contact.

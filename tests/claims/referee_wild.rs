@@ -558,3 +558,26 @@ fn cells_of_any_order_are_read_and_so_is_what_we_write_of_fitted_meshes() {
     ]);
     assert!(met, "{text}{error}");
 }
+
+#[test]
+fn pressures_that_alternate_from_point_to_point_are_no_answer() {
+    let table = |share: f64, points: i32| {
+        let row = |k: i32| {
+            let s = 3.0 * f64::from(k) / f64::from(points);
+            let turn = if k % 2 == 0 { 1.0 + share } else { 1.0 - share };
+            format!("{s},{}\n", 100.0 * turn * (1.0 - s * s / 4.0).max(0.0).sqrt())
+        };
+        "position [mm],pressure [MPa]\n".to_owned() + &(0..=points).map(row).collect::<String>()
+    };
+    let failed = |share: f64, points: i32| {
+        let found = judged(parsed("turns.csv", table(share, points), &usual()).expect("read")).expect("judged");
+        let failed = found.ruled[0].judged.iter().filter(|one| one.verdict == contact_vv::case::Verdict::Fail);
+        failed.map(|one| one.check.quantity.to_string()).collect::<Vec<_>>()
+    };
+    assert_eq!(failed(0.0, 120), Vec::<String>::new());
+    assert_eq!(failed(0.05, 120), Vec::<String>::new());
+    for share in [0.3, -0.3] {
+        let named = failed(share, 120);
+        assert!(named == ["alternation of the pressures from point to point over the peak"], "{named:?}");
+    }
+}
