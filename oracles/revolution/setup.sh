@@ -14,6 +14,7 @@ fail() {
     exit 1
 }
 
+# shellcheck source=SCRIPTDIR/../debian.sh
 source debian.sh
 
 # Without its numpy 2: it runs with Debian's, which scipy needs. 2 MB are downloaded and 5 MB laid down.

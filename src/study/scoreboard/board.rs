@@ -289,8 +289,11 @@ fn posed(name: &str, case: &Case, discretisation: &Discretisation) -> Result<Pat
     Ok(place)
 }
 
-/// A case by every setting, and the files that the codes wrote, by the names under which they are kept.
-pub fn ask(name: &str, case: &Case, told: impl Fn(&Setting)) -> Result<(Asked, Vec<(String, Vec<u8>)>), Error> {
+/// Files that the codes wrote, by the names under which they are kept.
+pub type Written = Vec<(String, Vec<u8>)>;
+
+/// A case by every setting, and the files that the codes wrote.
+pub fn ask(name: &str, case: &Case, told: impl Fn(&Setting)) -> Result<(Asked, Written), Error> {
     let discretisation = case.meshed()?.discretisation;
     let truth = Truth::of(case.clone())?;
     let place = posed(name, case, &discretisation)?;
@@ -365,7 +368,7 @@ fn kept(
     discretisation: &Discretisation,
     place: &Path,
     value: &Value,
-    files: &mut Vec<(String, Vec<u8>)>,
+    files: &mut Written,
 ) -> Result<Ended, Error> {
     let file = value["file"].as_str().unwrap_or_default();
     let written = place.join(file);
