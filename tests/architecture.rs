@@ -216,7 +216,7 @@ const BUDGETS: [(&str, usize); 9] = [
     ("drawing", 3_220),
     ("case", 8_310),
     ("oracle", 4_375),
-    ("study", 15_445),
+    ("study", 15_450),
     ("referee", 6_010),
     ("report", 3_220),
     ("cli", 4_930),
