@@ -3,9 +3,9 @@
 use contact_vv::case::{Judged, Verdict};
 use contact_vv::mesh::Order;
 use contact_vv::oracle::ReferenceKind;
-use contact_vv::solve::Ended;
 use contact_vv::solve::Fitted;
-use contact_vv::study::refinement::{self, Numbers, family, nested};
+use contact_vv::solve::{Element, Ended};
+use contact_vv::study::refinement::{self, Numbers, curved, family, nested};
 use contact_vv::study::{Study, fields, fitted, measured};
 
 fn fails(judged: &[Judged]) -> usize {
@@ -41,6 +41,31 @@ fn a_model_error_that_does_not_fall_with_the_square_of_the_contact_turns_red() {
     assert_eq!(fails(&judge(spoiled(2, -1.0))), 4);
     assert_eq!(fails(&judge(spoiled(3, f64::NAN))), 4);
     assert_eq!(fails(&judge(spoiled(0, f64::NAN))), 6);
+}
+
+#[test]
+fn an_order_on_curved_sides_that_is_lower_on_one_mesh_or_no_number_turns_red() {
+    let judge = |order: Order, powers: [f64; 2], spoiled: f64| {
+        let level = |k: u32| {
+            let errors =
+                powers.map(|power| 0.01 * 0.5_f64.powf(power * f64::from(k)) * if k == 2 { spoiled } else { 1.0 });
+            curved::Level { elements: 6 << k, dofs: 1, errors }
+        };
+        let levels: Vec<curved::Level> = (0..4).map(level).collect();
+        let judged = judged(&Numbers::Rings(curved::Curved {
+            order,
+            series: Element::ALL.map(|element| (element, levels.clone())),
+        }));
+        assert_eq!(judged.len(), 6);
+        fails(&judged)
+    };
+    for (order, powers) in [(Order::Linear, [1.5, 2.0]), (Order::Quadratic, [2.0, 3.0])] {
+        assert_eq!(judge(order, powers, 1.0), 0);
+        assert_eq!(judge(order, powers.map(|power| power - 0.2), 1.0), 6);
+        // A mesh whose errors are larger or smaller by a fifth spoils one pair of each number.
+        assert_eq!([judge(order, powers, 1.2), judge(order, powers, 1.0 / 1.2)], [2, 2]);
+        assert_eq!(judge(order, powers, f64::NAN), 6);
+    }
 }
 
 /// The checks of errors of truncated Hertz on four meshes: of the pressure, the half-width and the profile.

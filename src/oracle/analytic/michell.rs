@@ -32,7 +32,7 @@ pub struct Harmonic {
 }
 
 impl Harmonic {
-    /// The ring of inner and outer radius \[mm\] under a pressure of 1 MPa times `cos nθ`, without shear; NaN where no ring is so thin.
+    /// The ring of inner and outer radius \[mm\] under a pressure of 1 MPa times `cos nθ`, without shear; NaN where both radii are one.
     pub fn pressed(n: usize, side: Side, radii: [f64; 2], Material { young, poisson }: Material, plane: Plane) -> Self {
         let n = n as f64;
         let loaded = radii[usize::from(side == Side::Outside)];
