@@ -68,7 +68,7 @@ use crate::study::timings::precision::Series;
 ///
 /// Without a command: solves every case of the suite, prints the verdicts and writes VALIDATION.md with its pages and charts.
 #[derive(Debug, Parser)]
-#[command(name = "contact-vv", version, after_help = examples::ALL)]
+#[command(name = "contact-vv", bin_name = "contact-vv", version, after_help = examples::ALL)]
 struct Cli {
     #[command(subcommand)]
     command: Option<Command>,

@@ -1,5 +1,6 @@
 //! A source file below `src`: its module, and the words, paths and imports that its syntax holds.
 
+use contact_vv::checkout::root;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
@@ -87,7 +88,7 @@ pub fn all() -> &'static [Source] {
 }
 
 fn read_all() -> Vec<Source> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let root = root().join("src");
     let mut files = files_in(&root);
     files.sort();
     let read = |path: PathBuf| {

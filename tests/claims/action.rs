@@ -91,8 +91,11 @@ fn an_answer_that_cannot_be_read_is_an_error_beside_the_verdicts_of_the_others()
     let wrong = at("wrong one.csv");
     for (options, told) in [(&["--json"][..], 2), (&["--json", "--series"][..], 2)] {
         let arguments = ["judge", "truncated-hertz", &cut, &right, &wrong, "--junit", &xml, "--force"];
-        let run =
-            Command::new(env!("CARGO_BIN_EXE_contact-vv")).args(arguments).args(options).output().expect("started");
+        let run = Command::new(env!("CARGO_BIN_EXE_contact-vv-tested"))
+            .args(arguments)
+            .args(options)
+            .output()
+            .expect("started");
         let [said, error] = [run.stdout, run.stderr].map(|text| String::from_utf8_lossy(&text).into_owned());
         assert_eq!((run.status.code(), said.lines().count()), (Some(2), told), "{said}{error}");
         assert!(error.contains("cut.csv:3") && error.contains("the file is cut"), "{error}");
@@ -125,7 +128,7 @@ fn the_action_writes_summary_and_junit_and_ends_as_the_program_does() {
     ] {
         let folder = answers();
         fs::write(folder.path().join("bare.csv"), "position,pressure\n::set-env::```,1\n").expect("written");
-        let program = env!("CARGO_BIN_EXE_contact-vv");
+        let program = env!("CARGO_BIN_EXE_contact-vv-tested");
         let inputs = json!({ "case": "truncated-hertz", "files": files, "units": "position=mm\npressure=MPa", "columns": "",
             "options": options, "junit": "a b.xml", "program": program });
         let (ended, log, summary) = script("judge.sh", folder.path(), &[("INPUTS", inputs.to_string())], "summary");

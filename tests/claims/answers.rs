@@ -1,7 +1,6 @@
 //! All that is printed as JSON is of one type, whose schema is published; angles are told in degrees.
 
-use std::path::Path;
-
+use contact_vv::checkout::root;
 use contact_vv::cli;
 use serde_json::Value;
 
@@ -14,7 +13,7 @@ fn lines(arguments: &[&str]) -> Vec<Value> {
 
 #[test]
 fn published_schema_is_that_of_the_program() {
-    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("snapshots/schema.json");
+    let file = root().join("snapshots/schema.json");
     let published = std::fs::read_to_string(&file).expect("published");
     let (sound, printed, _) = contact_vv(&["schema"]);
     assert!(sound && printed == format!("{}\n", cli::json::schema()));

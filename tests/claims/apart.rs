@@ -8,7 +8,7 @@ use contact_vv::checkout::{CHECKOUT, root};
 
 /// How the program ends in a folder, with its checkout out of reach, and what it says.
 fn apart(folder: &Path, arguments: &[&str]) -> (Option<i32>, String) {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_contact-vv"));
+    let mut command = Command::new(env!("CARGO_BIN_EXE_contact-vv-tested"));
     let command = command.args(arguments).current_dir(folder).env(CHECKOUT, folder.join("nowhere"));
     let output = command.output().expect("started");
     let told = [output.stdout, output.stderr].map(|bytes| String::from_utf8_lossy(&bytes).into_owned()).concat();

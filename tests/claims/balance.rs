@@ -1,15 +1,16 @@
 //! What the springs really do: tension that is cut, the equilibrium of every body, bodies of very different stiffness, bodies that touch.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use approx::assert_relative_eq;
 use contact_vv::accuracy::{Bars, bars};
 use contact_vv::case::Case;
+use contact_vv::checkout::root;
 use contact_vv::solution::{IterationError, Outcome};
 use contact_vv::solve::{Discretisation, Element, Formulation, Iteration, Run};
 
 fn path(name: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("tests/data/scenes/{name}.toml"))
+    root().join(format!("tests/data/scenes/{name}.toml"))
 }
 
 /// The text of a scene of `tests/data/scenes`.

@@ -7,6 +7,7 @@ use contact_vv::accuracy::{self, Asked, Barred, Bars, Quantity, bars};
 use contact_vv::algorithm::StiffnessRule;
 use contact_vv::case::library::{self, Cylinder};
 use contact_vv::case::{Case, Verdict};
+use contact_vv::checkout::root;
 use contact_vv::mesh::{Order, Resolution};
 use contact_vv::scene::{Component, Place, Scene, Support};
 use contact_vv::solve::{Discretisation, Displaced, Element, Fitted, Formulation, Iteration, Run};
@@ -340,7 +341,7 @@ fn displacement_of_a_corner_beside_a_loaded_side_has_a_bar_of_the_order_that_is_
 
 #[test]
 fn elements_of_the_second_body_as_wide_as_the_contact_are_in_the_bars() {
-    let file = std::fs::read_to_string("tests/cases/two-cylinders.toml").expect("read");
+    let file = std::fs::read_to_string(root().join("tests/cases/two-cylinders.toml")).expect("read");
     let text = &file[..file.find("[[check]]").expect("checks")];
     let fine = barred(text, &[["elements = 12", "elements = 48"]], &[]);
     for density in ["0.0833", "0.167", "0.333"] {

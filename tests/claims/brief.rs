@@ -6,7 +6,7 @@ use crate::outputs::{contact_vv, json, scene};
 
 /// What is printed on 80 columns.
 fn printed(arguments: &[&str]) -> String {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_contact-vv"));
+    let mut command = Command::new(env!("CARGO_BIN_EXE_contact-vv-tested"));
     let output = command.arg("solve").args(arguments).env("COLUMNS", "80").output().expect("started");
     String::from_utf8_lossy(&output.stdout).into_owned()
 }

@@ -6,6 +6,7 @@ use std::process::Command;
 use contact_vv::case::library::NAMES;
 use contact_vv::case::{Check, Reference};
 use contact_vv::checkout::CHECKOUT;
+use contact_vv::checkout::root;
 use contact_vv::cli::{self, summary, writable};
 use contact_vv::error::nearest::nearest;
 use contact_vv::oracle::ReferenceKind;
@@ -14,7 +15,7 @@ use contact_vv::study::{Finding, Study};
 
 use crate::outputs::{contact_vv, scene};
 
-const PROGRAM: &str = env!("CARGO_BIN_EXE_contact-vv");
+const PROGRAM: &str = env!("CARGO_BIN_EXE_contact-vv-tested");
 
 /// What the program prints on a terminal of so many columns.
 fn on_columns(columns: usize, arguments: &[&str]) -> String {
@@ -43,7 +44,7 @@ fn every_command_shows_examples_that_are_understood() {
                 assert!(parsed.is_ok(), "{name}: {line}: {}", parsed.expect_err("a mistake"));
                 let case = words.iter().skip_while(|word| *word != "solve").nth(1);
                 let known = |case: &String| NAMES.iter().any(|(name, _)| name == case) || case == "mine.toml";
-                assert!(case.is_none_or(|case| known(case) || Path::new(case).is_file()), "{line}");
+                assert!(case.is_none_or(|case| known(case) || root().join(case).is_file()), "{line}");
                 examples += 1;
             }
         }
@@ -212,7 +213,7 @@ fn scoreboard_asks_in_the_checkout_it_runs_in_and_writes_nothing_where_a_code_is
     let [scripts, frozen] = ["oracles/peers", "oracles/frozen/scoreboard"].map(|name| folder.path().join(name));
     std::fs::create_dir_all(&scripts).expect("made");
     std::fs::create_dir_all(&frozen).expect("made");
-    for file in std::fs::read_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join("oracles/peers")).expect("scripts") {
+    for file in std::fs::read_dir(root().join("oracles/peers")).expect("scripts") {
         let file = file.expect("a script");
         std::fs::copy(file.path(), scripts.join(file.file_name())).expect("copied");
     }

@@ -5,6 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use approx::assert_relative_eq;
+use contact_vv::checkout::root;
 use contact_vv::error::{Error, Kind};
 use contact_vv::oracle::ReferenceKind;
 use contact_vv::oracle::digitised::{
@@ -17,7 +18,7 @@ use tempfile::TempDir;
 const FILES: [&str; 3] = ["scene.toml", "provenance.toml", "semi-ellipse.csv"];
 
 fn synthetic() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/digitised-synthetic")
+    root().join("tests/data/digitised-synthetic")
 }
 
 fn text(file: &str) -> String {
@@ -106,7 +107,7 @@ fn rod(curve: &DigitisedCurve) -> RodScene {
 #[test]
 fn figures_that_are_not_at_hand_say_so() {
     for source in ["gaertner-1977", "ghosh-1982"] {
-        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("oracles/digitised").join(source);
+        let folder = root().join("oracles/digitised").join(source);
 
         let digitised = Digitised::load(&folder).expect("a README alone is no error");
 

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use contact_vv::accuracy;
 use contact_vv::case::Case;
 use contact_vv::case::library::{Patch, TruncatedHertz};
+use contact_vv::checkout::root;
 use contact_vv::measure::Quantity;
 use contact_vv::measure::{nodal, profile, relative_error};
 use contact_vv::mesh::{Mesh, Order};
@@ -265,7 +266,7 @@ fn columns_beyond_a_contact_on_both_sides_grow_from_its_last_cell_where_frames_h
 
 #[test]
 fn pressure_between_nodes_is_the_polynomial_of_the_cell_and_the_bar_of_a_force_of_statics_is_round_off() {
-    let file = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/cases/rigid-cosine.toml");
+    let file = root().join("tests/cases/rigid-cosine.toml");
     let case = Case::read(&file).expect("sound");
     let answer = solved(Fitted { order: Order::Octic, layers: 3 }, &case.scene);
     let wanted = case.reading(0, &Quantity::Pressure { at: 4.0 }).value;

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 
+use contact_vv::checkout::root;
 use contact_vv::drawing::colour_map::{CLASSES, ON_CLASSES};
 use contact_vv::drawing::palette::{self, CARD, CURVES, Dash, GREY, INK, Marker};
 use contact_vv::drawing::theme::Rgb;
@@ -344,7 +345,7 @@ fn covered(svg: &str) -> Vec<String> {
 
 #[test]
 fn no_text_of_a_committed_chart_covers_a_sign_or_another_text() {
-    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("snapshots/charts");
+    let folder = root().join("snapshots/charts");
     let mut found = Vec::new();
     for entry in std::fs::read_dir(folder).expect("charts are committed").flatten() {
         let svg = std::fs::read_to_string(entry.path()).expect("read");

@@ -1,5 +1,6 @@
 //! One page of the report, by the name of its case or study.
 
+use contact_vv::checkout::root;
 use std::path::Path;
 use std::process::Command;
 
@@ -8,7 +9,7 @@ fn one_page_of_a_case_is_that_of_the_report_and_a_mistyped_name_is_told_with_its
     let folder = tempfile::tempdir().expect("a folder");
     // A checkout with what pages are made from, and none of them.
     std::fs::write(folder.path().join("Cargo.toml"), "").expect("written");
-    let own = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let own = root();
     for (inside, of) in
         [("tests/cases", "toml"), ("tests/cases/meshes", "msh"), ("snapshots", "csv"), ("snapshots", "json")]
     {
@@ -24,7 +25,7 @@ fn one_page_of_a_case_is_that_of_the_report_and_a_mistyped_name_is_told_with_its
         std::fs::create_dir_all(folder.path().join("snapshots").join(inside)).expect("made");
     }
     let report = |name: &str| {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_contact-vv"));
+        let mut command = Command::new(env!("CARGO_BIN_EXE_contact-vv-tested"));
         let output = command.args(["report", "--only", name]).current_dir(&folder).output().expect("started");
         let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
         (output.status.code(), text(&output.stdout), text(&output.stderr))
@@ -37,7 +38,7 @@ fn one_page_of_a_case_is_that_of_the_report_and_a_mistyped_name_is_told_with_its
         let (code, shown, error) = report(name);
         let file = format!("snapshots/pages/{page}.md");
         let read = |root: &Path| std::fs::read_to_string(root.join(&file)).expect("a page");
-        let committed = read(own);
+        let committed = read(&own);
         assert_eq!(code, Some(0), "{name}: {error}");
         assert!(read(folder.path()) == committed && shown.starts_with(committed.trim_end()), "{name}: {shown:.300}");
         assert!(shown.trim_end().ends_with(&file), "{name}");

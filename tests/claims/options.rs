@@ -71,7 +71,7 @@ fn hertz(arguments: &[&str]) -> f64 {
 /// A mistake in a run.
 fn wrong(arguments: &[&str]) -> Option<String> {
     let folder = tempfile::tempdir().expect("a folder");
-    let mut command = Command::new(env!("CARGO_BIN_EXE_contact-vv"));
+    let mut command = Command::new(env!("CARGO_BIN_EXE_contact-vv-tested"));
     let output = command.args(["solve", "cylinder"]).args(arguments).current_dir(&folder).output().expect("started");
     let told = String::from_utf8_lossy(&output.stderr);
     let code = output.status.code();
@@ -174,7 +174,7 @@ fn what_cannot_be_solved_or_written_is_refused_before_anything_is_solved_with_wh
         ("patch --vtu out.txt", "end the file name in"),
         ("patch --increments 2 --curve curve.svg", "curves are CSV or JSON; .csv or .json"),
     ] {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_contact-vv"));
+        let mut command = Command::new(env!("CARGO_BIN_EXE_contact-vv-tested"));
         let command = command.arg("solve").args(arguments.split_whitespace()).current_dir(folder());
         let output = command.env("COLUMNS", "1000").output().expect("started");
         let told = String::from_utf8_lossy(&output.stderr);
@@ -185,7 +185,7 @@ fn what_cannot_be_solved_or_written_is_refused_before_anything_is_solved_with_wh
 
 #[test]
 fn accuracy_is_met_where_a_loose_iteration_leaves_points_pressed() {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_contact-vv"));
+    let mut command = Command::new(env!("CARGO_BIN_EXE_contact-vv-tested"));
     let output = command.args(["solve", "cylinder", "--algorithm", "varying", "--accuracy", "5%"]).output();
     let output = output.expect("started");
     assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stdout));

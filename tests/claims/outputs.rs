@@ -2,6 +2,7 @@
 
 use approx::assert_relative_eq;
 use contact_vv::case::Case;
+use contact_vv::checkout::root;
 use contact_vv::cli::vtu;
 use contact_vv::elasticity::stress::{across, von_mises};
 use contact_vv::scene::{Material, PlaneHypothesis};
@@ -13,11 +14,11 @@ use crate::balance::solved_as_it_says;
 use crate::workbench::block_text;
 
 pub fn scene(name: &str) -> String {
-    format!("{}/tests/cases/{name}.toml", env!("CARGO_MANIFEST_DIR"))
+    format!("{}/tests/cases/{name}.toml", root().display())
 }
 
 pub fn contact_vv(arguments: &[&str]) -> (bool, String, String) {
-    let output = Command::new(env!("CARGO_BIN_EXE_contact-vv")).args(arguments).output().expect("started");
+    let output = Command::new(env!("CARGO_BIN_EXE_contact-vv-tested")).args(arguments).output().expect("started");
     let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
     (output.status.success(), text(&output.stdout), text(&output.stderr))
 }
@@ -249,7 +250,7 @@ fn small() -> String {
 
 /// The program in a folder: its exit code, and what it says of what is wrong.
 fn within(folder: &Path, arguments: &[&str]) -> (Option<i32>, String) {
-    let output = Command::new(env!("CARGO_BIN_EXE_contact-vv")).args(arguments).current_dir(folder).output();
+    let output = Command::new(env!("CARGO_BIN_EXE_contact-vv-tested")).args(arguments).current_dir(folder).output();
     let output = output.expect("started");
     (output.status.code(), String::from_utf8_lossy(&output.stderr).into_owned())
 }

@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use contact_vv::case::{Check, Judged, Quantity, Reference, Verdict};
+use contact_vv::checkout::root;
 use contact_vv::oracle::ReferenceKind;
 use contact_vv::report::diff::written;
 use contact_vv::report::front::{self, against, nearness, right};
@@ -14,10 +15,6 @@ use contact_vv::study::{Files, Finding, Room, Study, cases};
 
 /// Most lines of the front page.
 const LINES: usize = 220;
-
-fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).to_path_buf()
-}
 
 fn text(path: &Path) -> String {
     std::fs::read_to_string(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))

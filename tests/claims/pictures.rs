@@ -222,7 +222,7 @@ fn command_draws_what_did_not_converge_and_shows_no_progress_where_there_is_no_t
     let text = text_of("cylinder-in-metres.toml");
     let solve = |text: &str| {
         std::fs::write(&file, text).expect("written");
-        let mut command = Command::new(env!("CARGO_BIN_EXE_contact-vv"));
+        let mut command = Command::new(env!("CARGO_BIN_EXE_contact-vv-tested"));
         command.arg("solve").arg(&file).arg("--plot").arg(&picture).output().expect("started")
     };
     let output = solve(&text);

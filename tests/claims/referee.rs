@@ -5,6 +5,7 @@ use std::path::Path;
 use approx::assert_relative_eq;
 use contact_vv::case::library::{NAMES, TruncatedHertz, find};
 use contact_vv::case::{Case, Verdict};
+use contact_vv::checkout::root;
 use contact_vv::measure::Quantity;
 use contact_vv::mesh::{Order, Resolution};
 use contact_vv::referee::export::own;
@@ -237,7 +238,7 @@ fn what_our_own_answer_departs_from_a_closed_form_lets_nobody_else_depart() {
 
 #[test]
 fn the_profile_of_a_contact_off_its_origin_is_not_held_against_a_closed_form_about_it() {
-    let file = format!("{}/tests/cases/eccentric-to-accuracy.toml", env!("CARGO_MANIFEST_DIR"));
+    let file = format!("{}/tests/cases/eccentric-to-accuracy.toml", root().display());
     let eccentric = Truth::of(Case::read(Path::new(&file)).expect("read")).expect("solved");
     assert!(!eccentric.has_closed_profile() && truth().has_closed_profile());
     let middle = eccentric.pressure(0, 5.0);

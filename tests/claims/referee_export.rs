@@ -6,6 +6,7 @@ use std::process::Command;
 
 use contact_vv::case::Case;
 use contact_vv::case::library::{NAMES, find};
+use contact_vv::checkout::root;
 use contact_vv::cli::new::Template;
 use contact_vv::cli::vtu;
 use contact_vv::elasticity::loads;
@@ -104,7 +105,7 @@ fn units() -> Asked {
 
 /// Every library case and every scene file.
 fn every_case() -> Vec<Case> {
-    let folder = format!("{}/tests/cases", env!("CARGO_MANIFEST_DIR"));
+    let folder = format!("{}/tests/cases", root().display());
     let files = std::fs::read_dir(folder).expect("scene files").map(|file| file.expect("a file").path());
     let scenes = files.filter(|path| path.extension().is_some_and(|ending| ending == "toml"));
     let scenes = scenes.map(|path| Case::read(&path).expect("a scene file"));
@@ -158,7 +159,7 @@ fn pressures_of_stresses_and_gaps_of_displacements_are_taken_where_no_field_tell
 #[test]
 fn export_writes_all_that_is_needed_and_its_answers_are_met() {
     let folder = tempfile::tempdir().expect("a folder");
-    let scene = format!("{}/tests/cases/cylinder-on-block.toml", env!("CARGO_MANIFEST_DIR"));
+    let scene = format!("{}/tests/cases/cylinder-on-block.toml", root().display());
     for (case, stem) in [("cylinder", "cylinder"), (scene.as_str(), "cylinder-on-block")] {
         let to = folder.path().join(stem).display().to_string();
         let (sound, printed, error) = contact_vv(&["export", case, &to]);
@@ -332,7 +333,7 @@ fn exported_decks_are_solved_by_calculix_where_it_is_installed_and_meet_the_trut
     let folder = tempfile::tempdir().expect("a folder");
     // Of cells much smaller than the thickness in plane stress; of a body that nothing holds before the first contact.
     let [pin, patch] = ["rigid-pin", "patch"];
-    let file = format!("{}/tests/cases/{pin}.toml", env!("CARGO_MANIFEST_DIR"));
+    let file = format!("{}/tests/cases/{pin}.toml", root().display());
     for name in ["cylinder", "bars", patch, pin] {
         let case = if name == pin { Case::read(Path::new(&file)) } else { find(name, None) }.expect("a case");
         let discretisation = Discretisation::of(case.scene.clone(), case.resolution).expect("meshed");

@@ -7,6 +7,7 @@ use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use contact_vv::case::library::{NAMES, find};
 use contact_vv::case::{Case, Verdict};
+use contact_vv::checkout::root;
 use contact_vv::cli::vtu;
 use contact_vv::mesh::{Order, Resolution};
 use contact_vv::referee::field::Field;
@@ -151,7 +152,7 @@ fn cells_of_every_kind_carry_a_motion_of_their_degree_to_our_nodes() {
 
 #[test]
 fn displacements_approaches_and_shears_that_a_scene_file_declares_are_judged_and_found_wrong() {
-    let folder = format!("{}/tests/cases", env!("CARGO_MANIFEST_DIR"));
+    let folder = format!("{}/tests/cases", root().display());
     for (file, what) in [
         ("eccentric-load", "displacement"),
         ("two-cylinders", "largest shear stress"),

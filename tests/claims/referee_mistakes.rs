@@ -4,6 +4,7 @@ use std::path::Path;
 
 use contact_vv::case::Case;
 use contact_vv::case::library::find;
+use contact_vv::checkout::root;
 use contact_vv::measure::Quantity;
 use contact_vv::mesh::Order;
 use contact_vv::referee::judge::ENGINEERING;
@@ -13,7 +14,7 @@ use crate::referee::judged_as;
 
 /// The scene `tiny`, in another plane hypothesis and thickness.
 fn scene(plane: &str, thickness: f64) -> Truth {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/wild/tiny.toml");
+    let path = root().join("tests/data/wild/tiny.toml");
     let text = std::fs::read_to_string(&path).expect("a scene");
     let text = text.replace("\"strain\"", &format!("\"{plane}\""));
     let text = text.replace("thickness = 1.0", &format!("thickness = {thickness:?}"));

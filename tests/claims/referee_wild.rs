@@ -7,6 +7,7 @@ use approx::assert_relative_eq;
 use contact_vv::accuracy::Quantity;
 use contact_vv::case::library::find;
 use contact_vv::case::{Case, Judged, Quantity as Asks};
+use contact_vv::checkout::root;
 use contact_vv::cli::vtu;
 use contact_vv::error::Error;
 use contact_vv::referee::judge::ENGINEERING;
@@ -17,7 +18,7 @@ use crate::outputs::contact_vv;
 use crate::referee_readers::{Frd, ellipse, half_width, peak, vtk};
 
 fn folder() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/wild")
+    root().join("tests/data/wild")
 }
 
 /// A block pressed by a rigid parabola, by Hertz: a = 2 mm, p₀ = 100 MPa.
@@ -408,7 +409,7 @@ fn a_resultant_without_a_load_is_that_of_one_solve_with_its_bar() {
 
 #[test]
 fn loads_tell_the_force_of_a_contact_where_its_body_is_free_along_them_and_its_other_contacts_are_told() {
-    let cases = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/cases");
+    let cases = root().join("tests/cases");
     let told = |file: &str, wanted: &[bool]| {
         let truth = Truth::of(Case::read(&cases.join(file)).expect("a case")).expect("solved");
         let found: Vec<bool> = (0..wanted.len()).map(|contact| truth.is_told_by_loads(contact)).collect();

@@ -7,6 +7,7 @@ use std::sync::Arc;
 use approx::assert_relative_eq;
 use contact_vv::algorithm::Iteration;
 use contact_vv::case::Case;
+use contact_vv::checkout::root;
 use contact_vv::contact::Element;
 use contact_vv::error::Error;
 use contact_vv::mesh::{Order, Resolution};
@@ -161,7 +162,7 @@ fn a_ring_on_a_shaft_of_its_length_is_lames() -> Result<(), Error> {
     assert_relative_eq!(run.transmitted(), value * TAU * 40.0 * 20.0, max_relative = 1e-5);
 
     // What the plane scene of the same rings says.
-    let plane = Case::read(Path::new("tests/cases/press-fit.toml"))?;
+    let plane = Case::read(&root().join("tests/cases/press-fit.toml"))?;
     let swapped = RING_ON_SHAFT
         .replace("name = \"ring\"\nyoung = 210e3\npoisson = 0.3", "name = \"ring\"\nyoung = 70e3\npoisson = 0.33")
         .replace("name = \"shaft\"\nyoung = 70e3\npoisson = 0.33", "name = \"shaft\"\nyoung = 210e3\npoisson = 0.3");

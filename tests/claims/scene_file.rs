@@ -4,13 +4,14 @@ use std::path::{Path, PathBuf};
 
 use approx::assert_relative_eq;
 use contact_vv::case::{Case, Meshed, Verdict};
+use contact_vv::checkout::root;
 use contact_vv::scene::{Load, Profile};
 use contact_vv::solve::Run;
 
 use crate::workbench::parsed;
 
 pub fn folder() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/cases")
+    root().join("tests/cases")
 }
 
 pub fn files() -> Vec<(PathBuf, String)> {

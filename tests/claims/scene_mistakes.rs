@@ -2,9 +2,9 @@
 //! missing support is named by its body and direction, and physics that this code does not do by what to use instead.
 
 use std::collections::BTreeMap;
-use std::path::Path;
 
 use contact_vv::case::Case;
+use contact_vv::checkout::root;
 use contact_vv::solve::Discretisation;
 
 use crate::balance;
@@ -21,7 +21,7 @@ struct Mistake {
 
 /// The mistakes of a kind.
 fn mistakes(kind: &str) -> Vec<Mistake> {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/refused.toml");
+    let path = root().join("tests/data/refused.toml");
     let text = std::fs::read_to_string(path).expect("the table");
     let mut kinds: BTreeMap<String, BTreeMap<String, Vec<Vec<String>>>> = toml::from_str(&text).expect("TOML");
     let files = kinds.remove(kind).expect("a kind of mistake").into_iter();

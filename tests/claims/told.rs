@@ -100,7 +100,7 @@ fn checks_of_every_run_scale_with_the_digits_of_the_scene() {
 
 /// Exit code of a command.
 fn code(arguments: &[&str]) -> Option<i32> {
-    Command::new(env!("CARGO_BIN_EXE_contact-vv")).args(arguments).output().expect("started").status.code()
+    Command::new(env!("CARGO_BIN_EXE_contact-vv-tested")).args(arguments).output().expect("started").status.code()
 }
 
 #[test]

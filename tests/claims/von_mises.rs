@@ -1,10 +1,9 @@
 //! The largest von Mises stress of a body against closed forms with its bar, and places at which it is no number.
 
-use std::path::Path;
-
 use contact_vv::accuracy::{Barred, Quantity, bars};
 use contact_vv::case::Case;
 use contact_vv::case::library::PressFit;
+use contact_vv::checkout::root;
 use contact_vv::mesh::{Order, Resolution};
 use contact_vv::scene::{Load, Material, PlaneHypothesis, Scene, StressField};
 use contact_vv::solve::{Discretisation, Formulation, Run, VonMises, shapes};
@@ -208,7 +207,7 @@ fn stress_of_a_fixed_block_is_quoted_with_the_corner_that_has_none() {
     assert_eq!(corners, [[40.0, -40.0]]);
     // A smooth hole and rings have none, drawn by chords or by curves.
     for file in ["press-fit", "rings-from-gmsh", "three-rings", "rubber-roller", "whole-disc", "hollow-circle"] {
-        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("tests/cases/{file}.toml"));
+        let path = root().join(format!("tests/cases/{file}.toml"));
         let (_, all) = stresses(&Case::read(&path).expect("a case"));
         let none = all.iter().flat_map(|one| &one.without_limit).filter(|one| one.because == "a corner").count();
         assert_eq!(none, 0, "{file}: {all:?}");
