@@ -80,13 +80,12 @@ impl Sampled {
 #[test]
 fn our_own_answer_is_judged_as_what_solve_says_on_every_case() {
     for (name, _) in NAMES {
-        let case = find(name, None).expect("a case");
-        let discretisation = Discretisation::of(case.scene.clone(), case.resolution).expect("meshed");
-        let truth = Truth::of(case).expect("solved");
+        let truth = crate::workbench::truth(name);
+        let discretisation = Discretisation::of(truth.case.scene.clone(), truth.case.resolution).expect("meshed");
         for element in [Element::Node, Element::Line] {
             let run = Run::of(&discretisation, &Formulation::new(element, Iteration::Kinematic).tolerance(1e-8));
             let run = run.expect("solved");
-            let found = judged_ours(&truth, &discretisation, &run);
+            let found = judged_ours(truth, &discretisation, &run);
             assert!(found.met(), "{name}, {element:?}: {:?}", failed(&found));
             assert!(found.mistakes.is_empty() && found.absent.is_empty(), "{name}");
             let (theirs, ours) = (&found.ruled[0].measures, &run.contacts[0].measures);
@@ -269,14 +268,13 @@ fn our_own_answer_to_every_scene_file_is_judged_as_what_solve_says() {
 
 #[test]
 fn straight_lines_between_pressures_have_their_exact_second_moment_on_coarse_edges() {
-    let case = find("bars", None).expect("a case");
-    let truth = Truth::of(case).expect("solved");
+    let truth = crate::workbench::truth("bars");
     let places = [0.0, 10.0, 25.0];
     let rows: String = places.iter().map(|s| format!("{s},{}\n", truth.pressure(0, *s))).collect();
     let text = format!("position [mm],pressure [MPa]\n{rows}");
-    assert_eq!(failed(&judged(&truth, &text, &Asked::default())), Vec::<String>::new());
+    assert_eq!(failed(&judged(truth, &text, &Asked::default())), Vec::<String>::new());
     let short = text.replace("25,", "24,");
-    assert!(!failed(&judged(&truth, &short, &Asked::default())).is_empty());
+    assert!(!failed(&judged(truth, &short, &Asked::default())).is_empty());
 }
 
 /// Processor time of this thread \[s\].

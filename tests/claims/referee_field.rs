@@ -47,10 +47,9 @@ fn spoiled(truth: &Truth, text: &str, spoil: impl Fn(&mut Field)) -> Vec<String>
 #[test]
 fn our_own_displacements_are_in_equilibrium_and_have_our_energy_on_every_case() {
     for (name, _) in NAMES {
-        let case = find(name, None).expect("a case");
-        let text = own(&case);
-        let truth = Truth::of(case).expect("a truth");
-        let found = verdicts(&truth, answer(&truth.case, text.as_bytes()), ENGINEERING).expect("judged");
+        let truth = crate::workbench::truth(name);
+        let text = own(&truth.case);
+        let found = verdicts(truth, answer(&truth.case, text.as_bytes()), ENGINEERING).expect("judged");
         assert_eq!(failed(&found), Vec::<String>::new(), "{name}");
         let named = |part: &str| {
             let all = found.ruled[0].judged.iter();
@@ -71,31 +70,29 @@ fn our_own_displacements_are_in_equilibrium_and_have_our_energy_on_every_case() 
 
 #[test]
 fn displacements_that_are_wrong_are_found_by_equilibrium_and_energy() {
-    let case = find("cylinder", None).expect("a case");
-    let text = own(&case);
-    let truth = Truth::of(case).expect("a truth");
+    let truth = crate::workbench::truth("cylinder");
+    let text = own(&truth.case);
     let energy = |failed: &[String]| failed.iter().any(|one| one.contains("strain energy"));
     let balance = |failed: &[String]| failed.iter().any(|one| one.contains("stresses against loads and pressures"));
-    let scaled = spoiled(&truth, &text, |field| field.displacement.iter_mut().flatten().for_each(|u| *u *= 1.03));
+    let scaled = spoiled(truth, &text, |field| field.displacement.iter_mut().flatten().for_each(|u| *u *= 1.03));
     assert!(energy(&scaled) && balance(&scaled), "{scaled:?}");
-    let turned = spoiled(&truth, &text, |field| field.displacement.iter_mut().flatten().for_each(|u| *u = 0.0 - *u));
+    let turned = spoiled(truth, &text, |field| field.displacement.iter_mut().flatten().for_each(|u| *u = 0.0 - *u));
     assert!(balance(&turned), "{turned:?}");
-    let poisson = spoiled(&truth, &text, |field| field.displacement.iter_mut().for_each(|u| u[0] *= 1.1));
+    let poisson = spoiled(truth, &text, |field| field.displacement.iter_mut().for_each(|u| u[0] *= 1.1));
     assert!(balance(&poisson), "{poisson:?}");
-    let none = spoiled(&truth, &text, |field| field.displacement[700] = [f64::NAN; 2]);
+    let none = spoiled(truth, &text, |field| field.displacement[700] = [f64::NAN; 2]);
     assert!(energy(&none) && balance(&none), "{none:?}");
-    let one = spoiled(&truth, &text, |field| field.displacement[700][1] += 0.05);
+    let one = spoiled(truth, &text, |field| field.displacement[700][1] += 0.05);
     assert!(energy(&one), "{one:?}");
 }
 
 #[test]
 fn a_mesh_with_a_hole_is_not_judged_and_the_place_is_named() {
-    let case = find("bars", None).expect("a case");
-    let text = own(&case);
-    let truth = Truth::of(case).expect("a truth");
+    let truth = crate::workbench::truth("bars");
+    let text = own(&truth.case);
     let mut answer = answer(&truth.case, text.as_bytes());
     answer.field.as_mut().expect("displacements").cells.truncate(20);
-    let found = verdicts(&truth, answer, ENGINEERING).expect("judged");
+    let found = verdicts(truth, answer, ENGINEERING).expect("judged");
     let missing = &found.ruled[0].missing;
     assert!(
         missing.iter().any(|[what, how]| what.contains("strain energy") && how.contains("holds the point")),

@@ -9,6 +9,7 @@ use contact_vv::scene::{Load, Material, PlaneHypothesis, Scene, StressField};
 use contact_vv::solve::{Discretisation, Formulation, Run, VonMises, shapes};
 use contact_vv::study::promised::bars::setup;
 use contact_vv::study::random::{Family, Site};
+use rayon::prelude::*;
 
 use crate::workbench::parsed;
 
@@ -94,11 +95,14 @@ fn of_field(discretisation: &Discretisation, body: usize, StressField(field): &S
 fn bars_of_largest_stresses_hold_on_random_scenes_of_closed_form() {
     let families = [Family::Polynomial, Family::Hertz, Family::Skew, Family::Hump];
     let (mut all, mut beyond, mut wide) = (0, Vec::new(), 0);
-    for (family, number) in families.into_iter().flat_map(|family| (0..6).map(move |turn| (family, 90_000 + turn))) {
-        let site = Site { family, number };
+    let sites = families.into_iter().flat_map(|family| (0..6).map(move |turn| Site { family, number: 90_000 + turn }));
+    let with_bars = |site: Site| {
         let (scene, resolution, formulation) = setup(&site, &site.sample().expect("a scene"));
         let (discretisation, run) = solved(scene, resolution, &formulation);
         let told = bars(&discretisation, &run, &[]).expect("bars").all;
+        (site, discretisation, told)
+    };
+    for (site, discretisation, told) in sites.collect::<Vec<_>>().into_par_iter().map(with_bars).collect::<Vec<_>>() {
         for body in 0..discretisation.scene.bodies.len() {
             let loads = &discretisation.scene.bodies[body].loads;
             let field =
