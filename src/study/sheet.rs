@@ -162,12 +162,12 @@ impl Other {
     /// On the finest mesh of a series, with its standard uncertainty: thrice that, what springs leave, and round-off.
     pub fn of_series(script: Script, [value, uncertainty]: [f64; 2]) -> Self {
         let penalty = if script.has_penalty() { PENALTY * value.abs() } else { 0.0 };
-        Self { by: script.name(), value, uncertainty, bound: SPREAD * uncertainty + penalty + 1e-9 * value.abs() }
+        Self { by: script.title(), value, uncertainty, bound: SPREAD * uncertainty + penalty + 1e-9 * value.abs() }
     }
 
     /// Of high order, with how far it may be off: that of two standard uncertainties.
     pub fn of_high_order(way: Way, [value, bound]: [f64; 2]) -> Self {
-        Self { by: way.name(), value, uncertainty: 0.5 * bound, bound }
+        Self { by: way.title(), value, uncertainty: 0.5 * bound, bound }
     }
 
     /// In another unit.

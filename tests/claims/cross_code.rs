@@ -4,16 +4,15 @@ use contact_vv::case::{Judged, Verdict};
 use contact_vv::mesh::Order;
 use contact_vv::oracle::cross_code::Code;
 use contact_vv::oracle::cross_code::frozen::{Digest, Frozen, script_hash};
-use contact_vv::study::answers::reproduced;
-use contact_vv::study::cross_code::{Twin, assembled_alike, differences};
-use contact_vv::study::differences::{changes, largest_change, relative_difference};
+use contact_vv::study::cross_code::{Twin, differences};
+use contact_vv::study::differences::{changes, largest_change, relative_difference, reproduced};
 
 fn all_pass(checks: &[Judged]) -> bool {
     !checks.is_empty() && checks.iter().all(|check| check.verdict == Verdict::Pass)
 }
 
 fn against(code: Code, ours: &Digest, theirs: &Digest) -> Vec<Judged> {
-    differences(ours, theirs).iter().map(|one| assembled_alike(code, one)).collect()
+    differences(code, ours, theirs)
 }
 
 fn frozen(name: &str) -> Digest {

@@ -8,7 +8,7 @@ use contact_vv::oracle::cross_code::frozen::Frozen;
 use contact_vv::oracle::cross_code::independent::{Asked, Folder, Independent};
 use contact_vv::study::cross_code::{Twin, problems};
 use contact_vv::study::differences::largest_change;
-use contact_vv::study::independent::benchmark::ASKED;
+use contact_vv::study::independent::run::ASKED;
 use contact_vv_live::newest;
 use libtest_mimic::{Completion, Failed, Trial};
 

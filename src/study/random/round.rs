@@ -7,7 +7,7 @@ use crate::case::library::{Cylinder, CylinderModel, PinPlate, PressFit};
 use crate::measure::Quantity;
 use crate::oracle::analytic::hertz::Hertz;
 use crate::oracle::analytic::persson::PinInHole;
-use crate::oracle::analytic::{Plane, lame};
+use crate::oracle::analytic::Plane;
 use crate::oracle::boundary::strip::OnStrip;
 use crate::oracle::boundary::{Ring, Strip};
 use crate::scene::{
@@ -117,16 +117,8 @@ pub fn press_fit(draw: &mut Draw, inside: Material) -> Sample {
         materials: [inside, outside],
         plane,
     };
-    let [inner, outer] = [inside, outside];
-    let lame = lame::PressFit {
-        bore: numbers.inner,
-        interface,
-        outside: numbers.outer,
-        interference: numbers.interference,
-        inner,
-        outer,
-        plane,
-    };
+    let lame = numbers.closed_form();
+    let [inner, outer] = lame.fitted();
     let thinner = (interface - numbers.inner).min(numbers.outer - interface);
     let pressure = lame.pressure();
     let middle = 0.5 * (interface + numbers.outer);
@@ -145,9 +137,9 @@ pub fn press_fit(draw: &mut Draw, inside: Material) -> Sample {
         ],
     )
     .held((0, 0), on_cut)
-    .moved(0, Place::Boundary("inner".into()), Component::X, lame.inner_displacement(numbers.inner) / FRAC_PI_2)
-    .moved(1, Place::Boundary("outer".into()), Component::Y, -lame.outer_displacement(numbers.outer) / FRAC_PI_2)
-    .moved(1, Place::Point([within, -within]), Component::X, FRAC_1_SQRT_2 * lame.outer_displacement(middle))
+    .moved(0, Place::Boundary("inner".into()), Component::X, inner.displacement(numbers.inner) / FRAC_PI_2)
+    .moved(1, Place::Boundary("outer".into()), Component::Y, -outer.displacement(numbers.outer) / FRAC_PI_2)
+    .moved(1, Place::Point([within, -within]), Component::X, FRAC_1_SQRT_2 * outer.displacement(middle))
     .seen_by(ACROSS * FRAC_PI_2 * interface / thinner)
 }
 

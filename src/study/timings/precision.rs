@@ -250,7 +250,7 @@ pub fn cells(code: Series) -> String {
 }
 
 /// Asks a code for truncated Hertz on all its meshes, under the loads of our own; the reason where it is not installed.
-pub fn precision(code: Series) -> Result<Result<Vec<Value>, String>, Error> {
+pub fn precision(code: Series) -> Result<Told, Error> {
     let (script, arguments, meshes) = if code == Series::Ngsolve {
         ("ngsolve_precision.py", vec![], &HIGH_ORDER[..])
     } else {
@@ -266,10 +266,7 @@ pub fn precision(code: Series) -> Result<Result<Vec<Value>, String>, Error> {
         "meshes": meshes,
         "repeats": 3,
     });
-    Ok(match run(script, &arguments, &request.to_string())? {
-        Told::Lines(lines) => Ok(lines),
-        Told::Absent(why) => Err(why),
-    })
+    run(script, &arguments, &request.to_string())
 }
 
 /// What a code printed of one of its meshes.
