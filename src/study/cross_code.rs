@@ -8,7 +8,7 @@ use crate::elasticity::Dofs;
 use crate::error::Error;
 use crate::mesh::{Order, Resolution, candidates};
 use crate::oracle::ReferenceKind;
-use crate::oracle::cross_code::frozen::{Digest, Frozen, REFREEZE, file};
+use crate::oracle::cross_code::frozen::{Digest, Frozen, REFREEZE, changed_versions, file};
 use crate::oracle::cross_code::{Code, DiscreteAnswer, DiscreteProblem, SET_UP};
 use crate::scene::{Load, Path, Profile, Scene};
 use crate::solve::{Discretisation, Element, Formulation, Iteration};
@@ -75,10 +75,8 @@ fn compare(name: &str, order: Order, code: Code, answers: Answers) -> Result<Num
 pub fn differences(code: Code, ours: &Digest, theirs: &Digest) -> Vec<Judged> {
     let forms = relative_difference(&ours.forms.concat(), &theirs.forms.concat());
     let work = relative_difference(&ours.work, &theirs.work);
-    let mut all = vec![
-        alike(code, STIFFNESS, "vᵢᵀ K vⱼ, ten vectors", forms),
-        alike(code, LOADS, "vᵢ · f, ten vectors", work),
-    ];
+    let mut all =
+        vec![alike(code, STIFFNESS, "vᵢᵀ K vⱼ, ten vectors", forms), alike(code, LOADS, "vᵢ · f, ten vectors", work)];
     for (index, kappa) in KAPPA.iter().enumerate() {
         let of = |list: &Vec<Vec<f64>>| list.get(index).cloned().unwrap_or_default();
         let pressure = relative_difference(&of(&ours.pressure), &of(&theirs.pressure));
@@ -107,7 +105,7 @@ fn answered(answers: Answers, code: Code, twin: &Twin) -> Result<Answered, Error
         Answers::Live(live) => {
             let answer = (live.discrete)(code, &twin.problem)?;
             let digest = twin.digest_of_other(&answer);
-            let changed = frozen.changed_versions(&(live.versions)()?);
+            let changed = changed_versions(&frozen.versions, &(live.versions)()?);
             let reproduced = reproduced(code.name(), &digest.numbers(), &kept.numbers(), &changed);
             Ok((digest, Some((answer, reproduced))))
         }

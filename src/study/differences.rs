@@ -5,7 +5,7 @@ use crate::case::{Check, Judged, Quantity, Reference};
 use crate::measure::{larger, relative_error};
 use crate::oracle::ReferenceKind;
 use crate::oracle::cross_code::Code;
-use crate::oracle::cross_code::frozen::Frozen;
+use crate::oracle::cross_code::frozen::{Frozen, changed_versions};
 use crate::oracle::cross_code::live::Live;
 use crate::solve::Run;
 
@@ -52,7 +52,7 @@ pub fn relative_difference(a: &[f64], b: &[f64]) -> f64 {
 pub fn changes(code: Code, old: &Frozen, new: &Frozen) -> Vec<String> {
     let code = code.name();
     let (before, after) = (old.numbers(), new.numbers());
-    let mut lines = vec![format!("{code}: {}", old.changed_versions(&new.versions))];
+    let mut lines = vec![format!("{code}: {}", changed_versions(&old.versions, &new.versions))];
     for (name, values) in &after {
         match before.get(name) {
             None => lines.push(format!("{code}, {name}: new")),

@@ -383,13 +383,13 @@ pub fn file(sheet: &Sheet) -> (String, String) {
     let Sheet { name, title, scene, sources, dofs, values, .. } = sheet;
     let sources = if sources.is_empty() { "none but this sheet".into() } else { sources.join("\n* ") };
     let text = format!(
-        "# {name}: {title}\n\nLengths in mm, forces in N, stresses in MPa. Generated; do not edit. `contact-vv solve {name}` solves it.\n\n\
-         {}\n\n## Reference values\n\nBy exact active sets (*node*, *kinematic load*): on {dofs} degrees of freedom of 8-node cells, with the \
-         error bar of the number (mesh, iteration and penalty); or, where these tell more, on cells of order 8 fitted to the contact, with twice the \
-         largest difference to three other meshes as error bar ([reference answers](../pages/references.md)). A closed form may be of an idealised scene (a half-plane, an infinite plate).\n\n{}\n\
-         ## Sources\n\n* {sources}\n",
-        scene.join("\n\n"),
-        markdown::columns(&VALUES, values),
+        include_str!("sheet.md"),
+        name = name,
+        title = title,
+        scene_text = scene.join("\n\n"),
+        dofs = dofs,
+        values_table = markdown::columns(&VALUES, values),
+        sources = sources
     );
     (format!("{name}.md"), text)
 }

@@ -145,9 +145,7 @@ fn stresses_that_do_not_carry_the_load_turn_red() {
     let judge =
         |field: &fields::Field| fails(&fields::Numbers::Field(Box::new(field.clone())).judge().expect("judged"));
     assert_eq!(judge(&field), 0);
-    for resultant in &mut field.resultants {
-        resultant.force *= 1.1;
-    }
+    field.resultants.iter_mut().for_each(|(.., force)| *force *= 1.1);
     assert_eq!(judge(&field), field.resultants.len());
     field.load = f64::NAN;
     assert_eq!(judge(&field), field.resultants.len());

@@ -59,14 +59,9 @@ impl Study for Compared {
             format!("{} ({})", markdown::significant(of.ours.measured[0][0] / of.spring, 2), found.name)
         };
         let entered: Vec<String> = findings.iter().map(entered).collect();
-        let _ = write!(
-            text,
-            "\nEach script has its own mesh, its own contact terms in the language of its code, its own iteration and its own code; none imports \
-             from another. They share the numbers of the scene, the names of what is asked, and the formulas that read peak and width from a profile. Uncertainties are from \
-             three meshes; |E| shall be at most {COVERAGE} u_val, of both meshes and of the script's penalty (what springs of its stiffness change on our mesh). \
-             Springs are k_n = κ E*/ℓ with κ = {KAPPA:e}, so that bodies enter one another by p₀/k_n [mm]: {}.\n\n",
-            entered.join(", ")
-        );
+        text += "\n";
+        text += &format!(include_str!("page.md"), coverage = COVERAGE, kappa = KAPPA, entered = entered.join(", "));
+        text += "\n";
         text += &picture("difference-independent.svg", "Difference of the profiles of independent codes to ours");
         Ok(text)
     }
@@ -90,8 +85,12 @@ fn numbers(scene: Scene) -> [(&'static str, &'static str, f64); 2] {
 fn of_script(compared: &Compared, other: &Other) -> Vec<Judged> {
     let (scene, script) = (compared.scene, other.script);
     let demanded = demanded(scene, script);
-    let theirs =
-        |value: f64| Reference { name: script.title().into(), kind: ReferenceKind::CrossCode, value, uncertainty: None };
+    let theirs = |value: f64| Reference {
+        name: script.title().into(),
+        kind: ReferenceKind::CrossCode,
+        value,
+        uncertainty: None,
+    };
     let because = format!("at most {TIGHT} times what is found; {COVERAGE} u_val is asked beside it");
     let mut judged: Vec<Judged> = other.reproduced.iter().cloned().collect();
     for (k, (noun, unit, factor)) in numbers(scene).into_iter().enumerate() {

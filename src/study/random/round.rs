@@ -5,9 +5,9 @@ use std::sync::Arc;
 
 use crate::case::library::{Cylinder, CylinderModel, PinPlate, PressFit};
 use crate::measure::Quantity;
+use crate::oracle::analytic::Plane;
 use crate::oracle::analytic::hertz::Hertz;
 use crate::oracle::analytic::persson::PinInHole;
-use crate::oracle::analytic::Plane;
 use crate::oracle::boundary::strip::OnStrip;
 use crate::oracle::boundary::{Ring, Strip};
 use crate::scene::{

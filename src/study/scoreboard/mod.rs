@@ -90,25 +90,11 @@ impl Study for Numbers {
     fn section(findings: &[Found<Self>]) -> Result<String, Error> {
         let board = Board::load()?;
         let mut text = format!(
-            "Each case is exported by `contact-vv export`, solved on the exported mesh by the scripts that are exported with it, and judged by \
-             what `contact-vv judge` judges by. *Error* is the larger relative one of the peak pressure p₀ and the half-width a. *Penetration* is \
-             over the approach that the contact makes, *tension* over the largest pressure; – is not told by the answer.\n\n\
-             * **Its own contact**: as the code documents it first, and with each other parameter that the tables below name. The best is the one \
-             with the least that is not met, then with the smaller error, of {}.\n\
-             * **Our rows, their solver**: the code is handed our contact rows and only solves them. What comes out is our discrete answer again; \
-             it tells nothing of its contact, and counts for nothing. scikit-fem and dolfinx have no contact of their own.\n\
-             * **Ours**: {} on the same mesh, read by the same reader.\n\n\
-             Seconds are those of the solution by the script's own account, CalculiX's of the whole process, over one sparse Cholesky solve of the \
-             exported mesh just before, of one machine ({}), and are recorded; errors and verdicts are computed from the frozen files with every \
-             report. CalculiX makes bricks of plane cells, so that it solves for more unknowns. In the plane the contact of SfePy, of Kratos and of \
-             Akantu has edges with 2 nodes alone: they are given each 8-node cell cut into four with 4 nodes. Akantu finds pairs, gaps and the forces \
-             on the first side; the forces on the other side, the tangent and a turn of the scene are ours, since its contact in the plane has faults \
-             there. FElupe's contact knows rigid planes only: beside a second body each node has a plane of its own, which moves with the node that \
-             faces it, and these pairs are ours.\n\n",
-            tried(),
-            Formulation::verification().name(),
-            board.processor
-        );
+            include_str!("page.md"),
+            tried = tried(),
+            ours = Formulation::verification().name(),
+            processor = board.processor
+        ) + "\n";
         text += &(markdown::columns(&SUMMARY, &ranked(findings)) + "\n");
         text += &picture(
             FILE,
