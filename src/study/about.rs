@@ -80,12 +80,6 @@ impl<N: 'static> Planned<N> {
     pub fn title(&self) -> String {
         format!("{} × {}", self.case, self.name)
     }
-
-    /// The same trial of whatever is made of its numbers.
-    pub fn map<M: 'static>(self, made: impl Fn(N) -> M + Send + Sync + 'static) -> Planned<M> {
-        let Self { case, name, run } = self;
-        Planned::new(case, name, move || run().map(&made))
-    }
 }
 
 /// The checks of a trial; refused where there is none, or one that does not say against what it is held and why.

@@ -280,7 +280,7 @@ fn flat_punch_keeps_the_surface_flat_and_carries_its_load() {
 
     for s in [0.1237, 0.4561, 0.8017] {
         let slope = hilbert(a, s * a, |x| PUNCH.pressure(x));
-        assert_abs_diff_eq!(slope / PUNCH.centre_pressure(), 0.0, epsilon = 1e-6);
+        assert_abs_diff_eq!(slope / PUNCH.pressure(0.0), 0.0, epsilon = 1e-6);
     }
     let load = integral(-FRAC_PI_2, FRAC_PI_2, 100, |t| PUNCH.pressure(a * t.sin()) * a * t.cos());
     assert_relative_eq!(load, PUNCH.load, max_relative = 1e-12);

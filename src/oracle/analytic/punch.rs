@@ -26,11 +26,6 @@ impl FlatPunch {
         self.load / (PI * inside.sqrt())
     }
 
-    /// Pressure at the centre `p(0) = P / πa` \[MPa\].
-    pub fn centre_pressure(&self) -> f64 {
-        self.pressure(0.0)
-    }
-
     /// Stresses `[σ_x, σ_z, τ_xz]` \[MPa\] in the half-plane; `x` right, `z ≥ 0` into the body \[mm\], tension positive.
     ///
     /// Flamant's solution, integrated: with `ζ = x + iz` and `F = ∫ p ds/(s − ζ) = −P/√(ζ² − a²)`,
