@@ -61,8 +61,7 @@ const INCREMENTS: [usize; 3] = [1, 2, 7];
 impl Bars {
     /// The case, with its bilinear law.
     pub fn case(&self) -> Case {
-        let oracle =
-            Uniform::bars(self.young, 2.0 * self.width, [self.length; 2], self.gap, self.push * self.gap);
+        let oracle = Uniform::bars(self.young, 2.0 * self.width, [self.length; 2], self.gap, self.push * self.gap);
         Case::of("bars", TITLE, self.scene(), 2).against(oracle)
     }
 }

@@ -13,8 +13,6 @@ pub enum Shape {
     FreeCylinder,
     /// A cylinder between rigid planes, `ε_z = 0`.
     FixedCylinder,
-    /// A cylinder whose ends carry the pressures, as those of a vessel do.
-    ClosedCylinder,
 }
 
 impl Shape {
@@ -62,7 +60,6 @@ impl Shell {
             Shape::Sphere => hoop,
             Shape::FreeCylinder => 0.0,
             Shape::FixedCylinder => 2.0 * self.material.poisson * mean,
-            Shape::ClosedCylinder => mean,
         };
         [mean - part, hoop, third]
     }
