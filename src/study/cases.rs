@@ -17,6 +17,7 @@ use crate::scene::ReferenceValues;
 use crate::solution::EdgeState;
 use crate::solve::{Formulation, Run};
 use crate::study::about::{About, Found, Planned, Study};
+use crate::study::described;
 use crate::study::drawn::{WITHOUT_GAERTNER, label, picture, style};
 
 /// Folder of the scene files of the checkout.
@@ -118,7 +119,7 @@ impl Study for Numbers {
             ("reference", |(_, numbers)| {
                 numbers.case.oracle().map_or("its own checks".into(), |oracle| oracle.name().to_owned())
             }),
-            ("source", |(_, numbers)| sources(numbers).join("; ")),
+            ("source", |(_, numbers)| described::sources(&numbers.case).join("; ")),
         ];
         let mut pages: Vec<(String, &Numbers)> = Vec::new();
         for Found { numbers, .. } in findings {
@@ -166,15 +167,6 @@ fn run(case: &Arc<Case>, mesh: &Shared, formulation: &Formulation) -> Result<Num
         judged.extend(case.held_to_closed_forms(meshed, &run)?);
     }
     Ok(Numbers { case: case.clone(), run, judged })
-}
-
-/// Where a case and its closed form come from.
-pub fn sources(numbers: &Numbers) -> Vec<String> {
-    let cited = numbers.case.oracle().into_iter().map(|oracle| {
-        let source = oracle.source();
-        format!("{}: {} ({})", oracle.name(), source.citation, source.note)
-    });
-    std::iter::once(numbers.case.source.clone()).filter(|source| !source.is_empty()).chain(cited).collect()
 }
 
 /// A run by the name given, with its checks.

@@ -203,18 +203,13 @@ pub fn sheet(case: &Case, discretisation: &Discretisation, run: &Run, barred: &[
             confirmed_by: vec![],
         }
     };
-    let of_oracle = case.oracle().into_iter().map(|oracle| {
-        let source = oracle.source();
-        format!("{}: {} ({})", oracle.name(), source.citation, source.note)
-    });
-    let own = std::iter::once(case.source.clone()).filter(|source| !source.is_empty());
     let mut scene = described::scene(&case.scene);
     scene.push(elsewhere::paragraph(&case.name, &case.scene, &discretisation.mesh));
     let mut sheet = Sheet {
         name: case.name.clone(),
         title: case.title.clone(),
         scene,
-        sources: own.chain(of_oracle).collect(),
+        sources: described::sources(case),
         plane: case.scene.plane.name(),
         thickness: case.scene.thickness,
         half_of_symmetric: case.scene.contacts.iter().any(|pair| pair.symmetric),

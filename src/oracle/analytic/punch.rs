@@ -58,12 +58,9 @@ impl FlatPunch {
 }
 
 impl Oracle for FlatPunch {
-    fn name(&self) -> &str {
-        "flat punch"
-    }
-
     fn source(&self) -> Source {
         Source::new(
+            "flat punch",
             "M. Sadowsky 1928; K. L. Johnson, Contact Mechanics, 1985, §2.8",
             "re-derived, originals not at hand; checked by equilibrium",
         )

@@ -105,17 +105,18 @@ impl PressFit {
 }
 
 impl Oracle for PressFit {
-    fn name(&self) -> &str {
-        "Lamé"
-    }
-
     fn source(&self) -> Source {
-        let (place, also) =
-            if self.shape == Shape::Sphere { ("§§26, 127", "equilibrium and by ") } else { ("§26", "") };
-        Source::new(
-            &format!("G. Lamé 1852; S. Timoshenko and J. N. Goodier, Theory of Elasticity, 1951, {place}"),
-            &format!("re-derived; checked by {also}the mismatch of radial displacements"),
-        )
+        let (citation, note) = match self.shape {
+            Shape::Sphere => (
+                "G. Lamé 1852; S. Timoshenko and J. N. Goodier, Theory of Elasticity, 1951, §§26, 127",
+                "re-derived; checked by equilibrium and by the mismatch of radial displacements",
+            ),
+            Shape::FreeCylinder | Shape::FixedCylinder => (
+                "G. Lamé 1852; S. Timoshenko and J. N. Goodier, Theory of Elasticity, 1951, §26",
+                "re-derived; checked by the mismatch of radial displacements",
+            ),
+        };
+        Source::new("Lamé", citation, note)
     }
 
     fn read(&self, quantity: &Quantity) -> Reading {

@@ -11,8 +11,7 @@ pub struct Uniform {
     /// Contact force per unit thickness \[N/mm\].
     pub resultant: f64,
     parameters: Vec<Parameter>,
-    /// Name, citation and note.
-    told: [&'static str; 3],
+    source: Source,
 }
 
 impl Uniform {
@@ -22,7 +21,7 @@ impl Uniform {
             pressure: applied,
             resultant: applied * width,
             parameters: vec![positive("applied", applied), positive("width", width)],
-            told: ["uniform patch", "equilibrium", "constant stress satisfies every field equation"],
+            source: Source::new("uniform patch", "equilibrium", "constant stress satisfies every field equation"),
         }
     }
 
@@ -35,7 +34,7 @@ impl Uniform {
             pressure,
             resultant: pressure * width,
             parameters: given.map(|(name, value)| positive(name, value)).into(),
-            told: ["own weight", "equilibrium", "σ_y = −ρg(H − y) satisfies every field equation"],
+            source: Source::new("own weight", "equilibrium", "σ_y = −ρg(H − y) satisfies every field equation"),
         }
     }
 
@@ -55,18 +54,14 @@ impl Uniform {
                 non_negative("gap", gap),
                 finite("displacement", displacement),
             ],
-            told: ["two bars", "Hooke's law", "two bars in series; bilinear, exact for ν = 0"],
+            source: Source::new("two bars", "Hooke's law", "two bars in series; bilinear, exact for ν = 0"),
         }
     }
 }
 
 impl Oracle for Uniform {
-    fn name(&self) -> &str {
-        self.told[0]
-    }
-
     fn source(&self) -> Source {
-        Source::new(self.told[1], self.told[2])
+        self.source
     }
 
     fn read(&self, quantity: &Quantity) -> Reading {
