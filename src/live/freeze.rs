@@ -22,7 +22,9 @@ pub fn discrete() -> Result<Vec<String>, Error> {
     for (code, new) in answers {
         match Frozen::load(code) {
             Ok(old) => lines.extend(changes(code, &old, &new)),
-            Err(Error { kind: Kind::MissingFile, .. }) => lines.push(format!("{}: frozen for the first time", code.name())),
+            Err(Error { kind: Kind::MissingFile, .. }) => {
+                lines.push(format!("{}: frozen for the first time", code.name()))
+            }
             Err(unreadable) => lines.push(format!("{}: frozen again, as {unreadable}", code.name())),
         }
         new.write(code)?;

@@ -57,8 +57,6 @@ pub struct Found<'a, N> {
     pub name: &'a str,
     /// Its numbers.
     pub numbers: &'a N,
-    /// Checks with their verdicts.
-    pub judged: &'a [Judged],
 }
 
 impl<N: 'static> Planned<N> {

@@ -168,5 +168,5 @@ fn judged<S: Study>(planned: Planned<S>) -> Trial {
 /// The findings of a study among those of all.
 fn found<S: Study>(findings: &[Finding]) -> Vec<Found<'_, S>> {
     let own = findings.iter().filter_map(|one| Some((one, one.numbers()?)));
-    own.map(|(Finding { case, name, judged, .. }, numbers)| Found { case, name, numbers, judged }).collect()
+    own.map(|(Finding { case, name, .. }, numbers)| Found { case, name, numbers }).collect()
 }

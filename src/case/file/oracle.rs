@@ -116,9 +116,7 @@ pub(super) fn read(given: Value, scene: &Scene, contact: usize) -> Result<Shared
         }
         "lame" => Arc::new(lame(t, scene, pair)?),
         "flat-punch" => Arc::new(FlatPunch { load: load()?, half_width: length("half-width")? }),
-        "uniform" => {
-            Arc::new(Uniform::patch(units.stress * t.at("pressure").positive()?, length("width")?))
-        }
+        "uniform" => Arc::new(Uniform::patch(units.stress * t.at("pressure").positive()?, length("width")?)),
         "bars" => {
             let [moved, fixed] = t.at("lengths").exactly()?;
             let (young, section) = (scene.bodies[pair.first].material.young, length("width")?);

@@ -5,8 +5,8 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use crate::case::library::PressFit;
 use crate::case::Judged;
+use crate::case::library::PressFit;
 use crate::elasticity::{element, quadrature, shape_functions};
 use crate::error::Error;
 use crate::markdown::{self, Column};

@@ -118,8 +118,8 @@ pub fn judge_orders(series: &Series) -> Vec<Judged> {
     let edge = "square-root edge (Drouet & Hild 2015; Belhachmi & Ben Belgacem 2003): capped near 1";
     let profile = reaches("observed order of the pressure profile in L2", 1.0, edge, 2);
     let hertz = Reference::analytic("Hertz", 0.0);
-    let assembled =
-        Check::error("largest error of the assembled load", hertz, 1e-7, "16-point Gauss on every edge").judge(series.load);
+    let assembled = Check::error("largest error of the assembled load", hertz, 1e-7, "16-point Gauss on every edge")
+        .judge(series.load);
     [peak, width, profile, vec![assembled]].concat()
 }
 
@@ -135,7 +135,8 @@ fn below_second_order(series: &Series) -> Vec<Judged> {
     let judged = series.levels.iter().map(|Level { elements, errors, .. }| {
         let size = 1.0 / *elements as f64;
         let quantity = Quantity::at("error of the second-moment width over (h/a)²", format!("h/a = {size}"));
-        Check::error(quantity, Reference::analytic("Hertz", 0.0), 1.0 / 24.0, because).judge(errors[1].abs() / size.powi(2))
+        Check::error(quantity, Reference::analytic("Hertz", 0.0), 1.0 / 24.0, because)
+            .judge(errors[1].abs() / size.powi(2))
     });
     judged.collect()
 }
@@ -237,11 +238,7 @@ fn curves(series: &Series) -> [Drawn; 3] {
         let label = format!("{quantity}, {}", series.cells());
         Drawn::new(label, points, Style::run(colour, dash, marker))
     };
-    [
-        curve("p₀", palette::NODE, 0),
-        curve("a", palette::PURPLE, 1),
-        curve("L2(p)", palette::ORANGE, 2),
-    ]
+    [curve("p₀", palette::NODE, 0), curve("a", palette::PURPLE, 1), curve("L2(p)", palette::ORANGE, 2)]
 }
 
 /// A triangle of second order above the curves of p₀, and one of first order below those of L2(p).
