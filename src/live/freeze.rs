@@ -5,12 +5,11 @@ use std::collections::BTreeMap;
 use contact_vv::error::{Error, Kind};
 use contact_vv::oracle::cross_code::frozen::{Frozen, script_hash};
 use contact_vv::oracle::cross_code::independent::{Asked, Folder, Independent, Script, hashes};
-use contact_vv::oracle::cross_code::process::{Told, run};
+use contact_vv::oracle::cross_code::process::run;
 use contact_vv::oracle::cross_code::{Code, PhysicalAnswer, PhysicalScene};
 use contact_vv::study::cross_code::{Twin, problems};
 use contact_vv::study::differences::{changes, largest_change};
-use contact_vv::study::independent::benchmark::{LEVELS, Scene};
-use contact_vv::study::independent::run::series;
+use contact_vv::study::independent::run::{LEVELS, Scene, series};
 use serde::Deserialize;
 
 use super::{LIVE, asked, newest};
@@ -23,8 +22,10 @@ pub fn discrete() -> Result<Vec<String>, Error> {
     for (code, new) in answers {
         match Frozen::load(code) {
             Ok(old) => lines.extend(changes(code, &old, &new)),
-            Err(Error { kind: Kind::MissingFile, .. }) => lines.push(format!("{code}: frozen for the first time")),
-            Err(unreadable) => lines.push(format!("{code}: frozen again, as {unreadable}")),
+            Err(Error { kind: Kind::MissingFile, .. }) => {
+                lines.push(format!("{}: frozen for the first time", code.name()))
+            }
+            Err(unreadable) => lines.push(format!("{}: frozen again, as {unreadable}", code.name())),
         }
         new.write(code)?;
     }
@@ -57,11 +58,11 @@ struct Apart {
 fn ask_apart(script: Script, scene: &PhysicalScene) -> Result<Apart, Error> {
     let folder = script.folder().path();
     let arguments = [folder.display().to_string(), script.module().into(), script.method().into(), LEVELS.to_string()];
-    let request = serde_json::to_string(scene).map_err(|error| Error::at(script.name(), error.to_string(), PEERS))?;
+    let request = serde_json::to_string(scene).map_err(|error| Error::at(script.title(), error.to_string(), PEERS))?;
     let wrong = |what: String| Error::file(&folder, what, PEERS);
     match run(ASK, &arguments, &request)? {
-        Told::Absent(why) => Err(wrong(why)),
-        Told::Lines(lines) => {
+        Err(why) => Err(wrong(why)),
+        Ok(lines) => {
             let last = lines.into_iter().next_back().unwrap_or_default();
             serde_json::from_value(last).map_err(|error| wrong(error.to_string()))
         }

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use contact_vv::checkout::root;
 use contact_vv::error::Error;
 use contact_vv::oracle::cross_code::independent::Script;
-use contact_vv::oracle::cross_code::process::{self, run_by};
+use contact_vv::oracle::cross_code::process::run_by;
 use contact_vv::oracle::cross_code::{DiscreteAnswer, PhysicalAnswer, PhysicalScene, SET_UP, scripts};
 use contact_vv::study::cross_code::Twin;
 use serde::Deserialize;
@@ -57,9 +57,7 @@ fn asked<T: DeserializeOwned>(python: &Path, requests: Vec<Value>) -> Result<(Ve
     let script = scripts().join("apart.py");
     let wrong = |what: String| Error::file(&script, what, SET_UP);
     let request: String = requests.iter().map(|request| format!("{request}\n")).collect();
-    let process::Told::Lines(mut lines) =
-        run_by(python, &script, &[root().join(INSTALLED).display().to_string()], &request)?
-    else {
+    let Ok(mut lines) = run_by(python, &script, &[root().join(INSTALLED).display().to_string()], &request)? else {
         return Err(wrong(format!("{} does not run", python.display())));
     };
     if lines.len() != 1 + requests.len() {

@@ -50,17 +50,19 @@ impl fmt::Display for ReferenceKind {
 }
 
 /// Where a reference value comes from.
-#[derive(Debug, Clone, PartialEq, Eq, serde::Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Source {
+    /// Short name, as printed in tables.
+    pub name: &'static str,
     /// Author, title, year, place in the text.
-    pub citation: String,
+    pub citation: &'static str,
     /// How it was obtained, such as "re-derived, original not at hand".
-    pub note: String,
+    pub note: &'static str,
 }
 
 impl Source {
-    fn new(citation: &str, note: &str) -> Self {
-        Self { citation: citation.to_owned(), note: note.to_owned() }
+    const fn new(name: &'static str, citation: &'static str, note: &'static str) -> Self {
+        Self { name, citation, note }
     }
 }
 
@@ -86,7 +88,9 @@ pub type SharedOracle = Arc<dyn Oracle + Send + Sync>;
 /// An independent source of reference values.
 pub trait Oracle {
     /// Short name, as printed in tables.
-    fn name(&self) -> &str;
+    fn name(&self) -> &'static str {
+        self.source().name
+    }
     /// What kind of truth it is; a closed form where nothing else is said.
     fn kind(&self) -> ReferenceKind {
         ReferenceKind::Analytic

@@ -75,7 +75,7 @@ fn problem(shared: &Shared, case: &Case, has_sheet: bool) -> String {
 
 /// Where the truth comes from, and how far it can be trusted.
 fn reference(shared: &Shared, judged: &[&Judged]) -> String {
-    let sources = counted(shared.runs.iter().flat_map(|(_, numbers)| cases::sources(numbers)));
+    let sources = counted(shared.runs.iter().flat_map(|(_, numbers)| described::sources(&numbers.case)));
     let listed: String = sources.iter().map(|(source, _)| format!("* {source}\n")).collect();
     let analytic = || judged.iter().filter(|one| one.reference.kind == ReferenceKind::Analytic);
     let model = analytic().map(|one| one.check.model).fold(0.0, f64::max);

@@ -57,8 +57,6 @@ pub struct Found<'a, N> {
     pub name: &'a str,
     /// Its numbers.
     pub numbers: &'a N,
-    /// Checks with their verdicts.
-    pub judged: &'a [Judged],
 }
 
 impl<N: 'static> Planned<N> {
@@ -79,12 +77,6 @@ impl<N: 'static> Planned<N> {
     /// `case × name`, as printed by tests.
     pub fn title(&self) -> String {
         format!("{} × {}", self.case, self.name)
-    }
-
-    /// The same trial of whatever is made of its numbers.
-    pub fn map<M: 'static>(self, made: impl Fn(N) -> M + Send + Sync + 'static) -> Planned<M> {
-        let Self { case, name, run } = self;
-        Planned::new(case, name, move || run().map(&made))
     }
 }
 

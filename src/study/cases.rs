@@ -17,6 +17,7 @@ use crate::scene::ReferenceValues;
 use crate::solution::EdgeState;
 use crate::solve::{Formulation, Run};
 use crate::study::about::{About, Found, Planned, Study};
+use crate::study::described;
 use crate::study::drawn::{WITHOUT_GAERTNER, label, picture, style};
 
 /// Folder of the scene files of the checkout.
@@ -118,7 +119,7 @@ impl Study for Numbers {
             ("reference", |(_, numbers)| {
                 numbers.case.oracle().map_or("its own checks".into(), |oracle| oracle.name().to_owned())
             }),
-            ("source", |(_, numbers)| sources(numbers).join("; ")),
+            ("source", |(_, numbers)| described::sources(&numbers.case).join("; ")),
         ];
         let mut pages: Vec<(String, &Numbers)> = Vec::new();
         for Found { numbers, .. } in findings {
@@ -166,15 +167,6 @@ fn run(case: &Arc<Case>, mesh: &Shared, formulation: &Formulation) -> Result<Num
         judged.extend(case.held_to_closed_forms(meshed, &run)?);
     }
     Ok(Numbers { case: case.clone(), run, judged })
-}
-
-/// Where a case and its closed form come from.
-pub fn sources(numbers: &Numbers) -> Vec<String> {
-    let cited = numbers.case.oracle().into_iter().map(|oracle| {
-        let source = oracle.source();
-        format!("{}: {} ({})", oracle.name(), source.citation, source.note)
-    });
-    std::iter::once(numbers.case.source.clone()).filter(|source| !source.is_empty()).chain(cited).collect()
 }
 
 /// A run by the name given, with its checks.
@@ -269,26 +261,11 @@ pub fn charts(page: &str) -> Option<String> {
 /// What is to be known of the scene of a page beside its title; empty where that is all.
 pub fn remark(page: &str) -> &'static str {
     match page {
-        "cylinder" => {
-            "The quarter cylinder under uniform load is not quite Hertz's problem: the model error falls with a/R, see \
-             [Refinement](refinement.md). Stresses on the deformed shape: [Fields](fields.md).\n\n"
-        }
-        "truncated-hertz" => {
-            "A block between the closed-form tractions of Hertz's half-space and a rigid parabola: all errors are discretisation errors.\n\n"
-        }
-        "sphere" => {
-            "The sphere under uniform load is not quite Hertz's problem: the model error falls with a/R. Whether what is known of plane \
-             scenes holds for bodies of revolution: [Predicted against measured](stability.md).\n\n"
-        }
-        "truncated-sphere" | "cone" => {
-            "A block of revolution between the closed-form tractions of a half-space and a rigid profile: all errors are discretisation errors. \
-             Cells that end with the contact: [Meshes fitted to the contact](fitted.md); iterations: [Predicted against measured](stability.md).\n\n"
-        }
-        "pin-rod" => {
-            "No closed form: the formulations are held against one another, [reference answers](references.md) to five digits have error bars \
-             of their own, and [independent codes](independent.md) solve the same problem. A [pin in a wide plate](case-pin-plate.md) is the \
-             same contact with a closed form. Stresses on the deformed shapes: [Fields](fields.md).\n\n"
-        }
+        "cylinder" => concat!(include_str!("cases/cylinder.md"), "\n"),
+        "truncated-hertz" => concat!(include_str!("cases/truncated-hertz.md"), "\n"),
+        "sphere" => concat!(include_str!("cases/sphere.md"), "\n"),
+        "truncated-sphere" | "cone" => concat!(include_str!("cases/truncated-sphere.md"), "\n"),
+        "pin-rod" => concat!(include_str!("cases/pin-rod.md"), "\n"),
         _ => "",
     }
 }

@@ -1,42 +1,34 @@
 //! The solver against other finite element codes on the same discrete problem: our mesh, loads, supports and line elements, assembled and
-//! solved by another code; agreement to round-off, a code check.
+//! solved by another code; agreement to round-off, a code check. Below is our discretisation as plain numbers, for the other code.
 
 use crate::algorithm::StiffnessRule;
 use crate::case::{Check, Judged, Quantity, Reference, library};
 use crate::contact::Quadrature;
 use crate::elasticity::Dofs;
 use crate::error::Error;
-use crate::mesh::{Order, Resolution};
+use crate::mesh::{Order, Resolution, candidates};
 use crate::oracle::ReferenceKind;
-use crate::oracle::cross_code::frozen::{Digest, Frozen, REFREEZE, file};
+use crate::oracle::cross_code::frozen::{Digest, Frozen, REFREEZE, changed_versions, file};
 use crate::oracle::cross_code::{Code, DiscreteAnswer, DiscreteProblem, SET_UP};
+use crate::scene::{Load, Path, Profile, Scene};
 use crate::solve::{Discretisation, Element, Formulation, Iteration};
 use crate::study::about::{About, Found, Planned, Study};
-use crate::study::answers::{Answers, reproduced};
-use crate::study::differences::{relative_difference, worst_difference};
-use crate::study::handed_over::{self, KAPPA, not_handed_over};
+use crate::study::differences::{Answers, relative_difference, reproduced, worst_difference};
 
 /// All trials, against answers that are frozen, or of the codes themselves.
 pub fn against(answers: Answers) -> Vec<Planned<Numbers>> {
     let of_both = |(name, order): (&'static str, Order)| {
         Code::ALL.map(|code| {
-            let title = format!("{name}, {}-node, {code}{}", order.nodes_per_cell(), answers.suffix());
+            let title = format!("{name}, {}-node, {}{}", order.nodes_per_cell(), code.name(), answers.suffix());
             Planned::new("same discrete problem", title, move || compare(name, order, code, answers))
         })
     };
     problems().into_iter().flat_map(of_both).collect()
 }
 
-/// A discrete problem in another code.
+/// A discrete problem in another code: what is judged of it.
 #[derive(Clone, Debug)]
-pub struct Numbers {
-    /// The code.
-    pub code: Code,
-    /// Whether it finds what was frozen; none where it was not asked.
-    pub reproduced: Option<Judged>,
-    /// Ours against its answer.
-    pub differences: Vec<Difference>,
-}
+pub struct Numbers(Vec<Judged>);
 
 impl Study for Numbers {
     const NAME: &'static str = "cross_code";
@@ -52,12 +44,7 @@ impl Study for Numbers {
     }
 
     fn judge(&self) -> Result<Vec<Judged>, Error> {
-        Ok(self
-            .reproduced
-            .iter()
-            .cloned()
-            .chain(self.differences.iter().map(|one| assembled_alike(self.code, one)))
-            .collect())
+        Ok(self.0.clone())
     }
 
     /// The versions that the frozen answers came from, and who assembles what.
@@ -74,73 +61,30 @@ impl Study for Numbers {
     }
 }
 
-/// A relative difference from another code.
-#[derive(Clone, Debug)]
-pub struct Difference {
-    /// Of what.
-    pub part: Part,
-    /// By which numbers.
-    pub by: String,
-    /// The difference, over the largest of them.
-    pub error: f64,
-}
-
-/// What both codes make of the same mesh.
-#[derive(Clone, Copy, Debug)]
-pub enum Part {
-    /// The stiffness.
-    Stiffness,
-    /// The loads.
-    Loads,
-    /// The contact by penalty line elements.
-    Contact,
-}
-
-impl Difference {
-    fn new(part: Part, by: impl Into<String>, error: f64) -> Self {
-        Self { part, by: by.into(), error }
-    }
-}
-
-/// A scene and order in another code.
+/// A scene and order in another code: whether it finds what was frozen where it is asked now, and the same as we.
 fn compare(name: &str, order: Order, code: Code, answers: Answers) -> Result<Numbers, Error> {
     let twin = Twin::of(name, order)?;
     let (digest, live) = answered(answers, code, &twin)?;
-    let mut differences = differences(&twin.digest(), &digest);
-    differences.extend(live.iter().flat_map(|(answer, _)| twin.in_full(answer)));
-    Ok(Numbers { code, reproduced: live.map(|(_, reproduced)| reproduced), differences })
+    let mut judged: Vec<Judged> = live.iter().map(|(_, reproduced)| reproduced.clone()).collect();
+    judged.extend(differences(code, &twin.digest(), &digest));
+    judged.extend(live.iter().flat_map(|(answer, _)| twin.in_full(code, answer)));
+    Ok(Numbers(judged))
 }
 
 /// Ours against another code's, by their digests.
-pub fn differences(ours: &Digest, theirs: &Digest) -> Vec<Difference> {
+pub fn differences(code: Code, ours: &Digest, theirs: &Digest) -> Vec<Judged> {
     let forms = relative_difference(&ours.forms.concat(), &theirs.forms.concat());
-    let mut all = vec![
-        Difference::new(Part::Stiffness, "vᵢᵀ K vⱼ, ten vectors", forms),
-        Difference::new(Part::Loads, "vᵢ · f, ten vectors", relative_difference(&ours.work, &theirs.work)),
-    ];
+    let work = relative_difference(&ours.work, &theirs.work);
+    let mut all =
+        vec![alike(code, STIFFNESS, "vᵢᵀ K vⱼ, ten vectors", forms), alike(code, LOADS, "vᵢ · f, ten vectors", work)];
     for (index, kappa) in KAPPA.iter().enumerate() {
         let of = |list: &Vec<Vec<f64>>| list.get(index).cloned().unwrap_or_default();
         let pressure = relative_difference(&of(&ours.pressure), &of(&theirs.pressure));
         let moved = relative_difference(&of(&ours.moved), &of(&theirs.moved));
-        all.push(Difference::new(Part::Contact, format!("p at the Gauss points, κ = {kappa:e}"), pressure));
-        all.push(Difference::new(Part::Contact, format!("vᵢ · u, κ = {kappa:e}"), moved));
+        all.push(alike(code, CONTACT, format!("p at the Gauss points, κ = {kappa:e}"), pressure));
+        all.push(alike(code, CONTACT, format!("vᵢ · u, κ = {kappa:e}"), moved));
     }
     all
-}
-
-impl Twin {
-    /// Every component of products, load and displacements, not only their digest.
-    pub fn in_full(&self, answer: &DiscreteAnswer) -> [Difference; 3] {
-        let reduced: Vec<Vec<f64>> = answer.products.iter().map(|product| self.along_unknowns(product)).collect();
-        let product = worst_difference(&self.ours.products, &reduced);
-        let load = relative_difference(&self.ours.load, &self.along_unknowns(&answer.load));
-        let moved = worst_difference(&self.ours.displacement, &answer.displacement);
-        [
-            Difference::new(Part::Stiffness, "K v in every component, ten vectors", product),
-            Difference::new(Part::Loads, "f in every component", load),
-            Difference::new(Part::Contact, "u in every component, κ = 1e2 and 1e4", moved),
-        ]
-    }
 }
 
 /// A code's answer to our discrete problem: in short, in full where it was asked, and whether that is what was frozen.
@@ -161,7 +105,7 @@ fn answered(answers: Answers, code: Code, twin: &Twin) -> Result<Answered, Error
         Answers::Live(live) => {
             let answer = (live.discrete)(code, &twin.problem)?;
             let digest = twin.digest_of_other(&answer);
-            let changed = frozen.changed_versions(&(live.versions)()?);
+            let changed = changed_versions(&frozen.versions, &(live.versions)()?);
             let reproduced = reproduced(code.name(), &digest.numbers(), &kept.numbers(), &changed);
             Ok((digest, Some((answer, reproduced))))
         }
@@ -206,7 +150,7 @@ impl Twin {
         let vectors: Vec<Vec<Vec<f64>>> =
             PRIMES.iter().map(|p| bodies.iter().map(|body| fixed_vector(*p, &body.dofs)).collect()).collect();
         let on_nodes = |v: &Vec<Vec<f64>>| discretisation.system.nodal_displacements(v).as_flattened().to_vec();
-        let problem = handed_over::problem(&discretisation, vectors.iter().map(on_nodes).collect())?;
+        let problem = handed_over(&discretisation, vectors.iter().map(on_nodes).collect())?;
         let product = |v: &Vec<Vec<f64>>| bodies.iter().zip(v).flat_map(|(body, x)| body.product(x)).collect();
         let mut ours = DiscreteAnswer {
             products: vectors.iter().map(product).collect(),
@@ -232,6 +176,19 @@ impl Twin {
     /// Another code's answer, digested.
     pub fn digest_of_other(&self, answer: &DiscreteAnswer) -> Digest {
         Digest::of(answer, &self.problem.vectors, &self.problem.vectors)
+    }
+
+    /// Every component of products, load and displacements of a code, not only their digest.
+    fn in_full(&self, code: Code, answer: &DiscreteAnswer) -> [Judged; 3] {
+        let reduced: Vec<Vec<f64>> = answer.products.iter().map(|product| self.along_unknowns(product)).collect();
+        let load = relative_difference(&self.ours.load, &self.along_unknowns(&answer.load));
+        let moved = worst_difference(&self.ours.displacement, &answer.displacement);
+        let product = worst_difference(&self.ours.products, &reduced);
+        [
+            alike(code, STIFFNESS, "K v in every component, ten vectors", product),
+            alike(code, LOADS, "f in every component", load),
+            alike(code, CONTACT, "u in every component, κ = 1e2 and 1e4", moved),
+        ]
     }
 
     /// `Tᵀ f` of nodal forces: their components along our unknowns.
@@ -270,29 +227,123 @@ fn fixed_vector(prime: f64, dofs: &Dofs) -> Vec<f64> {
     vector
 }
 
-/// Assembly differs by the order of sums only.
-const ASSEMBLED: f64 = 1e-11;
-/// Two direct solvers on a system of condition 1e6 and more.
-const SOLVED: f64 = 1e-8;
+/// What both codes make of the same mesh, how far they may be apart, and why: assembly differs by the order of sums, and two direct solvers
+/// work on a system of condition 1e6 and more.
+type Part = (&'static str, f64, &'static str);
+const STIFFNESS: Part = ("difference of the stiffness on the same mesh", 1e-11, "the order of sums only");
+const LOADS: Part = ("difference of the loads on the same mesh", 1e-11, "the order of sums only");
+const CONTACT: Part = (
+    "difference of the contact by penalty line elements on the same mesh",
+    1e-8,
+    "two direct solvers, condensed and not",
+);
 
-/// Another code assembles, and finds, the same on our mesh.
-pub fn assembled_alike(code: Code, difference: &Difference) -> Judged {
-    let (name, tolerance, because) = match difference.part {
-        Part::Stiffness => ("difference of the stiffness on the same mesh", ASSEMBLED, "the order of sums only"),
-        Part::Loads => ("difference of the loads on the same mesh", ASSEMBLED, "the order of sums only"),
-        Part::Contact => (
-            "difference of the contact by penalty line elements on the same mesh",
-            SOLVED,
-            "two direct solvers, condensed and not",
-        ),
-    };
-    let quantity = Quantity::at(name, difference.by.clone());
+/// Another code assembles, or finds, the same on our mesh: a relative difference by some numbers.
+fn alike(code: Code, (name, tolerance, because): Part, by: impl Into<String>, difference: f64) -> Judged {
     let theirs = Reference { name: code.name().into(), kind: ReferenceKind::CrossCode, value: 0.0, uncertainty: None };
-    Check::error(quantity, theirs, tolerance, because).judge(difference.error)
+    Check::error(Quantity::at(name, by), theirs, tolerance, because).judge(difference)
 }
 
 fn frozen(code: Code, frozen: &Frozen) -> String {
     let versions: Vec<String> = frozen.versions.iter().map(|(name, version)| format!("{name} {version}")).collect();
     let hash: String = frozen.scripts.chars().take(12).collect();
+    let code = code.name();
     format!("* {code}: frozen results under `oracles/frozen`, from {}; scripts {hash}….\n", versions.join(", "))
+}
+
+/// Stiffness of the springs.
+const KAPPA: [f64; 2] = [1e2, 1e4];
+
+/// Our discretisation as plain numbers, and displacements, node by node, to multiply the stiffness with.
+fn handed_over(discretisation: &Discretisation, vectors: Vec<Vec<f64>>) -> Result<DiscreteProblem, Error> {
+    let (scene, mesh) = (&discretisation.scene, &discretisation.mesh);
+    let contact = scene.contact();
+    let side = |body: usize| candidates::candidate_edges(mesh, scene, contact, body);
+    let (profile, radius, clearance) = profile(scene)?;
+    let mut problem = DiscreteProblem {
+        name: format!("{}, {}-node", scene.name, mesh.order.nodes_per_cell()),
+        plane: scene.plane.name(),
+        thickness: scene.thickness,
+        points: mesh.points.clone(),
+        cells: (0..mesh.cells()).map(|cell| mesh.cell(cell).to_vec()).collect(),
+        body: mesh.bodies.iter().enumerate().flat_map(|(b, part)| part.cells.clone().map(move |_| b)).collect(),
+        young: scene.bodies.iter().map(|body| body.material.young).collect(),
+        poisson: scene.bodies.iter().map(|body| body.material.poisson).collect(),
+        contact_first: side(contact.first)?,
+        contact_second: contact.second.map_or(Ok(Vec::new()), side)?,
+        profile,
+        radius,
+        clearance,
+        arc: matches!(contact.path, Path::Arc(_)),
+        length: scene.reference.length,
+        kappa: KAPPA.into(),
+        vectors,
+        ..Default::default()
+    };
+    for index in 0..scene.bodies.len() {
+        supports_and_loads(discretisation, index, &mut problem)?;
+    }
+    Ok(problem)
+}
+
+/// Name, radius and clearance of the gap.
+fn profile(scene: &Scene) -> Result<(&'static str, f64, f64), Error> {
+    match scene.contact().profile {
+        _ if scene.contact().clearance > 0.0 => Err(not_handed_over(&scene.name, "a clearance beside a profile")),
+        Profile::Circle { radius } => Ok(("circle", radius, 0.0)),
+        Profile::Parabola { radius } => Ok(("parabola", radius, 0.0)),
+        Profile::Hole { radius, clearance } => Ok(("hole", radius, clearance)),
+        Profile::Uniform(_) | Profile::Punch { .. } => Err(not_handed_over(&scene.name, "a uniform gap")),
+        Profile::Drawn
+        | Profile::Bodies(_)
+        | Profile::Table(_)
+        | Profile::Smooth(_)
+        | Profile::Even { .. }
+        | Profile::Powers { .. }
+        | Profile::Wedge { .. }
+        | Profile::Circles { .. }
+        | Profile::Pin { .. }
+        | Profile::Cosine { .. } => Err(not_handed_over(&scene.name, "this rigid profile")),
+    }
+}
+
+/// Adds the fixed components and the loads of a body.
+fn supports_and_loads(
+    discretisation: &Discretisation,
+    index: usize,
+    problem: &mut DiscreteProblem,
+) -> Result<(), Error> {
+    let (scene, mesh) = (&discretisation.scene, &discretisation.mesh);
+    for support in &scene.bodies[index].supports {
+        let nodes = mesh.nodes_at(scene, index, &support.at)?;
+        problem.held.extend(nodes.into_iter().map(|node| [node, support.component.index()]));
+    }
+    for load in &scene.bodies[index].loads {
+        match load {
+            Load::Traction { boundary, traction } => {
+                problem.load_edges.extend_from_slice(mesh.boundary(scene, index, boundary)?);
+                problem.traction = *traction;
+            }
+            Load::Stress { boundary, .. } => {
+                problem.load_edges.extend_from_slice(mesh.boundary(scene, index, boundary)?);
+                problem.hertz_load = true;
+            }
+            Load::RigidFace { boundary, force, .. } => {
+                problem.tied = mesh.boundary(scene, index, boundary)?.iter().flatten().copied().collect();
+                problem.tied.sort_unstable();
+                problem.tied.dedup();
+                problem.tied_force = *force;
+            }
+            Load::OnSide { .. } | Load::BodyForce(_) | Load::Force { .. } | Load::TractionField { .. } => {
+                return Err(not_handed_over(&scene.name, "such a load"));
+            }
+        }
+    }
+    Ok(())
+}
+
+/// The refusal of what another code is not taught to take.
+fn not_handed_over(scene: &str, what: &str) -> Error {
+    let remedy = "choose another scene, or teach oracles/python/discrete.py to take it";
+    Error::at(scene, format!("{what} is not handed over to other codes"), remedy)
 }

@@ -1,7 +1,9 @@
-//! A scene in words and numbers.
+//! A scene in words and numbers, and where a case comes from.
 
 use std::f64::consts::PI;
 
+use crate::case::Case;
+use crate::oracle::Source;
 use crate::scene::{
     Action, Body, ContactPair, Face, Load, Path, PlaneHypothesis, Profile, Scene, Sector, Shape, SidePart, Support,
 };
@@ -214,4 +216,11 @@ pub fn equations(plane: PlaneHypothesis) -> String {
          normal of the first body on its undeformed path and w = (u₁ − u₂)·n (u₂ = 0 where the other side is rigid): g = g₀ − w ≥ 0, p = −n·σn ≥ 0, p g = 0, \
          no shear. p is per area of the undeformed path. {width}"
     )
+}
+
+/// Where a case and its closed form come from.
+pub fn sources(case: &Case) -> Vec<String> {
+    let closed_form = case.oracle().map(|oracle| oracle.source());
+    let cited = closed_form.map(|Source { name, citation, note }| format!("{name}: {citation} ({note})"));
+    std::iter::once(case.source.clone()).filter(|source| !source.is_empty()).chain(cited).collect()
 }

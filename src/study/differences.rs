@@ -1,8 +1,12 @@
-//! What is compared of runs, and how far two answers are apart; NaN, which no check passes, where they cannot be compared.
+//! What is compared of runs, where other codes' answers come from, and how far two answers are apart; NaN, which no check passes, where they
+//! cannot be compared.
 
+use crate::case::{Check, Judged, Quantity, Reference};
 use crate::measure::{larger, relative_error};
+use crate::oracle::ReferenceKind;
 use crate::oracle::cross_code::Code;
-use crate::oracle::cross_code::frozen::Frozen;
+use crate::oracle::cross_code::frozen::{Frozen, changed_versions};
+use crate::oracle::cross_code::live::Live;
 use crate::solve::Run;
 
 /// Peak pressure and second-moment width of a run; NaN, which no check passes, where it did not converge.
@@ -46,8 +50,9 @@ pub fn relative_difference(a: &[f64], b: &[f64]) -> f64 {
 
 /// What differs between two sets of frozen results: a line per version and per group of numbers.
 pub fn changes(code: Code, old: &Frozen, new: &Frozen) -> Vec<String> {
+    let code = code.name();
     let (before, after) = (old.numbers(), new.numbers());
-    let mut lines = vec![format!("{code}: {}", old.changed_versions(&new.versions))];
+    let mut lines = vec![format!("{code}: {}", changed_versions(&old.versions, &new.versions))];
     for (name, values) in &after {
         match before.get(name) {
             None => lines.push(format!("{code}, {name}: new")),
@@ -61,4 +66,35 @@ pub fn changes(code: Code, old: &Frozen, new: &Frozen) -> Vec<String> {
     }
     lines.extend(before.keys().filter(|name| !after.contains_key(*name)).map(|name| format!("{code}, {name}: gone")));
     lines
+}
+
+/// Relative difference from the frozen answer that a live one may have.
+const REPRODUCED: f64 = 1e-6;
+
+/// Frozen or live.
+#[derive(Clone, Copy, Debug)]
+pub enum Answers {
+    /// Read from `oracles/frozen`; Rust alone suffices.
+    Frozen,
+    /// Asked now, and held against the frozen ones as well.
+    Live(Live),
+}
+
+impl Answers {
+    /// What tells the trials apart: nothing for frozen answers, which the page shows.
+    pub fn suffix(self) -> &'static str {
+        match self {
+            Self::Frozen => "",
+            Self::Live(_) => ", live",
+        }
+    }
+}
+
+/// A live answer is what was frozen; the versions that changed since are named.
+pub fn reproduced(name: &str, now: &Groups, kept: &Groups, versions: &str) -> Judged {
+    let frozen =
+        Reference { name: "frozen results".into(), kind: ReferenceKind::CrossCode, value: 0.0, uncertainty: None };
+    let because = format!("solvers and libraries differ in round-off; {versions}");
+    let quantity = Quantity::at("largest relative change of a live answer", name);
+    Check::error(quantity, frozen, REPRODUCED, because).judge(largest_change(now, kept))
 }

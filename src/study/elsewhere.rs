@@ -46,22 +46,18 @@ pub fn paragraph(name: &str, scene: &Scene, mesh: &Mesh) -> String {
         _ => None,
     };
     let pressed: String = scene.contacts.iter().filter_map(pressed).collect();
-    format!(
-        "## In MOOSE and MFEM\n\nNo script of ours runs these two. `contact-vv export {name} DIR` writes `{name}.msh`; its physical numbers are boundaries \
-         and blocks in MOOSE, attributes in MFEM: {}. Units are mm, N, MPa; loads are {forces}. {plane}. \
-         {rigid}{pressed}Their contact follows the deformed surfaces, ours the undeformed path: alike where displacements are small beside radii.\n\n\
-         **MOOSE**: `FileMeshGenerator`, `[Physics/SolidMechanics/QuasiStatic]` with `strain = SMALL` and `add_variables = true` on these blocks, \
-         `ComputeLinearElasticStress`, and\n\n```text\n{}```\n\n\
-         The Lagrange multiplier is the pressure, positive in compression; with `formulation = penalty` and a `penalty` it is `contact_pressure` on the \
-         secondary boundary.\n\n\
-         **MFEM** has no contact of its own. Its miniapp `tribol` has the mortar method of Tribol, in three dimensions and of order 1: give it one layer \
-         of hexahedra with u_z = 0 on both faces. MFEM reads Gmsh's format 2.2, to which Gmsh converts. `ElasticityIntegrator` takes {}; \
-         `registerMfemCouplingScheme` the attributes of both contact sides with `SINGLE_MORTAR`, `FRICTIONLESS`, `LAGRANGE_MULTIPLIER`; \
-         `getMfemPressure` is the pressure. The miniapp solves once, with every pair closed: pairs that pull are to be opened, by an active set.",
-        listed.join(", "),
-        moose(scene, &numbers),
-        scene.bodies.iter().map(lame).collect::<Vec<_>>().join("; "),
-    )
+    let page = format!(
+        include_str!("elsewhere.md"),
+        name = name,
+        numbers = listed.join(", "),
+        forces = forces,
+        plane = plane,
+        rigid = rigid,
+        pressed = pressed,
+        moose = moose(scene, &numbers),
+        lame = scene.bodies.iter().map(lame).collect::<Vec<_>>().join("; "),
+    );
+    page.trim_end().to_owned()
 }
 
 /// The material by which plane strain is what a hypothesis makes of another.

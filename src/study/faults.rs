@@ -1,5 +1,6 @@
 //! Fault injection: what turned red when a fault was put into a copy of the tree.
 
+use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -95,14 +96,11 @@ impl Study for Numbers {
         let faults: Vec<&Fault> = findings.iter().flat_map(|found| &found.numbers.record).collect();
         let of_truths = faults.iter().filter(|fault| is_seen_by(fault, &TRUTHS)).count();
         Ok(format!(
-            "Faults planted one at a time on a copy of the tree (`tests/faults`), and a test of each kind that turned red: a trial of the suite, or a \
-             claim. {of_truths} of {} are seen by a closed form or another code; which claims ask one is kept by hand (`tests/truths.toml`). ✓ with the day of the sources where the file of the fault and those \
-             of the claims are as they were, else ○.\n\n{}\n\n\
-             Operators and values that a program changes one at a time (`tests/mutants/room.py`), of a sample by chance, and how many turn a test red: \
-             any, or one against a closed form or another code; those that give the same answers are not counted. The share has its interval of 95 %.\n\n{}\n",
-            faults.len(),
-            markdown::columns(&columns, &faults),
-            markdown::columns(&ROOMS, &rooms()?)
+            include_str!("faults.md"),
+            of_truths = of_truths,
+            all = faults.len(),
+            faults = markdown::columns(&columns, &faults),
+            rooms = markdown::columns(&ROOMS, &rooms()?)
         ))
     }
 }
@@ -116,11 +114,6 @@ const ROOMS: [Column<Room>; 5] = [
     ("by truths alone", |room| room.by_truths.shown()),
 ];
 
-#[derive(Deserialize)]
-struct List {
-    fault: Vec<Planted>,
-}
-
 /// The recorded faults; refused where one of them is no longer the one that the list has.
 pub fn record() -> Result<Numbers, Error> {
     let [list, record] = [LIST, FAULTS.file].map(|name| root().join(name));
@@ -130,14 +123,16 @@ pub fn record() -> Result<Numbers, Error> {
 
 /// The same from the texts of both files.
 pub fn parse((list, listed): (&Path, &str), (file, text): (&Path, &str)) -> Result<Numbers, Error> {
-    let planted: List = toml::from_str(listed).map_err(|error| Error::unreadable(list, error, "restore it"))?;
+    let planted: BTreeMap<String, Vec<Planted>> =
+        toml::from_str(listed).map_err(|error| Error::unreadable(list, error, "restore it"))?;
+    let planted = planted.get("fault").map_or(&[][..], Vec::as_slice);
     let numbers: Numbers = serde_json::from_str(text).map_err(|error| Error::unreadable(file, error, FAULTS.renew))?;
     let faults = &numbers.record;
     let refused = |key: &str, found: String| Err(Error::refused(file, key, found, FAULTS.renew));
-    if faults.len() != planted.fault.len() || faults.is_empty() {
-        return refused("record", format!("{} faults long, but {} are listed", faults.len(), planted.fault.len()));
+    if faults.len() != planted.len() || faults.is_empty() {
+        return refused("record", format!("{} faults long, but {} are listed", faults.len(), planted.len()));
     }
-    let mut pairs = faults.iter().zip(&planted.fault);
+    let mut pairs = faults.iter().zip(planted);
     if let Some((fault, listed)) = pairs.find(|(fault, listed)| fault.planted != **listed) {
         return refused("record", format!("of `{}`, but the list has another `{}`", fault.planted.name, listed.name));
     }

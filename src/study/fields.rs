@@ -104,6 +104,9 @@ pub struct Along {
     pub off: f64,
 }
 
+/// A body along its candidates: its name, and angle \[°\] with hoop stress \[MPa\], and with displacement along the outward normal \[mm\].
+pub type Arc = (String, [Vec<[f64; 2]>; 2]);
+
 /// A scene whose fields are shown: the case, the factor on its displacements, the largest stress that is told apart over the pressure of
 /// the scene, none where all of it is compression, and the part that is enlarged over its length.
 pub type Shown = (fn() -> Case, f64, Option<f64>, [[f64; 2]; 2]);
@@ -123,30 +126,9 @@ pub struct Field {
     pub stress: drawing::Field,
     /// Load of the scene on the modelled part \[N\].
     pub load: f64,
-    /// Vertical force of the recovered stresses on some lines.
-    pub resultants: Vec<Resultant>,
-}
-
-/// Stress and displacement along the candidates of a body.
-#[derive(Clone, Debug)]
-pub struct Arc {
-    /// Name of the body.
-    pub body: String,
-    /// Angle \[°\] and hoop stress \[MPa\].
-    pub hoop: Vec<[f64; 2]>,
-    /// Angle \[°\] and displacement along the outward normal \[mm\].
-    pub displacement: Vec<[f64; 2]>,
-}
-
-/// Vertical force of the recovered stresses on a line.
-#[derive(Clone, Debug)]
-pub struct Resultant {
-    /// Name of the body.
-    pub body: String,
-    /// Whether the line is the horizontal cut of the disc; else it is the candidates of the contact.
-    pub on_cut: bool,
-    /// Its size \[N\].
-    pub force: f64,
+    /// Vertical force of the recovered stresses on the candidates of each body, by its name, and on the horizontal cut of the disc, which the
+    /// flag tells \[N\].
+    pub resultants: Vec<(String, bool, f64)>,
 }
 
 /// The bars, pushed together by three gaps.
@@ -172,13 +154,11 @@ pub fn field((case, magnification, largest, around): Shown) -> Result<Field, Err
     let Discretisation { scene: given, mesh, system, .. } = &discretisation;
     let bodies = || given.bodies.iter().zip(&mesh.bodies);
     let thickness = given.thickness;
-    let contact = bodies().map(|(body, part)| {
-        let force = thickness * on_candidates(&mesh.points, part, &fields);
-        Resultant { body: body.name.clone(), on_cut: false, force }
-    });
+    let contact =
+        bodies().map(|(body, part)| (body.name.clone(), false, thickness * on_candidates(&mesh.points, part, &fields)));
     let edges = mesh.boundary(given, 0, "cut")?;
     let cut = thickness * edges.iter().map(|edge| on_edge(&mesh.points, edge, &fields)).sum::<f64>();
-    let cut = Resultant { body: given.bodies[0].name.clone(), on_cut: true, force: cut.abs() };
+    let cut = (given.bodies[0].name.clone(), true, cut.abs());
     let (pressure, length) = (given.reference.pressure, given.reference.length);
     let grain = GRAIN * 2.0 * pressure;
     let [x, y] = around.map(|[from, to]| (from * length, to * length));
@@ -224,7 +204,8 @@ pub fn along(formulation: &Formulation) -> Result<Along, Error> {
         Ok((run.solution.converged(), arcs))
     };
     let ((converged, arcs), (_, other)) = (by(formulation)?, by(&Formulation::verification())?);
-    let hoop = |arcs: &[Arc]| arcs.iter().flat_map(|arc| &arc.hoop).map(|[_, stress]| *stress).collect::<Vec<f64>>();
+    let hoop =
+        |arcs: &[Arc]| arcs.iter().flat_map(|(_, [hoop, _])| hoop).map(|[_, stress]| *stress).collect::<Vec<f64>>();
     let [own, other] = [hoop(&arcs), hoop(&other)];
     let difference = measure::largest(own.iter().zip(&other).map(|(own, other)| (own - other).abs()));
     let off = if converged { difference / measure::largest(other.iter().map(|stress| stress.abs())) } else { f64::NAN };
@@ -240,7 +221,7 @@ fn arc(body: &str, part: &BodyMesh, fields: &Fields) -> Arc {
         x * n[1] * n[1] + y * n[0] * n[0] - 2.0 * xy * n[0] * n[1]
     };
     let normal = |node: usize, n: [f64; 2]| fields.displacement[node][0] * n[0] + fields.displacement[node][1] * n[1];
-    Arc { body: body.into(), hoop: along(&hoop), displacement: along(&normal) }
+    (body.into(), [along(&hoop), along(&normal)])
 }
 
 /// `|∫ (σ n)_y ds|` over the candidates of a body, by the trapezoidal rule [N/mm].
@@ -282,8 +263,8 @@ fn agrees(along: &Along) -> Judged {
 }
 
 /// The vertical resultant of the recovered stresses is the load.
-fn carries(field: &Field, resultant: &Resultant) -> Judged {
-    let (name, tolerance, because) = match resultant.on_cut {
+fn carries(field: &Field, (body, on_cut, force): &(String, bool, f64)) -> Judged {
+    let (name, tolerance, because) = match on_cut {
         false => (
             "force of the recovered stresses on the contact [N]",
             1e-2,
@@ -294,27 +275,24 @@ fn carries(field: &Field, resultant: &Resultant) -> Judged {
         }
     };
     let load = Reference::own("load", field.load);
-    Check::near(Quantity::at(name, resultant.body.clone()), load, tolerance, because).judge(resultant.force)
+    Check::near(Quantity::at(name, body.clone()), load, tolerance, because).judge(*force)
 }
 
 /// Hoop stress and normal displacement along the arcs of pin and rod, by every formulation.
 fn along_chart(alongs: &[&Along]) -> Drawing {
-    let chart = |body: usize, quantity: &str, axis: &str, of: fn(&Arc) -> &Vec<[f64; 2]>| {
-        let name = alongs.first().map_or("", |along| &along.arcs[body].body);
+    let chart = |body: usize, which: usize, quantity: &str, axis: &str| {
+        let name = alongs.first().map_or("", |along| &along.arcs[body].0);
         let angle = Axis::linear("θ from the load line [°]").over(0.0, PinRod::default().stretch.to_degrees());
         let mut chart = Chart::new(&format!("{name}: {quantity}"), angle, Axis::linear(axis));
         chart.series.extend(alongs.iter().filter(|along| along.converged).map(|along| {
             let style = Style { marker: Marker::Absent, ..style(&along.formulation) };
-            Series::new(label(&along.formulation), of(&along.arcs[body]).iter().copied(), style)
+            Series::new(label(&along.formulation), along.arcs[body].1[which].iter().copied(), style)
         }));
         chart.notes.push(WITHOUT_GAERTNER.into());
         chart
     };
     let of_body = |body: usize| {
-        [
-            chart(body, "hoop stress", "σ_θθ [MPa]", |arc| &arc.hoop),
-            chart(body, "normal displacement", "u_n, outward [mm]", |arc| &arc.displacement),
-        ]
+        [chart(body, 0, "hoop stress", "σ_θθ [MPa]"), chart(body, 1, "normal displacement", "u_n, outward [mm]")]
     };
     let bodies = alongs.iter().map(|along| along.arcs.len()).min().unwrap_or(0);
     let charts: Vec<Chart> = (0..bodies).flat_map(of_body).collect();

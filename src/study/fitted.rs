@@ -93,22 +93,12 @@ impl Study for Numbers {
     /// A row a mesh.
     fn section(findings: &[Found<Self>]) -> Result<String, Error> {
         Ok(format!(
-            "Truncated Hertz under {} loads; p₀ is the peak pressure, a the half-width. Cells of order p have (p + 1)² nodes, at products of \
-             Gauss–Lobatto–Legendre points. `solve --fitted` lays a mesh line on the end of the contact, and layers of cells towards it, each a \
-             fixed part of the one before. It knows nothing of the end: a mesh of 8-node cells finds about where it is; then all points \
-             up to an expected end e are closed, the pressure at the distance d from it is p √d = A₀ + B₀ d + C₀ d², and e moves by 2 A₀/B₀ \
-             until that no longer matters. What such meshes take beside 8-node cells: [Speed against accuracy](timings.md); what those take that \
-             `--accuracy` chooses by their error bars: [What is promised](promised.md).\n\n{}\n\
-             ## Truncated sphere\n\n\
-             The block of revolution under the loads of the same radii of contact, on meshes of the same cells.\n\n{}\n\
-             ## Other scenes\n\n\
-             Peak and second-moment width to five digits with at most {} degrees of freedom. Rectangles have frames of ever larger cells around a contact, \
-             discs too where the contact is small, and rings rows of cells whose radii grow in geometric progression.\n\n",
-            LOADS.len(),
-            markdown::columns(&MESHES, findings.iter().flat_map(|found| &found.numbers.meshes)),
-            markdown::columns(&MESHES, findings.iter().flat_map(|found| &found.numbers.revolved)),
-            ASKED_ELSEWHERE.1,
-        ))
+            include_str!("fitted.md"),
+            loads = LOADS.len(),
+            meshes = markdown::columns(&MESHES, findings.iter().flat_map(|found| &found.numbers.meshes)),
+            revolved = markdown::columns(&MESHES, findings.iter().flat_map(|found| &found.numbers.revolved)),
+            dofs = ASKED_ELSEWHERE.1
+        ) + "\n")
     }
 }
 

@@ -8,11 +8,9 @@
 //! * [`random`] — random scenes of closed form.
 //! * [`records`] — recorded surveys; [`present`] — whether what scripts record is of the present sources.
 //! * [`seconds`] — on what seconds were measured, and their quantiles.
-//! * [`handed_over`] — our discretisation as plain numbers, for other codes; [`answers`] — where theirs come from; [`differences`] — how far
-//!   two of them are apart.
+//! * [`differences`] — where other codes' answers come from, and how far two of them are apart.
 
 pub mod about;
-pub mod answers;
 pub mod atlas;
 pub mod cases;
 pub mod cross_code;
@@ -23,7 +21,6 @@ pub mod elsewhere;
 pub mod faults;
 pub mod fields;
 pub mod fitted;
-pub mod handed_over;
 pub mod independent;
 pub mod limits;
 pub mod measured;
@@ -48,7 +45,7 @@ use crate::case::judged::{Judged, Verdict, worst};
 use crate::error::Error;
 use crate::oracle::cross_code::live::Live;
 use about::{About, complete};
-use answers::Answers;
+use differences::Answers;
 
 pub use about::{Found, Planned, Study};
 
@@ -171,5 +168,5 @@ fn judged<S: Study>(planned: Planned<S>) -> Trial {
 /// The findings of a study among those of all.
 fn found<S: Study>(findings: &[Finding]) -> Vec<Found<'_, S>> {
     let own = findings.iter().filter_map(|one| Some((one, one.numbers()?)));
-    own.map(|(Finding { case, name, judged, .. }, numbers)| Found { case, name, numbers, judged }).collect()
+    own.map(|(Finding { case, name, .. }, numbers)| Found { case, name, numbers }).collect()
 }

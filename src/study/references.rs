@@ -92,18 +92,13 @@ impl Study for Numbers {
     fn section(findings: &[Found<Self>]) -> Result<String, Error> {
         let [answer, order, layers, cells] = MESHES;
         let mut answers = format!(
-            "The answer is that of cells of order {}, {} on every piece of the contact side, with {} layers towards the ends of the contact, \
-             towards forces at points and re-entrant corners; its ends are found on the way, to a millionth of the half-width. Three other meshes \
-             confirm it: cells of order {}; {} layers; {} cells on every piece. The error bar is twice the largest difference to one of them. 8-node cells, \
-             half as large as the case has them, stand beside it with their error bars; an end is there known to a part of an element only. Scripts that \
-             share the scene and the definitions of its numbers, and no line, found it too ([`oracles/high`](../../oracles/high)): by complex potentials in numpy alone, and by NGSolve; how \
-             far these may be off is twice the largest difference between settings of theirs. The benchmark sheets have the answers.\n",
-            answer.fitted.order.number(),
-            answer.cells,
-            answer.fitted.layers,
-            order.fitted.order.number(),
-            layers.fitted.layers,
-            cells.cells,
+            include_str!("references.md"),
+            order = answer.fitted.order.number(),
+            cells = answer.cells,
+            layers = answer.fitted.layers,
+            other_order = order.fitted.order.number(),
+            fewer_layers = layers.fitted.layers,
+            other_cells = cells.cells
         );
         let mut sheets = String::from(
             "\n## Benchmark sheets\n\nA page a case of the library: geometry, material, loads, supports, equations, reference values with what \
@@ -208,18 +203,13 @@ pub fn sheet(case: &Case, discretisation: &Discretisation, run: &Run, barred: &[
             confirmed_by: vec![],
         }
     };
-    let of_oracle = case.oracle().into_iter().map(|oracle| {
-        let source = oracle.source();
-        format!("{}: {} ({})", oracle.name(), source.citation, source.note)
-    });
-    let own = std::iter::once(case.source.clone()).filter(|source| !source.is_empty());
     let mut scene = described::scene(&case.scene);
     scene.push(elsewhere::paragraph(&case.name, &case.scene, &discretisation.mesh));
     let mut sheet = Sheet {
         name: case.name.clone(),
         title: case.title.clone(),
         scene,
-        sources: own.chain(of_oracle).collect(),
+        sources: described::sources(case),
         plane: case.scene.plane.name(),
         thickness: case.scene.thickness,
         half_of_symmetric: case.scene.contacts.iter().any(|pair| pair.symmetric),

@@ -162,12 +162,12 @@ impl Other {
     /// On the finest mesh of a series, with its standard uncertainty: thrice that, what springs leave, and round-off.
     pub fn of_series(script: Script, [value, uncertainty]: [f64; 2]) -> Self {
         let penalty = if script.has_penalty() { PENALTY * value.abs() } else { 0.0 };
-        Self { by: script.name(), value, uncertainty, bound: SPREAD * uncertainty + penalty + 1e-9 * value.abs() }
+        Self { by: script.title(), value, uncertainty, bound: SPREAD * uncertainty + penalty + 1e-9 * value.abs() }
     }
 
     /// Of high order, with how far it may be off: that of two standard uncertainties.
     pub fn of_high_order(way: Way, [value, bound]: [f64; 2]) -> Self {
-        Self { by: way.name(), value, uncertainty: 0.5 * bound, bound }
+        Self { by: way.title(), value, uncertainty: 0.5 * bound, bound }
     }
 
     /// In another unit.
@@ -383,13 +383,13 @@ pub fn file(sheet: &Sheet) -> (String, String) {
     let Sheet { name, title, scene, sources, dofs, values, .. } = sheet;
     let sources = if sources.is_empty() { "none but this sheet".into() } else { sources.join("\n* ") };
     let text = format!(
-        "# {name}: {title}\n\nLengths in mm, forces in N, stresses in MPa. Generated; do not edit. `contact-vv solve {name}` solves it.\n\n\
-         {}\n\n## Reference values\n\nBy exact active sets (*node*, *kinematic load*): on {dofs} degrees of freedom of 8-node cells, with the \
-         error bar of the number (mesh, iteration and penalty); or, where these tell more, on cells of order 8 fitted to the contact, with twice the \
-         largest difference to three other meshes as error bar ([reference answers](../pages/references.md)). A closed form may be of an idealised scene (a half-plane, an infinite plate).\n\n{}\n\
-         ## Sources\n\n* {sources}\n",
-        scene.join("\n\n"),
-        markdown::columns(&VALUES, values),
+        include_str!("sheet.md"),
+        name = name,
+        title = title,
+        scene_text = scene.join("\n\n"),
+        dofs = dofs,
+        values_table = markdown::columns(&VALUES, values),
+        sources = sources
     );
     (format!("{name}.md"), text)
 }

@@ -9,8 +9,7 @@ use contact_vv::checkout::root;
 use contact_vv::error::{Error, Kind};
 use contact_vv::oracle::ReferenceKind;
 use contact_vv::oracle::digitised::{
-    Abscissa, Digitised, DigitisedCurve, DigitisedScene, NOT_AT_HAND, Ordinate, OurPoint, RodScene, compare,
-    model_form, worst,
+    Abscissa, DigitisedCurve, NOT_AT_HAND, Ordinate, OurPoint, compare, load, model_form, worst,
 };
 use contact_vv::uncertainty::COVERAGE;
 use tempfile::TempDir;
@@ -39,7 +38,7 @@ fn spoiled(file: &str, content: Option<&str>) -> TempDir {
 
 fn refusal(file: &str, content: Option<&str>) -> Error {
     let folder = spoiled(file, content);
-    let error = Digitised::load(folder.path()).expect_err("spoiled folders are refused");
+    let error = load(folder.path()).expect_err("spoiled folders are refused");
     assert!(error.to_string().contains(file), "does not name {file}: {error}");
     error
 }
@@ -82,10 +81,7 @@ fn with_line(file: &str, number: usize, replacement: &str) -> String {
 }
 
 fn curve_of(folder: &Path) -> DigitisedCurve {
-    match Digitised::load(folder).expect("the folder is complete") {
-        Digitised::Present(mut curves) => curves.remove(0),
-        Digitised::Absent(why) => panic!("{why}"),
-    }
+    load(folder).expect("the folder is complete").expect("curves").remove(0)
 }
 
 fn admitted() -> DigitisedCurve {
@@ -97,21 +93,14 @@ fn semi_ellipse(shift: f64) -> impl Fn(f64) -> OurPoint {
     move |phi| OurPoint { value: shift + 100.0 * (1.0 - (phi / (PI / 3.0)).powi(2)).max(0.0).sqrt(), uncertainty: 0.1 }
 }
 
-fn rod(curve: &DigitisedCurve) -> RodScene {
-    match curve.scene {
-        DigitisedScene::Rod(rod) => rod,
-        DigitisedScene::Sheet(sheet) => panic!("a rod, not {sheet:?}"),
-    }
-}
-
 #[test]
 fn figures_that_are_not_at_hand_say_so() {
     for source in ["gaertner-1977", "ghosh-1982"] {
         let folder = root().join("oracles/digitised").join(source);
 
-        let digitised = Digitised::load(&folder).expect("a README alone is no error");
+        let digitised = load(&folder).expect("a README alone is no error");
 
-        assert_eq!(digitised, Digitised::Absent(NOT_AT_HAND.to_owned()));
+        assert_eq!(digitised, Err(NOT_AT_HAND));
     }
 }
 
@@ -120,7 +109,7 @@ fn what_is_missing_broken_or_of_another_scene_is_refused_by_its_file() {
     for file in FILES {
         assert!(refusal(file, None).kind == Kind::MissingFile, "{file}");
     }
-    let error = Digitised::load(Path::new("no/such/folder")).expect_err("no folder, which is not an absence");
+    let error = load(Path::new("no/such/folder")).expect_err("no folder, which is not an absence");
     assert!(error.to_string().contains("no/such/folder"), "{error}");
     let force = "force_n,force_error_n,half_angle_deg,half_angle_error_deg\n1,0.1,30,1\n";
     let error = refusal("semi-ellipse.csv", Some(force));
@@ -137,7 +126,7 @@ fn what_is_missing_broken_or_of_another_scene_is_refused_by_its_file() {
     // A file that the provenance does not list.
     let folder = spoiled("", None);
     fs::write(folder.path().join("stray.csv"), text("semi-ellipse.csv")).expect("the temporary folder is writable");
-    let error = Digitised::load(folder.path()).expect_err("an unlisted file is refused");
+    let error = load(folder.path()).expect_err("an unlisted file is refused");
     assert!(error.to_string().contains("stray.csv"), "{error}");
 }
 
@@ -145,15 +134,15 @@ fn what_is_missing_broken_or_of_another_scene_is_refused_by_its_file() {
 fn complete_folder_is_admitted_with_its_scene_and_provenance() {
     let curve = admitted();
 
-    assert!(curve.provenance.figure.contains("synthetic"));
+    assert!(curve.provenance["figure"].contains("synthetic"));
     assert_eq!(curve.kind(), ReferenceKind::Measured);
     let fem = spoiled("provenance.toml", Some(&text("provenance.toml").replace("\"measured\"", "\"fem\"")));
     assert_eq!(curve_of(fem.path()).kind(), ReferenceKind::CrossCode);
     assert_eq!((curve.abscissa, curve.ordinate), (Abscissa::Angle, Ordinate::Pressure));
     assert_eq!(curve.points.len(), 6);
-    let rod = rod(&curve);
-    assert_relative_eq!(rod.pin_radius, 10.0);
-    assert_relative_eq!(rod.rod.young, 70_000.0);
+    assert!(!curve.scene.is_sheet);
+    assert_relative_eq!(curve.scene.number("pin_radius"), 10.0);
+    assert_relative_eq!(curve.scene.material("rod").young, 70_000.0);
     assert_relative_eq!(curve.points[5].abscissa, 50.0_f64.to_radians(), max_relative = 1e-14);
     assert_relative_eq!(curve.points[5].abscissa_error, 0.5_f64.to_radians(), max_relative = 1e-14);
 }
@@ -270,6 +259,6 @@ fn friction_of_the_source_is_stated_as_a_difference_of_model() {
     let mut curve = admitted();
 
     assert!(model_form(&curve).is_some_and(|statement| statement.contains("0.15")));
-    curve.scene = DigitisedScene::Rod(RodScene { friction: 0.0, ..rod(&curve) });
+    curve.scene.numbers.insert("friction", 0.0);
     assert_eq!(model_form(&curve), None);
 }

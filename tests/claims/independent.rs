@@ -7,10 +7,8 @@ use contact_vv::case::{Judged, Verdict};
 use contact_vv::oracle::cross_code::independent::{Folder, Independent, Script};
 use contact_vv::oracle::cross_code::{PhysicalAnswer, PhysicalScene};
 use contact_vv::study::Study;
-use contact_vv::study::answers::Answers;
-use contact_vv::study::independent::benchmark::{STATIONS, Scene};
-use contact_vv::study::independent::found::Found;
-use contact_vv::study::independent::run::{Compared, asked, compare};
+use contact_vv::study::differences::Answers;
+use contact_vv::study::independent::run::{Compared, Found, STATIONS, Scene, asked, compare};
 
 /// Whether there is a check, and all pass.
 fn all_pass(checks: &[Judged]) -> bool {
@@ -26,7 +24,7 @@ fn with(compared: &Compared, script: Script, series: &[PhysicalAnswer]) -> Compa
     let mut other = compared.clone();
     for one in &mut other.others {
         if one.script == script {
-            one.found = Found::of(script.name(), series).expect("three meshes");
+            one.found = Found::of(script.title(), series).expect("three meshes");
         }
     }
     other

@@ -4,13 +4,11 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use contact_vv::oracle::analytic::Plane;
-use contact_vv::oracle::analytic::bars::Bars;
 use contact_vv::oracle::analytic::hertz::Hertz;
-use contact_vv::oracle::analytic::lame::PressFit;
 use contact_vv::oracle::analytic::persson::PinInHole;
 use contact_vv::oracle::analytic::punch::FlatPunch;
+use contact_vv::oracle::analytic::shell::{PressFit, Shape};
 use contact_vv::oracle::analytic::uniform::Uniform;
-use contact_vv::oracle::analytic::weight::OwnWeight;
 use contact_vv::oracle::{Oracle, Quantity, Reading, ReferenceKind};
 use contact_vv::scene::Material;
 use nalgebra::{Matrix4, Vector4};
@@ -23,23 +21,13 @@ const PIN: PinInHole =
 const STEEL: Material = Material { young: 210_000.0, poisson: 0.3 };
 
 const FIT: PressFit = PressFit {
-    bore: 20.0,
-    interface: 30.0,
-    outside: 50.0,
+    shape: Shape::FreeCylinder,
+    radii: [20.0, 30.0, 50.0],
     interference: 0.02,
-    inner: Material { young: 70_000.0, poisson: 0.33 },
-    outer: STEEL,
-    plane: Plane::Stress,
+    materials: [Material { young: 70_000.0, poisson: 0.33 }, STEEL],
 };
 
-const BARS: Bars =
-    Bars { young: 1000.0, section: 5.0, moved_length: 30.0, fixed_length: 20.0, gap: 0.1, displacement: 0.3 };
-
 const PUNCH: FlatPunch = FlatPunch { load: 300.0, half_width: 2.0 };
-
-const PATCH: Uniform = Uniform { applied: 7.0, width: 3.0 };
-
-const BLOCK: OwnWeight = OwnWeight { specific_weight: 7.7e-5, height: 100.0, width: 40.0 };
 
 /// `∫ f` by the midpoint rule, which converges exponentially once the ends are smooth.
 fn integral(from: f64, to: f64, intervals: usize, f: impl Fn(f64) -> f64) -> f64 {
@@ -249,10 +237,9 @@ fn lame_constants(material: Material, plane: Plane) -> (f64, f64) {
 }
 
 /// Interface pressure from `u = Ar + B/r` in each ring, free rims, equal stress and the mismatch `δ`.
-fn mismatch_pressure(fit: &PressFit) -> f64 {
-    let (li, mi) = lame_constants(fit.inner, fit.plane);
-    let (lo, mo) = lame_constants(fit.outer, fit.plane);
-    let [a, b, c] = [fit.bore, fit.interface, fit.outside];
+fn mismatch_pressure(fit: &PressFit, plane: Plane) -> f64 {
+    let [(li, mi), (lo, mo)] = fit.materials.map(|material| lame_constants(material, plane));
+    let [a, b, c] = fit.radii;
     let radial = |lambda: f64, mu: f64, r: f64| (2.0 * (lambda + mu), -2.0 * mu / r.powi(2));
     let (ia, ib) = (radial(li, mi, a), radial(li, mi, b));
     let (ob, oc) = (radial(lo, mo, b), radial(lo, mo, c));
@@ -271,17 +258,17 @@ fn mismatch_pressure(fit: &PressFit) -> f64 {
 #[test]
 fn press_fit_pressure_closes_the_mismatch_of_the_rings() {
     for plane in [Plane::Stress, Plane::Strain] {
-        let fit = PressFit { plane, ..FIT };
-        assert_relative_eq!(fit.pressure(), mismatch_pressure(&fit), max_relative = 1e-11);
+        let fit = PressFit { shape: Shape::of_ring(plane), ..FIT };
+        assert_relative_eq!(fit.pressure(), mismatch_pressure(&fit, plane), max_relative = 1e-11);
     }
 }
 
 #[test]
 fn bars_carry_nothing_until_the_gap_is_closed() {
-    let at = |displacement: f64| Bars { displacement, ..BARS }.force();
+    let at = |displacement: f64| Uniform::bars(1000.0, 5.0, [30.0, 20.0], 0.1, displacement).resultant;
 
     assert_abs_diff_eq!(at(-1.0), 0.0);
-    assert_abs_diff_eq!(at(BARS.gap), 0.0);
+    assert_abs_diff_eq!(at(0.1), 0.0);
     // Springs in series: k = 1/(L1/EA + L2/EA).
     let (first, second) = (30.0 / 5000.0, 20.0 / 5000.0);
     assert_relative_eq!(at(0.3), 0.2 / (first + second), max_relative = 1e-14);
@@ -293,7 +280,7 @@ fn flat_punch_keeps_the_surface_flat_and_carries_its_load() {
 
     for s in [0.1237, 0.4561, 0.8017] {
         let slope = hilbert(a, s * a, |x| PUNCH.pressure(x));
-        assert_abs_diff_eq!(slope / PUNCH.centre_pressure(), 0.0, epsilon = 1e-6);
+        assert_abs_diff_eq!(slope / PUNCH.pressure(0.0), 0.0, epsilon = 1e-6);
     }
     let load = integral(-FRAC_PI_2, FRAC_PI_2, 100, |t| PUNCH.pressure(a * t.sin()) * a * t.cos());
     assert_relative_eq!(load, PUNCH.load, max_relative = 1e-12);
@@ -309,7 +296,9 @@ const QUANTITIES: [Quantity; 6] = [
 ];
 
 fn sound() -> [Box<dyn Oracle>; 7] {
-    [Box::new(HERTZ), Box::new(PIN), Box::new(FIT), Box::new(BARS), Box::new(PUNCH), Box::new(PATCH), Box::new(BLOCK)]
+    let bars = Uniform::bars(1000.0, 5.0, [30.0, 20.0], 0.1, 0.3);
+    let (patch, block) = (Uniform::patch(7.0, 3.0), Uniform::own_weight(7.7e-5, 100.0, 40.0));
+    [Box::new(HERTZ), Box::new(PIN), Box::new(FIT), Box::new(bars), Box::new(PUNCH), Box::new(patch), Box::new(block)]
 }
 
 #[test]
@@ -340,26 +329,26 @@ fn spoiled(value: f64) -> Vec<(&'static str, Box<dyn Oracle>)> {
         ("load", Box::new(PinInHole { load: value, ..PIN })),
         ("modulus", Box::new(PinInHole { modulus: value, ..PIN })),
         ("poisson", Box::new(PinInHole { poisson: value, ..PIN })),
-        ("bore", Box::new(PressFit { bore: value, ..FIT })),
-        ("interface", Box::new(PressFit { interface: value, ..FIT })),
-        ("outside", Box::new(PressFit { outside: value, ..FIT })),
+        ("bore", Box::new(PressFit { radii: [value, 30.0, 50.0], ..FIT })),
+        ("interface", Box::new(PressFit { radii: [20.0, value, 50.0], ..FIT })),
+        ("outside", Box::new(PressFit { radii: [20.0, 30.0, value], ..FIT })),
         ("interference", Box::new(PressFit { interference: value, ..FIT })),
-        ("inner.young", Box::new(PressFit { inner: soft, ..FIT })),
-        ("outer.young", Box::new(PressFit { outer: soft, ..FIT })),
-        ("inner.poisson", Box::new(PressFit { inner: odd, ..FIT })),
-        ("outer.poisson", Box::new(PressFit { outer: odd, ..FIT })),
-        ("young", Box::new(Bars { young: value, ..BARS })),
-        ("section", Box::new(Bars { section: value, ..BARS })),
-        ("moved_length", Box::new(Bars { moved_length: value, ..BARS })),
-        ("fixed_length", Box::new(Bars { fixed_length: value, ..BARS })),
-        ("gap", Box::new(Bars { gap: value, ..BARS })),
+        ("inner.young", Box::new(PressFit { materials: [soft, STEEL], ..FIT })),
+        ("outer.young", Box::new(PressFit { materials: [STEEL, soft], ..FIT })),
+        ("inner.poisson", Box::new(PressFit { materials: [odd, STEEL], ..FIT })),
+        ("outer.poisson", Box::new(PressFit { materials: [STEEL, odd], ..FIT })),
+        ("young", Box::new(Uniform::bars(value, 5.0, [30.0, 20.0], 0.1, 0.3))),
+        ("section", Box::new(Uniform::bars(1000.0, value, [30.0, 20.0], 0.1, 0.3))),
+        ("moved_length", Box::new(Uniform::bars(1000.0, 5.0, [value, 20.0], 0.1, 0.3))),
+        ("fixed_length", Box::new(Uniform::bars(1000.0, 5.0, [30.0, value], 0.1, 0.3))),
+        ("gap", Box::new(Uniform::bars(1000.0, 5.0, [30.0, 20.0], value, 0.3))),
         ("load", Box::new(FlatPunch { load: value, ..PUNCH })),
         ("half_width", Box::new(FlatPunch { half_width: value, ..PUNCH })),
-        ("applied", Box::new(Uniform { applied: value, ..PATCH })),
-        ("width", Box::new(Uniform { width: value, ..PATCH })),
-        ("specific_weight", Box::new(OwnWeight { specific_weight: value, ..BLOCK })),
-        ("height", Box::new(OwnWeight { height: value, ..BLOCK })),
-        ("width", Box::new(OwnWeight { width: value, ..BLOCK })),
+        ("applied", Box::new(Uniform::patch(value, 3.0))),
+        ("width", Box::new(Uniform::patch(7.0, value))),
+        ("specific_weight", Box::new(Uniform::own_weight(value, 100.0, 40.0))),
+        ("height", Box::new(Uniform::own_weight(7.7e-5, value, 40.0))),
+        ("width", Box::new(Uniform::own_weight(7.7e-5, 100.0, value))),
     ]
 }
 

@@ -5,7 +5,7 @@ use contact_vv::mesh::Order;
 use contact_vv::oracle::ReferenceKind;
 use contact_vv::solve::Fitted;
 use contact_vv::solve::{Element, Ended};
-use contact_vv::study::refinement::{self, Numbers, curved, family, nested};
+use contact_vv::study::refinement::{self, Numbers, family, nested};
 use contact_vv::study::{Study, fields, fitted, measured};
 
 fn fails(judged: &[Judged]) -> usize {
@@ -49,13 +49,10 @@ fn an_order_on_curved_sides_that_is_lower_on_one_mesh_or_no_number_turns_red() {
         let level = |k: u32| {
             let errors =
                 powers.map(|power| 0.01 * 0.5_f64.powf(power * f64::from(k)) * if k == 2 { spoiled } else { 1.0 });
-            curved::Level { elements: 6 << k, dofs: 1, errors }
+            nested::Level { elements: 6 << k, dofs: 1, errors }
         };
-        let levels: Vec<curved::Level> = (0..4).map(level).collect();
-        let judged = judged(&Numbers::Rings(curved::Curved {
-            order,
-            series: Element::ALL.map(|element| (element, levels.clone())),
-        }));
+        let levels: Vec<nested::Level<2>> = (0..4).map(level).collect();
+        let judged = judged(&Numbers::Rings(order, Element::ALL.map(|element| (element, levels.clone()))));
         assert_eq!(judged.len(), 6);
         fails(&judged)
     };
@@ -70,12 +67,9 @@ fn an_order_on_curved_sides_that_is_lower_on_one_mesh_or_no_number_turns_red() {
 
 /// The checks of errors of truncated Hertz on four meshes: of the pressure, the half-width and the profile.
 fn orders(order: Order, peak: [f64; 4], width: [f64; 4], l2: [f64; 4]) -> Vec<Judged> {
-    let level = |k: usize| {
-        let (peak, width, l2) = (peak[k], width[k], l2[k]);
-        nested::Level { elements: 4 << k, dofs: 1, peak, width, l2, edge: 0.0 }
-    };
-    let series = nested::Series { order, levels: (0..4).map(level).collect() };
-    judged(&Numbers::Orders { series, load: 1e-12 })
+    let level = |k: usize| nested::Level { elements: 4 << k, dofs: 1, errors: [peak[k], width[k], l2[k]] };
+    let (levels, edges) = ((0..4).map(level).collect(), vec![0.0; 4]);
+    judged(&Numbers::Orders(nested::Series { order, levels, edges, load: 1e-12 }))
 }
 
 #[test]
@@ -151,9 +145,7 @@ fn stresses_that_do_not_carry_the_load_turn_red() {
     let judge =
         |field: &fields::Field| fails(&fields::Numbers::Field(Box::new(field.clone())).judge().expect("judged"));
     assert_eq!(judge(&field), 0);
-    for resultant in &mut field.resultants {
-        resultant.force *= 1.1;
-    }
+    field.resultants.iter_mut().for_each(|(.., force)| *force *= 1.1);
     assert_eq!(judge(&field), field.resultants.len());
     field.load = f64::NAN;
     assert_eq!(judge(&field), field.resultants.len());

@@ -14,7 +14,7 @@ use contact_vv::mesh::Mesh;
 use contact_vv::mesh::size::expected;
 use contact_vv::oracle::cross_code::Code;
 use contact_vv::oracle::cross_code::frozen::{Frozen, file};
-use contact_vv::oracle::digitised::{Digitised, OurPoint, compare};
+use contact_vv::oracle::digitised::{OurPoint, compare, load};
 use contact_vv::referee::export::deck;
 use contact_vv::referee::judge::ENGINEERING;
 use contact_vv::referee::read::parse;
@@ -104,7 +104,7 @@ pub fn curve(bytes: &[u8]) -> Result<(), Error> {
     for (name, default) in ["semi-ellipse.csv", "scene.toml", "provenance.toml"].into_iter().zip(defaults) {
         write(&folder.join(name), given.next().unwrap_or(default).as_bytes());
     }
-    if let Digitised::Present(curves) = Digitised::load(&folder)? {
+    if let Ok(curves) = load(&folder)? {
         curves.iter().for_each(|curve| drop(compare(curve, &|at| OurPoint { value: at, uncertainty: at })));
     }
     Ok(())

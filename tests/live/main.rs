@@ -8,7 +8,7 @@ mod revolution;
 mod truth;
 
 use contact_vv::study;
-use contact_vv::study::independent::benchmark::ASKED;
+use contact_vv::study::independent::run::ASKED;
 use contact_vv_live::LIVE;
 use libtest_mimic::Arguments;
 use truth::{Findings, counted, truth};

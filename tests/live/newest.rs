@@ -4,11 +4,11 @@ use std::path::Path;
 
 use contact_vv::error::Error;
 use contact_vv::oracle::cross_code::Code;
-use contact_vv::oracle::cross_code::frozen::Frozen;
+use contact_vv::oracle::cross_code::frozen::{Frozen, changed_versions};
 use contact_vv::oracle::cross_code::independent::{Asked, Folder, Independent};
 use contact_vv::study::cross_code::{Twin, problems};
 use contact_vv::study::differences::largest_change;
-use contact_vv::study::independent::benchmark::ASKED;
+use contact_vv::study::independent::run::ASKED;
 use contact_vv_live::newest;
 use libtest_mimic::{Completion, Failed, Trial};
 
@@ -28,7 +28,7 @@ fn answers(python: &Path) -> Result<Completion, Error> {
     let twins = problems().into_iter().map(|(name, order)| Twin::of(name, order)).collect::<Result<Vec<_>, _>>()?;
     let (now, answers) = newest::discrete(python, &twins)?;
     let same = |change: f64, name: &str| {
-        let differ = frozen.changed_versions(&now);
+        let differ = changed_versions(&frozen.versions, &now);
         assert!(change <= SOLVED, "{name}: dolfinx {} answers otherwise by {change:e}; {differ}", now["dolfinx"]);
     };
     for (twin, answer) in twins.iter().zip(&answers) {

@@ -11,11 +11,8 @@ use contact_vv::checkout::root;
 use contact_vv::oracle::cross_code::independent::{Asked, Independent, Script};
 use contact_vv::oracle::cross_code::{PhysicalAnswer, PhysicalScene, scripts};
 use contact_vv::study::Study;
-use contact_vv::study::answers::Answers;
-use contact_vv::study::differences::largest_change;
-use contact_vv::study::independent::benchmark::{LEVELS, Scene};
-use contact_vv::study::independent::found::Found;
-use contact_vv::study::independent::run::{Compared, compare};
+use contact_vv::study::differences::{Answers, largest_change};
+use contact_vv::study::independent::run::{Compared, Found, LEVELS, Scene, compare};
 use contact_vv_live::interpreter::INSTALLED;
 use contact_vv_live::newest::{self, Told};
 use libtest_mimic::{Completion, Trial};
@@ -109,7 +106,7 @@ fn all_pass(compared: &Compared) -> bool {
 fn with(compared: &Compared, script: Script, series: &[PhysicalAnswer]) -> Compared {
     let mut other = compared.clone();
     for one in other.others.iter_mut().filter(|one| one.script == script) {
-        one.found = Found::of(script.name(), series).expect("three meshes");
+        one.found = Found::of(script.title(), series).expect("three meshes");
     }
     other
 }

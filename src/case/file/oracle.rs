@@ -12,16 +12,14 @@ use crate::error::Error;
 use crate::oracle::SharedOracle;
 use crate::oracle::analytic::even_gap::EvenGap;
 use crate::oracle::analytic::hertz::Hertz;
-use crate::oracle::analytic::lame::PressFit;
 use crate::oracle::analytic::on_arc::OnArc;
 use crate::oracle::analytic::persson::PinInHole;
 use crate::oracle::analytic::punch::FlatPunch;
 use crate::oracle::analytic::revolution::indentation::Indentation;
-use crate::oracle::analytic::revolution::shell::{self, Fitted, Shell};
 use crate::oracle::analytic::revolution::sphere::Sphere;
+use crate::oracle::analytic::shell::{PressFit, Shape};
 use crate::oracle::analytic::uniform::Uniform;
 use crate::oracle::analytic::waves::Waves;
-use crate::oracle::analytic::{bars, weight};
 use crate::scene::{ContactPair, Path, Scene};
 
 /// Terms of the series of a rounded wedge.
@@ -118,25 +116,18 @@ pub(super) fn read(given: Value, scene: &Scene, contact: usize) -> Result<Shared
         }
         "lame" => Arc::new(lame(t, scene, pair)?),
         "flat-punch" => Arc::new(FlatPunch { load: load()?, half_width: length("half-width")? }),
-        "uniform" => {
-            Arc::new(Uniform { applied: units.stress * t.at("pressure").positive()?, width: length("width")? })
-        }
+        "uniform" => Arc::new(Uniform::patch(units.stress * t.at("pressure").positive()?, length("width")?)),
         "bars" => {
             let [moved, fixed] = t.at("lengths").exactly()?;
-            Arc::new(bars::Bars {
-                young: scene.bodies[pair.first].material.young,
-                section: length("width")?,
-                moved_length: moved.length()?,
-                fixed_length: fixed.length()?,
-                gap: units.length * t.at("gap").within("a gap of 0 or more", |gap| gap >= 0.0)?,
-                displacement: length("push")?,
-            })
+            let (young, section) = (scene.bodies[pair.first].material.young, length("width")?);
+            let lengths = [moved.length()?, fixed.length()?];
+            let gap = units.length * t.at("gap").within("a gap of 0 or more", |gap| gap >= 0.0)?;
+            Arc::new(Uniform::bars(young, section, lengths, gap, length("push")?))
         }
-        "own-weight" => Arc::new(weight::OwnWeight {
-            specific_weight: units.specific_weight() * t.at("weight").positive()?,
-            height: length("height")?,
-            width: length("width")?,
-        }),
+        "own-weight" => {
+            let specific_weight = units.specific_weight() * t.at("weight").positive()?;
+            Arc::new(Uniform::own_weight(specific_weight, length("height")?, length("width")?))
+        }
         "polynomial" => {
             let coefficients = coefficients()?;
             let gap = |a| EvenGap::polynomial(modulus, a, coefficients);
@@ -168,33 +159,24 @@ pub(super) fn read(given: Value, scene: &Scene, contact: usize) -> Result<Shared
 
 fn lame(t: Value, scene: &Scene, pair: &ContactPair) -> Result<PressFit, Error> {
     let [bore, interface, outside] = t.at("radii").exactly()?;
-    let [inner, outer] = rings(pair).map(|body| scene.bodies[body].material);
+    let materials = rings(pair).map(|body| scene.bodies[body].material);
     let bore = bore.within("a radius of 0 or more", |radius| radius >= 0.0)?;
-    Ok(PressFit {
-        bore: t.units.length * bore,
-        interface: interface.length()?,
-        outside: outside.length()?,
-        interference: t.at("interference").length()?,
-        inner,
-        outer,
-        plane: scene.plane,
-    })
+    let radii = [t.units.length * bore, interface.length()?, outside.length()?];
+    let (shape, interference) = (Shape::of_ring(scene.plane), t.at("interference").length()?);
+    Ok(PressFit { shape, radii, interference, materials })
 }
 
 /// Rings of free ends about y = 0 that touch along a line of the shaft, or spheres about one centre on the axis.
 fn lame_of_revolution(t: Value, (scene, pair): (&Scene, &ContactPair), radial: usize) -> Result<SharedOracle, Error> {
     let fit = lame(t, scene, pair)?;
     match pair.path {
-        Path::Straight(_) if radial == 1 => return Ok(Arc::new(fit)),
-        Path::Arc(_) if radial == 0 => {}
+        Path::Straight(_) if radial == 1 => Ok(Arc::new(fit)),
+        Path::Arc(_) if radial == 0 => Ok(Arc::new(PressFit { shape: Shape::Sphere, ..fit })),
         _ => {
             let message = "`lame` is of rings about y = 0 along a straight path, and of spheres along an arc about a centre on the axis";
-            return Err(t.refused(message, "give checks a `value` instead"));
+            Err(t.refused(message, "give checks a `value` instead"))
         }
     }
-    let shell = |radii, material| Shell { shape: shell::Shape::Sphere, radii, pressures: [0.0; 2], material };
-    let (inner, outer) = (shell([fit.bore, fit.interface], fit.inner), shell([fit.interface, fit.outside], fit.outer));
-    Ok(Arc::new(Fitted { inner, outer, interference: fit.interference }))
 }
 
 /// The inner and the outer ring of a contact.

@@ -2,7 +2,7 @@
 
 use crate::case::library::shared::{block, even, flat_contact, moved};
 use crate::case::{Against, Case, Check, Quantity};
-use crate::oracle::analytic::bars as analytic;
+use crate::oracle::analytic::uniform::Uniform;
 use crate::scene::{Face, Material, PlaneHypothesis, ReferenceValues, Scene};
 use crate::solve::{Element, Formulation, Iteration};
 
@@ -61,14 +61,7 @@ const INCREMENTS: [usize; 3] = [1, 2, 7];
 impl Bars {
     /// The case, with its bilinear law.
     pub fn case(&self) -> Case {
-        let oracle = analytic::Bars {
-            young: self.young,
-            section: 2.0 * self.width,
-            moved_length: self.length,
-            fixed_length: self.length,
-            gap: self.gap,
-            displacement: self.push * self.gap,
-        };
+        let oracle = Uniform::bars(self.young, 2.0 * self.width, [self.length; 2], self.gap, self.push * self.gap);
         Case::of("bars", TITLE, self.scene(), 2).against(oracle)
     }
 }

@@ -33,7 +33,7 @@ pub use patch::Patch;
 pub use pin_plate::PinPlate;
 pub use pin_rod::PinRod;
 pub use press_fit::PressFit;
-pub use shared::ARC_UNIT;
+pub use shared::{ARC_UNIT, body, fixed};
 pub use sphere::Sphere;
 pub use truncated_hertz::TruncatedHertz;
 

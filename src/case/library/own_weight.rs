@@ -3,7 +3,7 @@
 use crate::case::library::shared::{block, even, flat_contact, symmetry};
 use crate::case::{Against, Case, Check, Quantity};
 use crate::mesh::{Order, Resolution};
-use crate::oracle::analytic::weight;
+use crate::oracle::analytic::uniform::Uniform;
 use crate::scene::{Face, Load, Material, PlaneHypothesis, ReferenceValues, Scene};
 
 /// A block standing on a rigid plane under its own weight, its sides guided so that it only shortens.
@@ -53,7 +53,7 @@ impl OwnWeight {
 
     /// The case, with `p = ρ g H`.
     pub fn case(&self) -> Case {
-        let oracle = weight::OwnWeight { specific_weight: self.weight, height: self.height, width: 2.0 * self.width };
+        let oracle = Uniform::own_weight(self.weight, self.height, 2.0 * self.width);
         Case::of("own-weight", TITLE, self.scene(), 4).against(oracle)
     }
 }

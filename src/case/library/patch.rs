@@ -59,7 +59,7 @@ const UNEVEN: [f64; 5] = [1.0, 30.0, 5.0, 100.0, 10.0];
 impl Patch {
     /// The case of all nine, with its closed form `p = q`.
     pub fn case(&self) -> Case {
-        let oracle = Uniform { applied: self.pressure, width: 2.0 * self.side };
+        let oracle = Uniform::patch(self.pressure, 2.0 * self.side);
         Case::of("patch", TITLE, self.scene(), 3).against(oracle)
     }
 }

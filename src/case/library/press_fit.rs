@@ -3,7 +3,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use crate::case::library::shared::{body, even, fixed, symmetry};
 use crate::case::{Against, Case, Check, Quantity};
-use crate::oracle::analytic::lame;
+use crate::oracle::analytic::shell;
 use crate::scene::{
     Circle, Component, ContactPair, Face, Material, Path, PlaneHypothesis, Profile, ReferenceValues, Scene, Shape,
 };
@@ -72,17 +72,14 @@ impl PressFit {
 
     /// The case, with Lamé's solution.
     pub fn case(&self) -> Case {
-        let [inner, outer] = self.materials;
-        let oracle = lame::PressFit {
-            bore: self.inner,
-            interface: self.interface,
-            outside: self.outer,
-            interference: self.interference,
-            inner,
-            outer,
-            plane: self.plane,
-        };
-        Case::of("press-fit", TITLE, self.scene(), 32).against(oracle)
+        Case::of("press-fit", TITLE, self.scene(), 32).against(self.closed_form())
+    }
+
+    /// Lamé's solution.
+    pub fn closed_form(&self) -> shell::PressFit {
+        let &Self { inner, interface, outer, interference, materials, plane } = self;
+        let (shape, radii) = (shell::Shape::of_ring(plane), [inner, interface, outer]);
+        shell::PressFit { shape, radii, interference, materials }
     }
 }
 

@@ -11,7 +11,7 @@ use crate::scene::{
 pub const ARC_UNIT: f64 = 10.0;
 
 /// A component prescribed on a named boundary \[mm\].
-pub(super) fn fixed(boundary: &'static str, component: Component, value: f64) -> Support {
+pub fn fixed(boundary: &'static str, component: Component, value: f64) -> Support {
     Support { at: Place::Boundary(boundary.into()), component, value }
 }
 
@@ -21,7 +21,7 @@ pub(super) fn symmetry(boundary: &'static str) -> Support {
 }
 
 /// A body whose elements on the contact are as large as those of the other one.
-pub(super) fn body(name: &str, shape: Shape, material: Material, supports: Vec<Support>, loads: Vec<Load>) -> Body {
+pub fn body(name: &str, shape: Shape, material: Material, supports: Vec<Support>, loads: Vec<Load>) -> Body {
     Body { name: name.into(), shape, material, density: 1.0, supports, loads }
 }
 

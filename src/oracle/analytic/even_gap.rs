@@ -148,12 +148,12 @@ fn elliptic(x: f64, z: f64) -> (f64, f64) {
 }
 
 impl Oracle for EvenGap {
-    fn name(&self) -> &str {
-        "even gap on a half-plane"
-    }
-
     fn source(&self) -> Source {
-        Source::new("Johnson, Contact Mechanics, 1985, §2.7", "Glauert's integral, term by term")
+        Source::new(
+            "even gap on a half-plane",
+            "Johnson, Contact Mechanics, 1985, §2.7",
+            "Glauert's integral, term by term",
+        )
     }
 
     fn read(&self, quantity: &Quantity) -> Reading {

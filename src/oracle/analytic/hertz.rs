@@ -76,12 +76,9 @@ fn elliptic(a: f64, x: f64, z: f64) -> (f64, f64) {
 }
 
 impl Oracle for Hertz {
-    fn name(&self) -> &str {
-        "Hertz"
-    }
-
     fn source(&self) -> Source {
         Source::new(
+            "Hertz",
             "H. Hertz 1882; K. L. Johnson, Contact Mechanics, 1985, §4.2",
             "re-derived; interior stresses checked against integration of Flamant's solution",
         )

@@ -4,29 +4,25 @@
 //! * [`even_gap`]: a rigid profile of even gap on a half-plane, and the stresses below it.
 //! * [`persson`]: a pin in a hole with clearance.
 //! * [`on_arc`]: one of a straight line, read on an arc.
-//! * [`lame`]: press fit of two rings.
+//! * [`shell`]: Lamé's thick rings, cylinders and spheres, alone and fitted.
 //! * [`michell`]: a ring under a harmonic of pressure.
-//! * [`bars`]: two bars closing a gap.
 //! * [`punch`]: a rigid flat punch on a half-plane.
-//! * [`revolution`]: bodies of revolution on a half-space, and thick shells.
-//! * [`uniform`]: a patch under uniform pressure.
+//! * [`revolution`]: bodies of revolution on a half-space.
+//! * [`uniform`]: one pressure all over: a patch, a block under its own weight, two bars closing a gap.
 //! * [`waves`]: a sinusoidal gap on a half-plane.
-//! * [`weight`]: a block under its own weight.
 
 use super::{Quantity, Reading};
 
-pub mod bars;
 pub mod even_gap;
 pub mod hertz;
-pub mod lame;
 pub mod michell;
 pub mod on_arc;
 pub mod persson;
 pub mod punch;
 pub mod revolution;
+pub mod shell;
 pub mod uniform;
 pub mod waves;
-pub mod weight;
 
 pub use crate::scene::PlaneHypothesis as Plane;
 
@@ -38,6 +34,7 @@ const SECTIONS: usize = 60;
 const HALVINGS: usize = 200;
 
 /// A parameter of a closed form and whether it may hold the value it has.
+#[derive(Clone, Copy, Debug)]
 struct Parameter {
     name: &'static str,
     value: f64,
@@ -76,16 +73,6 @@ fn answer(mut parameters: Vec<Parameter>, quantity: &Quantity, value: f64) -> Re
     let given: Vec<String> =
         parameters.iter().map(|parameter| format!("{} = {}", parameter.name, parameter.value)).collect();
     Reading::Unavailable(format!("no finite value with {}", given.join(", ")))
-}
-
-/// A quantity of a contact under one pressure everywhere.
-fn uniform_answer(parameters: Vec<Parameter>, quantity: &Quantity, pressure: f64, resultant: f64) -> Reading {
-    let value = match quantity {
-        Quantity::Resultant => resultant,
-        Quantity::PeakPressure | Quantity::Pressure { .. } => pressure,
-        _ => return Reading::Silent,
-    };
-    answer(parameters, quantity, value)
 }
 
 /// Where a function is largest between two places, about the second of which it is even: the best of many, then a golden section.

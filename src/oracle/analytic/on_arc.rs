@@ -24,10 +24,6 @@ impl OnArc {
 }
 
 impl Oracle for OnArc {
-    fn name(&self) -> &str {
-        self.straight.name()
-    }
-
     fn kind(&self) -> ReferenceKind {
         self.straight.kind()
     }

@@ -155,12 +155,9 @@ fn bisect(mut low: f64, mut high: f64, target: f64) -> f64 {
 }
 
 impl Oracle for PinInHole {
-    fn name(&self) -> &str {
-        "Persson"
-    }
-
     fn source(&self) -> Source {
         Source::new(
+            "Persson",
             "B. G. A. Persson, On the stress distribution of cylindrical elastic bodies in contact, 1964; \
              M. Ciavarella and P. Decuzzi, Int. J. Solids Struct. 38, 2001",
             "re-derived from the Michell series, originals not at hand; checked by equilibrium",

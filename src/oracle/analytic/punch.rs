@@ -26,11 +26,6 @@ impl FlatPunch {
         self.load / (PI * inside.sqrt())
     }
 
-    /// Pressure at the centre `p(0) = P / πa` \[MPa\].
-    pub fn centre_pressure(&self) -> f64 {
-        self.pressure(0.0)
-    }
-
     /// Stresses `[σ_x, σ_z, τ_xz]` \[MPa\] in the half-plane; `x` right, `z ≥ 0` into the body \[mm\], tension positive.
     ///
     /// Flamant's solution, integrated: with `ζ = x + iz` and `F = ∫ p ds/(s − ζ) = −P/√(ζ² − a²)`,
@@ -63,12 +58,9 @@ impl FlatPunch {
 }
 
 impl Oracle for FlatPunch {
-    fn name(&self) -> &str {
-        "flat punch"
-    }
-
     fn source(&self) -> Source {
         Source::new(
+            "flat punch",
             "M. Sadowsky 1928; K. L. Johnson, Contact Mechanics, 1985, §2.8",
             "re-derived, originals not at hand; checked by equilibrium",
         )

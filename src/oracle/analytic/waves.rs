@@ -75,12 +75,8 @@ impl Waves {
 }
 
 impl Oracle for Waves {
-    fn name(&self) -> &str {
-        "Westergaard"
-    }
-
     fn source(&self) -> Source {
-        Source::new("Westergaard 1939; Johnson, Contact Mechanics, 1985, §13.2", "as printed")
+        Source::new("Westergaard", "Westergaard 1939; Johnson, Contact Mechanics, 1985, §13.2", "as printed")
     }
 
     fn read(&self, quantity: &Quantity) -> Reading {

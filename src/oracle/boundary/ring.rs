@@ -11,6 +11,7 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::oracle::analytic::Plane;
 use crate::oracle::analytic::michell::{Harmonic, Side};
+use crate::oracle::analytic::shell::{Shape, Shell};
 use crate::scene::{Material, Profile};
 
 /// Polynomials of the pressure.
@@ -51,27 +52,24 @@ pub struct OnPin {
 impl Ring {
     /// `c_n` of pressures on the inside \[mm/MPa\]; 0 for n = 1.
     fn compliance(&self, n: usize) -> f64 {
-        let [inner, outer] = self.radii;
-        let (beta, kappa) = (outer / inner, self.plane.kolosov(self.poisson));
-        let scale = inner * (1.0 + self.poisson) / self.young;
-        if n == 0 {
-            // A/r² + 2C is −1 on the inside, 0 outside.
-            let c = 0.5 / (beta * beta - 1.0);
-            return scale * (2.0 * c * beta * beta + (kappa - 1.0) * c);
+        match n {
+            0 => self.under([1.0, 0.0]),
+            1 => 0.0,
+            _ => {
+                let pressed = Harmonic::pressed(n, Side::Inside, self.radii, self.material(), self.plane);
+                pressed.displacement(self.radii[0])[0]
+            }
         }
-        if n == 1 {
-            return 0.0;
-        }
-        let material = Material { young: self.young, poisson: self.poisson };
-        Harmonic::pressed(n, Side::Inside, self.radii, material, self.plane).displacement(inner)[0]
     }
 
-    /// How far the inside moves outwards under the pressure on the outside \[mm\].
-    fn under_pressure(&self) -> f64 {
-        let [inner, outer] = self.radii;
-        let (square, kappa) = ((outer / inner).powi(2), self.plane.kolosov(self.poisson));
-        let c = 0.5 * square / (1.0 - square);
-        inner * (1.0 + self.poisson) / self.young * (2.0 * c + (kappa - 1.0) * c) * self.pressure
+    fn material(&self) -> Material {
+        Material { young: self.young, poisson: self.poisson }
+    }
+
+    /// How far the inside moves outwards under pressures inside and outside \[mm\].
+    fn under(&self, pressures: [f64; 2]) -> f64 {
+        let (shape, material) = (Shape::of_ring(self.plane), self.material());
+        Shell { shape, radii: self.radii, pressures, material }.displacement(self.radii[0])
     }
 
     /// The contact of a half-angle \[rad\] with a pin in it, whose gap is measured on the ring; none where the pressure is not
@@ -98,7 +96,7 @@ impl Ring {
         let place = |i: usize| 2.0 * (half.sin() * (0.5 * PI * (i as f64 + 0.5) / (TERMS + 1) as f64).cos()).asin();
         let mut matrix = DMatrix::zeros(TERMS + 1, TERMS + 1);
         let mut right = DVector::zeros(TERMS + 1);
-        let uniform = self.under_pressure();
+        let uniform = self.under([0.0, self.pressure]);
         for i in 0..=TERMS {
             for (k, value) in moved(place(i)).into_iter().enumerate() {
                 matrix[(i, k)] = value;

@@ -130,11 +130,6 @@ impl Frozen {
     pub fn write(&self, code: Code) -> Result<(), Error> {
         write_json(&file(code), self)
     }
-
-    /// The versions that differ from those of a live run, as `numpy 1.24.2, now 1.26.0`.
-    pub fn changed_versions(&self, now: &BTreeMap<String, String>) -> String {
-        changed_versions(&self.versions, now)
-    }
 }
 
 /// The versions that differ from those of a live run, as `numpy 1.24.2, now 1.26.0`.

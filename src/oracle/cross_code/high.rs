@@ -4,35 +4,27 @@
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
-use serde::{Deserialize, Serialize};
+use serde::Deserialize;
 
 use crate::checkout::root;
 use crate::error::Error;
+use crate::named::named_enum;
 use crate::oracle::cross_code::frozen::Answered;
 
 /// What asks the scripts again.
 pub const ASK_AGAIN: &str = "run `/usr/bin/python3 oracles/high/freeze.py`, and review the diff";
 
-/// A way to an answer of high order.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Way {
-    /// Potentials of discs and holes in closed form, and pressures that are a root times a polynomial.
-    Boundary,
-    /// Curved cells of order 8, a vertex at the end of the contact, multipliers.
-    FiniteElements,
-}
-
-impl Way {
-    /// All.
-    pub const ALL: [Self; 2] = [Self::Boundary, Self::FiniteElements];
-
-    /// Code and method in words.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Boundary => "numpy, complex potentials",
-            Self::FiniteElements => "NGSolve, order 8",
-        }
+named_enum! {
+    /// A way to an answer of high order; its title is code and method in words.
+    pub enum Way {
+        /// numpy, complex potentials.
+        ///
+        /// Potentials of discs and holes in closed form, and pressures that are a root times a polynomial.
+        Boundary = "boundary",
+        /// NGSolve, order 8.
+        ///
+        /// Curved cells, a vertex at the end of the contact, multipliers.
+        FiniteElements = "finite_elements",
     }
 }
 

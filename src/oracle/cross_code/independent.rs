@@ -9,50 +9,34 @@ use serde::{Deserialize, Serialize};
 
 use crate::checkout::root;
 use crate::error::Error;
+use crate::named::named_enum;
 use crate::oracle::cross_code::frozen::{REFREEZE, hash_of, read_json, write_json};
 use crate::oracle::cross_code::{PhysicalAnswer, PhysicalScene};
 
-/// A folder under `oracles`: one code, and a script that shares nothing with those of the others.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Folder {
-    /// scikit-fem.
-    ScikitFem,
-    /// dolfinx, the solver of FEniCSx.
-    Dolfinx,
-    /// The half-plane's influence function, in numpy alone.
-    Boundary,
-    /// GetFEM.
-    Getfem,
-    /// CalculiX.
-    Calculix,
+named_enum! {
+    /// A folder under `oracles`: one code, which is its title, and a script that shares nothing with those of the others.
+    pub enum Folder {
+        /// scikit-fem.
+        ScikitFem = "scikit-fem",
+        /// dolfinx.
+        ///
+        /// The solver of FEniCSx.
+        Dolfinx = "dolfinx",
+        /// numpy.
+        ///
+        /// The half-plane's influence function.
+        Boundary = "boundary",
+        /// GetFEM.
+        Getfem = "getfem",
+        /// CalculiX.
+        Calculix = "calculix",
+    }
 }
 
 impl Folder {
-    /// All.
-    pub const ALL: [Self; 5] = [Self::ScikitFem, Self::Dolfinx, Self::Boundary, Self::Getfem, Self::Calculix];
-
-    /// The code.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::ScikitFem => "scikit-fem",
-            Self::Dolfinx => "dolfinx",
-            Self::Boundary => "numpy",
-            Self::Getfem => "GetFEM",
-            Self::Calculix => "CalculiX",
-        }
-    }
-
     /// Where it is.
     pub fn path(self) -> PathBuf {
-        let name = match self {
-            Self::ScikitFem => "scikit_fem",
-            Self::Dolfinx => "dolfinx",
-            Self::Boundary => "boundary",
-            Self::Getfem => "getfem",
-            Self::Calculix => "calculix",
-        };
-        root().join("oracles").join(name)
+        root().join("oracles").join(self.name().replace('-', "_"))
     }
 
     /// Whether the set-up of the tests installs the code; the others answer in a process of their own, when the answers are frozen.
@@ -61,65 +45,74 @@ impl Folder {
     }
 }
 
-/// A script by one of its methods.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Script {
-    /// dolfinx: a penalty written in UFL.
-    Ufl,
-    /// dolfinx 0.11: the same between two bodies, on pairs of facets.
-    Pairs,
-    /// scikit-fem: a penalty in facet forms.
-    Facets,
-    /// scikit-fem: Nitsche's method, without penalty.
-    Nitsche,
-    /// numpy: a boundary method on the elastic half-plane.
-    HalfPlane,
-    /// GetFEM: an augmented Lagrangian in its weak form language.
-    Augmented,
-    /// CalculiX: gap elements between facing nodes.
-    Gaps,
+named_enum! {
+    /// A script by one of its methods; its title is code and method in words.
+    pub enum Script {
+        /// dolfinx, UFL penalty.
+        Ufl = "ufl",
+        /// dolfinx, UFL penalty on facet pairs.
+        ///
+        /// Between two bodies; dolfinx 0.11.
+        Pairs = "pairs",
+        /// scikit-fem, facet penalty.
+        Facets = "facets",
+        /// scikit-fem, Nitsche.
+        ///
+        /// Without penalty.
+        Nitsche = "nitsche",
+        /// half-plane, boundary method.
+        ///
+        /// In numpy alone.
+        HalfPlane = "half-plane",
+        /// GetFEM, augmented Lagrangian.
+        ///
+        /// In its weak form language.
+        Augmented = "augmented",
+        /// CalculiX, gap elements.
+        ///
+        /// Between facing nodes.
+        Gaps = "gaps",
+    }
 }
 
-impl Script {
-    /// All.
-    pub const ALL: [Self; 7] =
-        [Self::Ufl, Self::Pairs, Self::Facets, Self::Nitsche, Self::HalfPlane, Self::Augmented, Self::Gaps];
+/// Scenes of one body, and pins.
+const CYLINDERS: &[&str] = &["cylinder", "truncated-hertz"];
+const PINS: &[&str] = &["pin-rod", "pin-plate"];
+const ALL_CASES: &[&str] = &["cylinder", "truncated-hertz", "pin-rod", "pin-plate"];
 
-    /// Its folder.
-    pub fn folder(self) -> Folder {
+impl Script {
+    /// Folder, Python module, the method that this is asked for, and the cases that it solves: a script of one body solves no pin, the
+    /// half-plane has no other surface, and GetFEM and CalculiX are asked where no closed form is exact.
+    fn asked(self) -> (Folder, &'static str, &'static str, &'static [&'static str]) {
         match self {
-            Self::Ufl | Self::Pairs => Folder::Dolfinx,
-            Self::Facets | Self::Nitsche => Folder::ScikitFem,
-            Self::HalfPlane => Folder::Boundary,
-            Self::Augmented => Folder::Getfem,
-            Self::Gaps => Folder::Calculix,
+            Self::Ufl => (Folder::Dolfinx, "ufl_penalty", "penalty", CYLINDERS),
+            Self::Pairs => (Folder::Dolfinx, "facet_pairs", "pairs", PINS),
+            Self::Facets => (Folder::ScikitFem, "facet_forms", "penalty", ALL_CASES),
+            Self::Nitsche => (Folder::ScikitFem, "facet_forms", "nitsche", ALL_CASES),
+            Self::HalfPlane => (Folder::Boundary, "half_plane", "boundary", &["truncated-hertz"]),
+            Self::Augmented => (Folder::Getfem, "augmented", "augmented", PINS),
+            Self::Gaps => (Folder::Calculix, "gap_elements", "gaps", PINS),
         }
     }
 
-    /// Code and method in words.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Ufl => "dolfinx, UFL penalty",
-            Self::Pairs => "dolfinx, UFL penalty on facet pairs",
-            Self::Facets => "scikit-fem, facet penalty",
-            Self::Nitsche => "scikit-fem, Nitsche",
-            Self::HalfPlane => "half-plane, boundary method",
-            Self::Augmented => "GetFEM, augmented Lagrangian",
-            Self::Gaps => "CalculiX, gap elements",
-        }
+    /// Its folder.
+    pub fn folder(self) -> Folder {
+        self.asked().0
+    }
+
+    /// Its Python module.
+    pub fn module(self) -> &'static str {
+        self.asked().1
     }
 
     /// The method that its module is asked for.
     pub fn method(self) -> &'static str {
-        match self {
-            Self::Ufl | Self::Facets => "penalty",
-            Self::Pairs => "pairs",
-            Self::Nitsche => "nitsche",
-            Self::HalfPlane => "boundary",
-            Self::Augmented => "augmented",
-            Self::Gaps => "gaps",
-        }
+        self.asked().2
+    }
+
+    /// Whether it solves a scene.
+    pub fn serves(self, scene: &PhysicalScene) -> bool {
+        self.asked().3.contains(&scene.case.as_str())
     }
 
     /// Whether its springs are of a finite stiffness that is felt.
@@ -131,35 +124,11 @@ impl Script {
     pub fn is_set_up(self) -> bool {
         self.folder().is_set_up() && self != Self::Pairs
     }
-
-    /// Whether it solves a scene: a script of one body solves no pin, the half-plane has no other surface, and GetFEM and CalculiX are
-    /// asked where no closed form is exact.
-    pub fn serves(self, scene: &PhysicalScene) -> bool {
-        let cases: &[&str] = match self {
-            Self::Ufl => &["cylinder", "truncated-hertz"],
-            Self::Facets | Self::Nitsche => &["cylinder", "truncated-hertz", "pin-rod", "pin-plate"],
-            Self::HalfPlane => &["truncated-hertz"],
-            Self::Pairs | Self::Augmented | Self::Gaps => &["pin-rod", "pin-plate"],
-        };
-        cases.contains(&scene.case.as_str())
-    }
-
-    /// Its Python module.
-    pub fn module(self) -> &'static str {
-        match self {
-            Self::Ufl => "ufl_penalty",
-            Self::Pairs => "facet_pairs",
-            Self::Facets | Self::Nitsche => "facet_forms",
-            Self::HalfPlane => "half_plane",
-            Self::Augmented => "augmented",
-            Self::Gaps => "gap_elements",
-        }
-    }
 }
 
 impl fmt::Display for Script {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(self.name())
+        f.pad(self.title())
     }
 }
 

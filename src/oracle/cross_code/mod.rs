@@ -17,42 +17,23 @@ pub mod process;
 pub mod revolution;
 
 use std::collections::BTreeMap;
-use std::fmt;
 use std::path::PathBuf;
 
 use serde::{Deserialize, Serialize};
 
 use crate::checkout::root;
+use crate::named::named_enum;
 
 /// What installs the Python side.
 pub const SET_UP: &str = "run `bash oracles/setup.sh`";
 
-/// A finite element code that is not ours.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Code {
-    /// scikit-fem (Gustafsson & McBain 2020).
-    ScikitFem,
-    /// dolfinx, the solver of FEniCSx (Baratta et al. 2023).
-    Dolfinx,
-}
-
-impl Code {
-    /// Both.
-    pub const ALL: [Self; 2] = [Self::ScikitFem, Self::Dolfinx];
-
-    /// Its name.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::ScikitFem => "scikit-fem",
-            Self::Dolfinx => "dolfinx",
-        }
-    }
-}
-
-impl fmt::Display for Code {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(self.name())
+named_enum! {
+    /// A finite element code that is not ours.
+    pub enum Code {
+        /// scikit-fem (Gustafsson & McBain 2020).
+        ScikitFem = "scikit-fem",
+        /// dolfinx, the solver of FEniCSx (Baratta et al. 2023).
+        Dolfinx = "dolfinx",
     }
 }
 

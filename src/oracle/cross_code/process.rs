@@ -14,13 +14,9 @@ use crate::error::Error;
 const PYTHON: &str = "/usr/bin/python3";
 /// What the scripts end with where their code is not installed.
 const MISSING: i32 = 3;
-/// What a script printed; nothing where its code is not installed, with the reason.
-pub enum Told {
-    /// The objects, one a line.
-    Lines(Vec<Value>),
-    /// Why there are none.
-    Absent(String),
-}
+
+/// The objects that a script printed, one a line; why there are none where its code is not installed.
+pub type Told = Result<Vec<Value>, String>;
 
 /// Runs a script under `oracles/peers`.
 pub fn run(script: &str, arguments: &[String], request: &str) -> Result<Told, Error> {
@@ -38,7 +34,7 @@ pub fn run_by(python: &Path, script: &Path, arguments: &[String], request: &str)
         .stdout(Stdio::piped())
         .stderr(Stdio::piped())
         .spawn();
-    let Ok(mut child) = started else { return Ok(Told::Absent(format!("{} is missing", python.display()))) };
+    let Ok(mut child) = started else { return Ok(Err(format!("{} is missing", python.display()))) };
     let input = child.stdin.take();
     // Written beside what is read: a script that answers line by line would wait for its answers to be read. One that has ended already
     // says why itself.
@@ -49,12 +45,12 @@ pub fn run_by(python: &Path, script: &Path, arguments: &[String], request: &str)
     let output = output.map_err(|error| failed(error.to_string()))?;
     let said = String::from_utf8_lossy(&output.stderr).trim().to_owned();
     if output.status.code() == Some(MISSING) {
-        return Ok(Told::Absent(said));
+        return Ok(Err(said));
     }
     if !output.status.success() {
         return Err(failed(said.lines().last().unwrap_or("it failed without a word").to_owned()));
     }
     let text = String::from_utf8_lossy(&output.stdout).into_owned();
     let lines = text.lines().map(serde_json::from_str).collect::<Result<Vec<Value>, _>>();
-    lines.map(Told::Lines).map_err(|error| failed(error.to_string()))
+    lines.map(Ok).map_err(|error| failed(error.to_string()))
 }

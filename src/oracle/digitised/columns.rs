@@ -1,4 +1,4 @@
-//! The columns of a digitised curve's CSV file: exactly four, their units in their names.
+//! The columns of a digitised curve's CSV file: exactly four, their units in their names; and its points.
 
 use std::f64::consts::PI;
 use std::path::Path;
@@ -6,43 +6,63 @@ use std::path::Path;
 use csv::StringRecord;
 
 use super::keys::listed;
-use super::{Abscissa, CurvePoint, Ordinate};
 use crate::error::Error;
 
-/// A quantity and its unit, as the columns of a CSV file spell them, and the factor to the unit held.
-struct Column<T> {
-    quantity: &'static str,
-    unit: &'static str,
-    factor: f64,
-    meaning: T,
+/// A digitised point; errors are standard uncertainties (one standard deviation).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CurvePoint {
+    /// Angle from the load line \[rad\], distance from it \[mm\], or force \[N\].
+    pub abscissa: f64,
+    /// Error of the abscissa, in its unit, above zero.
+    pub abscissa_error: f64,
+    /// Pressure (positive in compression) or hoop stress (tension positive) \[MPa\], or half-angle of the contact \[rad\].
+    pub ordinate: f64,
+    /// Error of the ordinate, in its unit, above zero.
+    pub ordinate_error: f64,
 }
 
+/// What the abscissa of a curve is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Abscissa {
+    /// Angle from the load line, held in radians.
+    Angle,
+    /// Distance from the load line \[mm\].
+    Distance,
+    /// Full force on the pin \[N\].
+    Force,
+}
+
+/// What the ordinate of a curve is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Ordinate {
+    /// Contact pressure \[MPa\].
+    Pressure,
+    /// Circumferential stress on the rim of the hole \[MPa\].
+    HoopStress,
+    /// Angle from the load line at which the contact ends, held in radians.
+    HalfAngle,
+}
+
+/// A quantity and its unit, as the columns of a CSV file spell them, the factor to the unit held, and what it is.
+type Column<T> = (&'static str, &'static str, f64, T);
+
 const ABSCISSAE: [Column<Abscissa>; 4] = [
-    column("angle", "deg", PI / 180.0, Abscissa::Angle),
-    column("angle", "rad", 1.0, Abscissa::Angle),
-    column("x", "mm", 1.0, Abscissa::Distance),
-    column("force", "n", 1.0, Abscissa::Force),
+    ("angle", "deg", PI / 180.0, Abscissa::Angle),
+    ("angle", "rad", 1.0, Abscissa::Angle),
+    ("x", "mm", 1.0, Abscissa::Distance),
+    ("force", "n", 1.0, Abscissa::Force),
 ];
 
 const ORDINATES: [Column<Ordinate>; 4] = [
-    column("pressure", "mpa", 1.0, Ordinate::Pressure),
-    column("hoop_stress", "mpa", 1.0, Ordinate::HoopStress),
-    column("half_angle", "deg", PI / 180.0, Ordinate::HalfAngle),
-    column("half_angle", "rad", 1.0, Ordinate::HalfAngle),
+    ("pressure", "mpa", 1.0, Ordinate::Pressure),
+    ("hoop_stress", "mpa", 1.0, Ordinate::HoopStress),
+    ("half_angle", "deg", PI / 180.0, Ordinate::HalfAngle),
+    ("half_angle", "rad", 1.0, Ordinate::HalfAngle),
 ];
 
-const fn column<T: Copy>(quantity: &'static str, unit: &'static str, factor: f64, meaning: T) -> Column<T> {
-    Column { quantity, unit, factor, meaning }
-}
-
-impl<T> Column<T> {
-    fn value_name(&self) -> String {
-        format!("{}_{}", self.quantity, self.unit)
-    }
-
-    fn error_name(&self) -> String {
-        format!("{}_error_{}", self.quantity, self.unit)
-    }
+/// Names of the column of a quantity, and of that of its error.
+fn names<T>((quantity, unit, ..): &Column<T>) -> [String; 2] {
+    [format!("{quantity}_{unit}"), format!("{quantity}_error_{unit}")]
 }
 
 /// What the columns are, and the points by rising abscissa, at least one.
@@ -51,7 +71,8 @@ pub(super) fn read(file: &Path, text: &str) -> Result<(Abscissa, Ordinate, Vec<C
     let header = reader.headers().map_err(|cause| unreadable(file, &cause))?.clone();
     let across = which(file, &header, &ABSCISSAE)?;
     let up = which(file, &header, &ORDINATES)?;
-    let names = [across.value_name(), across.error_name(), up.value_name(), up.error_name()];
+    let ([x, x_error], [y, y_error]) = (names(across), names(up));
+    let names = [x, x_error, y, y_error];
     let places = places(file, &header, &names)?;
 
     let mut points = Vec::new();
@@ -59,23 +80,24 @@ pub(super) fn read(file: &Path, text: &str) -> Result<(Abscissa, Ordinate, Vec<C
         let record = record.map_err(|cause| unreadable(file, &cause))?;
         let [x, x_error, y, y_error] = row(file, &record, &names, places)?;
         points.push(CurvePoint {
-            abscissa: x * across.factor,
-            abscissa_error: x_error * across.factor,
-            ordinate: y * up.factor,
-            ordinate_error: y_error * up.factor,
+            abscissa: x * across.2,
+            abscissa_error: x_error * across.2,
+            ordinate: y * up.2,
+            ordinate_error: y_error * up.2,
         });
     }
     if points.is_empty() {
         return Err(Error::refused(file, "rows", "none", "add one row per digitised point"));
     }
     points.sort_by(|one, other| one.abscissa.total_cmp(&other.abscissa));
-    Ok((across.meaning, up.meaning, points))
+    Ok((across.3, up.3, points))
 }
 
 /// The one quantity and unit of `known` that the header has.
 fn which<'k, T>(file: &Path, header: &StringRecord, known: &'k [Column<T>]) -> Result<&'k Column<T>, Error> {
-    known.iter().find(|column| header.iter().any(|name| name == column.value_name())).ok_or_else(|| {
-        let names: Vec<String> = known.iter().map(Column::value_name).collect();
+    let name = |column: &Column<T>| names(column)[0].clone();
+    known.iter().find(|column| header.iter().any(|known| known == name(column))).ok_or_else(|| {
+        let names: Vec<String> = known.iter().map(name).collect();
         missing(file, &names.join(" or "), header, "add the column, its unit in its name")
     })
 }

@@ -3,7 +3,8 @@
 use std::path::Path;
 
 use super::keys::text_of;
-use super::{Abscissa, CurvePoint, CurveProvenance, DigitisedScene, Kind, Ordinate, columns};
+use super::provenance::FEM;
+use super::{Abscissa, CurvePoint, CurveProvenance, DigitisedScene, Ordinate, columns};
 use crate::error::Error;
 use crate::measure::larger;
 use crate::oracle::ReferenceKind;
@@ -31,8 +32,8 @@ impl DigitisedCurve {
     ///
     /// # Errors
     /// Names the column that is missing or unknown, or the line and column of a refused entry.
-    pub fn read(folder: &Path, entry: &CurveProvenance, scene: DigitisedScene) -> Result<Self, Error> {
-        let file = folder.join(&entry.file);
+    pub fn read(folder: &Path, entry: &CurveProvenance, scene: &DigitisedScene) -> Result<Self, Error> {
+        let file = folder.join(&entry["file"]);
         let text = text_of(&file, "add the file, or take its entry out of provenance.toml")?;
         let (abscissa, ordinate, points) = columns::read(&file, &text)?;
         if !scene.has_curve(abscissa, ordinate) {
@@ -41,15 +42,13 @@ impl DigitisedCurve {
             return Err(Error::file(&file, message, remedy));
         }
 
-        Ok(Self { file: entry.file.clone(), scene, provenance: entry.clone(), abscissa, ordinate, points })
+        let (file, provenance, scene) = (entry["file"].clone(), entry.clone(), scene.clone());
+        Ok(Self { file, scene, provenance, abscissa, ordinate, points })
     }
 
     /// What its points are: measured, or another code's.
     pub fn kind(&self) -> ReferenceKind {
-        match self.provenance.kind {
-            Kind::Measured => ReferenceKind::Measured,
-            Kind::Fem => ReferenceKind::CrossCode,
-        }
+        if self.provenance["kind"] == FEM { ReferenceKind::CrossCode } else { ReferenceKind::Measured }
     }
 }
 
@@ -86,6 +85,6 @@ pub fn worst(compared: &[Comparison]) -> f64 {
 
 /// What the source models and we do not, which no uncertainty covers.
 pub fn model_form(curve: &DigitisedCurve) -> Option<String> {
-    let friction = curve.scene.friction();
+    let friction = curve.scene.number("friction");
     (friction > 0.0).then(|| format!("the source has a coefficient of friction of {friction}, ours has none"))
 }

@@ -1,6 +1,5 @@
 //! Dark fringes of a photoelastic disc, read from a photograph.
 
-use std::fmt;
 use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
@@ -8,40 +7,28 @@ use serde::{Deserialize, Serialize};
 use super::keys::text_of;
 use crate::checkout::root;
 use crate::error::Error;
+use crate::named::named_enum;
 
-/// One of the loaded ends of the vertical diameter.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum End {
-    /// The lower one.
-    Bottom,
-    /// The upper one.
-    Top,
-}
-
-impl fmt::Display for End {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Bottom => "bottom",
-            Self::Top => "top",
-        })
+named_enum! {
+    /// One of the loaded ends of the vertical diameter.
+    pub enum End {
+        /// The lower one.
+        Bottom = "bottom",
+        /// The upper one.
+        Top = "top",
     }
 }
 
-/// Colour channel of the photograph.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub enum Channel {
-    /// Red.
-    R,
-    /// Green.
-    G,
-    /// Blue.
-    B,
-}
-
-impl Channel {
-    /// All.
-    pub const ALL: [Self; 3] = [Self::R, Self::G, Self::B];
+named_enum! {
+    /// Colour channel of the photograph.
+    pub enum Channel {
+        /// Red.
+        R = "R",
+        /// Green.
+        G = "G",
+        /// Blue.
+        B = "B",
+    }
 }
 
 /// A pair of dark points on a horizontal line, left and right of the loaded diameter.

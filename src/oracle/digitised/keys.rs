@@ -1,5 +1,6 @@
 //! Files that must be there, and required TOML keys, refused by name where they are missing, unknown or out of range.
 
+use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 
@@ -8,11 +9,7 @@ use toml::{Table, Value};
 use crate::error::Error;
 
 /// A key that must be there, what it means, and what it may hold.
-pub(super) struct Key {
-    pub(super) path: &'static str,
-    pub(super) meaning: &'static str,
-    pub(super) range: Range,
-}
+pub(super) type Key = (&'static str, &'static str, Range);
 
 /// What a key may hold.
 pub(super) enum Range {
@@ -26,12 +23,7 @@ pub(super) enum Range {
 
 impl Range {
     fn admits(&self, value: &Value) -> bool {
-        let number = match value {
-            Value::Float(number) => *number,
-            // A length of more than 2^53 mm is not written by hand.
-            Value::Integer(number) => *number as f64,
-            _ => f64::NAN,
-        };
+        let number = number(value);
         match self {
             Self::Positive => number.is_finite() && number > 0.0,
             Self::NonNegative => number.is_finite() && number >= 0.0,
@@ -66,12 +58,12 @@ pub(super) fn parse(file: &Path, text: &str) -> Result<Table, Error> {
 ///
 /// `prefix` is what the reader sees before each key, such as `curves[0].`.
 pub(super) fn check(file: &Path, prefix: &str, table: &Table, keys: &[Key]) -> Result<(), Error> {
-    for key in keys {
-        let name = format!("{prefix}{}", key.path);
-        let wanted = format!("{}, {}", key.meaning, key.range.wanted());
+    for (path, meaning, range) in keys {
+        let name = format!("{prefix}{path}");
+        let wanted = format!("{meaning}, {}", range.wanted());
         let missing = || Error::missing_key(file, &name, &listed(&leaves("", table)), format!("add it: {wanted}"));
-        let value = find(table, key.path).ok_or_else(missing)?;
-        if !key.range.admits(value) {
+        let value = find(table, path).ok_or_else(missing)?;
+        if !range.admits(value) {
             return Err(Error::refused(file, &name, shown(value), format!("write {wanted}")));
         }
     }
@@ -80,12 +72,23 @@ pub(super) fn check(file: &Path, prefix: &str, table: &Table, keys: &[Key]) -> R
 
 fn refuse_unknown(file: &Path, prefix: &str, table: &Table, keys: &[Key]) -> Result<(), Error> {
     let present = leaves("", table);
-    let Some(unknown) = present.iter().find(|path| keys.iter().all(|key| key.path != path.as_str())) else {
+    let Some(unknown) = present.iter().find(|path| keys.iter().all(|(key, ..)| key != path)) else {
         return Ok(());
     };
-    let known: Vec<String> = keys.iter().map(|key| key.path.to_owned()).collect();
+    let known: Vec<String> = keys.iter().map(|(key, ..)| (*key).to_owned()).collect();
     let remedy = format!("take it out or correct its name; known are {}", listed(&known));
     Err(Error::refused(file, &format!("{prefix}{unknown}"), "not a known key", remedy))
+}
+
+/// A number; NaN of what is none. A length of more than 2^53 mm is not written by hand.
+fn number(value: &Value) -> f64 {
+    value.as_float().or(value.as_integer().map(|number| number as f64)).unwrap_or(f64::NAN)
+}
+
+/// The numbers of a table that is held against its keys, each of a number, by these.
+pub(super) fn numbers(file: &Path, table: &Table, keys: &[Key]) -> Result<BTreeMap<&'static str, f64>, Error> {
+    check(file, "", table, keys)?;
+    Ok(keys.iter().filter_map(|(path, ..)| Some((*path, number(find(table, path)?)))).collect())
 }
 
 fn find<'t>(table: &'t Table, path: &str) -> Option<&'t Value> {

@@ -3,9 +3,8 @@
 //! * [`scene`]: the dimensions, materials and load of the source.
 //! * [`provenance`]: who read which figure, how, and what kind of curve it shows.
 //! * [`curve`]: the points with all that is needed to compute their twins, and how far our curve may lie from them.
-//! * [`point`]: a point, with the errors of both coordinates.
 //! * [`fringes`]: dark fringes of a photoelastic disc.
-//! * `columns`: the CSV file, refused by column, or by line and column.
+//! * `columns`: the CSV file and its points, refused by column, or by line and column.
 //! * `keys`: files that must be there, and required TOML keys, refused by name where missing or out of range.
 
 use std::fs;
@@ -17,50 +16,33 @@ mod columns;
 pub mod curve;
 pub mod fringes;
 mod keys;
-pub mod point;
 pub mod provenance;
 pub mod scene;
 
+pub use columns::{Abscissa, CurvePoint, Ordinate};
 pub use curve::{DigitisedCurve, OurPoint, compare, model_form, worst};
-pub use point::{Abscissa, CurvePoint, Ordinate};
-pub use provenance::{CurveProvenance, Hand, Kind, Provenance};
-pub use scene::{DigitisedScene, RodScene, SheetScene};
+pub use provenance::CurveProvenance;
+pub use scene::DigitisedScene;
 
 /// Why a folder that holds only its README gives no reading.
 pub const NOT_AT_HAND: &str = "not run: the figures are not at hand";
 
-/// What a folder of digitised figures holds.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Digitised {
-    /// Only the README: the figures are not at hand, and why.
-    Absent(String),
-    /// Every curve listed in the provenance, in its order.
-    Present(Vec<DigitisedCurve>),
-}
-
-impl Digitised {
-    /// Reads a folder such as `oracles/digitised/gaertner-1977`.
-    ///
-    /// Files whose name starts with a dot and `README.md` do not count. Anything else must be complete.
-    ///
-    /// # Errors
-    /// Names the file and the key, column or entry that is missing or refused, what was found, and the remedy.
-    pub fn load(folder: &Path) -> Result<Self, Error> {
-        let files = files_of(folder)?;
-        if files.is_empty() {
-            return Ok(Self::Absent(NOT_AT_HAND.to_owned()));
-        }
-
-        let scene = DigitisedScene::read(&folder.join("scene.toml"))?;
-        let provenance = Provenance::read(&folder.join("provenance.toml"))?;
-        refuse_unlisted(folder, &files, &provenance)?;
-        let curves = provenance
-            .curves
-            .iter()
-            .map(|entry| DigitisedCurve::read(folder, entry, scene))
-            .collect::<Result<_, _>>()?;
-        Ok(Self::Present(curves))
+/// Every curve of a folder such as `oracles/digitised/gaertner-1977` that its provenance lists, in its order; why there is none where the folder
+/// holds only its README: the figures are not at hand.
+///
+/// Files whose name starts with a dot and `README.md` do not count. Anything else must be complete.
+///
+/// # Errors
+/// Names the file and the key, column or entry that is missing or refused, what was found, and the remedy.
+pub fn load(folder: &Path) -> Result<Result<Vec<DigitisedCurve>, &'static str>, Error> {
+    let files = files_of(folder)?;
+    if files.is_empty() {
+        return Ok(Err(NOT_AT_HAND));
     }
+    let scene = DigitisedScene::read(&folder.join("scene.toml"))?;
+    let curves = provenance::read(&folder.join("provenance.toml"))?;
+    refuse_unlisted(folder, &files, &curves)?;
+    curves.iter().map(|entry| DigitisedCurve::read(folder, entry, &scene)).collect::<Result<_, _>>().map(Ok)
 }
 
 fn files_of(folder: &Path) -> Result<Vec<PathBuf>, Error> {
@@ -78,10 +60,10 @@ fn files_of(folder: &Path) -> Result<Vec<PathBuf>, Error> {
     Ok(files)
 }
 
-fn refuse_unlisted(folder: &Path, files: &[PathBuf], provenance: &Provenance) -> Result<(), Error> {
+fn refuse_unlisted(folder: &Path, files: &[PathBuf], curves: &[CurveProvenance]) -> Result<(), Error> {
     let listed = |file: &Path| {
         let known = ["scene.toml", "provenance.toml"].into_iter();
-        let curves = provenance.curves.iter().map(|entry| entry.file.as_str());
+        let curves = curves.iter().map(|entry| entry["file"].as_str());
         known.chain(curves).any(|name| file == Path::new(name))
     };
     let Some(stray) = files.iter().find(|file| !listed(file)) else {

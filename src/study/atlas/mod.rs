@@ -8,14 +8,12 @@
 //!   acceleration; and predictions against runs.
 //! * `picture` — charts.
 //!
-//! Below is the page: recommendation, predicted curves and their laws, methods, maps, predictions against runs; and the iterations
+//! Below is the page (its text is `page.md` and `iterations.md`): recommendation, predicted curves and their laws, methods, maps, predictions against runs; and the iterations
 //! of the paper's elements and algorithms on its scenes.
 
 mod picture;
 pub mod plane;
 pub mod run;
-
-use std::fmt::Write;
 
 use crate::algorithm::StiffnessRule;
 use crate::algorithm::logarithms::STOOD;
@@ -54,42 +52,27 @@ impl Study for Numbers {
     fn section(findings: &[Found<Self>]) -> Result<String, Error> {
         let charts = charts(findings);
         let digests = digests(&charts);
-        let mut text = format!("{}\n", recommendation(&digests));
-        text += &picture(
-            "iterations-predicted.svg",
-            &format!(
-                "As Fig. 11, predicted: measured points beside curves predicted from the condensed matrices; truncated Hertz, candidates to \
-                 {STRETCH} half-widths; colours tell the rules apart. Hollow markers above the frame: how the others ended"
-            ),
+        let iterations = format!(
+            "As Fig. 11, predicted: measured points beside curves predicted from the condensed matrices; truncated Hertz, candidates to \
+             {STRETCH} half-widths; colours tell the rules apart. Hollow markers above the frame: how the others ended"
         );
-        let _ = writeln!(text, "{LAWS}{}", methods(&digests));
-        text += &picture(
-            "atlas-stretch.svg",
-            "How every run ends over initial stiffness and candidate surface, with the predicted boundary",
+        let stretch = "How every run ends over initial stiffness and candidate surface, with the predicted boundary";
+        let page = format!(
+            include_str!("page.md"),
+            recommendation = recommendation(&digests),
+            iterations = picture("iterations-predicted.svg", &iterations),
+            methods = methods(&digests),
+            stretch = picture("atlas-stretch.svg", stretch),
+            mesh = picture("atlas-mesh.svg", "The same over initial stiffness and mesh"),
+            predictions = predictions(&charts)
         );
-        text += &picture("atlas-mesh.svg", "The same over initial stiffness and mesh");
-        let _ = writeln!(text, "**Predictions against runs**\n\n{}\n{EXPLAINED}", predictions(&charts));
-        Ok(text + &in_the_paper(findings))
+        Ok(page + "\n\n" + &in_the_paper(findings))
     }
 
     fn pictures(findings: &[Found<Self>]) -> Result<Vec<(String, Drawing)>, Error> {
         Ok(picture::pictures(&charts(findings)))
     }
 }
-
-const LAWS: &str = "\
-The curves, *a posteriori* but for kinematic load: from the condensed matrices and the final active set, which needs the solved contact. \
-*Constant stiffness with correction* is followed as a \
-linear iteration from its start to the tolerance, and takes no fewer iterations than hard springs need to work off their gaps, \
-k₀ g/p̄; *varying stiffness* is as slow as the slowest point near the contact edge, whose force falls by w/g, or by κ (w − g), an iteration; \
-*kinematic load* halves L² − a². *A priori*, for any scene: constant stiffness with correction is an averaged map, which comes no farther from its limit at any \
-iteration, so that from no κ₀ > 0 it diverges or cycles. Derivations are given beside the formulas in `src/solver/stability`.\n\n";
-
-const EXPLAINED: &str = "\
-What the predictions leave out: *line and layer elements* have an alternating pressure mode, which hard springs raise and soft ones \
-hardly feel; the rates at the limit do not know how much of it a start raises. *Varying stiffness with correction* is predicted next to \
-the contact: whether a run from afar gets there is not. *Constant stiffness with secant* may pass where the whole gap of the point \
-nearest the centre, in which its instability sits, is below the tolerance: the error does not see it swing.\n\n";
 
 /// Method → where it works → what stands in its way; the maps have how its runs end.
 fn methods(all: &[Digest]) -> String {
@@ -193,14 +176,10 @@ fn before_and_after(findings: &[Found<Numbers>]) -> String {
     let rows: Vec<Vec<String>> = first.iter().enumerate().map(row).collect();
     let kinematic = Formulation::accelerated(Element::Line, Iteration::Kinematic).stiffness;
     format!(
-        "**Iterations to {:e} on the meshes of the library, before → after**\n\n{}\n\
-         Two Gauss points on an edge carry differences that the bodies feel only through their change from edge to edge: under varying \
-         stiffness these die out in iterations that grow with the square of the number of edges, whatever κ₀. The program takes \
-         varying stiffness by Newton's method on ln k of the points that press, damped, once these have stood for {STOOD} iterations, each with a \
-         back-substitution for every such point; and constant stiffness by Newton's method on the carried forces, damped, with its one \
-         factorisation and as many back-substitutions as there are points before the first step. κ₀ of kinematic load on Gauss points is \
-         {kinematic} times √(E*/L · s), L the candidate stretch and s what the bodies resist at a point. With `--acceleration none` varying and constant stiffness are the paper's.\n\n",
-        Settings::default().tolerance,
-        markdown::table(&head.map(String::from).collect::<Vec<_>>(), &rows)
-    )
+        include_str!("iterations.md"),
+        tolerance = Settings::default().tolerance,
+        table = markdown::table(&head.map(String::from).collect::<Vec<_>>(), &rows),
+        stood = STOOD,
+        kinematic = kinematic
+    ) + "\n"
 }

@@ -1,16 +1,13 @@
 //! The same physical problem in other codes that share nothing with one another but the scene: mesh, forms of the contact, iteration and
-//! measures are each script's own. A folder, since the scenes, what is asked and what is held are three things.
+//! measures are each script's own. A folder, since what is asked and what is held are more than a file.
 //!
-//! * `benchmark` — the scenes, as numbers.
-//! * `run` — one trial a scene: what every script found, beside ours.
-//! * `found` — the numbers of a series of meshes, with their uncertainty.
+//! * `run` — one trial a scene: the scene as numbers, and what every script found of it, beside ours.
 //!
 //! Below is how near the scripts must come: within the uncertainties of both, and within three times what is found; and the page.
 
-pub mod benchmark;
-pub mod found;
 pub mod run;
 
+use std::f64::consts::PI;
 use std::fmt::Write;
 
 use crate::case::{Check, Judged, Quantity, Reference, covered};
@@ -21,10 +18,9 @@ use crate::markdown;
 use crate::oracle::ReferenceKind;
 use crate::oracle::cross_code::independent::{Folder, Independent, Script};
 use crate::study::about::{About, Found, Planned, Study};
+use crate::study::differences::Answers;
 use crate::study::drawn::picture;
-use crate::study::independent::benchmark::{STATIONS, Scene};
-use crate::study::independent::found::Number;
-use crate::study::independent::run::{Compared, KAPPA, Other};
+use crate::study::independent::run::{Compared, KAPPA, Other, STATIONS, Scene};
 use crate::uncertainty::{COVERAGE, Comparison};
 
 pub use run::Compared as Numbers;
@@ -37,9 +33,9 @@ impl Study for Compared {
         limits: "That codes agree is no measurement.",
     };
 
-    /// The checks of a scene.
+    /// All scenes, against frozen answers.
     fn plan() -> Vec<Planned<Self>> {
-        run::plan()
+        run::against(Answers::Frozen)
     }
 
     fn judge(&self) -> Result<Vec<Judged>, Error> {
@@ -52,25 +48,20 @@ impl Study for Compared {
         let mut text = String::new();
         for folder in Folder::ALL {
             let hash: String = frozen.scripts.get(&folder).map_or("", String::as_str).chars().take(12).collect();
-            let version = frozen.apart.get(&folder).or_else(|| frozen.versions.get(folder.name()));
+            let version = frozen.apart.get(&folder).or_else(|| frozen.versions.get(folder.title()));
             let live =
                 if folder.is_set_up() { "asked again by the tests" } else { "asked when the answers were frozen" };
             let _ =
-                writeln!(text, "* {} {}: script {hash}…, {live}.", folder.name(), version.map_or("", String::as_str));
+                writeln!(text, "* {} {}: script {hash}…, {live}.", folder.title(), version.map_or("", String::as_str));
         }
         let entered = |found: &Found<Self>| {
             let of = found.numbers;
-            format!("{} ({})", markdown::significant(of.ours.measured[0].value / of.spring, 2), found.name)
+            format!("{} ({})", markdown::significant(of.ours.measured[0][0] / of.spring, 2), found.name)
         };
         let entered: Vec<String> = findings.iter().map(entered).collect();
-        let _ = write!(
-            text,
-            "\nEach script has its own mesh, its own contact terms in the language of its code, its own iteration and its own code; none imports \
-             from another. They share the numbers of the scene, the names of what is asked, and the formulas that read peak and width from a profile. Uncertainties are from \
-             three meshes; |E| shall be at most {COVERAGE} u_val, of both meshes and of the script's penalty (what springs of its stiffness change on our mesh). \
-             Springs are k_n = κ E*/ℓ with κ = {KAPPA:e}, so that bodies enter one another by p₀/k_n [mm]: {}.\n\n",
-            entered.join(", ")
-        );
+        text += "\n";
+        text += &format!(include_str!("page.md"), coverage = COVERAGE, kappa = KAPPA, entered = entered.join(", "));
+        text += "\n";
         text += &picture("difference-independent.svg", "Difference of the profiles of independent codes to ours");
         Ok(text)
     }
@@ -85,30 +76,35 @@ impl Study for Compared {
     }
 }
 
-/// Ours against a script's, with the uncertainties of both meshes and of its penalty.
-pub fn against(compared: &Compared, other: &Other, number: Number) -> Comparison {
-    let (ours, theirs) = (number.of(compared.scene, &compared.ours), number.of(compared.scene, &other.found));
-    let softened = compared.penalty[number as usize] * number.per_unit(compared.scene);
-    let penalty = if other.script.has_penalty() { softened } else { 0.0 };
-    Comparison::of(ours.value, theirs.value, [ours.uncertainty, theirs.uncertainty, penalty])
+/// Peak and width as they are told: noun, unit with the symbol where that differs from scene to scene, factor from MPa, mm or rad to it.
+fn numbers(scene: Scene) -> [(&'static str, &'static str, f64); 2] {
+    let (unit, factor) = if scene.is_arc() { ("2 √(∫pθ²/∫p) [°]", 180.0 / PI) } else { ("a [mm]", 1.0) };
+    [("peak pressure", "[MPa]", 1.0), ("second-moment width", unit, factor)]
 }
 
 fn of_script(compared: &Compared, other: &Other) -> Vec<Judged> {
     let (scene, script) = (compared.scene, other.script);
     let demanded = demanded(scene, script);
-    let theirs =
-        |value: f64| Reference { name: script.name().into(), kind: ReferenceKind::CrossCode, value, uncertainty: None };
+    let theirs = |value: f64| Reference {
+        name: script.title().into(),
+        kind: ReferenceKind::CrossCode,
+        value,
+        uncertainty: None,
+    };
     let because = format!("at most {TIGHT} times what is found; {COVERAGE} u_val is asked beside it");
     let mut judged: Vec<Judged> = other.reproduced.iter().cloned().collect();
-    for (number, tolerance) in Number::ALL.into_iter().zip(demanded) {
-        let (name, mine, value) =
-            (number.name(scene), number.of(scene, &compared.ours), number.of(scene, &other.found));
-        let reference = || Reference { uncertainty: Some(value.uncertainty), ..theirs(value.value) };
-        let quantity = Quantity::at(number.noun(), number.unit(scene));
-        let near = Check::near(quantity, reference(), tolerance, because.clone()).judge(mine.value);
-        judged.push(Judged { uncertainty: Some(mine.uncertainty), ..near });
-        let sources = if script.has_penalty() { "both meshes ⊕ penalty" } else { "both meshes" };
-        judged.push(covered(&name, reference(), against(compared, other, number), sources));
+    for (k, (noun, unit, factor)) in numbers(scene).into_iter().enumerate() {
+        let [[mine, own], [value, uncertainty]] =
+            [&compared.ours, &other.found].map(|found| found.measured[k].map(|one| factor * one));
+        let reference = || Reference { uncertainty: Some(uncertainty), ..theirs(value) };
+        let near = Check::near(Quantity::at(noun, unit), reference(), demanded[k], because.clone()).judge(mine);
+        judged.push(Judged { uncertainty: Some(own), ..near });
+        let (penalty, sources) = match script.has_penalty() {
+            true => (factor * compared.penalty[k], "both meshes ⊕ penalty"),
+            false => (0.0, "both meshes"),
+        };
+        let comparison = Comparison::of(mine, value, [own, uncertainty, penalty]);
+        judged.push(covered(&format!("{noun}, {unit}"), reference(), comparison, sources));
     }
     let difference = l2(&compared.ours.profile, &other.found.profile);
     let quantity = Quantity::at("difference of the profile", format!("L2(p) over {STATIONS} stretches"));
@@ -125,7 +121,7 @@ fn carried(compared: &Compared, other: &Other) -> Judged {
     let same = other.found.profile.len() == compared.carries.len();
     let force: f64 =
         other.found.profile.iter().zip(&compared.carries).map(|(pressure, carries)| pressure * carries).sum();
-    let quantity = Quantity::at("force of the profile [N]", other.script.name());
+    let quantity = Quantity::at("force of the profile [N]", other.script.title());
     let reference = Reference::own("resultant of the same script", other.found.resultant);
     let because = "means over stretches, linear between integration points; at most three times what is found";
     Check::near(quantity, reference, CARRIED, because).judge(if same { force } else { f64::NAN })
@@ -188,7 +184,7 @@ fn profiles(compared: &Compared) -> Chart {
         let differences: Vec<f64> =
             other.found.profile.iter().zip(&compared.ours.profile).map(|(p, q)| p - q).collect();
         let points = points(compared, &differences);
-        Series::new(other.script.name(), points, style(other.script))
+        Series::new(other.script.title(), points, style(other.script))
     }));
     chart
 }
@@ -210,7 +206,7 @@ fn unit(scene: Scene) -> &'static str {
 /// Differences in per cent of what the scene is measured by.
 fn points(compared: &Compared, differences: &[f64]) -> Vec<[f64; 2]> {
     let [length, pressure] = compared.reference;
-    let scale = if compared.scene.is_arc() { 180.0 / std::f64::consts::PI } else { 1.0 / length };
+    let scale = if compared.scene.is_arc() { 180.0 / PI } else { 1.0 / length };
     compared.stations.iter().zip(differences).map(|(s, p)| [scale * s, 100.0 * p / pressure]).collect()
 }
 

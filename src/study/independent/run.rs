@@ -1,27 +1,183 @@
-//! What every script found of a scene, beside ours.
+//! What every script found of a scene, beside ours: the scenes as numbers, a series of three meshes each, and what it says of peak, width,
+//! resultant and profile.
 
 use crate::algorithm::StiffnessRule;
-use crate::case::Judged;
+use crate::case::library::{Cylinder, PinPlate, PinRod, TruncatedHertz};
+use crate::case::{Case, Judged};
 use crate::error::Error;
-use crate::measure::whole;
+use crate::measure::order::richardson;
+use crate::measure::{profile, whole};
 use crate::mesh::{Order, Resolution};
+use crate::named::named_enum;
 use crate::oracle::cross_code::frozen::{REFREEZE, changed_versions};
 use crate::oracle::cross_code::independent::{Asked, Independent, Script, file};
 use crate::oracle::cross_code::live::Live;
 use crate::oracle::cross_code::{PhysicalAnswer, PhysicalScene};
 use crate::solve::{Discretisation, Element, Formulation, Iteration, Run};
 use crate::study::Planned;
-use crate::study::answers::{Answers, reproduced};
-use crate::study::differences::peak_and_width;
-use crate::study::independent::benchmark::{ASKED, Benchmark, LEVELS, Scene};
-use crate::study::independent::found::{Found, ours};
+use crate::study::differences::{Answers, peak_and_width, reproduced};
 
 /// Springs of the scripts with a penalty, `k_n = κ E*/ℓ`.
 pub const KAPPA: f64 = 1e4;
 
-/// All scenes, against frozen answers.
-pub fn plan() -> Vec<Planned<Compared>> {
-    against(Answers::Frozen)
+/// Meshes of each refinement series.
+pub const LEVELS: usize = 3;
+/// Degrees of freedom up to which the tests ask for a mesh of a series: the finest takes nine tenths of the time, and freezing asks it.
+pub const ASKED: usize = 20_000;
+/// Stretches of equal length over which profiles are compared by their means; the stations are their middles.
+pub const STATIONS: usize = 40;
+/// Half-angle of the contact in the wide plate \[degrees\].
+const PLATE_ANGLE: f64 = 60.0;
+
+named_enum! {
+    /// A scene that every code solves, by its name in the frozen files.
+    pub enum Scene {
+        /// The cylinder on its plane at a/R = 0.05.
+        Cylinder = "cylinder, a/R = 0.05",
+        /// The same at a/R = 0.1.
+        WiderCylinder = "cylinder, a/R = 0.1",
+        /// Hertz without model error.
+        TruncatedHertz = "truncated Hertz",
+        /// The pin in the eye of the rod.
+        PinRod = "pin-rod",
+        /// The pin in a wide plate.
+        PinPlate = "pin in plate",
+    }
+}
+
+/// A scene for all codes.
+pub struct Benchmark {
+    /// Which.
+    pub scene: Scene,
+    /// The scene for the other codes.
+    pub physical: PhysicalScene,
+    /// The scene for us, with its closed form if there is one.
+    pub case: Case,
+    /// Elements of our coarsest mesh per half-width, or per 10 mm of arc.
+    pub elements: usize,
+}
+
+impl Scene {
+    /// Whether the contact coordinate is an angle.
+    pub fn is_arc(self) -> bool {
+        matches!(self, Self::PinRod | Self::PinPlate)
+    }
+
+    /// The scene in numbers.
+    pub fn benchmark(self) -> Benchmark {
+        match self {
+            Self::Cylinder => self.cylinder(0.05),
+            Self::WiderCylinder => self.cylinder(0.1),
+            Self::TruncatedHertz => {
+                let block = TruncatedHertz::default();
+                let reach = 1.25 * block.half_width();
+                let TruncatedHertz { radius, young, poisson, a_over_r, size, stretch } = block;
+                let mut given = hertz_numbers(radius, young, poisson, a_over_r, stretch).to_vec();
+                given.push(("size", size));
+                self.of(block.case(), &given, reach, 8)
+            }
+            Self::PinRod => {
+                let rod = PinRod::default();
+                let given = [
+                    ("pin_radius", rod.pin_radius),
+                    ("clearance", rod.clearance),
+                    ("eye_outer_radius", rod.eye_outer_radius),
+                    ("shank_width", rod.shank_width),
+                    ("shank_end", rod.shank_end),
+                    ("thickness", rod.thickness),
+                    ("pin_young", rod.pin.young),
+                    ("pin_poisson", rod.pin.poisson),
+                    ("rod_young", rod.rod.young),
+                    ("rod_poisson", rod.rod.poisson),
+                    ("force", rod.force),
+                    ("stretch", rod.stretch),
+                ];
+                self.of(rod.case(), &given, rod.stretch, 16)
+            }
+            Self::PinPlate => {
+                let plate = PinPlate::of_half_angle(PLATE_ANGLE);
+                let given = [
+                    ("pin_radius", plate.pin_radius),
+                    ("clearance", plate.clearance),
+                    ("rim_radius", plate.rim_radius),
+                    ("thickness", plate.thickness),
+                    ("young", plate.material.young),
+                    ("poisson", plate.material.poisson),
+                    ("force", plate.force),
+                    ("stretch", plate.stretch),
+                ];
+                self.of(plate.case(), &given, plate.stretch, 12)
+            }
+        }
+    }
+
+    fn cylinder(self, a_over_r: f64) -> Benchmark {
+        let numbers = Cylinder { a_over_r, ..Default::default() };
+        let given = hertz_numbers(numbers.radius, numbers.young, numbers.poisson, a_over_r, numbers.stretch);
+        self.of(numbers.case(), &given, 1.25 * numbers.half_width(), 8)
+    }
+
+    fn of(self, case: Case, given: &[(&str, f64)], reach: f64, elements: usize) -> Benchmark {
+        let numbers = given.iter().map(|&(name, value)| (name.to_owned(), value)).collect();
+        let stations = (0..STATIONS).map(|k| reach * (k as f64 + 0.5) / STATIONS as f64).collect();
+        let physical = PhysicalScene { case: case.name.clone(), numbers, stations };
+        Benchmark { scene: self, physical, case, elements }
+    }
+}
+
+fn hertz_numbers(radius: f64, young: f64, poisson: f64, a_over_r: f64, stretch: f64) -> [(&'static str, f64); 5] {
+    [("radius", radius), ("young", young), ("poisson", poisson), ("a_over_r", a_over_r), ("stretch", stretch)]
+}
+
+/// What was found on the finest of three meshes.
+#[derive(Clone, Debug)]
+pub struct Found {
+    /// Peak pressure \[MPa\] and half-width by second moment \[mm, or rad\], each with its standard uncertainty by Richardson.
+    pub measured: [[f64; 2]; 2],
+    /// Force on the whole contact \[N\].
+    pub resultant: f64,
+    /// Means of the pressure over the stretches \[MPa\].
+    pub profile: Vec<f64>,
+}
+
+impl Found {
+    /// From a refinement series, coarse to fine; `by` is named where it has not three meshes.
+    pub fn of(by: &str, levels: &[PhysicalAnswer]) -> Result<Self, Error> {
+        let [coarse, medium, fine] = levels else {
+            let message = format!("it answered on {} meshes instead of {LEVELS}", levels.len());
+            return Err(Error::at(by, message, REFREEZE));
+        };
+        let measured = |of: fn(&PhysicalAnswer) -> f64| {
+            let values = [coarse, medium, fine].map(of);
+            [values[2], richardson(values).uncertainty()]
+        };
+        Ok(Self {
+            measured: [measured(|answer| answer.peak), measured(|answer| answer.half_width)],
+            resultant: fine.resultant,
+            profile: fine.pressure.clone(),
+        })
+    }
+}
+
+/// Our own series, in the same form.
+fn ours(benchmark: &Benchmark) -> Result<Vec<PhysicalAnswer>, Error> {
+    let level = |refinement: usize| {
+        let resolution =
+            Resolution { elements: benchmark.elements, refinement: refinement as u32, order: Order::Quadratic };
+        let discretisation = Discretisation::of(benchmark.case.scene.clone(), resolution)?;
+        let run = Run::of(&discretisation, &Formulation::verification())?;
+        let converged = |value: f64| if run.solution.converged() { value } else { f64::NAN };
+        let [peak, half_width] = peak_and_width(&run);
+        let means = profile::means(&run.solution.edges, &benchmark.physical.stations);
+        Ok(PhysicalAnswer {
+            half_width,
+            peak,
+            resultant: converged(run.transmitted()),
+            pressure: means.into_iter().map(converged).collect(),
+            dofs: run.dofs,
+        })
+    };
+    (0..LEVELS).map(level).collect()
 }
 
 /// All scenes, against answers that are frozen, or of the scripts themselves.
@@ -70,7 +226,7 @@ pub fn compare(benchmark: &Benchmark, answers: Answers) -> Result<Compared, Erro
     let (scene, reference) = (&benchmark.case.scene, &benchmark.case.scene.reference);
     let mut others = Vec::new();
     for (script, series, reproduced) in asked(benchmark, answers)? {
-        others.push(Other { script, reproduced, found: Found::of(script.name(), &series)? });
+        others.push(Other { script, reproduced, found: Found::of(script.title(), &series)? });
     }
     Ok(Compared {
         scene: benchmark.scene,
@@ -113,7 +269,7 @@ pub fn asked(benchmark: &Benchmark, answers: Answers) -> Result<Vec<Series>, Err
             };
             let now = kept.iter().enumerate().map(asked).collect::<Result<Vec<_>, _>>()?;
             let versions = changed_versions(&frozen.versions, &(live.versions)()?);
-            let reproduced = reproduced(script.name(), &Asked::numbers(&now), &Asked::numbers(kept), &versions);
+            let reproduced = reproduced(script.title(), &Asked::numbers(&now), &Asked::numbers(kept), &versions);
             Ok((*script, now, Some(reproduced)))
         }
         Answers::Live(_) | Answers::Frozen => Ok((*script, kept.clone(), None)),

@@ -181,29 +181,23 @@ const CUT: usize = 5;
 /// Elements per half-width.
 const ELEMENTS: [usize; 3] = [4, 8, 16];
 
-/// What comes of candidates that end before the contact.
-struct Cut {
-    /// What the user gets.
-    result: Result<Solved, Error>,
-    /// Error of p₀ of what the iteration finds, whether it is accepted or not.
-    unchecked: f64,
+/// What comes of candidates that end before the contact: what the user gets, and the error of p₀ of what the iteration finds, whether it is
+/// accepted or not.
+type Cut = (Result<Solved, Error>, f64);
+
+fn cut_at(stretch: f64, elements: usize) -> Result<Cut, Error> {
+    let scene = TruncatedHertz { stretch, ..Default::default() }.scene();
+    let discretisation = meshed(scene, elements, Order::Quadratic)?;
+    Ok((Solved::on(&discretisation), peak_of_any(&discretisation)? - 1.0))
 }
 
-impl Cut {
-    fn at(stretch: f64, elements: usize) -> Result<Self, Error> {
-        let scene = TruncatedHertz { stretch, ..Default::default() }.scene();
-        let discretisation = meshed(scene, elements, Order::Quadratic)?;
-        Ok(Self { result: Solved::on(&discretisation), unchecked: peak_of_any(&discretisation)? - 1.0 })
-    }
+fn is_refused((result, _): &Cut) -> bool {
+    matches!(result, Err(Error { kind: Kind::ContactBeyondCandidates { .. }, .. }))
+}
 
-    fn is_refused(&self) -> bool {
-        matches!(self.result, Err(Error { kind: Kind::ContactBeyondCandidates { .. }, .. }))
-    }
-
-    fn cell(&self) -> String {
-        let refused = if self.result.is_ok() { "" } else { "refused, else " };
-        format!("{refused}{}", percent(self.unchecked))
-    }
+fn cell((result, unchecked): &Cut) -> String {
+    let refused = if result.is_ok() { "" } else { "refused, else " };
+    format!("{refused}{}", percent(*unchecked))
 }
 
 /// Peak over p₀ of whatever the loop converges to, whether the contact reaches the end of its candidates or not.
@@ -220,16 +214,17 @@ fn peak_of_any(discretisation: &Discretisation) -> Result<f64, Error> {
 
 /// The candidates end before the contact does.
 pub(super) fn short_candidates() -> Result<Limit, Error> {
-    let stretches = Push::of("L/a", &STRETCHES, ELEMENTS, Cut::at)?;
+    let stretches = Push::of("L/a", &STRETCHES, ELEMENTS, cut_at)?;
     let [exact, cut] = [EXACT, CUT].map(|index| &stretches.tried[index].1);
-    let refusing = exact.iter().filter(|cut| cut.is_refused()).count();
-    let accepting = cut[1..].iter().filter(|cut| !cut.is_refused()).count();
-    let accepted = stretches.all().filter_map(|cut| cut.result.as_ref().ok()).map(|solved| solved.errors().peak.abs());
+    let refusing = exact.iter().filter(|cut| is_refused(cut)).count();
+    let accepting = cut[1..].iter().filter(|cut| !is_refused(cut)).count();
+    let accepted =
+        stretches.all().filter_map(|(result, _)| result.as_ref().ok()).map(|solved| solved.errors().peak.abs());
     let onsets = [0, 1, 2].map(|mesh| {
-        let onset = stretches.onset(|cuts| cuts[mesh].is_refused());
+        let onset = stretches.onset(|cuts| is_refused(&cuts[mesh]));
         format!("{} elements per a: {onset}", ELEMENTS[mesh])
     });
-    let shortest = stretches.tried.iter().rev().find_map(|(_, [.., fine])| fine.result.as_ref().err());
+    let shortest = stretches.tried.iter().rev().find_map(|(_, [.., (fine, _)])| fine.as_ref().err());
     let [seen, instead] = told_with_remedy(shortest);
     Ok(Limit {
         pushed: "candidate surface shorter than the true contact",
@@ -262,9 +257,9 @@ pub(super) fn short_candidates() -> Result<Limit, Error> {
             "Truncated Hertz, candidates ending at L: what is refused, and how wrong it would have been",
             &[
                 ("L / a", |(stretch, _)| number(*stretch)),
-                ("error of p₀, 4 elements per a", |(_, [four, ..])| four.cell()),
-                ("8 elements", |(_, [_, eight, _])| eight.cell()),
-                ("16 elements", |(_, [.., sixteen])| sixteen.cell()),
+                ("error of p₀, 4 elements per a", |(_, [four, ..])| cell(four)),
+                ("8 elements", |(_, [_, eight, _])| cell(eight)),
+                ("16 elements", |(_, [.., sixteen])| cell(sixteen)),
             ],
         ),
     })

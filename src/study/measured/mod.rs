@@ -18,8 +18,7 @@ use crate::measure::profile;
 use crate::mesh::{Order, Resolution};
 use crate::oracle::ReferenceKind;
 use crate::oracle::digitised::{
-    Abscissa, Digitised, DigitisedCurve, DigitisedScene, Ordinate, OurPoint, RodScene, SheetScene, compare, fringes,
-    model_form, worst,
+    self, Abscissa, DigitisedCurve, DigitisedScene, Ordinate, OurPoint, compare, fringes, model_form, worst,
 };
 use crate::scene::Scene;
 use crate::solution::PointState;
@@ -116,9 +115,9 @@ pub fn folder_of(name: &str) -> PathBuf {
 
 /// Compares every curve of a source's folder; why not, where its figures are not at hand.
 pub fn against(folder: &Path) -> Result<Result<Vec<Judged>, String>, Error> {
-    match Digitised::load(folder)? {
-        Digitised::Absent(why) => Ok(Err(why)),
-        Digitised::Present(curves) => curves.iter().map(compared).collect::<Result<_, _>>().map(Ok),
+    match digitised::load(folder)? {
+        Err(why) => Ok(Err(why.into())),
+        Ok(curves) => curves.iter().map(compared).collect::<Result<_, _>>().map(Ok),
     }
 }
 
@@ -135,20 +134,18 @@ fn compared(curve: &DigitisedCurve) -> Result<Judged, Error> {
 
 fn ours(curve: &DigitisedCurve) -> Result<Ours, Error> {
     let of_two = |both: [f64; 2]| OurPoint { value: both[1], uncertainty: standard(bound_of_two(both)) };
-    let rod = match curve.scene {
-        DigitisedScene::Sheet(sheet) => {
-            return Ok(Box::new(move |force| {
-                let [coarse, fine] = ELEMENTS.map(|elements| half_angle(&sheet, force, elements));
-                Ok(of_two([coarse?, fine?]))
-            }));
-        }
-        DigitisedScene::Rod(rod) => rod,
-    };
-    let [coarse, fine] = ELEMENTS.map(|elements| along(&pin_rod(&rod), elements, curve.ordinate));
+    let scene = curve.scene.clone();
+    if scene.is_sheet {
+        return Ok(Box::new(move |force| {
+            let [coarse, fine] = ELEMENTS.map(|elements| half_angle(&scene, force, elements));
+            Ok(of_two([coarse?, fine?]))
+        }));
+    }
+    let [coarse, fine] = ELEMENTS.map(|elements| along(&pin_rod(&scene), elements, curve.ordinate));
     let (both, abscissa) = ([coarse?, fine?], curve.abscissa);
     let radius = match curve.ordinate {
-        Ordinate::HoopStress => rod.pin_radius + rod.clearance,
-        Ordinate::Pressure | Ordinate::HalfAngle => rod.pin_radius,
+        Ordinate::HoopStress => scene.number("pin_radius") + scene.number("clearance"),
+        Ordinate::Pressure | Ordinate::HalfAngle => scene.number("pin_radius"),
     };
     Ok(Box::new(move |at| {
         let angle = match abscissa {
@@ -176,7 +173,7 @@ fn along(scene: &Scene, elements: usize, ordinate: Ordinate) -> Result<(f64, Vec
 }
 
 /// Where the contact ends under a force \[rad\], 0 under none; NaN where the run did not converge.
-fn half_angle(sheet: &SheetScene, force: f64, elements: usize) -> Result<f64, Error> {
+fn half_angle(sheet: &DigitisedScene, force: f64, elements: usize) -> Result<f64, Error> {
     if force <= 0.0 {
         return Ok(0.0);
     }
@@ -191,38 +188,38 @@ fn solved(scene: &Scene, elements: usize) -> Result<(Discretisation, Run), Error
     Ok((discretisation, run))
 }
 
-fn pin_rod(source: &RodScene) -> Scene {
-    let base = PinRod::default();
+fn pin_rod(source: &DigitisedScene) -> Scene {
+    let (base, number) = (PinRod::default(), |key| source.number(key));
     let rod = PinRod {
-        pin_radius: source.pin_radius,
-        clearance: source.clearance,
-        eye_outer_radius: source.eye_outer_radius,
-        shank_width: source.shank_width,
-        shank_end: source.shank_end,
-        thickness: source.thickness,
-        pin: source.pin,
-        rod: source.rod,
-        force: source.force,
-        unit: base.unit * source.pin_radius / base.pin_radius,
+        pin_radius: number("pin_radius"),
+        clearance: number("clearance"),
+        eye_outer_radius: number("eye_outer_radius"),
+        shank_width: number("shank_width"),
+        shank_end: number("shank_end"),
+        thickness: number("thickness"),
+        pin: source.material("pin"),
+        rod: source.material("rod"),
+        force: number("force"),
+        unit: base.unit * number("pin_radius") / base.pin_radius,
         ..base
     };
     rod.scene()
 }
 
-fn pin_sheet(source: &SheetScene, force: f64) -> Scene {
-    let base = PinPlate::default();
+fn pin_sheet(source: &DigitisedScene, force: f64) -> Scene {
+    let (base, number) = (PinPlate::default(), |key| source.number(key));
     let plate = PinPlate {
-        pin_radius: source.pin_radius,
-        clearance: source.clearance,
-        rim_radius: source.rim_radius,
-        thickness: source.thickness,
-        material: source.sheet,
+        pin_radius: number("pin_radius"),
+        clearance: number("clearance"),
+        rim_radius: number("rim_radius"),
+        thickness: number("thickness"),
+        material: source.material("sheet"),
         force,
-        unit: base.unit * source.pin_radius / base.pin_radius,
+        unit: base.unit * number("pin_radius") / base.pin_radius,
         ..base
     };
     let mut scene = plate.scene();
-    scene.bodies[0].material = source.pin;
+    scene.bodies[0].material = source.material("pin");
     scene
 }
 

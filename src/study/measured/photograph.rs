@@ -44,18 +44,8 @@ pub struct Photograph {
     pub lines: Vec<Line>,
 }
 
-/// A fringe of an end: `[x, z]` over the radius.
-#[derive(Clone, Debug)]
-pub struct Line {
-    /// The end.
-    pub end: End,
-    /// Channel.
-    pub channel: Channel,
-    /// As read.
-    pub measured: Vec<[f64; 2]>,
-    /// As computed.
-    pub computed: Vec<[f64; 2]>,
-}
+/// A fringe of an end in a channel, as read and as computed: `[x, z]` over the radius.
+pub type Line = (End, Channel, [Vec<[f64; 2]>; 2]);
 
 /// Fits at the bottom, predicts the top.
 pub fn compare(fringes: &[Fringe]) -> Result<Photograph, Error> {
@@ -111,7 +101,7 @@ fn lines(field: &Field, constants: &Constants, end: End, own: &[Fringe]) -> Vec<
             };
             let over = |x: f64, z: f64| constants.order_at(field, channel, [x, z]) - order;
             let computed = depths.filter_map(|z| Some([place(|x| over(x, z), around(z))?, z])).collect();
-            all.push(Line { end, channel, measured, computed });
+            all.push((end, channel, [measured, computed]));
         }
     }
     all
@@ -146,7 +136,8 @@ pub fn judge(photograph: &Photograph) -> Vec<Judged> {
             value: 0.0,
             uncertainty: None,
         };
-        let quantity = Quantity::at("root mean square of the fringe orders", format!("{end}, {points} points"));
+        let quantity =
+            Quantity::at("root mean square of the fringe orders", format!("{}, {points} points", end.name()));
         let because = "read to about 0.03 orders; five constants fitted at the bottom, none at the top";
         Check::absolute(quantity, reference, ACCEPTED, because).judge(*rms)
     });
@@ -183,29 +174,29 @@ pub fn section(photograph: &Photograph) -> String {
     let [red, green, blue] = photograph.constants.orders.map(|order| significant(order, 3));
     let passing = photograph.widths.iter().filter(|[.., fitted]| *fitted <= ACCEPTED).map(|[a_over_r, ..]| *a_over_r);
     let [narrow, wide] = passing.fold([f64::INFINITY, 0.0], |[least, most], x| [x.min(least), x.max(most)]);
-    let end =
-        |(end, points, rms): &(End, usize, f64)| format!("{end}: {} orders ({points} points)", significant(*rms, 3));
+    let end = |(end, points, rms): &(End, usize, f64)| {
+        format!("{}: {} orders ({points} points)", end.name(), significant(*rms, 3))
+    };
     format!(
-        "A photoelastic disc squeezed between two plates (provenance in `oracles/digitised/photoelastic-disc`): *measured, shape only, \
-         uncalibrated*. Load, material, diameter and friction are unknown. The difference of the principal stresses over that at the centre, \
-         times a constant of each colour channel, is the fringe order. Five constants are fitted at the bottom; nothing is fitted at the top.\n\n\
-         Fitted: a/R = {} (standard deviation {}, if readings were independent), orders at the centre {red} (red), {green} (green), {blue} \
-         (blue), loaded edge {} R above the end of the diameter. Root mean square: {}. Reading: about 0.03 orders. A mesh twice as coarse changes \
-         {} orders (root mean square), at most {}.\n\n{}\n\
-         With all else refitted, what passes of these lies between a/R = {} and {} ({ACCEPTED} orders are accepted): the picture validates the shape of the stress field \
-         near a line contact, and nothing else. It cannot show the width, the shape of the pressure (uniform, Hertz and punch fit alike), the law \
-         between load and width, E, ν, or anything about pins.\n\n{}",
-        significant(a, 3),
-        significant(deviation, 2),
-        significant(photograph.constants.edge, 2),
-        photograph.ends.each_ref().map(end).join(", "),
-        significant(photograph.mesh[0], 2),
-        significant(photograph.mesh[1], 2),
-        markdown::columns(&COLUMNS, &photograph.widths),
-        significant(narrow, 2),
-        significant(wide, 2),
-        picture(FRINGES, "Dark fringes near both loaded ends: read from the photograph (points) and computed (lines)"),
-    )
+        include_str!("photograph.md"),
+        half_width = significant(a, 3),
+        deviation = significant(deviation, 2),
+        red = red,
+        green = green,
+        blue = blue,
+        edge = significant(photograph.constants.edge, 2),
+        ends = photograph.ends.each_ref().map(end).join(", "),
+        changed = significant(photograph.mesh[0], 2),
+        most = significant(photograph.mesh[1], 2),
+        widths = markdown::columns(&COLUMNS, &photograph.widths),
+        narrow = significant(narrow, 2),
+        wide = significant(wide, 2),
+        accepted = ACCEPTED
+    ) + "\n"
+        + &picture(
+            FRINGES,
+            "Dark fringes near both loaded ends: read from the photograph (points) and computed (lines)",
+        )
 }
 
 /// Fringes measured and computed.
@@ -221,8 +212,8 @@ fn fringes(photograph: &Photograph, end: End, title: &str) -> Chart {
         Axis::linear("x / R [–]").over(0.0, 0.3),
         Axis::linear("distance from the loaded end / R [–]").over(0.0, 0.35),
     );
-    for line in photograph.lines.iter().filter(|line| line.end == end) {
-        let (colour, name, marker) = match line.channel {
+    for (_, channel, [measured, computed]) in photograph.lines.iter().filter(|line| line.0 == end) {
+        let (colour, name, marker) = match channel {
             Channel::R => (palette::LAYER, "red", Marker::Square),
             Channel::G => (palette::NODE, "green", Marker::Circle),
             Channel::B => (palette::LINE, "blue", Marker::Diamond),
@@ -230,8 +221,8 @@ fn fringes(photograph: &Photograph, end: End, title: &str) -> Chart {
         let mut draw = |points: &[[f64; 2]], label: String, dash, marker| {
             chart.series.push(Series::new(label, points.iter().copied(), Style::run(colour, dash, marker)));
         };
-        draw(&line.computed, format!("{name}, computed"), Dash::Solid, Marker::Absent);
-        draw(&line.measured, format!("{name}, read"), Dash::Absent, marker);
+        draw(computed, format!("{name}, computed"), Dash::Solid, Marker::Absent);
+        draw(measured, format!("{name}, read"), Dash::Absent, marker);
     }
     chart
 }

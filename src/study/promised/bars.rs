@@ -383,22 +383,16 @@ pub(super) fn section(surveyed: &Surveyed<Record>) -> String {
     let rows: Vec<Row> = rows.map(row).filter(|(.., [all, ..])| !all.is_empty()).collect();
     let [fewest, most] = ELEMENTS;
     format!(
-        "## Whether error bars hold\n\n\
-         `solve` prints every number with a bar: what the mesh, the iteration and a penalty may leave in it \
-         (`src/solver/accuracy/bar.rs`). Here they are held against random scenes whose true errors are known, by closed forms or a boundary method, on random \
-         meshes: {fewest} to {most} elements on half of the contact, which ends anywhere within one of them, and enough \
-         for the tip of a wedge and the thickness of a ring (what is smaller than the elements no coarser mesh sees); random growth; 4- and 8-node cells, line, layer and node \
-         elements, iterations that end late, early, or with a penalty. The constants of the bars were chosen on other scenes. Where the pressure rises up \
-         to the last element of a contact, neither its peak nor the shear stress below has a bar. {}\n\n{}{}\n\
-         Errors of the peak are relative to it, of places and widths to the half-width, of forces to the force; *bar over error* leaves \
-         out errors that are round-off.\n\n",
-        surveyed.told(),
-        drawn::picture(
+        include_str!("bars.md"),
+        fewest = fewest,
+        most = most,
+        surveyed = surveyed.told(),
+        chart = drawn::picture(
             "coverage.svg",
             "True error against the bar claimed: in each range of bars the median, the 95th of 100 and the largest error; below the diagonal a bar holds; errors that are round-off are left out"
         ),
-        markdown::columns(&COLUMNS, &rows)
-    )
+        table = markdown::columns(&COLUMNS, &rows)
+    ) + "\n"
 }
 
 /// Numbers that have a panel: errors of the others are mostly round-off.

@@ -252,27 +252,19 @@ fn same(a: f64, b: f64) -> bool {
 /// The section: criterion, how loose the bound in the energy norm is, and the chart.
 pub(super) fn section(surveyed: &Surveyed<Record>, energies: &[Option<EnergyError>]) -> String {
     format!(
-        "## What is called converged\n\n\
-         A run stops by its error against the solution of its own discrete problem, which an active set finds beside it, and \
-         not by a residual, whose scale someone must guess. Per contact, relative to that solution: the *peak*, the share of \
-         the *force* at the wrong place, half-width and centre as *width*, and the *approach* over the one that the \
-         contact's own force makes. The largest of the four, over all contacts, is the iteration error; converged is an \
-         iteration error within the tolerance. The algorithms do not see it. `src/solver/algorithm/target.rs` has the formulas.\n\n\
-         {}\
-         Every scene file and library scene, and a block of {SIZE} half-widths, under every element and algorithm; candidates as \
-         long as the scene has them and of {stretches} half-widths, where the bodies allow it; loads of {loads} of the scene's own; \
-         tolerances of {tolerances}; at most {limit} iterations. A run that does not converge is reported so, and is not wrong. {}\n\n{}",
-        bound(energies),
-        surveyed.told(),
-        drawn::picture(
-            "converged.svg",
-            "Share of the runs that converge at the default tolerance, by candidate stretch, over all scenes and loads"
-        ),
-        limit = Settings::default().max_iterations,
+        include_str!("converged.md"),
+        bound = bound(energies),
+        size = SIZE,
         stretches = list(&STRETCHES[1..]),
         loads = list(&LOADS),
         tolerances = list(&TOLERANCES),
-    )
+        limit = Settings::default().max_iterations,
+        surveyed = surveyed.told()
+    ) + "\n"
+        + &drawn::picture(
+            "converged.svg",
+            "Share of the runs that converge at the default tolerance, by candidate stretch, over all scenes and loads",
+        )
 }
 
 /// Numbers one after the other.
@@ -292,14 +284,14 @@ fn bound(energies: &[Option<EnergyError>]) -> String {
     let [least, median, largest] = [ratios.first(), ratios.get(ratios.len() / 2), ratios.last()]
         .map(|ratio| markdown::significant(ratio.copied().unwrap_or(f64::NAN), 3));
     format!(
-        "Without that solution a bound can be had in the energy norm, from a run's own forces, gaps and penetrations alone \
-         (`src/solver/algorithm/bound.rs`). That it holds is a check of every run. On {} under all nine formulations it is {least} to \
-         {largest} times the error, {median} in the median of the {} runs of {} whose error is above round-off: an energy does not \
-         tell the peak, and so it is shown and not stopped by.\n\n",
-        BOUNDED.join(", "),
-        ratios.len(),
-        energies.len()
-    )
+        include_str!("bound.md"),
+        scenes = BOUNDED.join(", "),
+        least = least,
+        largest = largest,
+        median = median,
+        counted = ratios.len(),
+        all = energies.len()
+    ) + "\n"
 }
 
 /// Share of the runs that converge at the default tolerance against the candidate stretch, one panel an algorithm.

@@ -276,15 +276,12 @@ pub(super) fn section(surveyed: &Surveyed<Record>, beside: &[Beside]) -> String 
     };
     let rows: Vec<Row> = families().flat_map(|family| ASKED.map(|asked| (family, asked))).map(row).collect();
     format!(
-        "## Whether an accuracy called met is met, and what it costs\n\n\
-         `accuracy = \"0.1 %\"` in a scene file, or `--accuracy`, chooses cells of order 5 to 8 that end with the contacts, and where none can, \
-         elements, growth and candidates of 8-node cells. \
-         The random scenes of *Whether error bars hold*, but for flat punches and polygons, whose peak has no limit; such scenes with a coarse mesh \
-         given for the body, its inner nodes shaken, and two of them in one, whatever their sizes. Size, material, load and the guess of the candidate stretch, {shortest} to {longest} times the contact, are drawn. The error is \
-         the larger one of peak pressure and half-width against the truth, over both contacts. {}\n\n{}\n\n\
-         The first scenes of their kinds, on meshes of {MOST_BESIDE} dofs at most; what is not met is the best that was found.\n\n{}\n\n",
-        surveyed.told(),
-        markdown::columns(&COLUMNS, &rows),
-        markdown::columns(&COLUMNS_BESIDE, beside)
-    )
+        include_str!("met.md"),
+        shortest = shortest,
+        longest = longest,
+        surveyed = surveyed.told(),
+        families = markdown::columns(&COLUMNS, &rows),
+        most_beside = MOST_BESIDE,
+        beside = markdown::columns(&COLUMNS_BESIDE, beside)
+    ) + "\n"
 }

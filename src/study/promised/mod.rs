@@ -138,10 +138,11 @@ fn section_on_checks(all: usize, outside: &[(String, Judged)]) -> String {
     let table = if outside.is_empty() { String::new() } else { markdown::columns(&COLUMNS, outside) };
     let unknown = outside.iter().filter(|(_, one)| !one.has_known_bar()).count();
     format!(
-        "## Error bars beside checks\n\n\
-         Every check of a case that holds a number with an error bar against a closed form shows that bar in its table. Of {all} \
-         {} have a true error beyond the sum of the bar and the model error that the case states of its closed form, and {unknown} a bar that is not known{}\n\n{table}\n",
-        outside.len() - unknown,
-        if outside.is_empty() { "." } else { ":" }
+        include_str!("checks.md"),
+        all = all,
+        beyond = outside.len() - unknown,
+        unknown = unknown,
+        end = if outside.is_empty() { "." } else { ":" },
+        table = table
     )
 }

@@ -5,7 +5,7 @@
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-use crate::case::library::{FlatPunch, TruncatedHertz};
+use crate::case::library::{FlatPunch, TruncatedHertz, body, fixed};
 use crate::measure::Quantity;
 use crate::oracle::analytic::hertz::Hertz;
 use crate::oracle::analytic::punch;
@@ -17,6 +17,8 @@ use crate::scene::{
 };
 use crate::study::random::family::{Draw, Sample};
 
+/// The surface to both sides of x = 0.
+const BOTH_SIDES: Path = Path::Straight(Line { origin: [0.0, 0.0], both_sides: true });
 /// Part of the height of a block at which a point on its axis is looked at.
 const LOOKED_INTO: f64 = 0.3;
 
@@ -36,9 +38,8 @@ pub fn cosine(draw: &mut Draw, material: Material, guess: f64) -> Sample {
     let open = Waves { modulus, amplitude, wavelength, mean: 0.0 };
     let waves = Waves { mean: open.complete() * (PI * share).sin().powi(2), ..open };
     let (peak, half_width) = (waves.pressure(0.0), share * wavelength);
-    let rolled = |at: Place| Support { at, component: Component::X, value: 0.0 };
     let side = 0.5 * wavelength;
-    let supports = ["left", "right"].map(|name| rolled(Place::Boundary(name.into()))).into();
+    let supports = ["left", "right"].map(|side| fixed(side, Component::X, 0.0)).into();
     let loads = vec![Load::Traction { boundary: "far".into(), traction: [0.0, -waves.mean] }];
     let profile = Profile::Cosine { amplitude, wavelength };
     let scene = scene(
@@ -80,8 +81,7 @@ pub fn rolling(draw: &mut Draw, material: Material, guess: f64) -> Sample {
     let field = StressField(Arc::new(move |[x, depth]: [f64; 2]| hertz.stress(x - centre, depth)));
     let loads = ["left", "right", "far"].map(|side| Load::Stress { boundary: side.into(), field: field.clone() });
     let reach = (centre - left).min(right - centre);
-    let path = Path::Straight(Line { origin: [0.0, 0.0], both_sides: true });
-    let pair = ContactPair::new(None, path, Profile::Parabola { radius }, (guess * a).min(reach));
+    let pair = ContactPair::new(None, BOTH_SIDES, Profile::Parabola { radius }, (guess * a).min(reach));
     let held = Support { at: Place::Point([centre + right, height]), component: Component::X, value: 0.0 };
     let size = [[centre + left, centre + right], [0.0, height]];
     let scene = scene(
@@ -140,8 +140,7 @@ pub fn scene(
 
 /// A block with its contact below.
 pub fn rectangle(material: Material, [x, y]: [[f64; 2]; 2], supports: Vec<Support>, loads: Vec<Load>) -> Body {
-    let shape = Shape::Rectangle { x, y, contact: Face::Bottom };
-    Body { density: 1.0, name: "block".into(), shape, material, supports, loads }
+    body("block", Shape::Rectangle { x, y, contact: Face::Bottom }, material, supports, loads)
 }
 
 /// A block on a rigid plane under a pressure linear in x, which is that of the contact at every height.
@@ -157,13 +156,12 @@ pub fn eccentric(draw: &mut Draw, material: Material) -> Sample {
     let (modulus, ratio) =
         (material.plane_modulus(PlaneHypothesis::Strain), material.poisson / (1.0 - material.poisson));
     let far = || Place::Boundary("far".into());
-    let path = Path::Straight(Line { origin: [0.0, 0.0], both_sides: true });
     let held = Support { at: Place::Point([0.0, height]), component: Component::X, value: 0.0 };
     let loads = vec![Load::Stress { boundary: "far".into(), field }];
     let scene = scene(
         "block under an eccentric load",
         vec![rectangle(material, [[-half, half], [0.0, height]], vec![held], loads)],
-        ContactPair { symmetric: false, ..ContactPair::new(None, path, Profile::Uniform(0.0), half) },
+        ContactPair { symmetric: false, ..ContactPair::new(None, BOTH_SIDES, Profile::Uniform(0.0), half) },
         ReferenceValues { length: half, pressure: mean, gap: half * mean / material.young },
         [1.0, 1.0, 1.0],
     );
@@ -287,11 +285,7 @@ pub fn sample(contact: HalfPlane, materials: &[Material], cut: Cut) -> Sample {
     let load = contact.load();
     let [centre, width] = contact.centre_and_width();
     let contact = Arc::new(contact);
-    let (path, left) = if cut.whole {
-        (Path::Straight(Line { origin: [0.0, 0.0], both_sides: true }), -side)
-    } else {
-        (Path::HORIZONTAL, 0.0)
-    };
+    let (path, left) = if cut.whole { (BOTH_SIDES, -side) } else { (Path::HORIZONTAL, 0.0) };
     let bodies = materials.iter().enumerate();
     let bodies = bodies.map(|(k, material)| block(&contact, *material, k == 0, [left, side, height])).collect();
     let pair = ContactPair::new(
@@ -366,22 +360,15 @@ fn block(contact: &Arc<HalfPlane>, material: Material, above: bool, [left, right
     let whole = left < 0.0;
     let sides: &[&'static str] = if whole { &["left", "right", "far"] } else { &["right", "far"] };
     let loads = sides.iter().map(|side| Load::Stress { boundary: (*side).into(), field: field.clone() });
-    let fixed = |at, component| Support { at, component, value: 0.0 };
+    let held = |at, component| Support { at, component, value: 0.0 };
     let corner = |x: f64| Place::Point([x, up * height]);
     let along = if whole { corner(right) } else { Place::Boundary("left".into()) };
-    let mut supports = vec![fixed(along, Component::X)];
+    let mut supports = vec![held(along, Component::X)];
     if !above {
-        supports.push(fixed(corner(left), Component::Y));
-        supports.extend(whole.then(|| fixed(corner(right), Component::Y)));
+        supports.push(held(corner(left), Component::Y));
+        supports.extend(whole.then(|| held(corner(right), Component::Y)));
     }
     let (name, y, face) =
         if above { ("block", [0.0, height], Face::Bottom) } else { ("lower", [-height, 0.0], Face::Top) };
-    Body {
-        density: 1.0,
-        name: name.into(),
-        shape: Shape::Rectangle { x: [left, right], y, contact: face },
-        material,
-        supports,
-        loads: loads.collect(),
-    }
+    body(name, Shape::Rectangle { x: [left, right], y, contact: face }, material, supports, loads.collect())
 }

@@ -25,7 +25,7 @@ const HIGHEST: f64 = 15.0;
 const POWERS: [f64; 2] = [1.5, 30.0];
 
 /// A gap and how it is pressed.
-struct Gap {
+pub struct Gap {
     /// The gap.
     profile: Profile,
     /// Half of the contact, about \[mm\].
@@ -58,7 +58,7 @@ impl Gap {
 }
 
 /// A block, or two, under gaps drawn until one makes a contact.
-fn pressed(draw: &mut Draw, materials: &[Material], guess: f64, drawn: impl Fn(&mut Draw) -> Gap) -> Sample {
+pub fn pressed(draw: &mut Draw, materials: &[Material], guess: f64, drawn: impl Fn(&mut Draw) -> Gap) -> Sample {
     let compliance: f64 = materials.iter().map(|m| 1.0 / m.plane_modulus(PlaneHypothesis::Strain)).sum();
     loop {
         let gap = drawn(draw);
@@ -84,7 +84,7 @@ fn places(number: usize, whole: bool) -> impl Iterator<Item = f64> {
 }
 
 /// `|s|^n`, even powers exactly, every second time with a parabola; other ones through points.
-fn power(draw: &mut Draw, even: bool) -> Gap {
+pub fn power(draw: &mut Draw, even: bool) -> Gap {
     let [a, slope] = size(draw);
     if even {
         let half = draw.decades(1.0, HIGHEST + 0.5).round() as usize;
@@ -102,7 +102,7 @@ fn power(draw: &mut Draw, even: bool) -> Gap {
 }
 
 /// A flat bottom with shoulders of a radius.
-fn flat(draw: &mut Draw) -> Gap {
+pub fn flat(draw: &mut Draw) -> Gap {
     let [a, slope] = size(draw);
     let width = draw.between(0.2, 0.97);
     let beyond = (0..).map(|k| width + (1.0 - width) * 0.5 * f64::powi(2.0, k)).take_while(|u| *u < REACH);
@@ -115,7 +115,7 @@ fn flat(draw: &mut Draw) -> Gap {
 }
 
 /// Different powers on both sides.
-fn skew(draw: &mut Draw) -> Gap {
+pub fn skew(draw: &mut Draw) -> Gap {
     let [a, slope] = size(draw);
     let [right, left] = [0, 1].map(|_| draw.decades(1.5, 6.0));
     let steepness = draw.decades(0.2, 5.0);
@@ -127,7 +127,7 @@ fn skew(draw: &mut Draw) -> Gap {
 }
 
 /// Two humps `(s² − c²)²/8c²`, whose curvature on top is that of `s²/2`; alike and one of them shown, or of different heights.
-fn humps(draw: &mut Draw, whole: bool) -> Gap {
+pub fn humps(draw: &mut Draw, whole: bool) -> Gap {
     let [a, slope] = size(draw);
     let top = draw.between(0.5, 1.0) * a;
     let curvature = slope / a;
@@ -147,7 +147,7 @@ fn humps(draw: &mut Draw, whole: bool) -> Gap {
 }
 
 /// Waves on a parabola.
-fn ripples(draw: &mut Draw) -> Gap {
+pub fn ripples(draw: &mut Draw) -> Gap {
     let [a, slope] = size(draw);
     let wave = 2.0 * std::f64::consts::PI / draw.between(0.5, 1.6);
     let amplitude = draw.decades(0.3, 5.0) / (wave * wave);
@@ -161,7 +161,7 @@ fn ripples(draw: &mut Draw) -> Gap {
 }
 
 /// A polygon; its pressure has no limit at the corners.
-fn kinks(draw: &mut Draw, whole: bool) -> Gap {
+pub fn kinks(draw: &mut Draw, whole: bool) -> Gap {
     let [a, slope] = size(draw);
     let corners = draw.between(1.0, 4.0) as usize;
     let mut side = |sign: f64| {
@@ -184,37 +184,6 @@ fn kinks(draw: &mut Draw, whole: bool) -> Gap {
     let mut points: Vec<[f64; 2]> = side(-1.0).into_iter().skip(1).rev().collect();
     points.extend(right);
     Gap::of(Profile::Table(points.into()), a, whole)
-}
-
-/// A power of the distance on a block.
-pub fn powers(draw: &mut Draw, material: Material, guess: f64, number: usize) -> Sample {
-    pressed(draw, &[material], guess, |draw| power(draw, number.is_multiple_of(2)))
-}
-
-/// A flat bottom with round shoulders on a block.
-pub fn flat_bottom(draw: &mut Draw, material: Material, guess: f64) -> Sample {
-    pressed(draw, &[material], guess, flat)
-}
-
-/// Different powers on both sides of a whole block.
-pub fn uneven(draw: &mut Draw, material: Material, guess: f64) -> Sample {
-    pressed(draw, &[material], guess, skew)
-}
-
-/// Humps on half of a block, or on a whole one.
-pub fn hump(draw: &mut Draw, material: Material, guess: f64, number: usize) -> Sample {
-    pressed(draw, &[material], guess, |draw| humps(draw, number % 2 == 1))
-}
-
-/// Waves on a parabola, on a block.
-pub fn ripple(draw: &mut Draw, material: Material, guess: f64) -> Sample {
-    pressed(draw, &[material], guess, ripples)
-}
-
-/// A polygon on half of a block, or on a whole one.
-pub fn kink(draw: &mut Draw, material: Material, guess: f64, number: usize) -> Sample {
-    let sample = pressed(draw, &[material], guess, |draw| kinks(draw, number % 2 == 1));
-    sample.without_peak()
 }
 
 /// Two blocks, between which the gap is of any of these kinds.

@@ -44,8 +44,9 @@ impl Family {
         let material = Material { young: draw.decades(1e3, 4e5), poisson: draw.between(0.0, 0.45) };
         // The first number of a seed is like that of the next one.
         let guess = draw.decades(GUESS[0], GUESS[1]);
+        let (block, odd) = (&[material][..], number % 2 == 1);
         Ok(match self {
-            Self::Polynomial => gaps::polynomial(draw, material, guess, number % 2 == 1),
+            Self::Polynomial => gaps::polynomial(draw, material, guess, odd),
             Self::Wedge => gaps::wedge(draw, material, guess),
             Self::Cosine => blocks::cosine(draw, material, guess),
             Self::Cylinder => round::cylinder(draw, material, guess),
@@ -58,12 +59,12 @@ impl Family {
             Self::Eccentric => blocks::eccentric(draw, material),
             Self::Punch => blocks::flat_punch(draw, material),
             Self::Rolling => blocks::rolling(draw, material, guess),
-            Self::Power => gaps::powers(draw, material, guess, number),
-            Self::Flat => gaps::flat_bottom(draw, material, guess),
-            Self::Skew => gaps::uneven(draw, material, guess),
-            Self::Hump => gaps::hump(draw, material, guess, number),
-            Self::Ripple => gaps::ripple(draw, material, guess),
-            Self::Kink => gaps::kink(draw, material, guess, number),
+            Self::Power => gaps::pressed(draw, block, guess, |draw| gaps::power(draw, !odd)),
+            Self::Flat => gaps::pressed(draw, block, guess, gaps::flat),
+            Self::Skew => gaps::pressed(draw, block, guess, gaps::skew),
+            Self::Hump => gaps::pressed(draw, block, guess, |draw| gaps::humps(draw, odd)),
+            Self::Ripple => gaps::pressed(draw, block, guess, gaps::ripples),
+            Self::Kink => gaps::pressed(draw, block, guess, |draw| gaps::kinks(draw, odd)).without_peak(),
             Self::Blocks => gaps::blocks(draw, material, guess, number),
             Self::Ring => round::ring(draw, material, guess),
             Self::Layer => round::layer(draw, material, guess, number),

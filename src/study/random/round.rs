@@ -3,15 +3,15 @@
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, PI};
 use std::sync::Arc;
 
-use crate::case::library::{Cylinder, CylinderModel, PinPlate, PressFit};
+use crate::case::library::{Cylinder, CylinderModel, PinPlate, PressFit, body, fixed};
 use crate::measure::Quantity;
+use crate::oracle::analytic::Plane;
 use crate::oracle::analytic::hertz::Hertz;
 use crate::oracle::analytic::persson::PinInHole;
-use crate::oracle::analytic::{Plane, lame};
 use crate::oracle::boundary::strip::OnStrip;
 use crate::oracle::boundary::{Ring, Strip};
 use crate::scene::{
-    Body, Circle, Component, ContactPair, Face, Load, Material, Path, Place, PlaneHypothesis, Profile, ReferenceValues,
+    Circle, Component, ContactPair, Face, Load, Material, Path, Place, PlaneHypothesis, Profile, ReferenceValues,
     Scene, Sector, Shape, Support, TractionField,
 };
 use crate::study::random::blocks::{GROWING, even, of_hertz, rectangle, scene};
@@ -81,19 +81,13 @@ pub fn discs(draw: &mut Draw, upper: Material, guess: f64) -> (Scene, [f64; 3]) 
     let [above, below] = [above, above * below];
     let half_width = above.min(below) * draw.decades(0.001, 0.005);
     let radius = 1.0 / (1.0 / above + 1.0 / below);
-    let held =
-        |boundary: &'static str, component| Support { at: Place::Boundary(boundary.into()), component, value: 0.0 };
-    let disc = |name: &str, centre: f64, radius, contact, material| Body {
-        density: 1.0,
-        name: name.into(),
-        shape: Shape::Disc { centre: [0.0, centre], radius, sector: Sector::Quarter, contact },
-        material,
-        supports: vec![held("axis", Component::X)],
-        loads: vec![],
+    let disc = |name: &str, centre: f64, radius, contact, material| {
+        let shape = Shape::Disc { centre: [0.0, centre], radius, sector: Sector::Quarter, contact };
+        body(name, shape, material, vec![fixed("axis", Component::X, 0.0)], vec![])
     };
     let mut bodies =
         vec![disc("upper", above, above, Face::Bottom, upper), disc("lower", -below, below, Face::Top, lower)];
-    bodies[1].supports.push(held("cut", Component::Y));
+    bodies[1].supports.push(fixed("cut", Component::Y, 0.0));
     let scene = scene(
         "two discs",
         bodies,
@@ -117,16 +111,8 @@ pub fn press_fit(draw: &mut Draw, inside: Material) -> Sample {
         materials: [inside, outside],
         plane,
     };
-    let [inner, outer] = [inside, outside];
-    let lame = lame::PressFit {
-        bore: numbers.inner,
-        interface,
-        outside: numbers.outer,
-        interference: numbers.interference,
-        inner,
-        outer,
-        plane,
-    };
+    let lame = numbers.closed_form();
+    let [inner, outer] = lame.fitted();
     let thinner = (interface - numbers.inner).min(numbers.outer - interface);
     let pressure = lame.pressure();
     let middle = 0.5 * (interface + numbers.outer);
@@ -145,9 +131,9 @@ pub fn press_fit(draw: &mut Draw, inside: Material) -> Sample {
         ],
     )
     .held((0, 0), on_cut)
-    .moved(0, Place::Boundary("inner".into()), Component::X, lame.inner_displacement(numbers.inner) / FRAC_PI_2)
-    .moved(1, Place::Boundary("outer".into()), Component::Y, -lame.outer_displacement(numbers.outer) / FRAC_PI_2)
-    .moved(1, Place::Point([within, -within]), Component::X, FRAC_1_SQRT_2 * lame.outer_displacement(middle))
+    .moved(0, Place::Boundary("inner".into()), Component::X, inner.displacement(numbers.inner) / FRAC_PI_2)
+    .moved(1, Place::Boundary("outer".into()), Component::Y, -outer.displacement(numbers.outer) / FRAC_PI_2)
+    .moved(1, Place::Point([within, -within]), Component::X, FRAC_1_SQRT_2 * outer.displacement(middle))
     .seen_by(ACROSS * FRAC_PI_2 * interface / thinner)
 }
 
@@ -170,7 +156,6 @@ pub fn ring(draw: &mut Draw, material: Material, guess: f64) -> Sample {
     // The cosine of the angle from the downward vertical is −y/r, and presses inwards.
     let pressed = move |[x, y]: [f64; 2]| [x, y].map(|part| along * y * part / (x * x + y * y));
     let circle = |radius| Circle { centre: [0.0, 0.0], radius };
-    let held = |side: &'static str| Support { at: Place::Boundary(side.into()), component: Component::X, value: 0.0 };
     let stretch = (guess * half_angle).min(FRAC_PI_2);
     let shape = Shape::Ring {
         pole: [0.0, 0.0],
@@ -180,11 +165,11 @@ pub fn ring(draw: &mut Draw, material: Material, guess: f64) -> Sample {
         both_sides: false,
         contact: Face::Bottom,
     };
-    let supports = ["start", "end"].map(held).into();
+    let supports = ["start", "end"].map(|side| fixed(side, Component::X, 0.0)).into();
     let loads = vec![Load::TractionField { boundary: "outer".into(), field: TractionField(Arc::new(pressed)) }];
     let scene = scene(
         "ring on a pin",
-        vec![Body { density: 1.0, name: "ring".into(), shape, material, supports, loads }],
+        vec![body("ring", shape, material, supports, loads)],
         ContactPair { above: false, ..ContactPair::new(None, Path::Arc(circle(inner)), profile, stretch) },
         ReferenceValues { length: inner * half_angle, pressure: peak, gap: clearance },
         GROWING,
@@ -222,9 +207,8 @@ pub fn layer(draw: &mut Draw, material: Material, guess: f64, number: usize) -> 
         let strip = if is_bonded { Strip::Bonded(thickness, material.poisson) } else { Strip::Sliding(thickness) };
         let end = a + BEYOND * thickness;
         if let Some(contact) = strip.pressed(modulus, &profile, a, end) {
-            let base = |component, value| Support { at: Place::Boundary("far".into()), component, value };
-            let mut supports = vec![base(Component::Y, -contact.approach)];
-            supports.extend(is_bonded.then(|| base(Component::X, 0.0)));
+            let mut supports = vec![fixed("far", Component::Y, -contact.approach)];
+            supports.extend(is_bonded.then(|| fixed("far", Component::X, 0.0)));
             return sample("layer", (material, profile, guess), &contact, [end, thickness], supports, vec![]);
         }
     }
@@ -238,7 +222,7 @@ pub fn row(draw: &mut Draw, material: Material, guess: f64) -> Sample {
         let period = a / draw.between(OVER_PERIOD[0], OVER_PERIOD[1]);
         let height = period * draw.between(HEIGHTS[0], HEIGHTS[1]);
         if let Some(contact) = Strip::Row(period).pressed(modulus, &profile, a, 0.5 * period) {
-            let right = Support { at: Place::Boundary("right".into()), component: Component::X, value: 0.0 };
+            let right = fixed("right", Component::X, 0.0);
             let mean = Load::Traction { boundary: "far".into(), traction: [0.0, -contact.load() / period] };
             let size = [0.5 * period, height];
             return sample("row", (material, profile, guess), &contact, size, vec![right], vec![mean]);
@@ -256,7 +240,7 @@ fn sample(
     loads: Vec<Load>,
 ) -> Sample {
     let (a, load, [peak, place]) = (contact.half_width, contact.load(), contact.peak());
-    supports.push(Support { at: Place::Boundary("left".into()), component: Component::X, value: 0.0 });
+    supports.push(fixed("left", Component::X, 0.0));
     let scene = scene(
         name,
         vec![rectangle(material, [[0.0, side], [0.0, height]], supports, loads)],

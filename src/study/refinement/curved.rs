@@ -5,18 +5,19 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
+use crate::case::Judged;
 use crate::case::library::PressFit;
-use crate::case::{Check, Judged, Quantity, Reference};
 use crate::elasticity::{element, quadrature, shape_functions};
 use crate::error::Error;
 use crate::markdown::{self, Column};
-use crate::measure::order::{Observed, pairs};
+use crate::measure::order::Observed;
 use crate::measure::profile::relative_l2;
 use crate::mesh::{Mesh, Order, Resolution};
-use crate::oracle::analytic::lame;
 use crate::oracle::analytic::michell::{Harmonic, Side};
+use crate::oracle::analytic::shell;
 use crate::scene::{Profile, Scene, Shape};
 use crate::solve::{Discretisation, Element, Formulation, Iteration, Run};
+use crate::study::refinement::nested::{Level, orders, reach};
 
 /// Elements of the inner and of the outer ring along the fit, on the coarsest mesh.
 const COARSEST: [usize; 2] = [6, 9];
@@ -29,21 +30,10 @@ const TOLERANCE: f64 = 1e-8;
 /// Gauss points of a cell in each direction.
 const POINTS: usize = 5;
 
-/// What is found on one mesh; NaN where the run did not converge.
-#[derive(Clone, Debug)]
-pub struct Level {
-    /// Elements of the inner ring along the fit.
-    pub elements: usize,
-    /// Degrees of freedom.
-    pub dofs: usize,
-    /// Errors of the pressure and of the displacements, relative in L2.
-    pub errors: [f64; 2],
-}
-
 /// The rings: closed form and scene.
 struct Rings {
     numbers: PressFit,
-    uniform: lame::PressFit,
+    uniform: shell::PressFit,
     /// Of the inner and of the outer ring, per MPa.
     harmonics: [Harmonic; 2],
     /// p₂ \[MPa\].
@@ -54,8 +44,7 @@ impl Rings {
     fn new() -> Self {
         let numbers = PressFit::default();
         let &PressFit { inner: bore, interface, outer: outside, interference, materials, plane } = &numbers;
-        let [inner, outer] = materials;
-        let uniform = lame::PressFit { bore, interface, outside, interference, inner, outer, plane };
+        let ([inner, outer], uniform) = (materials, numbers.closed_form());
         let harmonics = [
             Harmonic::pressed(2, Side::Outside, [bore, interface], inner, plane),
             Harmonic::pressed(2, Side::Inside, [interface, outside], outer, plane),
@@ -73,10 +62,7 @@ impl Rings {
     /// Displacement of a ring at a point \[mm\].
     fn displacement(&self, ring: usize, [x, y]: [f64; 2]) -> [f64; 2] {
         let (radius, angle) = (x.hypot(y), x.atan2(-y));
-        let lame = match ring {
-            0 => self.uniform.inner_displacement(radius),
-            _ => self.uniform.outer_displacement(radius),
-        };
+        let lame = self.uniform.fitted()[ring].displacement(radius);
         let [outwards, along] = self.harmonics[ring].displacement(radius).map(|one| self.wave * one);
         let (outwards, along) = (lame + outwards * (2.0 * angle).cos(), along * (2.0 * angle).sin());
         let (sine, cosine) = angle.sin_cos();
@@ -123,7 +109,7 @@ impl Rings {
 }
 
 /// Errors of a contact element on nested meshes of cells of one order, coarse to fine.
-fn levels(order: Order, element: Element) -> Result<Vec<Level>, Error> {
+fn levels(order: Order, element: Element) -> Result<Vec<Level<2>>, Error> {
     let rings = Rings::new();
     let scene = rings.scene(order)?;
     let on_mesh = |refinement| {
@@ -141,29 +127,14 @@ fn levels(order: Order, element: Element) -> Result<Vec<Level>, Error> {
     (0..LEVELS).map(on_mesh).collect()
 }
 
-/// What is found by each contact element on nested meshes of cells of one order.
-#[derive(Clone, Debug)]
-pub struct Curved {
-    /// Order of the cells.
-    pub order: Order,
-    /// Contact elements, each on the meshes from coarse to fine.
-    pub series: [(Element, Vec<Level>); 3],
-}
+/// Contact elements, each on meshes from coarse to fine: errors of the pressure and of the displacements, relative in L2.
+pub type Curved = [(Element, Vec<Level<2>>); 3];
 
-/// Both rings by every contact element.
+/// Both rings by every contact element on cells of one order.
 pub fn rings(order: Order) -> Result<Curved, Error> {
     let [line, layer, node] = Element::ALL.map(|element| levels(order, element).map(|levels| (element, levels)));
-    Ok(Curved { order, series: [line?, layer?, node?] })
+    Ok([line?, layer?, node?])
 }
-
-/// Observed orders of one of the errors of a contact element, between each two successive meshes.
-fn orders(levels: &[Level], number: usize) -> Vec<Observed> {
-    let sizes: Vec<f64> = levels.iter().map(|level| 1.0 / level.elements as f64).collect();
-    pairs(&sizes, &levels.iter().map(|level| level.errors[number]).collect::<Vec<_>>(), TOLERANCE)
-}
-
-/// What is below the order expected and passes: pairs approach it from both sides.
-const SLACK: f64 = 0.1;
 
 /// Orders expected of the node element on 4-node and on 8-node cells, of the pressure and of the displacements.
 const EXPECTED: [[(f64, &str); 2]; 2] = [
@@ -177,17 +148,12 @@ const EXPECTED: [[(f64, &str); 2]; 2] = [
 /// What the orders are of.
 const NUMBERS: [&str; 2] = ["observed order of the pressure in L2", "observed order of the displacements in L2"];
 
-/// The order between each two successive meshes reaches the one expected; one that is withheld does not.
-pub fn judge(curved: &Curved) -> Vec<Judged> {
-    let expected = EXPECTED[usize::from(curved.order != Order::Linear)];
-    let [.., (_, levels)] = &curved.series;
+/// The order between each two successive meshes reaches the one expected.
+pub fn judge(cells: Order, [.., (_, levels)]: &Curved) -> Vec<Judged> {
+    let expected = EXPECTED[usize::from(cells != Order::Linear)];
     let judged = NUMBERS.into_iter().zip(expected).enumerate().flat_map(|(number, (name, (order, because)))| {
-        let of_pair = move |(two, pair): (&[Level], Observed)| {
-            let quantity = Quantity::at(name, format!("{} to {} elements", two[0].elements, two[1].elements));
-            let expected = Reference::analytic(&format!("order {order}, a tenth less"), order - SLACK);
-            Check::at_least(quantity, expected, because).judge(pair.value())
-        };
-        levels.windows(2).zip(orders(levels, number)).map(of_pair)
+        let between = |a: usize, b: usize| format!("{a} to {b} elements");
+        reach((name, "order", order, because), (levels, number, TOLERANCE), between)
     });
     judged.collect()
 }
@@ -200,7 +166,7 @@ pub const INTRODUCTION: &str = "## Curved sides that do not match\n\n\
      A dash is a run that did not converge.\n\n";
 
 /// Errors and orders by each contact element.
-pub fn table(curved: &Curved) -> String {
+pub fn table(order: Order, curved: &Curved) -> String {
     type Row = (usize, usize, Vec<String>);
     const COLUMNS: [Column<Row>; 8] = [
         ("elements", |(elements, ..)| elements.to_string()),
@@ -213,13 +179,13 @@ pub fn table(curved: &Curved) -> String {
         ("L2(u), node", |(.., cells)| cells[5].clone()),
     ];
     let all: Vec<[Vec<Observed>; 2]> =
-        curved.series.iter().map(|(_, levels)| [0, 1].map(|number| orders(levels, number))).collect();
-    let [.., (_, levels)] = &curved.series;
+        curved.iter().map(|(_, levels)| [0, 1].map(|number| orders(levels, number, TOLERANCE))).collect();
+    let [.., (_, levels)] = curved;
     let rows: Vec<Row> = levels
         .iter()
         .enumerate()
         .map(|(k, level)| {
-            let cells = curved.series.iter().zip(&all).flat_map(|((_, levels), pairs)| {
+            let cells = curved.iter().zip(&all).flat_map(|((_, levels), pairs)| {
                 [0, 1].map(|number| {
                     let error = levels[k].errors[number];
                     let order = k.checked_sub(1).and_then(|before| pairs[number].get(before));
@@ -233,14 +199,14 @@ pub fn table(curved: &Curved) -> String {
             (level.elements, level.dofs, cells.collect())
         })
         .collect();
-    let [others @ .., (_, own)] = &curved.series;
+    let [others @ .., (_, own)] = curved;
     let of_others = || others.iter().flat_map(|(_, levels)| levels.iter().zip(own));
     let off = of_others().map(|(level, _)| level.errors[0]).fold(f64::NAN, f64::min);
     let beside = of_others().map(|(level, own)| level.errors[1] / own.errors[1]).fold(f64::NAN, f64::max);
     format!(
         "**Rings, {}-node cells**\n\n{}\nOn every mesh the pressures at the points of the line and the layer element are off by {} or more, and \
          their displacements by {} times those of the node element or less.\n\n",
-        curved.order.nodes_per_cell(),
+        order.nodes_per_cell(),
         markdown::columns(&COLUMNS, &rows),
         markdown::error(off),
         markdown::significant(beside, 2),

@@ -32,14 +32,9 @@ use nested::Series;
 #[derive(Clone, Debug)]
 pub enum Numbers {
     /// Truncated Hertz by cells of one order.
-    Orders {
-        /// Relative errors with their signs.
-        series: Series,
-        /// Largest relative error of the assembled load.
-        load: f64,
-    },
-    /// Rings on meshes that do not match.
-    Rings(curved::Curved),
+    Orders(Series),
+    /// Rings on meshes of cells of one order that do not match.
+    Rings(Order, curved::Curved),
     /// The cylinder beside Hertz, from the smallest contact to the largest.
     ModelError([Ratio; 4]),
     /// The half cylinder against the quarter, from the smallest contact to the largest.
@@ -68,14 +63,14 @@ impl Study for Numbers {
     };
 
     fn plan() -> Vec<Planned<Self>> {
-        let orders = [("4-node", Order::Linear), ("8-node", Order::Quadratic)];
-        let orders = orders.map(|(name, order)| {
-            Planned::new("order of accuracy, truncated hertz", name, move || {
-                nested::truncated(order).map(|(series, load)| Numbers::Orders { series, load })
-            })
+        let cells = [("4-node", Order::Linear), ("8-node", Order::Quadratic)];
+        let orders = cells.map(|(name, order)| {
+            let run = move || nested::truncated(order).map(Numbers::Orders);
+            Planned::new("order of accuracy, truncated hertz", name, run)
         });
-        let rings = [("4-node", Order::Linear), ("8-node", Order::Quadratic)].map(|(name, order)| {
-            Planned::new("order of accuracy, rings", name, move || curved::rings(order).map(Numbers::Rings))
+        let rings = cells.map(|(name, order)| {
+            let run = move || Ok(Numbers::Rings(order, curved::rings(order)?));
+            Planned::new("order of accuracy, rings", name, run)
         });
         let others = [
             Planned::new("model error, cylinder", "node.kinematic", || model_error().map(Numbers::ModelError)),
@@ -91,8 +86,8 @@ impl Study for Numbers {
 
     fn judge(&self) -> Result<Vec<Judged>, Error> {
         Ok(match self {
-            Numbers::Orders { series, load } => nested::judge_orders(series, *load),
-            Numbers::Rings(rings) => curved::judge(rings),
+            Numbers::Orders(series) => nested::judge_orders(series),
+            Numbers::Rings(order, rings) => curved::judge(*order, rings),
             Numbers::ModelError(ratios) => judge_model_error(ratios),
             Numbers::Quarter(changes) => changes.iter().flat_map(judge_change).collect(),
             Numbers::Family { curves, same_place, wide_plate } => family::judge(curves, same_place, *wide_plate),
@@ -109,8 +104,8 @@ impl Study for Numbers {
         ];
         for found in findings {
             match found.numbers {
-                Numbers::Orders { series, load } => refinement += &nested::table_of_orders(series, *load),
-                Numbers::Rings(found) => rings += &curved::table(found),
+                Numbers::Orders(series) => refinement += &nested::table_of_orders(series),
+                Numbers::Rings(order, found) => rings += &curved::table(*order, found),
                 Numbers::ModelError(ratios) => refinement += &table_of_ratios(ratios),
                 Numbers::Quarter(changes) => quarter += &table_of_changes(changes),
                 Numbers::Family { curves, .. } => family += &family::table_of_curves(curves),
@@ -122,7 +117,7 @@ impl Study for Numbers {
     /// Errors over the mesh size.
     fn pictures(findings: &[Found<Self>]) -> Result<Vec<(String, Drawing)>, Error> {
         let series = findings.iter().filter_map(|found| match found.numbers {
-            Numbers::Orders { series, .. } => Some(series),
+            Numbers::Orders(series) => Some(series),
             _ => None,
         });
         Ok(vec![(nested::FILE.into(), nested::chart(&series.collect::<Vec<_>>()))])

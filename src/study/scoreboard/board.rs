@@ -55,18 +55,8 @@ named_enum! {
 
 impl Code {
     /// Its script under `oracles/peers`.
-    pub fn script(self) -> &'static str {
-        match self {
-            Self::Calculix => "run_calculix.py",
-            Self::Getfem => "run_getfem.py",
-            Self::Ngsolve => "run_ngsolve.py",
-            Self::Sfepy => "run_sfepy.py",
-            Self::Kratos => "run_kratos.py",
-            Self::Akantu => "run_akantu.py",
-            Self::Felupe => "run_felupe.py",
-            Self::ScikitFem => "run_scikit_fem.py",
-            Self::Dolfinx => "run_dolfinx.py",
-        }
+    pub fn script(self) -> String {
+        format!("run_{}.py", self.name().to_lowercase().replace('-', "_"))
     }
 }
 

@@ -90,25 +90,11 @@ impl Study for Numbers {
     fn section(findings: &[Found<Self>]) -> Result<String, Error> {
         let board = Board::load()?;
         let mut text = format!(
-            "Each case is exported by `contact-vv export`, solved on the exported mesh by the scripts that are exported with it, and judged by \
-             what `contact-vv judge` judges by. *Error* is the larger relative one of the peak pressure p₀ and the half-width a. *Penetration* is \
-             over the approach that the contact makes, *tension* over the largest pressure; – is not told by the answer.\n\n\
-             * **Its own contact**: as the code documents it first, and with each other parameter that the tables below name. The best is the one \
-             with the least that is not met, then with the smaller error, of {}.\n\
-             * **Our rows, their solver**: the code is handed our contact rows and only solves them. What comes out is our discrete answer again; \
-             it tells nothing of its contact, and counts for nothing. scikit-fem and dolfinx have no contact of their own.\n\
-             * **Ours**: {} on the same mesh, read by the same reader.\n\n\
-             Seconds are those of the solution by the script's own account, CalculiX's of the whole process, over one sparse Cholesky solve of the \
-             exported mesh just before, of one machine ({}), and are recorded; errors and verdicts are computed from the frozen files with every \
-             report. CalculiX makes bricks of plane cells, so that it solves for more unknowns. In the plane the contact of SfePy, of Kratos and of \
-             Akantu has edges with 2 nodes alone: they are given each 8-node cell cut into four with 4 nodes. Akantu finds pairs, gaps and the forces \
-             on the first side; the forces on the other side, the tangent and a turn of the scene are ours, since its contact in the plane has faults \
-             there. FElupe's contact knows rigid planes only: beside a second body each node has a plane of its own, which moves with the node that \
-             faces it, and these pairs are ours.\n\n",
-            tried(),
-            Formulation::verification().name(),
-            board.processor
-        );
+            include_str!("page.md"),
+            tried = tried(),
+            ours = Formulation::verification().name(),
+            processor = board.processor
+        ) + "\n";
         text += &(markdown::columns(&SUMMARY, &ranked(findings)) + "\n");
         text += &picture(
             FILE,
@@ -138,7 +124,7 @@ impl Study for Numbers {
     /// Error of each code by its own contact, a panel a case.
     fn pictures(findings: &[Found<Self>]) -> Result<Vec<(String, Drawing)>, Error> {
         let order: Vec<Option<Code>> =
-            ranked(findings).into_iter().rev().map(|one| one.code).filter(|code| code.is_none_or(has_own)).collect();
+            ranked(findings).into_iter().rev().map(|(code, _)| code).filter(|code| code.is_none_or(has_own)).collect();
         let names = || order.iter().map(|code| code.map_or("ours", Code::name).to_owned()).collect();
         let panel = |found: &Found<Self>| {
             let error = Axis::log("larger error of p₀ and a [–]").over(0.5 * FLOOR, 2.0);
@@ -298,43 +284,36 @@ fn row(truth: &Truth, discretisation: &Discretisation, told: &Told) -> Option<Ro
     Some(Row { setting, told: told.clone(), scored })
 }
 
-/// A code over all cases, or ours: its answers by the first choice, by the best parameters, and by our rows.
-struct Summed {
-    /// The code; none is ours.
-    code: Option<Code>,
-    /// Case by case; none where a run failed, or there is no such contact.
-    answers: [Vec<Option<Scored>>; 3],
+/// A code over all cases, none being ours: its answers by the first choice, by the best parameters, and by our rows, case by case; none where a
+/// run failed, or there is no such contact.
+type Summed = (Option<Code>, [Vec<Option<Scored>>; 3]);
+
+/// The largest of a number over the cases; none where no answer tells it.
+fn largest_of(answers: &[Option<Scored>], of: impl Fn(&Scored) -> Option<f64>) -> Option<f64> {
+    answers.iter().flatten().filter_map(of).reduce(larger)
 }
 
-impl Summed {
-    /// The largest of a number over the cases; none where no answer tells it.
-    fn worst(&self, which: usize, of: impl Fn(&Scored) -> Option<f64>) -> Option<f64> {
-        self.answers[which].iter().flatten().filter_map(of).reduce(larger)
-    }
+fn worst_of(answers: &[Option<Scored>], of: impl Fn(&Scored) -> Option<f64>) -> String {
+    let failed = answers.iter().filter(|one| one.is_none()).count();
+    let worst = largest_of(answers, of).map_or("–".into(), markdown::error);
+    if failed == 0 || failed == answers.len() { worst } else { format!("{worst}, {failed} failed") }
+}
 
-    fn told(&self, which: usize, of: impl Fn(&Scored) -> Option<f64>) -> String {
-        let failed = self.answers[which].iter().filter(|one| one.is_none()).count();
-        let worst = self.worst(which, of).map_or("–".into(), markdown::error);
-        if failed == 0 || failed == self.answers[which].len() { worst } else { format!("{worst}, {failed} failed") }
-    }
-
-    fn met(&self, which: usize) -> String {
-        let all = &self.answers[which];
-        let met = all.iter().flatten().filter(|scored| scored.failed.is_empty()).count();
-        if all.iter().flatten().next().is_none() { "–".into() } else { format!("{met} of {}", all.len()) }
-    }
+fn met(answers: &[Option<Scored>]) -> String {
+    let met = answers.iter().flatten().filter(|scored| scored.failed.is_empty()).count();
+    if answers.iter().flatten().next().is_none() { "–".into() } else { format!("{met} of {}", answers.len()) }
 }
 
 /// Code by code, over all cases.
 const SUMMARY: [Column<Summed>; 8] = [
-    ("code", |one| one.code.map_or("**ours**", Code::name).into()),
-    ("worst error, first choice", |one| one.told(0, |scored| Some(scored.error()))),
-    ("worst error, best", |one| one.told(1, |scored| Some(scored.error()))),
-    ("worst penetration, best", |one| one.told(1, |scored| scored.laws[0])),
-    ("worst tension, best", |one| one.told(1, |scored| scored.laws[1])),
-    ("all met, first choice", |one| one.met(0)),
-    ("all met, best", |one| one.met(1)),
-    ("our rows, their solver: worst error", |one| one.told(2, |scored| Some(scored.error()))),
+    ("code", |(code, _)| code.map_or("**ours**", Code::name).into()),
+    ("worst error, first choice", |(_, [first, ..])| worst_of(first, |scored| Some(scored.error()))),
+    ("worst error, best", |(_, [_, best, _])| worst_of(best, |scored| Some(scored.error()))),
+    ("worst penetration, best", |(_, [_, best, _])| worst_of(best, |scored| scored.laws[0])),
+    ("worst tension, best", |(_, [_, best, _])| worst_of(best, |scored| scored.laws[1])),
+    ("all met, first choice", |(_, [first, ..])| met(first)),
+    ("all met, best", |(_, [_, best, _])| met(best)),
+    ("our rows, their solver: worst error", |(_, [.., rows])| worst_of(rows, |scored| Some(scored.error()))),
 ];
 
 /// All codes and ours, by the worst error of the best.
@@ -344,12 +323,12 @@ fn ranked(findings: &[Found<Numbers>]) -> Vec<Summed> {
         let own = |which: usize| findings.iter().map(move |found| answer(found.numbers.own(code)[which])).collect();
         let rows = |setting: &Setting| setting.code == code && setting.contact == Contact::OurRows;
         let ours = findings.iter().map(|found| answer(found.numbers.best(rows))).collect();
-        Summed { code: Some(code), answers: [own(0), own(1), ours] }
+        (Some(code), [own(0), own(1), ours])
     };
     let ours: Vec<Option<Scored>> = findings.iter().map(|found| found.numbers.ours.clone().ok()).collect();
-    let ours = Summed { code: None, answers: [ours.clone(), ours, vec![]] };
+    let ours = (None, [ours.clone(), ours, vec![]]);
     let mut all: Vec<Summed> = Code::ALL.map(of_code).into_iter().chain([ours]).collect();
-    let worst = |one: &Summed| one.worst(1, |scored| Some(scored.error())).unwrap_or(f64::INFINITY);
+    let worst = |(_, [_, best, _]): &Summed| largest_of(best, |scored| Some(scored.error())).unwrap_or(f64::INFINITY);
     all.sort_by(|a, b| worst(a).total_cmp(&worst(b)));
     all
 }

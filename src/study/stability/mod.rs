@@ -4,7 +4,7 @@
 //! * `revolution` — what the atlas says of plane scenes, on bodies of revolution.
 //! * `springs` — constant stiffness towards given springs, varying stiffness next to the contact.
 //!
-//! Below is the page. Each prediction is made and measured by a function, judged by `judge_…` and shown by `table_of_…`. Rules that fail,
+//! Below is the page, whose text is `page.md`. Each prediction is made and measured by a function, judged by `judge_…` and shown by `table_of_…`. Rules that fail,
 //! and the halving law of kinematic load, are those of the atlas.
 
 pub mod rates;
@@ -98,19 +98,14 @@ impl Study for Numbers {
                 }
             }
         }
-        Ok([
-            TOWARDS,
-            &towards,
-            RATES,
-            &rates::table_of_rates(&rates),
-            BEFORE,
-            &rates::table_of_before(&before),
-            BASIN,
-            &springs::table_of_basin(&basin),
-            REVOLVED,
-            &revolution::table_of_revolved(&revolved),
-        ]
-        .concat())
+        let page = format!(
+            include_str!("page.md"),
+            towards = towards,
+            rates = rates::table_of_rates(&rates),
+            before = rates::table_of_before(&before),
+            basin = springs::table_of_basin(&basin)
+        );
+        Ok(page + "\n" + &revolution::table_of_revolved(&revolved))
     }
 }
 
@@ -118,31 +113,3 @@ impl Study for Numbers {
 fn by_element(case: &str, run: fn(Element) -> Result<Numbers, Error>) -> [Planned<Numbers>; 3] {
     Element::ALL.map(|element| Planned::new(case, element.name(), move || run(element)))
 }
-
-const TOWARDS: &str = "## Constant stiffness towards fixed springs\n\n\
-`(S + K₀) u⁺ = f̂ + (K₀ − K*) u` converges if and only if S + K* and S + 2K₀ − K* are positive definite: in effect k₀ ≥ k*/2. \
-Softer springs diverge, stiffer ones crawl. The condition is known before the run for any given springs; those tried here carry the \
-contact's own pressure without a gap, cut off at the κ* given, and are thus known *a posteriori*.\n\n";
-
-const RATES: &str = "## Rates of constant and varying stiffness\n\n\
-*A posteriori*: the asymptotic rate of an iteration is the spectral radius of its error's matrix on the final active set, made of the \
-flexibility of the contact and of its springs, and needs the solved contact; – where too few iterations lie between the final active set \
-and round-off. Truncated Hertz, contact edge between two nodes. Constant stiffness is also followed from its start as a linear iteration \
-on that set, over the same errors: where the start hardly holds the slowest mode, round-off comes before that is alone, and by the \
-linear iteration's own slope no spectral radius is to be measured there. Each prediction has a check of its own.\n\n";
-
-const BEFORE: &str = "\n## Varying stiffness: the rate before anything is solved\n\n\
-*A priori*: the slowest spring to let go is the one next to the contact edge, by w/g an iteration, and Hertz's closed form says w/g at the \
-first node outside. The bound of the factor plays no part in it: near the edge w/g is next to 1. Where in its element the discrete contact \
-ends the closed form does not know. Nodes only: line and layer elements are slowed by an alternating mode of their points inside the \
-contact, which only the solved contact tells.\n\n";
-
-const BASIN: &str = "\n## Varying stiffness with `correction`\n\n\
-*A posteriori.* Next to the contact it is stable while 2 (S + K*) − max(K*, K₀) is positive definite on the closed points: near the edge, where \
-k* → 0, κ₀ must remain below about twice the stiffness of the bodies. From equal springs, farther away, that is no promise: *Where methods fail* has how such runs end.\n\n";
-
-const REVOLVED: &str = "\n## Bodies of revolution\n\n\
-What the [atlas](atlas.md) says of plane scenes, on blocks of revolution pressed by a paraboloid and by a cone. *A priori*: kinematic load \
-starts with contact up to L, and each iteration opens what pulls. Contact kept up to L is the profile's own less a flat punch of that \
-radius; under a paraboloid it presses up to √((2L³ + a³)/3L). Next to the contact this halves L² − a², as in the plane; from far it leaves \
-two thirds of L². Starts κ₀ from 1e-6 to 1e6.\n\n";

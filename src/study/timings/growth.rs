@@ -111,14 +111,6 @@ fn counted(discretisation: &Discretisation, (elements, refinement): (usize, u32)
     }
 }
 
-/// Seconds of one run.
-struct Once {
-    counts: Counts,
-    stages: Seconds,
-    again: f64,
-    assembly_on_all: f64,
-}
-
 /// Measures a mesh so many times, ours and the plain solve by turns.
 pub fn measure((elements, refinement, repeats): (usize, u32, usize), memory: Option<f64>) -> Result<Growth, Error> {
     let scene = Cylinder::default().scene();
@@ -133,11 +125,11 @@ pub fn measure((elements, refinement, repeats): (usize, u32, usize), memory: Opt
         std::hint::black_box(reference.solve()?);
         plain.push(clock.elapsed().as_secs_f64());
     }
-    let stage = |one: Stage| -> Vec<f64> { runs.iter().map(|run| sum(&run.stages, |stage| stage == one)).collect() };
-    let contact: Vec<f64> = runs.iter().map(|run| sum(&run.stages, |stage| !BEFORE.contains(&stage))).collect();
-    let on_all: Vec<f64> = runs.iter().map(|run| run.assembly_on_all).collect();
-    let again: Vec<f64> = runs.iter().map(|run| run.again).collect();
-    let counts = runs[0].counts.clone();
+    let stage =
+        |one: Stage| -> Vec<f64> { runs.iter().map(|(_, stages, _)| sum(stages, |stage| stage == one)).collect() };
+    let contact: Vec<f64> = runs.iter().map(|(_, stages, _)| sum(stages, |stage| !BEFORE.contains(&stage))).collect();
+    let [again, on_all] = [0, 1].map(|k| runs.iter().map(|(.., others)| others[k]).collect::<Vec<f64>>());
+    let counts = runs[0].0.clone();
     Ok(Growth {
         stages: Stage::ALL.iter().map(|&one| (one.name().to_owned(), Spread::of(&stage(one)))).collect(),
         contact: Spread::of(&contact),
@@ -155,7 +147,8 @@ fn sum(stages: &[(Stage, f64)], which: impl Fn(Stage) -> bool) -> f64 {
     stages.iter().filter(|(stage, _)| which(*stage)).map(|(_, seconds)| seconds).sum()
 }
 
-fn once(elements: usize, refinement: u32) -> Result<Once, Error> {
+/// Seconds of one run: beside counts and stages those of one more solve, and of the assembly on all threads.
+fn once(elements: usize, refinement: u32) -> Result<(Counts, Seconds, [f64; 2]), Error> {
     let discretisation = discretised(elements, refinement)?;
     let mut clock = Clock::silent().after(&discretisation.seconds);
     let solution = clock.time(Stage::Iteration, || discretisation.solve(&Formulation::verification()))?;
@@ -173,7 +166,7 @@ fn once(elements: usize, refinement: u32) -> Result<Once, Error> {
         std::hint::black_box(ElasticSystem::assemble_numbered(&scene, &mesh, numbering, &|_| 1.0)?);
         Ok(clock.elapsed().as_secs_f64())
     })?;
-    Ok(Once { counts, stages: clock.seconds, again, assembly_on_all })
+    Ok((counts, clock.seconds, [again, assembly_on_all]))
 }
 
 /// Solves once and returns the largest memory of this process so far \[bytes\]; NaN where the system does not tell.

@@ -171,17 +171,13 @@ fn machine(record: &Record) -> String {
     let machine = &record.measured.machine;
     let versions: Vec<String> = machine.versions.iter().map(|(name, version)| format!("{name} {version}")).collect();
     let text = format!(
-        "Seconds and ratios are the record of one machine ({}, {} threads, {}; {}; {}), on one thread unless said otherwise; \
-         `cargo run --release -- timings` renews it. Ratios are medians of runs by turns in one process. The *plain solve* is one \
-         sparse Cholesky solve of the same matrix by faer's own high-level solver with its default ordering, the *contact solve* \
-         everything from the assembled matrix to the full displacement: ordering, factorisation, Schur complement, all iterations \
-         of node + kinematic load, recovery. Errors and counts beside the seconds are computed again with every report.\n\n",
-        machine.processor,
-        machine.threads,
-        machine.system,
-        machine.compiler,
-        versions.join(", ")
-    );
+        include_str!("machine.md"),
+        processor = machine.processor,
+        threads = machine.threads,
+        system = machine.system,
+        compiler = machine.compiler,
+        versions = versions.join(", ")
+    ) + "\n";
     let skipped = record.measured.absent.iter().map(|(code, why)| format!("Skipped: {code}: {why}.\n\n"));
     let beside = beside(record).into_iter().map(|sentence| sentence + "\n\n");
     text + &skipped.chain(beside).collect::<String>()
@@ -189,16 +185,13 @@ fn machine(record: &Record) -> String {
 
 fn precision() -> String {
     let text = format!(
-        "\n## Error against seconds and work\n\nThe mesh does not know the answer: it is graded for a nominal half-width, and {LOADS} loads \
-         move the contact edge across one of its elements. Finding the contact is part of the cost. All runs to the tolerance \
-         {TOLERANCE:e}. The other codes solve on meshes and by methods of their own: scikit-fem by exact active sets, dolfinx by a penalty, \
-         NGSolve ({}) by an augmented Lagrangian. No mesh of theirs knows where the contact ends. scikit-fem and dolfinx read p₀ by a parabola over a quarter of the \
-         half-width, which leaves {} of Hertz's ellipse even where the pressure is exact; NGSolve's is read with a term in x⁴, so that its \
-         error is free of that.\n\n",
-        cells(Series::Ngsolve),
-        significant(PARABOLA, 1)
-    );
-    text + &picture(FRONTS[0], FRONTS[1]) + &picture(CLOUD[0], CLOUD[1])
+        include_str!("precision.md"),
+        loads = LOADS,
+        tolerance = TOLERANCE,
+        cells = cells(Series::Ngsolve),
+        parabola = significant(PARABOLA, 1)
+    ) + "\n";
+    "\n".to_owned() + &text + &picture(FRONTS[0], FRONTS[1]) + &picture(CLOUD[0], CLOUD[1])
 }
 
 /// What grows with the mesh, by its name.
@@ -227,12 +220,7 @@ fn growth(record: &Record) -> String {
     let rows: Vec<Vec<String>> = stages.into_iter().chain(WHOLE.map(|(name, of)| row(name.into(), &of))).collect();
     let sizes = growth.iter().map(|one| format!("{} dofs, {} iterations", one.counts.dofs, one.counts.iterations));
     let head: Vec<String> = std::iter::once("".into()).chain(sizes).chain(["exponent".into()]).collect();
-    format!(
-        "## Growth\n\nThe cylinder by node + kinematic load, one thread. A boundary method needs far fewer unknowns for Hertz itself: this is \
-         the price of a method that takes any body.\n\n{}\nNested dissection of a plane mesh of n nodes leads to n^1.5 operations (George \
-         1973): the time of a direct method grows slower only as long as something else takes most of it.\n\n",
-        markdown::table(&head, &rows),
-    )
+    format!(include_str!("growth.md"), table = markdown::table(&head, &rows)) + "\n"
 }
 
 /// Who is compared on the front page: a name, whose points, and a colour.

@@ -162,12 +162,8 @@ pub fn half_widths(elements: usize) -> [f64; LOADS] {
     std::array::from_fn(|k| nominal() * (1.0 + k as f64 / (LOADS * elements) as f64))
 }
 
-/// One load by one formulation.
-struct Loaded {
-    run: Run,
-    seconds: f64,
-    errors: [f64; 2],
-}
+/// One load by one formulation: the run, its seconds, and the errors of p₀ and a.
+type Loaded = (Run, f64, [f64; 2]);
 
 /// Points of one of our meshes, one a formulation.
 pub fn measure(series: Series, mesh: usize) -> Result<Vec<Point>, Error> {
@@ -179,21 +175,21 @@ pub fn measure(series: Series, mesh: usize) -> Result<Vec<Point>, Error> {
         let (_, exact) = series.loaded(half_width);
         for ((run, seconds), loaded) in runs.into_iter().zip(&mut loaded) {
             let errors = errors(&run, [exact.peak_pressure(), exact.half_width()]);
-            loaded.push(Loaded { errors, run, seconds });
+            loaded.push((run, seconds, errors));
         }
     }
     let point = |(formulation, loaded): (&Formulation, Vec<Loaded>)| {
         let over = |of: &dyn Fn(&Loaded) -> f64| Spread::of(&loaded.iter().map(of).collect::<Vec<_>>());
-        let [peak, half_width] = [0, 1].map(|k| over(&|one| one.errors[k]));
-        let counted = loaded[0].run.sparse_operations + over(&|one| one.run.solution.work.operations).median;
+        let [peak, half_width] = [0, 1].map(|k| over(&|(.., errors)| errors[k]));
+        let counted = loaded[0].0.sparse_operations + over(&|(run, ..)| run.solution.work.operations).median;
         Point {
             series,
             mesh,
             formulation: Some(Formulation::new(formulation.element, formulation.algorithm).name()),
-            dofs: loaded.iter().map(|one| one.run.dofs).max().unwrap_or(0),
+            dofs: loaded.iter().map(|(run, ..)| run.dofs).max().unwrap_or(0),
             operations: if series == Series::Fitted { f64::NAN } else { counted },
-            converged: loaded.iter().filter(|one| one.run.solution.converged()).count(),
-            seconds: over(&|one| one.seconds).median,
+            converged: loaded.iter().filter(|(run, ..)| run.solution.converged()).count(),
+            seconds: over(&|(_, seconds, _)| *seconds).median,
             peak: peak.median,
             peak_worst: peak.most,
             half_width: half_width.median,
@@ -250,7 +246,7 @@ pub fn cells(code: Series) -> String {
 }
 
 /// Asks a code for truncated Hertz on all its meshes, under the loads of our own; the reason where it is not installed.
-pub fn precision(code: Series) -> Result<Result<Vec<Value>, String>, Error> {
+pub fn precision(code: Series) -> Result<Told, Error> {
     let (script, arguments, meshes) = if code == Series::Ngsolve {
         ("ngsolve_precision.py", vec![], &HIGH_ORDER[..])
     } else {
@@ -266,10 +262,7 @@ pub fn precision(code: Series) -> Result<Result<Vec<Value>, String>, Error> {
         "meshes": meshes,
         "repeats": 3,
     });
-    Ok(match run(script, &arguments, &request.to_string())? {
-        Told::Lines(lines) => Ok(lines),
-        Told::Absent(why) => Err(why),
-    })
+    run(script, &arguments, &request.to_string())
 }
 
 /// What a code printed of one of its meshes.

@@ -143,12 +143,9 @@ fn abel(n: f64, s: f64) -> f64 {
 const STEEPEST: f64 = 1000.0;
 
 impl Oracle for Indentation {
-    fn name(&self) -> &str {
-        "profile of revolution on a half-space"
-    }
-
     fn source(&self) -> Source {
         Source::new(
+            "profile of revolution on a half-space",
             "I. N. Sneddon 1965; V. L. Popov and M. Heß, Method of Dimensionality Reduction, 2015, §3",
             "re-derived; checked by quadrature of the transform and by surface displacements",
         )

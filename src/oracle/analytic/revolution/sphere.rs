@@ -77,12 +77,9 @@ impl Sphere {
 }
 
 impl Oracle for Sphere {
-    fn name(&self) -> &str {
-        "Hertz's sphere"
-    }
-
     fn source(&self) -> Source {
         Source::new(
+            "Hertz's sphere",
             "H. Hertz 1882; M. T. Huber 1904; K. L. Johnson, Contact Mechanics, 1985, §§3.4, 4.2",
             "re-derived; surface displacements checked by elliptic integrals, stresses by equilibrium",
         )

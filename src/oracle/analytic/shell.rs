@@ -1,6 +1,6 @@
-//! Thick shells under pressure, spheres and cylinders, and one fitted into another.
+//! Thick shells under pressure, rings, cylinders and spheres, and one fitted into another.
 
-use crate::oracle::analytic::{Parameter, answer, finite, non_negative};
+use super::{Parameter, Plane, answer, finite, non_negative, poisson_ratio, positive};
 use crate::oracle::{Oracle, Quantity, Reading, Source};
 use crate::scene::Material;
 
@@ -13,8 +13,13 @@ pub enum Shape {
     FreeCylinder,
     /// A cylinder between rigid planes, `ε_z = 0`.
     FixedCylinder,
-    /// A cylinder whose ends carry the pressures, as those of a vessel do.
-    ClosedCylinder,
+}
+
+impl Shape {
+    /// What a ring is; one of revolution has free ends.
+    pub fn of_ring(plane: Plane) -> Self {
+        if plane == Plane::Strain { Self::FixedCylinder } else { Self::FreeCylinder }
+    }
 }
 
 /// A thick shell (Lamé 1852; Timoshenko and Goodier, Theory of Elasticity, 1951, §§26, 127).
@@ -55,7 +60,6 @@ impl Shell {
             Shape::Sphere => hoop,
             Shape::FreeCylinder => 0.0,
             Shape::FixedCylinder => 2.0 * self.material.poisson * mean,
-            Shape::ClosedCylinder => mean,
         };
         [mean - part, hoop, third]
     }
@@ -69,43 +73,57 @@ impl Shell {
 
 /// An inner shell and an outer one that overlap by a radial interference before they are fitted.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Fitted {
-    /// The inner shell; its outer radius is that of the interface.
-    pub inner: Shell,
-    /// The outer shell.
-    pub outer: Shell,
-    /// Radial interference \[mm\].
+pub struct PressFit {
+    /// What both are.
+    pub shape: Shape,
+    /// Radii of the bore `a ≥ 0`, which is zero of a solid shaft, of the interface `b` and of the outside `c` \[mm\].
+    pub radii: [f64; 3],
+    /// Radial interference `δ` \[mm\], positive where they overlap before they are fitted.
     pub interference: f64,
+    /// Materials of the inner and of the outer one.
+    pub materials: [Material; 2],
 }
 
-impl Fitted {
-    /// Pressure between them \[MPa\].
-    ///
-    /// Their displacements at the interface differ by the interference; both are proportional to the pressure.
+impl PressFit {
+    /// Both under a pressure between them \[MPa\].
+    fn under(&self, pressure: f64) -> [Shell; 2] {
+        let ([bore, interface, outside], [inner, outer]) = (self.radii, self.materials);
+        let shell = |radii, pressures, material| Shell { shape: self.shape, radii, pressures, material };
+        [shell([bore, interface], [0.0, pressure], inner), shell([interface, outside], [pressure, 0.0], outer)]
+    }
+
+    /// Pressure between them \[MPa\]: their displacements at the interface differ by the interference, and both are proportional to it.
     pub fn pressure(&self) -> f64 {
-        let interface = self.inner.radii[1];
-        let narrowing = -Shell { pressures: [0.0, 1.0], ..self.inner }.displacement(interface);
-        let widening = Shell { pressures: [1.0, 0.0], ..self.outer }.displacement(interface);
-        self.interference / (narrowing + widening)
+        let [inner, outer] = self.under(1.0).map(|shell| shell.displacement(self.radii[1]));
+        self.interference / (outer - inner)
+    }
+
+    /// The inner and the outer one as they are fitted.
+    pub fn fitted(&self) -> [Shell; 2] {
+        self.under(self.pressure())
     }
 }
 
-impl Oracle for Fitted {
-    fn name(&self) -> &str {
-        "Lamé"
-    }
-
+impl Oracle for PressFit {
     fn source(&self) -> Source {
-        Source::new(
-            "G. Lamé 1852; S. Timoshenko and J. N. Goodier, Theory of Elasticity, 1951, §§26, 127",
-            "re-derived; checked by equilibrium and by the mismatch of radial displacements",
-        )
+        let (citation, note) = match self.shape {
+            Shape::Sphere => (
+                "G. Lamé 1852; S. Timoshenko and J. N. Goodier, Theory of Elasticity, 1951, §§26, 127",
+                "re-derived; checked by equilibrium and by the mismatch of radial displacements",
+            ),
+            Shape::FreeCylinder | Shape::FixedCylinder => (
+                "G. Lamé 1852; S. Timoshenko and J. N. Goodier, Theory of Elasticity, 1951, §26",
+                "re-derived; checked by the mismatch of radial displacements",
+            ),
+        };
+        Source::new("Lamé", citation, note)
     }
 
     fn read(&self, quantity: &Quantity) -> Reading {
-        let [[a, b], [_, c]] = [self.inner.radii, self.outer.radii];
+        let ([a, b, c], [inner, outer]) = (self.radii, self.materials);
         let parameters = vec![
             non_negative("bore", a),
+            positive("interface", b),
             Parameter { holds: b > a, range: "above the bore", ..finite("interface", b) },
             Parameter {
                 holds: c > b && c.is_finite(),
@@ -113,6 +131,10 @@ impl Oracle for Fitted {
                 ..finite("outside", c)
             },
             non_negative("interference", self.interference),
+            positive("inner.young", inner.young),
+            poisson_ratio("inner.poisson", inner.poisson),
+            positive("outer.young", outer.young),
+            poisson_ratio("outer.poisson", outer.poisson),
         ];
         match quantity {
             Quantity::PeakPressure | Quantity::Pressure { .. } => answer(parameters, quantity, self.pressure()),
