@@ -12,7 +12,6 @@
 //! * [`verify`] — scene files with their checks.
 //! * [`judge`] — answers of other codes; [`export`] — what they need to run a case.
 //! * `bars` — how far each number may be from the truth.
-//! * [`reactions`] — what its supports exert.
 //! * [`json`] — all that is printed as JSON, and its schema.
 //! * `terminal` — lines, tables, errors and a bar of progress; `choice` — cases and values by name.
 //! * [`vtu`] — its fields for ParaView.
@@ -32,7 +31,6 @@ pub mod judge;
 pub mod manual;
 pub mod new;
 pub mod outputs;
-pub mod reactions;
 pub mod review;
 pub mod scoreboard;
 pub mod solve;
@@ -281,7 +279,7 @@ fn report_command(check: bool) -> Result<bool, Error> {
     match &difference {
         None => say("the page is up to date"),
         Some(difference) => {
-            say(difference.text(report::diff::written::LINES).trim_end());
+            say(difference.text(report::diff::LINES).trim_end());
             say("the page is stale: run `cargo run --release`");
         }
     }

@@ -5,17 +5,12 @@ use crate::markdown;
 use crate::measure::display_factor;
 use crate::oracle::ReferenceKind;
 use crate::report::grouped::{counted, in_order};
-use crate::report::{checks, heading};
+use crate::report::{checks, links};
 use crate::study::cases::{self, Numbers, charts, page as name_of, remark, sketch};
 use crate::study::{Finding, described};
 
-/// Runs that share a page.
-pub struct Shared<'a> {
-    /// Name of the page, which the file has too.
-    pub name: String,
-    /// Its runs.
-    pub runs: Vec<(&'a Finding, &'a Numbers)>,
-}
+/// Name of a page, which the file has too, and the runs that share it.
+pub type Shared<'a> = (String, Vec<(&'a Finding, &'a Numbers)>);
 
 /// Name of the file.
 pub fn file(name: &str) -> String {
@@ -28,35 +23,35 @@ pub fn shared(findings: &[Finding]) -> Vec<Shared<'_>> {
         let numbers: &Numbers = finding.numbers()?;
         Some((name_of(&numbers.case), (finding, numbers)))
     });
-    in_order(runs).into_iter().map(|(name, runs)| Shared { name, runs }).collect()
+    in_order(runs)
 }
 
 /// The page; it links the benchmark sheet where there is one.
 pub fn page(shared: &Shared, has_sheet: bool) -> String {
-    let case = &shared.runs[0].1.case;
-    let judged: Vec<&Judged> = shared.runs.iter().flat_map(|(finding, _)| &finding.judged).collect();
+    let case = &shared.1[0].1.case;
+    let judged: Vec<&Judged> = shared.1.iter().flat_map(|(finding, _)| &finding.judged).collect();
     let parts = [
         problem(shared, case, has_sheet),
         described::equations(case.scene.plane) + "\n\n",
         reference(shared, &judged),
         results(shared),
-        charts(&shared.name).map_or(String::new(), |charts| format!("## Charts\n\n{charts}")),
+        charts(&shared.0).map_or(String::new(), |charts| format!("## Charts\n\n{charts}")),
         checked(shared),
         limits(shared, &judged),
     ];
-    let title = format!("{}: {}", shared.name, case.title);
-    heading::page(&title, &asked(shared), &judged, &parts.concat())
+    let title = format!("{}: {}", shared.0, case.title);
+    links::page(&title, &asked(shared), &judged, &parts.concat())
 }
 
 fn asked(shared: &Shared) -> String {
-    let mut names: Vec<&str> = shared.runs.iter().map(|(finding, _)| finding.case.as_str()).collect();
+    let mut names: Vec<&str> = shared.1.iter().map(|(finding, _)| finding.case.as_str()).collect();
     names.dedup();
-    format!("{}: {}.", names.join("; "), markdown::counted(shared.runs.len(), "run"))
+    format!("{}: {}.", names.join("; "), markdown::counted(shared.1.len(), "run"))
 }
 
 /// Sketch, and the input: the text of the scene file, or the numbers of the scene.
 fn problem(shared: &Shared, case: &Case, has_sheet: bool) -> String {
-    let name = &shared.name;
+    let name = &shared.0;
     let input = match &case.places {
         Some(places) => format!(
             "Input: [tests/cases/{0}](../../tests/cases/{0}), solved by `contact-vv solve tests/cases/{0}`.\n\n```toml\n{1}\n```\n\n",
@@ -75,7 +70,7 @@ fn problem(shared: &Shared, case: &Case, has_sheet: bool) -> String {
 
 /// Where the truth comes from, and how far it can be trusted.
 fn reference(shared: &Shared, judged: &[&Judged]) -> String {
-    let sources = counted(shared.runs.iter().flat_map(|(_, numbers)| cases::sources(numbers)));
+    let sources = counted(shared.1.iter().flat_map(|(_, numbers)| cases::sources(numbers)));
     let listed: String = sources.iter().map(|(source, _)| format!("* {source}\n")).collect();
     let analytic = || judged.iter().filter(|one| one.reference.kind == ReferenceKind::Analytic);
     let model = analytic().map(|one| one.check.model).fold(0.0, f64::max);
@@ -103,8 +98,8 @@ fn results(shared: &Shared) -> String {
 }
 
 fn named<'a>(shared: &'a Shared<'a>) -> impl Iterator<Item = (String, &'a Finding, &'a Numbers)> {
-    let several = shared.runs.iter().any(|(finding, _)| finding.case != shared.runs[0].0.case);
-    shared.runs.iter().map(move |(finding, numbers)| {
+    let several = shared.1.iter().any(|(finding, _)| finding.case != shared.1[0].0.case);
+    shared.1.iter().map(move |(finding, numbers)| {
         let name = if several { format!("{} × {}", finding.case, finding.name) } else { finding.name.clone() };
         (name, *finding, *numbers)
     })
@@ -112,7 +107,7 @@ fn named<'a>(shared: &'a Shared<'a>) -> impl Iterator<Item = (String, &'a Findin
 
 /// All checks: the declared ones of each case, then what every run must satisfy.
 fn checked(shared: &Shared) -> String {
-    let findings: Vec<&Finding> = shared.runs.iter().map(|(finding, _)| *finding).collect();
+    let findings: Vec<&Finding> = shared.1.iter().map(|(finding, _)| *finding).collect();
     let own = checks::by_case(&findings, |own, _| own);
     let every = checks::of_every_run(findings.iter().flat_map(|finding| &finding.judged));
     format!(
@@ -122,7 +117,7 @@ fn checked(shared: &Shared) -> String {
 
 /// What the case does not show: where its candidates end, what did not converge, what it was not held against.
 fn limits(shared: &Shared, judged: &[&Judged]) -> String {
-    let scene = &shared.runs[0].1.case.scene;
+    let scene = &shared.1[0].1.case.scene;
     let mut told = Vec::new();
     for pair in &scene.contacts {
         let factor = display_factor(&pair.path);
@@ -133,9 +128,9 @@ fn limits(shared: &Shared, judged: &[&Judged]) -> String {
             markdown::significant(factor * pair.stretch, 4)
         ));
     }
-    let open = shared.runs.iter().filter(|(_, numbers)| !numbers.run.solution.converged()).count();
+    let open = shared.1.iter().filter(|(_, numbers)| !numbers.run.solution.converged()).count();
     if open > 0 {
-        told.push(format!("{open} of {} runs did not converge.", shared.runs.len()));
+        told.push(format!("{open} of {} runs did not converge.", shared.1.len()));
     }
     let measured = judged
         .iter()
