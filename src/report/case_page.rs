@@ -9,8 +9,10 @@ use crate::report::{checks, links};
 use crate::study::cases::{self, Numbers, charts, page as name_of, remark, sketch};
 use crate::study::{Finding, described};
 
+/// A run with its checks.
+type Ran<'a> = (&'a Finding, &'a Numbers);
 /// Name of a page, which the file has too, and the runs that share it.
-pub type Shared<'a> = (String, Vec<(&'a Finding, &'a Numbers)>);
+pub type Shared<'a> = (String, Vec<Ran<'a>>);
 
 /// Name of the file.
 pub fn file(name: &str) -> String {
@@ -27,31 +29,30 @@ pub fn shared(findings: &[Finding]) -> Vec<Shared<'_>> {
 }
 
 /// The page; it links the benchmark sheet where there is one.
-pub fn page(shared: &Shared, has_sheet: bool) -> String {
-    let case = &shared.1[0].1.case;
-    let judged: Vec<&Judged> = shared.1.iter().flat_map(|(finding, _)| &finding.judged).collect();
+pub fn page((name, runs): &Shared, has_sheet: bool) -> String {
+    let case = &runs[0].1.case;
+    let judged: Vec<&Judged> = runs.iter().flat_map(|(finding, _)| &finding.judged).collect();
     let parts = [
-        problem(shared, case, has_sheet),
+        problem(name, case, has_sheet),
         described::equations(case.scene.plane) + "\n\n",
-        reference(shared, &judged),
-        results(shared),
-        charts(&shared.0).map_or(String::new(), |charts| format!("## Charts\n\n{charts}")),
-        checked(shared),
-        limits(shared, &judged),
+        reference(runs, &judged),
+        results(runs),
+        charts(name).map_or(String::new(), |charts| format!("## Charts\n\n{charts}")),
+        checked(runs),
+        limits(runs, &judged),
     ];
-    let title = format!("{}: {}", shared.0, case.title);
-    links::page(&title, &asked(shared), &judged, &parts.concat())
+    let title = format!("{name}: {}", case.title);
+    links::page(&title, &asked(runs), &judged, &parts.concat())
 }
 
-fn asked(shared: &Shared) -> String {
-    let mut names: Vec<&str> = shared.1.iter().map(|(finding, _)| finding.case.as_str()).collect();
+fn asked(runs: &[Ran]) -> String {
+    let mut names: Vec<&str> = runs.iter().map(|(finding, _)| finding.case.as_str()).collect();
     names.dedup();
-    format!("{}: {}.", names.join("; "), markdown::counted(shared.1.len(), "run"))
+    format!("{}: {}.", names.join("; "), markdown::counted(runs.len(), "run"))
 }
 
 /// Sketch, and the input: the text of the scene file, or the numbers of the scene.
-fn problem(shared: &Shared, case: &Case, has_sheet: bool) -> String {
-    let name = &shared.0;
+fn problem(name: &str, case: &Case, has_sheet: bool) -> String {
     let input = match &case.places {
         Some(places) => format!(
             "Input: [tests/cases/{0}](../../tests/cases/{0}), solved by `contact-vv solve tests/cases/{0}`.\n\n```toml\n{1}\n```\n\n",
@@ -69,8 +70,8 @@ fn problem(shared: &Shared, case: &Case, has_sheet: bool) -> String {
 }
 
 /// Where the truth comes from, and how far it can be trusted.
-fn reference(shared: &Shared, judged: &[&Judged]) -> String {
-    let sources = counted(shared.1.iter().flat_map(|(_, numbers)| cases::sources(numbers)));
+fn reference(runs: &[Ran], judged: &[&Judged]) -> String {
+    let sources = counted(runs.iter().flat_map(|(_, numbers)| cases::sources(numbers)));
     let listed: String = sources.iter().map(|(source, _)| format!("* {source}\n")).collect();
     let analytic = || judged.iter().filter(|one| one.reference.kind == ReferenceKind::Analytic);
     let model = analytic().map(|one| one.check.model).fold(0.0, f64::max);
@@ -88,26 +89,26 @@ fn reference(shared: &Shared, judged: &[&Judged]) -> String {
 }
 
 /// What was found; the case is named where there are several.
-fn results(shared: &Shared) -> String {
+fn results(runs: &[Ran]) -> String {
     let rows: Vec<(String, &Numbers, &[Judged])> =
-        named(shared).map(|(name, finding, numbers)| (name, numbers, &finding.judged[..])).collect();
+        named(runs).map(|(name, finding, numbers)| (name, numbers, &finding.judged[..])).collect();
     format!(
         "## Results\n\n± is the error bar of the number, where the suite asks for one.\n\n{}\n",
         cases::results(&rows)
     )
 }
 
-fn named<'a>(shared: &'a Shared<'a>) -> impl Iterator<Item = (String, &'a Finding, &'a Numbers)> {
-    let several = shared.1.iter().any(|(finding, _)| finding.case != shared.1[0].0.case);
-    shared.1.iter().map(move |(finding, numbers)| {
+fn named<'a>(runs: &'a [Ran<'a>]) -> impl Iterator<Item = (String, &'a Finding, &'a Numbers)> {
+    let several = runs.iter().any(|(finding, _)| finding.case != runs[0].0.case);
+    runs.iter().map(move |(finding, numbers)| {
         let name = if several { format!("{} × {}", finding.case, finding.name) } else { finding.name.clone() };
         (name, *finding, *numbers)
     })
 }
 
 /// All checks: the declared ones of each case, then what every run must satisfy.
-fn checked(shared: &Shared) -> String {
-    let findings: Vec<&Finding> = shared.1.iter().map(|(finding, _)| *finding).collect();
+fn checked(runs: &[Ran]) -> String {
+    let findings: Vec<&Finding> = runs.iter().map(|(finding, _)| *finding).collect();
     let own = checks::by_case(&findings, |own, _| own);
     let every = checks::of_every_run(findings.iter().flat_map(|finding| &finding.judged));
     format!(
@@ -116,8 +117,8 @@ fn checked(shared: &Shared) -> String {
 }
 
 /// What the case does not show: where its candidates end, what did not converge, what it was not held against.
-fn limits(shared: &Shared, judged: &[&Judged]) -> String {
-    let scene = &shared.1[0].1.case.scene;
+fn limits(runs: &[Ran], judged: &[&Judged]) -> String {
+    let scene = &runs[0].1.case.scene;
     let mut told = Vec::new();
     for pair in &scene.contacts {
         let factor = display_factor(&pair.path);
@@ -128,9 +129,9 @@ fn limits(shared: &Shared, judged: &[&Judged]) -> String {
             markdown::significant(factor * pair.stretch, 4)
         ));
     }
-    let open = shared.1.iter().filter(|(_, numbers)| !numbers.run.solution.converged()).count();
+    let open = runs.iter().filter(|(_, numbers)| !numbers.run.solution.converged()).count();
     if open > 0 {
-        told.push(format!("{open} of {} runs did not converge.", shared.1.len()));
+        told.push(format!("{open} of {} runs did not converge.", runs.len()));
     }
     let measured = judged
         .iter()
