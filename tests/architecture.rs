@@ -214,12 +214,12 @@ fn matrix_types_of_libraries_stay_inside_the_numerics() {
 const BUDGETS: [(&str, usize); 9] = [
     ("solver", 20_770),
     ("drawing", 3_220),
-    ("case", 8_310),
+    ("case", 8_228),
     ("oracle", 3_964),
     ("study", 14_882),
     ("referee", 6_010),
-    ("report", 3_220),
-    ("cli", 4_930),
+    ("report", 3_117),
+    ("cli", 4_849),
     ("live", 500),
 ];
 

@@ -4,8 +4,10 @@ use std::collections::BTreeMap;
 use std::fmt;
 
 use crate::case::check::{Against, Check, Reference, Relation};
+use crate::case::quantity::Quantity;
 use crate::markdown;
 use crate::oracle::ReferenceKind;
+use crate::uncertainty::{COVERAGE, Comparison};
 
 /// A verdict.
 #[derive(Clone, Debug, Default, PartialEq, Eq, serde::Serialize)]
@@ -113,6 +115,19 @@ impl Judged {
             error => error / self.check.tolerance,
         }
     }
+}
+
+/// `|E| ≤ k u_val` with k = 2 (ASME V&V 20-2009, 1-5), for a quantity against a reference; what the uncertainty is made of is said.
+pub fn covered(of: &str, reference: Reference, comparison: Comparison, sources: &str) -> Judged {
+    let Comparison { error, uncertainty } = comparison;
+    let because = format!(
+        "ASME V&V 20: E = {}, u_val = {} ({sources})",
+        markdown::signed(error, 2),
+        markdown::significant(uncertainty, 2)
+    );
+    let quantity = Quantity::at("comparison error |E| over its standard uncertainty u_val", of);
+    let reference = Reference { value: 0.0, uncertainty: None, ..reference };
+    Check::error(quantity, reference, COVERAGE, because).judge(comparison.ratio())
 }
 
 /// The worst of some verdicts: a failure, else one that was not run, else a pass; none of nothing.

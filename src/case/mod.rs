@@ -3,27 +3,21 @@
 //! * [`definition`] — the case.
 //! * [`check`] — a quantity, what it is held against, a tolerance and the reason for it.
 //! * [`quantity`] — what a check asks for; `measured` — its value in a run.
-//! * [`mod@covered`] — a comparison that its uncertainties must cover.
 //! * [`judged`] — a check with what was found, and the verdict.
-//! * [`meshed`] — a case on its mesh.
 //! * [`barred`] — checks beside the error bars of what they judge.
-//! * [`hertz`] — errors against Hertz.
 //! * [`notes`] — what must be known of a contact before it is quoted; [`plausible`] — what of a result is hardly meant.
-//! * [`solved`] — a case run and judged.
+//! * [`solved`] — a case on its mesh, run and judged.
 //! * [`universal`] — what every run must satisfy, whatever the case.
 //! * [`library`] — the cases of the suite.
 //! * [`mod@file`] — cases that users write.
 
 pub mod barred;
 pub mod check;
-pub mod covered;
 pub mod definition;
 pub mod file;
-pub mod hertz;
 pub mod judged;
 pub mod library;
 mod measured;
-pub mod meshed;
 pub mod notes;
 pub mod plausible;
 pub mod quantity;
@@ -31,8 +25,7 @@ pub mod solved;
 pub mod universal;
 
 pub use check::{Against, Check, Reference, Relation, Scope};
-pub use covered::covered;
 pub use definition::Case;
-pub use judged::{Judged, Verdict};
-pub use meshed::Meshed;
+pub use judged::{Judged, Verdict, covered};
 pub use quantity::Quantity;
+pub use solved::Meshed;

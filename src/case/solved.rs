@@ -1,16 +1,45 @@
 //! A case meshed, run and judged.
 
-use crate::accuracy::{self, Answer, Asked};
+use std::sync::OnceLock;
+
+use crate::accuracy::{self, Answer, Asked, Family};
 use crate::case::check::{Against, Check, Reference};
 use crate::case::definition::Case;
 use crate::case::judged::Judged;
 use crate::case::measured::Solved;
-use crate::case::meshed::{Families, Meshed};
 use crate::case::quantity::Quantity;
 use crate::case::universal;
 use crate::error::Error;
 use crate::oracle::ReferenceKind;
-use crate::solve::{Discretisation, Formulation, Run};
+use crate::solve::{Discretisation, Displaced, Element, Formulation, Iteration, Run};
+
+/// A case on its mesh, which all its formulations share.
+pub struct Meshed {
+    /// Mesh, system and condensation.
+    pub discretisation: Discretisation,
+    /// How the mesh was found, where an accuracy chose it.
+    pub answer: Option<Answer>,
+    /// What coarser meshes say, once it was asked for.
+    pub families: Families,
+}
+
+/// What coarser meshes say, a contact element each.
+pub type Families = [OnceLock<Family>; Element::ALL.len()];
+
+impl Meshed {
+    /// What coarser meshes say of the contact element of a run, and of the displacements that are wanted: solved for once.
+    pub(super) fn family(&self, run: &Run, wanted: &[Displaced]) -> &Family {
+        let Formulation { element, layer_thickness, .. } = run.formulation;
+        let cell = &self.families[element as usize];
+        if let Some(known) = cell.get() {
+            return known;
+        }
+        // Not within the cell: a thread that waits in there might be handed work that needs it.
+        let formulation = Formulation { layer_thickness, ..Formulation::new(element, Iteration::Kinematic) };
+        let family = Family::of(&self.discretisation, &formulation, Some(wanted));
+        cell.get_or_init(|| family)
+    }
+}
 
 impl Case {
     /// The mesh that is given, or that the accuracy asked for chooses for the first formulation.

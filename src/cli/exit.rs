@@ -7,12 +7,12 @@ use crate::solve::Run;
 /// The end of a command, from good to bad; wrong input is an [`Error`](crate::error::Error) and exits with 2.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Exit {
-    /// All is well: 0.
-    Well,
-    /// A check failed: 1.
-    CheckFailed,
-    /// A run did not converge, or holds no contact: 3.
-    NotConverged,
+    /// All is well.
+    Well = 0,
+    /// A check failed.
+    CheckFailed = 1,
+    /// A run did not converge, or holds no contact.
+    NotConverged = 3,
 }
 
 /// Exit code of wrong input, which is also that of a mistyped command.
@@ -32,10 +32,6 @@ impl Exit {
 
 impl From<Exit> for ExitCode {
     fn from(ended: Exit) -> Self {
-        match ended {
-            Exit::Well => Self::SUCCESS,
-            Exit::CheckFailed => Self::from(1),
-            Exit::NotConverged => Self::from(3),
-        }
+        Self::from(ended as u8)
     }
 }

@@ -12,19 +12,17 @@
 //! * [`verify`] — scene files with their checks.
 //! * [`judge`] — answers of other codes; [`export`] — what they need to run a case.
 //! * `bars` — how far each number may be from the truth.
-//! * [`reactions`] — what its supports exert.
 //! * [`json`] — all that is printed as JSON, and its schema.
 //! * `terminal` — lines, tables, errors and a bar of progress; `choice` — cases and values by name.
 //! * [`vtu`] — its fields for ParaView.
 //! * [`new`] — scene files to begin with.
-//! * [`manual`] — shell completions and manual pages; [`examples`] — those in the help.
+//! * [`manual`] — shell completions and manual pages.
 //! * [`writable`] — whether results can be written; [`outputs`] — and whether nothing is lost by it.
 
 pub mod accuracy;
 mod bars;
 mod choice;
 pub mod compare;
-pub mod examples;
 pub mod exit;
 pub mod export;
 pub mod json;
@@ -32,7 +30,6 @@ pub mod judge;
 pub mod manual;
 pub mod new;
 pub mod outputs;
-pub mod reactions;
 pub mod review;
 pub mod scoreboard;
 pub mod solve;
@@ -68,7 +65,14 @@ use crate::study::timings::precision::Series;
 ///
 /// Without a command: solves every case of the suite, prints the verdicts and writes VALIDATION.md with its pages and charts.
 #[derive(Debug, Parser)]
-#[command(name = "contact-vv", bin_name = "contact-vv", version, after_help = examples::ALL)]
+#[command(name = "contact-vv", bin_name = "contact-vv", version, after_help = examples(&[
+    "list",
+    "solve cylinder --plot cylinder.svg",
+    "new press-fit > mine.toml",
+    "solve mine.toml --csv profile.csv --vtu fields.vtu",
+    "verify tests/cases",
+    "report --check",
+]) + "\n\nIn a checkout, `cargo run --release --` stands for `contact-vv`.")]
 struct Cli {
     #[command(subcommand)]
     command: Option<Command>,
@@ -77,7 +81,11 @@ struct Cli {
 #[derive(Debug, Subcommand)]
 enum Command {
     /// Solve the suite and write VALIDATION.md, snapshots/pages and snapshots/charts (the default).
-    #[command(after_help = examples::REPORT, args_conflicts_with_subcommands = true)]
+    #[command(after_help = examples(&[
+        "report",
+        "report --only cylinder",
+        "report --check",
+    ]), args_conflicts_with_subcommands = true)]
     Report {
         /// Write nothing; show what differs and fail when the page, a chart or the record is stale.
         #[arg(long)]
@@ -89,13 +97,23 @@ enum Command {
         part: Option<Part>,
     },
     /// Solve one case of the library, or a scene file of your own.
-    #[command(after_help = examples::SOLVE)]
+    #[command(after_help = examples(&[
+        "solve cylinder",
+        "solve cylinder --element line --algorithm constant --json -",
+        "solve cylinder --a-over-r 0.1 --resolution 32 --plot cylinder.svg",
+        "solve tests/cases/press-fit.toml --csv profile.csv --vtu fields.vtu",
+        "solve tests/cases/cylinder-on-block.toml --accuracy \"0.3 %\"",
+    ]))]
     Solve(Box<solve::Arguments>),
     /// Solve one case by all nine formulations, a line each, the recommended one first; 3 where none of them converges.
-    #[command(after_help = examples::COMPARE)]
+    #[command(after_help = examples(&[
+        "compare cylinder",
+        "compare mine.toml --json - --plot compared.svg",
+        "compare pin-rod --formulations line.varying,line.varying+newton",
+    ]))]
     Compare(compare::Arguments),
     /// Solve scene files and judge them by their own checks; fails where one fails.
-    #[command(after_help = examples::VERIFY)]
+    #[command(after_help = examples(&["verify tests/cases", "verify mine.toml other.toml --json"]))]
     Verify {
         /// Scene files (*.toml), or folders with some.
         #[arg(required = true, value_name = "PATH")]
@@ -105,13 +123,23 @@ enum Command {
         json: bool,
     },
     /// Write all that is needed to run a case with another code: sheet, mesh, input deck, what is wanted back.
-    #[command(after_help = examples::EXPORT)]
+    #[command(after_help = examples(&[
+        "export cylinder elsewhere",
+        "export mine.toml elsewhere",
+        "export cylinder elsewhere --condensed",
+    ]))]
     Export(export::Arguments),
     /// Judge the answer of another code, on its own mesh, by the truth of a case; 1 where something is not met.
-    #[command(after_help = examples::JUDGE)]
+    #[command(after_help = examples(&[
+        "judge cylinder theirs.csv",
+        "judge cylinder theirs.csv --column pressure=CPRESS --unit pressure=MPa --unit position=mm",
+        "judge mine.toml forces.csv --order 2 --tolerance \"0.5 %\"",
+        "judge cylinder theirs.json --markdown",
+        "judge cylinder results/one.csv results/two.csv --junit verdicts.xml",
+    ]))]
     Judge(judge::Arguments),
     /// Solve the suite and print every check with its verdict, a line of JSON each; trials that break off fail too.
-    #[command(after_help = examples::VERDICTS)]
+    #[command(after_help = examples(&["verdicts > verdicts.jsonl"]))]
     Verdicts,
     /// Survey the stability atlas and write snapshots/atlas; interrupted, it resumes.
     Atlas,
@@ -136,10 +164,10 @@ enum Command {
         ask: Option<Series>,
     },
     /// Ask CalculiX, GetFEM, NGSolve, SfePy, Kratos, Akantu, FElupe, scikit-fem and dolfinx for exported cases, and keep what they write in oracles/frozen/scoreboard.
-    #[command(after_help = examples::SCOREBOARD)]
+    #[command(after_help = examples(&["scoreboard"]))]
     Scoreboard,
     /// Name the cases of the library.
-    #[command(after_help = examples::LIST)]
+    #[command(after_help = examples(&["list", "list --json", "list --references > references.json"]))]
     List {
         /// Print them as JSON.
         #[arg(long)]
@@ -149,28 +177,39 @@ enum Command {
         references: bool,
     },
     /// Print a commented scene file for a shape of problem, to begin with.
-    #[command(after_help = examples::NEW)]
+    #[command(after_help = examples(&[
+        "new",
+        "new cylinder > mine.toml",
+        "new gmsh > mine.toml && contact-vv new mesh > rings.msh",
+    ]))]
     New {
         /// The shape of problem; left out, all are listed.
         #[arg(value_parser = choice(new::Template::TOLD))]
         shape: Option<new::Template>,
     },
     /// Print the JSON Schema of all that is printed as JSON, or of what is read.
-    #[command(after_help = examples::SCHEMA)]
+    #[command(after_help = examples(&[
+        "schema > schema.json",
+        "schema answer > answer-schema.json",
+        "schema references > references-schema.json",
+    ]))]
     Schema {
         /// What it is the schema of.
         #[arg(value_parser = choice(json::Schema::TOLD), default_value = json::Schema::Printed.name())]
         of: json::Schema,
     },
     /// Print the completions for a shell.
-    #[command(after_help = examples::COMPLETIONS)]
+    #[command(after_help = examples(&[
+        "completions bash > ~/.local/share/bash-completion/completions/contact-vv",
+        "completions zsh > ~/.zfunc/_contact-vv",
+    ]))]
     Completions {
         /// The shell.
         #[arg(value_enum)]
         shell: Shell,
     },
     /// Print the manual page, or write those of all commands into a folder.
-    #[command(after_help = examples::MAN)]
+    #[command(after_help = examples(&["man > contact-vv.1", "man ~/.local/share/man/man1"]))]
     Man {
         /// Folder to write into; left out, the page of the program is printed.
         folder: Option<PathBuf>,
@@ -178,6 +217,11 @@ enum Command {
         #[arg(long)]
         force: bool,
     },
+}
+
+/// Examples that the help of a command ends with, each as what follows the name of the program.
+fn examples(all: &[&str]) -> String {
+    all.iter().fold("Examples:".into(), |text, one| format!("{text}\n  contact-vv {one}"))
 }
 
 #[derive(Debug, Subcommand)]
@@ -281,7 +325,7 @@ fn report_command(check: bool) -> Result<bool, Error> {
     match &difference {
         None => say("the page is up to date"),
         Some(difference) => {
-            say(difference.text(report::diff::written::LINES).trim_end());
+            say(difference.text(report::diff::LINES).trim_end());
             say("the page is stale: run `cargo run --release`");
         }
     }

@@ -9,7 +9,7 @@ use crate::cli::exit::Exit;
 use crate::cli::terminal::say;
 use crate::error::Error;
 use crate::report::diff::tree::Tree;
-use crate::report::diff::{Difference, git, written};
+use crate::report::diff::{Difference, LINES, tree};
 
 /// Where charts of commits are written to be seen, below the project folder.
 const SEEN: &str = "target/report-diff";
@@ -28,7 +28,7 @@ pub struct Arguments {
     #[arg(long)]
     markdown: bool,
     /// Lines that are told at most; every heading is among them.
-    #[arg(long, value_name = "N", default_value_t = written::LINES)]
+    #[arg(long, value_name = "N", default_value_t = LINES)]
     limit: usize,
     /// Address below which `COMMIT/PATH` is a file of a commit, for the charts of `--markdown`; without it they are written to target/report-diff.
     #[arg(long, value_name = "ADDRESS", requires = "markdown")]
@@ -37,9 +37,10 @@ pub struct Arguments {
 
 /// Prints the difference and tells whether a verdict got worse.
 pub fn run(arguments: &Arguments, root: &Path) -> Result<Exit, Error> {
-    let base = arguments.base.clone().map_or_else(|| git::merge_base(root), Ok)?;
-    let before = git::tree(root, &base)?;
-    let after = arguments.commit.as_deref().map_or_else(|| Tree::on_disk(root), |commit| git::tree(root, commit))?;
+    let base = arguments.base.clone().map_or_else(|| tree::merge_base(root), Ok)?;
+    let before = tree::of_commit(root, &base)?;
+    let after =
+        arguments.commit.as_deref().map_or_else(|| Tree::on_disk(root), |commit| tree::of_commit(root, commit))?;
     let difference = Difference::of(&before, &after);
     if arguments.markdown {
         let addresses = [
@@ -63,7 +64,7 @@ fn address(
 ) -> Result<String, Error> {
     let Some(commit) = commit else { return Ok(String::new()) };
     if let Some(address) = &arguments.images {
-        return Ok(format!("{}/{}/", address.trim_end_matches('/'), git::commit(root, commit)?));
+        return Ok(format!("{}/{}/", address.trim_end_matches('/'), tree::commit(root, commit)?));
     }
     for path in difference.told.iter().flat_map(|told| &told.charts) {
         let Some(text) = tree.text(path) else { continue };

@@ -3,7 +3,7 @@
 use crate::case::judged::worst;
 use crate::case::{Judged, Verdict};
 use crate::cli::terminal::{say, table_on, width};
-use crate::report::{matrix, study_page};
+use crate::report::{study_page, told};
 use crate::study::Finding;
 
 /// A check that did not pass: its verdict, its trial, and what it asked.
@@ -29,7 +29,7 @@ pub fn text(findings: &[Finding], columns: u16) -> String {
         open.add_rows(rows.into_iter().map(|(_, row)| row));
         told = format!("{open}\n\n");
     }
-    let [pass, fail, not_run] = matrix::counts(findings);
+    let [pass, fail, not_run] = told::counts(findings.iter().flat_map(|finding| &finding.judged));
     let studies = studies(findings, columns);
     let remedy = if fail > 0 { AFTER_FAILURE } else { "" };
     format!("{told}{studies}\n\n{remedy}checks: {pass} passed, {fail} failed, {not_run} not run")
@@ -57,7 +57,7 @@ fn studies(findings: &[Finding], columns: u16) -> String {
             Some(Verdict::NotRun(_)) => "○ not run",
             Some(Verdict::Fail) | None => "✗ FAIL",
         };
-        let [pass, fail, not_run] = matrix::counts(own.iter().copied());
+        let [pass, fail, not_run] = told::counts(judged());
         let counts = [own.len(), pass + fail + not_run, pass, fail, not_run].map(|count| count.to_string());
         told.add_row([sign.to_string(), room.name.replace('_', " ")].into_iter().chain(counts));
     }

@@ -5,17 +5,14 @@ use crate::markdown;
 use crate::measure::display_factor;
 use crate::oracle::ReferenceKind;
 use crate::report::grouped::{counted, in_order};
-use crate::report::{checks, heading};
+use crate::report::{checks, links};
 use crate::study::cases::{self, Numbers, charts, page as name_of, remark, sketch};
 use crate::study::{Finding, described};
 
-/// Runs that share a page.
-pub struct Shared<'a> {
-    /// Name of the page, which the file has too.
-    pub name: String,
-    /// Its runs.
-    pub runs: Vec<(&'a Finding, &'a Numbers)>,
-}
+/// A run with its checks.
+type Ran<'a> = (&'a Finding, &'a Numbers);
+/// Name of a page, which the file has too, and the runs that share it.
+pub type Shared<'a> = (String, Vec<Ran<'a>>);
 
 /// Name of the file.
 pub fn file(name: &str) -> String {
@@ -28,35 +25,34 @@ pub fn shared(findings: &[Finding]) -> Vec<Shared<'_>> {
         let numbers: &Numbers = finding.numbers()?;
         Some((name_of(&numbers.case), (finding, numbers)))
     });
-    in_order(runs).into_iter().map(|(name, runs)| Shared { name, runs }).collect()
+    in_order(runs)
 }
 
 /// The page; it links the benchmark sheet where there is one.
-pub fn page(shared: &Shared, has_sheet: bool) -> String {
-    let case = &shared.runs[0].1.case;
-    let judged: Vec<&Judged> = shared.runs.iter().flat_map(|(finding, _)| &finding.judged).collect();
+pub fn page((name, runs): &Shared, has_sheet: bool) -> String {
+    let case = &runs[0].1.case;
+    let judged: Vec<&Judged> = runs.iter().flat_map(|(finding, _)| &finding.judged).collect();
     let parts = [
-        problem(shared, case, has_sheet),
+        problem(name, case, has_sheet),
         described::equations(case.scene.plane) + "\n\n",
-        reference(shared, &judged),
-        results(shared),
-        charts(&shared.name).map_or(String::new(), |charts| format!("## Charts\n\n{charts}")),
-        checked(shared),
-        limits(shared, &judged),
+        reference(runs, &judged),
+        results(runs),
+        charts(name).map_or(String::new(), |charts| format!("## Charts\n\n{charts}")),
+        checked(runs),
+        limits(runs, &judged),
     ];
-    let title = format!("{}: {}", shared.name, case.title);
-    heading::page(&title, &asked(shared), &judged, &parts.concat())
+    let title = format!("{name}: {}", case.title);
+    links::page(&title, &asked(runs), &judged, &parts.concat())
 }
 
-fn asked(shared: &Shared) -> String {
-    let mut names: Vec<&str> = shared.runs.iter().map(|(finding, _)| finding.case.as_str()).collect();
+fn asked(runs: &[Ran]) -> String {
+    let mut names: Vec<&str> = runs.iter().map(|(finding, _)| finding.case.as_str()).collect();
     names.dedup();
-    format!("{}: {}.", names.join("; "), markdown::counted(shared.runs.len(), "run"))
+    format!("{}: {}.", names.join("; "), markdown::counted(runs.len(), "run"))
 }
 
 /// Sketch, and the input: the text of the scene file, or the numbers of the scene.
-fn problem(shared: &Shared, case: &Case, has_sheet: bool) -> String {
-    let name = &shared.name;
+fn problem(name: &str, case: &Case, has_sheet: bool) -> String {
     let input = match &case.places {
         Some(places) => format!(
             "Input: [tests/cases/{0}](../../tests/cases/{0}), solved by `contact-vv solve tests/cases/{0}`.\n\n```toml\n{1}\n```\n\n",
@@ -74,8 +70,8 @@ fn problem(shared: &Shared, case: &Case, has_sheet: bool) -> String {
 }
 
 /// Where the truth comes from, and how far it can be trusted.
-fn reference(shared: &Shared, judged: &[&Judged]) -> String {
-    let sources = counted(shared.runs.iter().flat_map(|(_, numbers)| described::sources(&numbers.case)));
+fn reference(runs: &[Ran], judged: &[&Judged]) -> String {
+    let sources = counted(runs.iter().flat_map(|(_, numbers)| described::sources(&numbers.case)));
     let listed: String = sources.iter().map(|(source, _)| format!("* {source}\n")).collect();
     let analytic = || judged.iter().filter(|one| one.reference.kind == ReferenceKind::Analytic);
     let model = analytic().map(|one| one.check.model).fold(0.0, f64::max);
@@ -93,26 +89,26 @@ fn reference(shared: &Shared, judged: &[&Judged]) -> String {
 }
 
 /// What was found; the case is named where there are several.
-fn results(shared: &Shared) -> String {
+fn results(runs: &[Ran]) -> String {
     let rows: Vec<(String, &Numbers, &[Judged])> =
-        named(shared).map(|(name, finding, numbers)| (name, numbers, &finding.judged[..])).collect();
+        named(runs).map(|(name, finding, numbers)| (name, numbers, &finding.judged[..])).collect();
     format!(
         "## Results\n\n± is the error bar of the number, where the suite asks for one.\n\n{}\n",
         cases::results(&rows)
     )
 }
 
-fn named<'a>(shared: &'a Shared<'a>) -> impl Iterator<Item = (String, &'a Finding, &'a Numbers)> {
-    let several = shared.runs.iter().any(|(finding, _)| finding.case != shared.runs[0].0.case);
-    shared.runs.iter().map(move |(finding, numbers)| {
+fn named<'a>(runs: &'a [Ran<'a>]) -> impl Iterator<Item = (String, &'a Finding, &'a Numbers)> {
+    let several = runs.iter().any(|(finding, _)| finding.case != runs[0].0.case);
+    runs.iter().map(move |(finding, numbers)| {
         let name = if several { format!("{} × {}", finding.case, finding.name) } else { finding.name.clone() };
         (name, *finding, *numbers)
     })
 }
 
 /// All checks: the declared ones of each case, then what every run must satisfy.
-fn checked(shared: &Shared) -> String {
-    let findings: Vec<&Finding> = shared.runs.iter().map(|(finding, _)| *finding).collect();
+fn checked(runs: &[Ran]) -> String {
+    let findings: Vec<&Finding> = runs.iter().map(|(finding, _)| *finding).collect();
     let own = checks::by_case(&findings, |own, _| own);
     let every = checks::of_every_run(findings.iter().flat_map(|finding| &finding.judged));
     format!(
@@ -121,8 +117,8 @@ fn checked(shared: &Shared) -> String {
 }
 
 /// What the case does not show: where its candidates end, what did not converge, what it was not held against.
-fn limits(shared: &Shared, judged: &[&Judged]) -> String {
-    let scene = &shared.runs[0].1.case.scene;
+fn limits(runs: &[Ran], judged: &[&Judged]) -> String {
+    let scene = &runs[0].1.case.scene;
     let mut told = Vec::new();
     for pair in &scene.contacts {
         let factor = display_factor(&pair.path);
@@ -133,9 +129,9 @@ fn limits(shared: &Shared, judged: &[&Judged]) -> String {
             markdown::significant(factor * pair.stretch, 4)
         ));
     }
-    let open = shared.runs.iter().filter(|(_, numbers)| !numbers.run.solution.converged()).count();
+    let open = runs.iter().filter(|(_, numbers)| !numbers.run.solution.converged()).count();
     if open > 0 {
-        told.push(format!("{open} of {} runs did not converge.", shared.runs.len()));
+        told.push(format!("{open} of {} runs did not converge.", runs.len()));
     }
     let measured = judged
         .iter()

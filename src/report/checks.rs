@@ -38,52 +38,45 @@ const FOLDED: usize = 12;
 /// Name of a trial with its checks.
 pub type Named<'a> = (&'a str, &'a [Judged]);
 
-/// Checks that ask the same of one quantity, perhaps against several references.
-struct Requirement<'a> {
-    checks: Vec<(&'a str, &'a Judged)>,
+/// Checks that ask the same of one quantity, perhaps against several references, each behind the name of its trial.
+type Requirement<'a> = Vec<(&'a str, &'a Judged)>;
+
+/// Whether every check of a requirement asks for the same number.
+fn is_one(checks: &Requirement) -> bool {
+    checks.iter().all(|(_, one)| one.requirement() == checks[0].1.requirement())
 }
 
-impl Requirement<'_> {
-    fn first(&self) -> &Judged {
-        self.checks[0].1
-    }
+fn has_failed(checks: &Requirement) -> bool {
+    checks.iter().any(|(_, one)| one.verdict == Verdict::Fail)
+}
 
-    /// Whether every check of it asks for the same number.
-    fn is_one(&self) -> bool {
-        self.checks.iter().all(|(_, one)| one.requirement() == self.first().requirement())
+/// The sentence of a requirement, without numbers that only some of the checks have.
+fn sentence(checks: &Requirement) -> String {
+    let first = checks[0].1;
+    if is_one(checks) {
+        return first.requirement();
     }
+    let shall = match first.check.relation {
+        Relation::Near | Relation::NearAbsolutely => "shall agree with its reference within its tolerance",
+        Relation::Error => "shall be at most its tolerance against its reference",
+        Relation::AtLeast => "shall be at least its reference",
+        Relation::AtMost => "shall be at most its reference",
+    };
+    format!("{} {shall}", markdown::capitalised(first.check.quantity.name()))
+}
 
-    fn has_failed(&self) -> bool {
-        self.checks.iter().any(|(_, one)| one.verdict == Verdict::Fail)
-    }
-
-    /// The sentence, without numbers that only some of the checks have.
-    fn sentence(&self) -> String {
-        if self.is_one() {
-            return self.first().requirement();
+/// A row for each trial; what is alike in several of them is one row.
+fn rows<'a>(checks: &Requirement<'a>) -> Vec<(Vec<&'a str>, Cells)> {
+    let is_one = is_one(checks);
+    let mut rows: Vec<(Vec<&str>, Cells)> = Vec::new();
+    for &(name, one) in checks {
+        let cells = COLUMNS.map(|(_, cell)| cell(one, is_one));
+        match rows.iter_mut().find(|(names, other)| !names.contains(&name) && *other == cells) {
+            Some((names, _)) => names.push(name),
+            None => rows.push((vec![name], cells)),
         }
-        let shall = match self.first().check.relation {
-            Relation::Near | Relation::NearAbsolutely => "shall agree with its reference within its tolerance",
-            Relation::Error => "shall be at most its tolerance against its reference",
-            Relation::AtLeast => "shall be at least its reference",
-            Relation::AtMost => "shall be at most its reference",
-        };
-        format!("{} {shall}", markdown::capitalised(self.first().check.quantity.name()))
     }
-
-    /// A row for each trial; what is alike in several of them is one row.
-    fn rows(&self) -> Vec<(Vec<&str>, Cells)> {
-        let is_one = self.is_one();
-        let mut rows: Vec<(Vec<&str>, Cells)> = Vec::new();
-        for (name, one) in &self.checks {
-            let cells = COLUMNS.map(|(_, cell)| cell(one, is_one));
-            match rows.iter_mut().find(|(names, other)| !names.contains(name) && *other == cells) {
-                Some((names, _)) => names.push(name),
-                None => rows.push((vec![name], cells)),
-            }
-        }
-        rows
-    }
+    rows
 }
 
 /// The requirements of each case with whatever else is told of it, below its name where there are several.
@@ -104,7 +97,7 @@ pub fn of(members: &[Named]) -> String {
     if own.is_empty() {
         return String::new();
     }
-    let (single, several): (Vec<_>, Vec<_>) = requirements(&own).into_iter().partition(|one| one.rows().len() == 1);
+    let (single, several): (Vec<_>, Vec<_>) = requirements(&own).into_iter().partition(|one| rows(one).len() == 1);
     let several: String = several.iter().map(|one| spread(one, members.len())).collect();
     format!("{}\n\n{}{several}", summary(&own), together(&single, members.len()))
 }
@@ -120,8 +113,7 @@ fn summary(own: &[(&str, &Judged)]) -> String {
 /// Each requirement once, in the order in which they come.
 fn requirements<'a>(own: &[(&'a str, &'a Judged)]) -> Vec<Requirement<'a>> {
     let asked = |one: &'a Judged| (one.check.quantity.name(), one.check.relation, one.reference.kind);
-    let groups = in_order(own.iter().map(|&(name, one)| (asked(one), (name, one))));
-    groups.into_iter().map(|(_, checks)| Requirement { checks }).collect()
+    in_order(own.iter().map(|&(name, one)| (asked(one), (name, one)))).into_iter().map(|(_, checks)| checks).collect()
 }
 
 /// The names of the columns.
@@ -135,25 +127,24 @@ fn together(single: &[Requirement], trials: usize) -> String {
         return String::new();
     }
     let row = |one: &Requirement| {
-        let (names, mut cells) = one.rows().remove(0);
-        let shall =
-            format!("{} ({}; {})", one.sentence(), one.first().reference.kind, std::mem::take(&mut cells[BECAUSE]));
+        let (names, mut cells) = rows(one).remove(0);
+        let shall = format!("{} ({}; {})", sentence(one), one[0].1.reference.kind, std::mem::take(&mut cells[BECAUSE]));
         std::iter::once(shall).chain(with_trials(&names, &cells, trials)).collect()
     };
     let head = std::iter::once("what shall hold (kind; because)".into()).chain(head()).collect();
     let (head, rows, told) = without_repeats(head, single.iter().map(row).collect(), single.len() > 1);
-    let failed = single.iter().any(Requirement::has_failed);
+    let failed = single.iter().any(has_failed);
     let told = if told.is_empty() { told } else { format!("In all rows: {told}.\n\n") };
     told + &shown(&head, &rows, failed)
 }
 
 /// A requirement of several rows: what is alike in all of them is told once.
 fn spread(one: &Requirement, trials: usize) -> String {
-    let rows = one.rows().iter().map(|(names, cells)| with_trials(names, cells, trials)).collect();
+    let rows = rows(one).iter().map(|(names, cells)| with_trials(names, cells, trials)).collect();
     let (head, rows, told) = without_repeats(head().collect(), rows, true);
     let told = if told.is_empty() { told } else { format!(" In all rows: {told}.") };
-    let (kind, number) = (one.first().reference.kind, one.checks.len());
-    format!("**{}** ({kind}), {number} checks.{told}\n\n{}", one.sentence(), shown(&head, &rows, one.has_failed()))
+    let (kind, number) = (one[0].1.reference.kind, one.len());
+    format!("**{}** ({kind}), {number} checks.{told}\n\n{}", sentence(one), shown(&head, &rows, has_failed(one)))
 }
 
 /// A table, folded where it is long; open where something failed.

@@ -122,8 +122,3 @@ fn of_kind(findings: &[Finding], kind: ReferenceKind) -> String {
     };
     markdown::table(&head, &by_case(findings.iter()).into_iter().filter_map(row).collect::<Vec<_>>())
 }
-
-/// Numbers of checks that passed, failed and were not run.
-pub fn counts<'a>(findings: impl IntoIterator<Item = &'a Finding>) -> [usize; 3] {
-    told::counts(findings.into_iter().flat_map(|finding| &finding.judged))
-}

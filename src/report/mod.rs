@@ -1,12 +1,10 @@
 //! The report: `VALIDATION.md`, the pages behind it and their charts, made from the findings of the suite and from nothing else.
 //!
-//! * [`page`] — the whole of it.
-//! * [`only`] — one page of it.
+//! * [`page`] — the whole of it, or one page.
 //! * [`front`] — the front page.
 //! * [`case_page`], [`study_page`] — a page a case, and a study.
-//! * [`checks_page`] — the page on all checks.
-//! * `heading` — what every page behind the front page begins with; [`symbols`] — what letters stand for; [`links`] —
-//!   links of texts that are read elsewhere than at the root.
+//! * [`links`] — of texts that are read elsewhere than at the root, and what every page behind the front page begins with;
+//!   [`symbols`] — what letters stand for.
 //! * [`matrix`] — the verdict matrix, and verdicts by kind.
 //! * [`checks`] — requirement by requirement; [`told`] — what became of checks, in a sentence.
 //! * [`pictures`] — the charts by name.
@@ -17,15 +15,12 @@
 
 pub mod case_page;
 pub mod checks;
-pub mod checks_page;
 pub mod diff;
 pub mod files;
 pub mod front;
 pub mod grouped;
-mod heading;
 pub mod links;
 pub mod matrix;
-pub mod only;
 pub mod page;
 pub mod pictures;
 pub mod record;
@@ -35,5 +30,4 @@ pub mod symbols;
 pub mod told;
 
 pub use files::{difference, write};
-pub use only::Only;
-pub use page::{compose, of_study};
+pub use page::{Only, compose};

@@ -1,13 +1,17 @@
-//! The whole report: the front page, a page a case and a study, charts, benchmark sheets and their values.
+//! The whole report: the front page, a page a case and a study, charts, benchmark sheets and their values; or one page of it.
 
 use std::path::Path;
 
+use crate::case::Judged;
+use crate::case::library::NAMES;
 use crate::drawing::schematic;
-use crate::error::Error;
-use crate::report::links::{CHARTS, PAGES};
-use crate::report::{case_page, checks_page, files, front, record, study_page, symbols};
+use crate::error::{Error, meant};
+use crate::report::front::nearness;
+use crate::report::links::{self, CHARTS, PAGES};
+use crate::report::{case_page, checks, files, front, matrix, record, study_page, symbols};
 use crate::study::sheet::{self, SHEETS, Sheet};
-use crate::study::{Files, Finding, Room, drawn, references};
+use crate::study::{Files, Finding, Room, Study, Trial, cases, drawn, on_page, promised, references};
+use crate::uncertainty::COVERAGE;
 
 /// The report, made from the findings of the whole suite: paths and texts of the front page, the pages behind it, the charts, the
 /// benchmark sheets and the record.
@@ -17,7 +21,7 @@ pub fn compose(findings: &[Finding]) -> Result<Files, Error> {
     let mut charts = drawn::written(&[
         ("contact-problem.svg".into(), problem),
         ("contact-elements.svg".into(), elements),
-        (front::nearness::CHART[0].into(), front::nearness::chart(findings)),
+        (nearness::CHART[0].into(), nearness::chart(findings)),
     ])?;
     for room in &Room::ALL {
         charts.extend((room.pictures)(findings)?);
@@ -51,7 +55,7 @@ fn values(findings: &[Finding]) -> Result<Files, Error> {
 }
 
 /// The page and the charts of one study, and its sheets with their values: paths and texts.
-pub fn of_study(room: &Room, findings: &[Finding]) -> Result<Files, Error> {
+fn of_study(room: &Room, findings: &[Finding]) -> Result<Files, Error> {
     let page = (format!("{}/{}", PAGES, study_page::file(room.name)), study_page::page(room, findings)?);
     let sheets: Files = sheets(findings).map(sheet::file).collect();
     let values = if sheets.is_empty() { vec![] } else { values(findings)? };
@@ -60,16 +64,77 @@ pub fn of_study(room: &Room, findings: &[Finding]) -> Result<Files, Error> {
 }
 
 /// The pages behind the front page: a loop over the studies, of which that of the cases has a page a case.
-pub fn pages(findings: &[Finding]) -> Result<Vec<(String, String)>, Error> {
-    let mut pages = vec![
-        (checks_page::FILE.to_string(), checks_page::page(findings)),
-        (symbols::FILE.to_string(), symbols::page()),
-    ];
+fn pages(findings: &[Finding]) -> Result<Files, Error> {
+    let mut pages =
+        vec![(links::CHECKS.to_string(), of_checks(findings)), (symbols::FILE.to_string(), symbols::page())];
     for room in study_page::asked(findings) {
         pages.push((study_page::file(room.name), study_page::page(room, findings)?));
     }
-    let has_sheet = |name: &str| sheets(findings).any(|sheet| sheet.name == name);
-    let cases = case_page::shared(findings);
-    pages.extend(cases.iter().map(|one| (case_page::file(&one.name), case_page::page(one, has_sheet(&one.name)))));
+    pages.extend(case_pages(findings, |name| sheets(findings).any(|sheet| sheet.name == name)));
     Ok(pages)
+}
+
+/// The page of all checks: by kind of reference and case, and those of every run.
+fn of_checks(findings: &[Finding]) -> String {
+    let all: Vec<&Judged> = findings.iter().flat_map(|finding| &finding.judged).collect();
+    let body = format!(
+        "*Verification* holds the code against closed forms and orders of accuracy (kind *analytic*); *benchmarking* holds it against \
+         other codes (*cross-code*); *self-consistency* asks it the same in another way; *validation* compares with measurement. ± is the \
+         error bar everywhere, {COVERAGE} standard uncertainties of the value from refinement; how many bars hold, {} tells.\n\n{}\n{}## Every run\n\n{}",
+        links::to_page("what is promised", &study_page::file(promised::Numbers::NAME)),
+        matrix::by_kind(findings),
+        drawn::picture(nearness::CHART[0], nearness::CHART[1]),
+        checks::universal(all.iter().copied()),
+    );
+    links::page("All checks", "What everything is held against, by kind and by case.", &all, &body)
+}
+
+/// The pages of cases; of which of them there is a benchmark sheet is told.
+fn case_pages(findings: &[Finding], has_sheet: impl Fn(&str) -> bool) -> Files {
+    let page = |one: &case_page::Shared| (case_page::file(&one.0), case_page::page(one, has_sheet(&one.0)));
+    case_page::shared(findings).iter().map(page).collect()
+}
+
+/// What one page of the report is of.
+pub enum Only {
+    /// A study.
+    Study(&'static Room),
+    /// A page of cases, by its name.
+    Case(String),
+}
+
+impl Only {
+    /// The study or the page of this name; a case by its own name, or that of its file, is on a page.
+    pub fn named(name: &str) -> Result<Self, Error> {
+        if let Some(room) = Room::ALL.iter().find(|room| room.name == name) {
+            return Ok(Self::Study(room));
+        }
+        let known = cases::names()?;
+        if let Some([_, page]) = known.iter().find(|[known, _]| known == name) {
+            return Ok(Self::Case(page.clone()));
+        }
+        let names = || known.iter().map(|[name, _]| name.as_str()).chain(Room::ALL.iter().map(|room| room.name));
+        let studies = Room::ALL.map(|room| room.name).join(", ");
+        let remedy = format!("{}`contact-vv list` names the cases; studies are {studies}", meant(name, names()));
+        Err(Error::value("report", "--only", name, "there is no case and no study of this name", remedy))
+    }
+
+    /// What is to be solved for it.
+    pub fn trials(&self) -> Vec<Trial> {
+        match self {
+            Self::Study(room) => (room.plan)(),
+            Self::Case(page) => on_page(page),
+        }
+    }
+
+    /// The page first, then its charts and its sheets: paths and texts. Charts of cases are those of their study.
+    pub fn files(&self, findings: &[Finding]) -> Result<Files, Error> {
+        match self {
+            Self::Study(room) => of_study(room, findings),
+            Self::Case(_) => {
+                let has_sheet = |name: &str| NAMES.iter().any(|(known, _)| *known == name);
+                Ok(within(PAGES, case_pages(findings, has_sheet)).collect())
+            }
+        }
+    }
 }

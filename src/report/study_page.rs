@@ -3,7 +3,7 @@
 use crate::case::{Judged, Verdict};
 use crate::error::Error;
 use crate::report::grouped::counted;
-use crate::report::{checks, heading, statements};
+use crate::report::{checks, links, statements};
 use crate::study::{Finding, Room, Study, cases, paper};
 
 /// Name of the file of a study of this name.
@@ -22,7 +22,7 @@ pub fn page(room: &Room, findings: &[Finding]) -> Result<String, Error> {
     // What the paper says is judged by the findings of all studies, of which its own sees only its part.
     let first = if name == paper::Numbers::NAME { statements::section(findings) } else { String::new() };
     let body = format!("{first}{}\n## Checks\n\n{checks}{}", (room.section)(findings)?, limits(about.limits, &own));
-    Ok(heading::page(about.title, about.asked, &own, &body))
+    Ok(links::page(about.title, about.asked, &own, &body))
 }
 
 /// Findings of a study.

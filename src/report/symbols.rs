@@ -1,7 +1,7 @@
 //! The page of symbols, which every page links.
 
 use crate::markdown::{self, Column};
-use crate::report::heading;
+use crate::report::links;
 
 /// Name of the file.
 pub const FILE: &str = "symbols.md";
@@ -41,5 +41,5 @@ const COLUMNS: [Column<[&str; 2]>; 2] = [("symbol", |row| row[0].into()), ("what
 /// The page.
 pub fn page() -> String {
     let table = markdown::columns(&COLUMNS, &SYMBOLS);
-    heading::page("Symbols", "What letters stand for on every page.", &[], &table)
+    links::page("Symbols", "What letters stand for on every page.", &[], &table)
 }

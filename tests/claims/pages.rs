@@ -6,10 +6,9 @@ use std::path::{Path, PathBuf};
 use contact_vv::case::{Check, Judged, Quantity, Reference, Verdict};
 use contact_vv::checkout::root;
 use contact_vv::oracle::ReferenceKind;
-use contact_vv::report::diff::written;
 use contact_vv::report::front::{self, against, nearness, right};
 use contact_vv::report::links::{CHARTS, PAGES};
-use contact_vv::report::{case_page, difference, files, study_page, symbols, told, write};
+use contact_vv::report::{case_page, diff, difference, files, study_page, symbols, told, write};
 use contact_vv::study::sheet::SHEETS;
 use contact_vv::study::{Files, Finding, Room, Study, cases};
 
@@ -194,7 +193,7 @@ fn pages_are_written_compared_and_removed_as_a_folder() {
     };
     let (before, after) = (of(&["one.md", "two.md"]), of(&["one.md"]));
     let told = |page: &Files| {
-        difference(page, folder.path()).expect("compared").map(|difference| difference.text(written::LINES))
+        difference(page, folder.path()).expect("compared").map(|difference| difference.text(diff::LINES))
     };
     write(&before, folder.path()).expect("written");
     assert_eq!(told(&before), None);

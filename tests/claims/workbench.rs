@@ -7,7 +7,7 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use contact_vv::case::Case;
 use contact_vv::case::library::{
-    Bars, Cylinder, CylinderModel, FlatPunch, OwnWeight, Patch, PinPlate, PinRod, PressFit, TruncatedHertz, find,
+    Bars, Cylinder, CylinderModel, FlatPunch, Patch, PinPlate, PinRod, PressFit, TruncatedHertz, find, own_weight,
 };
 use contact_vv::elasticity::{BodySystem, ElasticSystem, element, quadrature};
 use contact_vv::mesh::{BodyMesh, Edge, Mesh, Order, Resolution};
@@ -41,7 +41,7 @@ pub fn library() -> Vec<(Scene, usize)> {
     vec![
         (Patch::default().scene(), 2),
         (Bars::default().scene(), 2),
-        (OwnWeight::default().scene(), 2),
+        (own_weight::case().scene, 2),
         (PressFit::default().scene(), 4),
         (FlatPunch::default().scene(), 8),
         (Cylinder::default().scene(), 4),

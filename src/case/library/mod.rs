@@ -28,13 +28,11 @@ pub use cylinder::{Cylinder, CylinderModel};
 pub use flat_punch::FlatPunch;
 pub use indented::Indented;
 pub use names::{NAMES, find};
-pub use own_weight::OwnWeight;
 pub use patch::Patch;
 pub use pin_plate::PinPlate;
 pub use pin_rod::PinRod;
 pub use press_fit::PressFit;
 pub use shared::{ARC_UNIT, body, fixed};
-pub use sphere::Sphere;
 pub use truncated_hertz::TruncatedHertz;
 
 /// All cases of the suite, in the order of the page.

@@ -2,7 +2,7 @@
 
 use crate::case::definition::Case;
 use crate::case::library::{
-    Bars, Cylinder, CylinderModel, FlatPunch, OwnWeight, Patch, PinPlate, PinRod, PressFit, Sphere, TruncatedHertz,
+    Bars, Cylinder, CylinderModel, FlatPunch, Patch, PinPlate, PinRod, PressFit, TruncatedHertz,
 };
 use crate::case::library::{
     bars, cylinder, flat_punch, indented, own_weight, patch, pin_plate, pin_rod, sphere, truncated_hertz,
@@ -31,13 +31,13 @@ const ENTRIES: [Entry; 15] = [
     ("pin-plate", pin_plate::TITLE, false, |_| PinPlate::of_half_angle(60.0).case()),
     ("patch", patch::TITLE, false, |_| Patch::default().case()),
     ("bars", bars::TITLE, false, |_| Bars::default().case()),
-    ("own-weight", own_weight::TITLE, false, |_| OwnWeight::default().case()),
+    ("own-weight", own_weight::TITLE, false, |_| own_weight::case()),
     ("press-fit", "press fit of two rings, plane stress", false, |_| PressFit::default().case()),
     ("press-fit-strain", "press fit of two rings, plane strain", false, |_| {
         PressFit { plane: PlaneHypothesis::Strain, ..Default::default() }.case()
     }),
     ("flat-punch", flat_punch::TITLE, false, |_| FlatPunch::default().case()),
-    ("sphere", sphere::TITLE, true, |a_over_r| Sphere { a_over_r, ..Default::default() }.case()),
+    ("sphere", sphere::TITLE, true, sphere::case),
     ("truncated-sphere", indented::SPHERE, true, indented::truncated_sphere),
     ("cone", indented::CONE, false, |_| indented::cone()),
 ];

@@ -1,12 +1,11 @@
 //! All that is printed as JSON: one type, and its published schema.
 //!
-//! * [`solved`] — the result of `solve`; [`contact`] — what one contact came to; [`body`] — and one body; [`oracle`] — what an oracle reads.
+//! * [`solved`] — the result of `solve`; [`contact`] — what one contact came to; [`oracle`] — what an oracle reads.
 //! * [`checked`] — a check with its numbers and its verdict, of `solve`, `verify` and `verdicts` alike.
 //! * [`refereed`] — the verdicts on the answer of another code.
 //! * [`compared`] — formulations of one scene side by side.
 //! * [`number`] — a number, which may be unknown.
 
-pub mod body;
 pub mod checked;
 pub mod compared;
 pub mod contact;

@@ -1,13 +1,16 @@
 //! What `solve` is asked, and what it found.
 
+use schemars::JsonSchema;
+use serde::Serialize;
+
 use crate::accuracy::{self, Barred, Bars};
 use crate::case::solved::met;
 use crate::case::{Case, Judged, notes, plausible};
-use crate::cli::reactions::{self, ReactionReading};
 use crate::cli::solve::stages::Stages;
 use crate::clock::{Clock, Stage};
 use crate::error::Error;
-use crate::solve::{Discretisation, Fitted, Formulation, Run, VonMises};
+use crate::scene::Place;
+use crate::solve::{Discretisation, Fitted, Formulation, Reaction, Run, VonMises};
 
 /// What is to be solved, by what, and on which mesh.
 pub struct Question {
@@ -79,7 +82,7 @@ impl Found {
         if let Some(bars) = bars.as_ref().filter(|_| run.solution.converged()) {
             checks = checks.into_iter().map(|check| check.with_bar(&bars.all)).collect();
         }
-        let reactions = reactions::readings(&discretisation, &run)?;
+        let reactions = reactions(&discretisation, &run)?;
         let displacement = discretisation.displacement_under(run.share(), &run.solution);
         let stresses = discretisation.largest_von_mises(&run, &displacement)?;
         Ok(Self { problem, discretisation, run, doubts, is_mesh_given, reactions, stresses, bars, checks, accurate })
@@ -125,4 +128,44 @@ fn solved(problem: &Case, formulation: &Formulation, mesh: Mesh, stages: &Stages
             Ok((discretisation, run, Some((asked, answer))))
         }
     }
+}
+
+/// What a support exerts on the modelled part of its body.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct ReactionReading {
+    /// Name of the body.
+    pub body: String,
+    /// Where the support is: the name of a boundary, or the point of a node.
+    #[schemars(with = "Where")]
+    pub at: Place,
+    /// Which component it holds: `x` or `y`.
+    pub component: &'static str,
+    /// Force on the body along that component, positive along x or y \[N\].
+    pub force: f64,
+}
+
+/// A place as JSON has it.
+#[derive(JsonSchema)]
+#[schemars(untagged)]
+#[expect(dead_code, reason = "it only describes how a place is written")]
+enum Where {
+    /// A boundary of the body.
+    Boundary(String),
+    /// The node at a point.
+    Point([f64; 2]),
+}
+
+/// The reaction of every support, body by body in the order of the scene.
+fn reactions(discretisation: &Discretisation, run: &Run) -> Result<Vec<ReactionReading>, Error> {
+    let reading = |reaction: Reaction| {
+        let body = &discretisation.scene.bodies[reaction.body];
+        let support = &body.supports[reaction.support];
+        ReactionReading {
+            body: body.name.clone(),
+            at: support.at.clone(),
+            component: support.component.name(),
+            force: reaction.force,
+        }
+    };
+    Ok(discretisation.reactions_under(run.share(), &run.solution)?.into_iter().map(reading).collect())
 }

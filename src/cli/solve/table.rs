@@ -2,8 +2,7 @@
 
 use crate::algorithm::Acceleration;
 use crate::cli::json::{OracleReading, oracle};
-use crate::cli::reactions::ReactionReading;
-use crate::cli::solve::found::Found;
+use crate::cli::solve::found::{Found, ReactionReading};
 use crate::cli::terminal::say;
 use crate::cli::{bars, verify};
 use crate::markdown;

@@ -1,15 +1,20 @@
 //! The committed results at one commit, on disk, or as they would be written: texts by path.
+//!
+//! Git is asked as a process: a library that reads its objects would be a hundred crates for three questions.
 
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
+use std::process::Command;
+
+use rayon::prelude::*;
 
 use crate::checkout;
 use crate::error::Error;
 use crate::report::grouped::joined;
 
 /// What is compared: the page, and the folder of everything that is recorded.
-pub const COMPARED: [&str; 2] = ["VALIDATION.md", "snapshots"];
+const COMPARED: [&str; 2] = ["VALIDATION.md", "snapshots"];
 
 /// Texts by path, with `/` between folders.
 #[derive(Clone, Debug, Default)]
@@ -55,4 +60,63 @@ pub type Moved<'a> = (&'a str, [Option<&'a str>; 2]);
 pub fn moved<'a>(trees: [&'a Tree; 2]) -> Vec<Moved<'a>> {
     let files = joined(trees.map(|tree| tree.files.iter().map(|(path, text)| (path.as_str(), text.as_str()))));
     files.into_iter().filter(|(_, [old, new])| old != new).collect()
+}
+
+/// Branches that the working branch may have left, the first that exists counts.
+const TRUNKS: [&str; 2] = ["main", "origin/main"];
+
+/// Where the working branch left `main`.
+pub fn merge_base(root: &Path) -> Result<String, Error> {
+    let known = |trunk: &&str| commit(root, trunk).is_ok();
+    commit(root, "HEAD")?;
+    let Some(trunk) = TRUNKS.into_iter().find(known) else {
+        let message = format!("there is no branch {}", TRUNKS.join(" nor "));
+        return Err(Error::at("git", message, "name the commit to compare with: `report diff BASE`"));
+    };
+    let remedy = "fetch the whole history (`git fetch --unshallow`), or name the commit: `report diff BASE`";
+    let apart = |_| Error::at("git", format!("HEAD and `{trunk}` have no common commit here"), remedy);
+    Ok(asked(root, &["merge-base", "HEAD", trunk]).map_err(apart)?.trim().into())
+}
+
+/// The full name of a commit.
+pub fn commit(root: &Path, name: &str) -> Result<String, Error> {
+    let full = asked(root, &["rev-parse", "--verify", "--quiet", "--end-of-options", &format!("{name}^{{commit}}")]);
+    let unknown =
+        || Error::at("git", format!("`{name}` is no commit here"), "name a commit, branch or tag, or fetch it first");
+    let why = |error| if asked(root, &["rev-parse", "--git-dir"]).is_ok() { unknown() } else { error };
+    full.map(|text| text.trim().into()).map_err(why)
+}
+
+/// What a commit holds of what is compared.
+pub fn of_commit(root: &Path, name: &str) -> Result<Tree, Error> {
+    let full = commit(root, name)?;
+    let listed = asked(root, &[&["ls-tree", "-r", "-z", "--name-only", &full, "--"], &COMPARED[..]].concat())?;
+    let paths: Vec<&str> = listed.split_terminator('\0').collect();
+    let text = |path: &&str| -> Result<(String, String), Error> {
+        Ok(((*path).into(), asked(root, &["cat-file", "blob", &format!("{full}:{path}")])?))
+    };
+    let files = paths.par_iter().map(text).collect::<Result<_, Error>>()?;
+    let short = asked(root, &["rev-parse", "--short", &full])?;
+    let short = short.trim();
+    let name = if full.starts_with(name) { short.into() } else { format!("{name} ({short})") };
+    Ok(Tree { name, files })
+}
+
+/// What git prints to a question.
+fn asked(root: &Path, question: &[&str]) -> Result<String, Error> {
+    let output = Command::new("git").arg("-C").arg(root).args(question).output().map_err(not_started)?;
+    if output.status.success() {
+        return Ok(String::from_utf8_lossy(&output.stdout).into_owned());
+    }
+    Err(broken(String::from_utf8_lossy(&output.stderr).trim()))
+}
+
+fn not_started(error: std::io::Error) -> Error {
+    let remedy = "install git: the results of other commits are read through it";
+    Error::at("git", format!("cannot be started: {error}"), remedy)
+}
+
+fn broken(message: &str) -> Error {
+    let message = if message.is_empty() { "refused the question" } else { message };
+    Error::at("git", message, "run inside a git checkout of the project that has the commit")
 }

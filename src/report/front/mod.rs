@@ -1,40 +1,303 @@
 //! The front page: one computed answer to each question, the paper's statements, the verdicts, and the way to every page.
 //!
-//! * `right` — is it right, and against what; what no measurement has seen.
-//! * [`nearness`] — how much of their tolerances the checks use.
-//! * `cost` — what accuracy costs.
-//! * `advice` — where methods fail, and what to use.
-//! * `summary` — statements, verdicts, what was never compared, and the index.
+//! [`nearness`] — how much of their tolerances the checks use.
 
-mod advice;
-mod cost;
 pub mod nearness;
-mod right;
-mod summary;
 
-use crate::report::{links, symbols};
-use crate::study::Finding;
+use std::cmp::Reverse;
 
-pub use right::{against, right};
+use crate::case::{Judged, Relation, Verdict};
+use crate::markdown::{self, Column};
+use crate::oracle::ReferenceKind;
+use crate::report::grouped::{counted, in_order};
+use crate::report::links::{CHECKS, to_page as link};
+use crate::report::{case_page, matrix, statements, study_page, symbols, told};
+use crate::solve::Settings;
+use crate::study::atlas::plane::{Digest, digests};
+use crate::study::atlas::{self, Chart};
+use crate::study::drawn::picture;
+use crate::study::paper::NOT_COVERED;
+use crate::study::paper::statement::{Judgement, Statement};
+use crate::study::timings::record::Record;
+use crate::study::timings::{self, FRONTS, conclusion};
+use crate::study::{Finding, Room, Study, cases, limits, measured, paper, promised};
 
 /// The page.
 pub fn page(findings: &[Finding]) -> String {
-    let body = [
-        format!("## Is it right?\n\n{}\n", right(findings)),
-        format!("## Against what?\n\n{}\n", against(findings)),
-        format!("## What does accuracy cost?\n\n{}\n", cost::cost()),
-        format!("## Where does it fail, and what should I use?\n\n{}\n", advice::advice(findings)),
-        format!("## The paper's statements\n\n{}\n", summary::statements(findings)),
-        format!("## Verdicts\n\n{}\n", summary::verdicts(findings, advice::recommended(findings))),
-        format!("## What was never compared\n\n{}\n", summary::never_compared(findings)),
-        format!("## All pages\n\n{}\n", summary::index(findings)),
-    ]
-    .concat();
-    let symbols = links::to_page("symbols", symbols::FILE);
+    let parts = [
+        ("Is it right?", right(findings)),
+        ("Against what?", against(findings)),
+        ("What does accuracy cost?", cost()),
+        ("Where does it fail, and what should I use?", advice(findings)),
+        ("The paper's statements", paper_statements(findings)),
+        ("Verdicts", verdicts(findings)),
+        ("What was never compared", never_compared(findings)),
+        ("All pages", index(findings)),
+    ];
+    let body: String = parts.map(|(question, answer)| format!("## {question}\n\n{answer}\n")).concat();
     format!(
         "# Validation report\n\nThree contact elements × three iterations for frictionless elastic contact in 2D (Égert 1999). \
          Numbers, verdicts and conditions are computed, and with them the sentences that have any; typed are definitions, sources, hypotheses, \
-         the reasons of checks, and what is out of scope. Do not edit. What letters stand for: {symbols}.\n\n{}\n",
+         the reasons of checks, and what is out of scope. Do not edit. What letters stand for: {}.\n\n{}\n",
+        link("symbols", symbols::FILE),
         body.trim_end()
+    )
+}
+
+/// A link to the page of a study.
+fn to_study(text: &str, study: &str) -> String {
+    link(text, &study_page::file(study))
+}
+
+/// What a check of each kind can show.
+const SHOWS: [(ReferenceKind, &str, &str); 4] = [
+    (ReferenceKind::SelfConsistency, "the code itself, asked in another way", "that nothing contradicts itself"),
+    (ReferenceKind::Analytic, "closed forms and orders of accuracy", "that the equations are solved (verification)"),
+    (ReferenceKind::CrossCode, "other codes", "that others find the same (benchmarking)"),
+    (ReferenceKind::Measured, "measurements", "that the equations are the right ones (validation)"),
+];
+
+/// Truths of a kind that are named, those with the most checks.
+const NAMED: usize = 4;
+
+/// Whether any check fails, and how many error bars hold.
+pub fn right(findings: &[Finding]) -> String {
+    let all = told::once(findings.iter().flat_map(|finding| &finding.judged));
+    let [pass, fail, absent] = told::counts(all.iter().copied());
+    let not_run = if absent > 0 { format!(", {absent} could not be run") } else { String::new() };
+    let verdict = match (all.len(), fail) {
+        (0, _) => "**Nothing was checked.**".to_string(),
+        (number, 0) => format!("**No check fails**: {pass} of {number} pass{not_run}."),
+        (number, _) => format!("**✗ {fail} of {number} checks fail**; {pass} pass{not_run}.{}", told::failures(&all)),
+    };
+    let bars = findings.iter().filter_map(|finding| match finding.numbers() {
+        Some(promised::Numbers::Checks(all, outside)) => {
+            let unknown = outside.iter().filter(|(_, one)| !one.has_known_bar()).count();
+            let beyond = outside.len() - unknown;
+            Some(format!(
+                " Of {all} numbers beside a closed form {beyond} are off by more than their error bar; of {unknown} the bar is not known."
+            ))
+        }
+        _ => None,
+    });
+    format!(
+        "{verdict}{} All nine below are stopped within {:e} of the solution of the discrete problem, which an active set finds before: they \
+         show elements and mesh. How they end by criteria of their own, {}.\n\n{}",
+        bars.collect::<String>(),
+        Settings::default().tolerance,
+        to_study("the paper's statements tell", paper::Numbers::NAME),
+        picture(
+            "pressure-cylinder.svg",
+            "Contact pressure on the cylinder by all nine formulations, and their difference to Hertz",
+        )
+    )
+}
+
+/// Counts of checks by kind, the truths with the agreement with each, and what no measurement has seen.
+pub fn against(findings: &[Finding]) -> String {
+    let all = told::once(findings.iter().flat_map(|finding| &finding.judged));
+    let own = |kind: ReferenceKind| all.iter().copied().filter(move |one| one.reference.kind == kind);
+    let mut kinds = SHOWS;
+    kinds.sort_by_key(|(kind, ..)| Reverse(own(*kind).count()));
+    let rows = kinds.map(|(kind, against, shows)| {
+        let [pass, fail, absent] = told::counts(own(kind)).map(|number| number.to_string());
+        let share = markdown::significant(100.0 * own(kind).count() as f64 / all.len().max(1) as f64, 2);
+        vec![format!("{against} ({kind})"), shows.into(), own(kind).count().to_string(), share, pass, fail, absent]
+    });
+    let head = ["held against", "what it can show", "checks", "%", "pass", "fail", "not run"].map(String::from);
+    let truths: Vec<Agreement> = [ReferenceKind::Analytic, ReferenceKind::CrossCode, ReferenceKind::Measured]
+        .into_iter()
+        .flat_map(|kind| agreements(&own(kind).collect::<Vec<_>>()))
+        .collect();
+    let columns: [Column<Agreement>; 4] = [
+        ("truth", |(name, all)| format!("{name} ({})", all[0].reference.kind)),
+        ("numbers", |(_, all)| all.len().to_string()),
+        ("tightest agreement", |(_, all)| told_agreement(all.first())),
+        ("loosest", |(_, all)| told_agreement(all.last())),
+    ];
+    format!(
+        "{}\n{} {}. Of closed forms and of other codes the {NAMED} with the most numbers that agree \
+         with them, not by round-off alone:\n\n{}",
+        markdown::table(&head, &rows),
+        experiments(findings),
+        link("Each check, and how near it is to its limit", CHECKS),
+        markdown::columns(&columns, &truths),
+    )
+}
+
+/// A truth with the passed checks against it that have a relative error, by this.
+type Agreement<'a> = (&'a str, Vec<&'a Judged>);
+
+fn told_agreement(one: Option<&&Judged>) -> String {
+    one.map_or("–".into(), |one| format!("{}: {}", markdown::error(one.error), one.check.quantity.name()))
+}
+
+/// A tolerance from which on an error is counted in what it may be, and is no agreement; an agreement below the second is round-off.
+const COUNTED: f64 = 1.0;
+const ROUND_OFF: f64 = 1e-9;
+
+/// The truths of a kind that are named.
+fn agreements<'a>(own: &[&'a Judged]) -> Vec<Agreement<'a>> {
+    let is_agreement = |one: &&Judged| {
+        let near = !matches!(one.check.relation, Relation::AtMost | Relation::AtLeast);
+        one.verdict == Verdict::Pass && near && one.check.tolerance < COUNTED && one.error >= ROUND_OFF
+    };
+    let told = own.iter().copied().filter(is_agreement);
+    let mut truths = in_order(told.map(|one| (&*one.reference.name, one)));
+    truths.sort_by_key(|(_, all)| Reverse(all.len()));
+    truths.truncate(NAMED);
+    truths.iter_mut().for_each(|(_, all)| all.sort_by(|a, b| a.error.total_cmp(&b.error)));
+    truths
+}
+
+/// How many comparisons with measurements were judged, and of what kind.
+fn experiments(findings: &[Finding]) -> String {
+    let of_photographs = |yes: bool| {
+        let own = findings.iter().filter(move |finding| {
+            finding.numbers().is_some_and(|numbers| matches!(numbers, measured::Numbers::Photograph(_)) == yes)
+        });
+        own.flat_map(|finding| &finding.judged).filter(|judged| !matches!(judged.verdict, Verdict::NotRun(_)))
+    };
+    let shape = if of_photographs(true).next().is_some() {
+        "One shape-only comparison with a photograph"
+    } else {
+        "No photograph compared"
+    };
+    let measured = of_photographs(false).filter(|judged| judged.reference.kind == ReferenceKind::Measured);
+    match measured.count() {
+        0 => format!("**{shape}; no calibrated experiment yet.**"),
+        n => format!("**{shape}; calibrated curves compared: {n}.**"),
+    }
+}
+
+/// What accuracy costs: the conclusion of the recorded timings; says so where there are none.
+fn cost() -> String {
+    let Ok(record) = Record::read() else { return "No timings were read.".into() };
+    let processor = &record.measured.machine.processor;
+    format!(
+        "{}\nSeconds of one machine ({processor}), one thread; {}.\n\n{}",
+        conclusion(&record),
+        to_study("all our runs, growth, stages, memory, targets", timings::Numbers::NAME),
+        picture(FRONTS[0], FRONTS[1])
+    )
+}
+
+/// The map of where methods fail, and what it shows.
+const MAP: [&str; 2] = [
+    "atlas-stretch.svg",
+    "How every run ends over initial stiffness and candidate surface, with the predicted boundary",
+];
+
+/// What the surveyed planes say of each method; none where nothing was surveyed.
+fn surveyed(findings: &[Finding]) -> Option<Vec<Digest>> {
+    let charts = findings.iter().filter_map(|finding| match finding.numbers() {
+        Some(atlas::Numbers::Surveyed { chart, .. }) => Some(chart),
+        _ => None,
+    });
+    let charts: Vec<&Chart> = charts.collect();
+    (!charts.is_empty()).then(|| digests(&charts))
+}
+
+/// Where methods fail, and what to use: the recommendation and the map.
+fn advice(findings: &[Finding]) -> String {
+    let Some(digests) = surveyed(findings) else { return "Nothing was surveyed.".into() };
+    format!(
+        "{}\n{}, {}, {}.\n\n{}",
+        atlas::recommendation(&digests),
+        to_study("Why", atlas::Numbers::NAME),
+        to_study("where everything else ends", limits::Numbers::NAME),
+        to_study("what is called converged", promised::Numbers::NAME),
+        picture(MAP[0], MAP[1])
+    )
+}
+
+/// The paper's statements: judgement and one measured clause.
+fn paper_statements(findings: &[Finding]) -> String {
+    let judged = statements::judge(findings);
+    let row = |one: &Statement| {
+        let judgement = format!("**{}**", one.judgement.brief());
+        let is_open = matches!(one.judgement, Judgement::Undecidable(_));
+        let judgement = if is_open { to_study(&judgement, paper::Numbers::NAME) } else { judgement };
+        vec![one.text.into(), judgement, one.clause.clone()]
+    };
+    let words = counted(judged.iter().map(|one| one.judgement.word()));
+    let words: Vec<String> = words.iter().map(|(word, count)| format!("{count} {word}")).collect();
+    format!(
+        "Of {} statements: {}. {}.\n\n{}",
+        judged.len(),
+        words.join(", "),
+        to_study("Measurements and conditions in full, misprints, decisions, sources", paper::Numbers::NAME),
+        markdown::table(
+            &["statement", "judgement", "measured"].map(String::from),
+            &judged.iter().map(row).collect::<Vec<_>>()
+        )
+    )
+}
+
+/// The matrix of the cases that all formulations solve, and the others in short.
+fn verdicts(findings: &[Finding]) -> String {
+    let best = surveyed(findings).and_then(|digests| atlas::recommended(&digests));
+    let recommended = best.map(|method| (method.element, method.algorithm));
+    let first = recommended.map_or(String::new(), |(element, algorithm)| {
+        format!(", first by what is recommended, {} + {}", element.name(), algorithm.name())
+    });
+    format!(
+        "Iterations to convergence{first}; ✓ all checks of the run pass, ✗ some fail, ○ some could not be run, · reported only.\n\n{}\n{}",
+        matrix::verdict_matrix(findings, recommended, named),
+        matrix::other_cases(findings, named)
+    )
+}
+
+/// Name of a case with the link to its page.
+fn named(finding: &Finding) -> String {
+    let name = finding.case.trim_end_matches(".toml");
+    match finding.numbers::<cases::Numbers>() {
+        Some(numbers) => link(name, &case_page::file(&cases::page(&numbers.case))),
+        None => name.into(),
+    }
+}
+
+/// What could not be run, and what is out of scope.
+fn never_compared(findings: &[Finding]) -> String {
+    let absent = counted(findings.iter().flat_map(|finding| {
+        finding.judged.iter().filter_map(move |one| match &one.verdict {
+            Verdict::NotRun(why) => Some(format!("{} ({why})", link(&finding.case, &file(finding)))),
+            Verdict::Pass | Verdict::Fail => None,
+        })
+    }));
+    let told =
+        |(what, count): &(String, usize)| if *count > 1 { format!("{what}, {count} checks") } else { what.clone() };
+    let absent = match &absent[..] {
+        [] => "Every check was run.".into(),
+        some => format!("Checks that could not be run: {}.", some.iter().map(told).collect::<Vec<_>>().join("; ")),
+    };
+    format!("{absent}\n\nOut of scope: {}.\n", NOT_COVERED.join("; "))
+}
+
+/// The page of a finding.
+fn file(finding: &Finding) -> String {
+    match finding.numbers::<cases::Numbers>() {
+        Some(numbers) => case_page::file(&cases::page(&numbers.case)),
+        None => study_page::file(finding.study),
+    }
+}
+
+/// Every page of a study, with its sign and number of checks.
+fn index(findings: &[Finding]) -> String {
+    let one = |room: &Room| {
+        let judged = study_page::of(room.name, findings).flat_map(|finding| &finding.judged);
+        let [pass, fail, absent] = told::counts(judged);
+        let sign = match (fail, absent) {
+            (0, 0) => "✓",
+            (0, _) => "○",
+            _ => "✗",
+        };
+        format!("{sign} {} {}", to_study(room.about.title, room.name), pass + fail + absent)
+    };
+    let rooms: Vec<String> = study_page::asked(findings).map(one).collect();
+    format!(
+        "Studies, with their numbers of checks: {}.\n\nBesides: {}. The README says how to read them and how to make them again.\n",
+        rooms.join(" · "),
+        link("all checks", CHECKS)
     )
 }
