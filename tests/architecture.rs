@@ -217,7 +217,7 @@ const BUDGETS: [(&str, usize); 9] = [
     ("case", 8_310),
     ("oracle", 4_375),
     ("study", 15_450),
-    ("referee", 6_010),
+    ("referee", 6_100),
     ("report", 3_220),
     ("cli", 4_930),
     ("live", 500),
