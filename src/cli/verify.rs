@@ -80,8 +80,8 @@ fn tell_table(files: &[PathBuf], verified: &[Result<Verified, Error>]) {
         let iterations = run.solution.work.iterations.to_string();
         table.add_row([vec![name.clone(), formulation.clone(), outcome, iterations], counted.into()].concat());
     }
-    say(table);
-    say(checks(verified));
+    // A head without rows says nothing: no file was solved, or none has checks of its own.
+    [table, checks(verified)].into_iter().filter(|table| !table.is_empty()).for_each(say);
     for Verified { name, judged, notes, .. } in verified.iter().flatten() {
         notes.iter().for_each(|note| say(format!("{name}: note: {note}")));
         for one in judged.iter().filter(|one| one.verdict != Verdict::Pass) {

@@ -32,9 +32,9 @@ pub fn has_forces(text: &str) -> bool {
 /// Nodal forces of the sets behind the gap elements of an exported deck.
 pub fn forces(file: &Path, text: &str, deck: &str, scene: &Scene, asked: &Asked) -> Result<Answer, Error> {
     let (source, own) = (Source { file, text }, is_ours(deck));
-    let unit = |role: Role, ours: &'static str| asked.unit(role).or(own.then_some(ours));
-    let length = source.factor(Role::X, "the place of a node of the deck", unit(Role::X, "mm"))?;
-    let force = source.factor(Role::Force, "the force", unit(Role::Force, "N"))?;
+    let ours = |unit: &'static str| own.then_some(unit);
+    let length = source.factor(Role::X, "the place of a node of the deck", ours("mm"), asked.unit(Role::X))?;
+    let force = source.factor(Role::Force, "the force", ours("N"), asked.unit(Role::Force))?;
     let places = nodes_of_deck(&Source { file: &file.with_extension("inp"), text: deck })?;
     let order = asked.order.unwrap_or_else(|| order_of_deck(deck));
     // Nodes of no cell have the forces of the sector into which ccx expands cells of revolution.

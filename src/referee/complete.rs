@@ -7,6 +7,7 @@ use crate::referee::profile::Profile;
 use crate::referee::source::Source;
 use crate::referee::truth::Truth;
 use crate::referee::{Answer, Handed, mistakes, norm};
+use crate::scene::ContactPair;
 
 /// Pressure at an end, over the largest, from which on the contact does not end there.
 const PRESSED: f64 = 0.02;
@@ -16,52 +17,129 @@ const DROPPED: f64 = 1e-3;
 const EDGES: f64 = 1.0 + 1e-3;
 /// Intervals over which the force behind it is summed.
 const INTERVALS: usize = 2000;
+/// Times the spacing of the points beside it from which on a step between two points is a hole, and share of the force that may lie in holes.
+const HOLE: f64 = 5.0;
+const HIDDEN: f64 = 0.05;
+/// Steps on either side by which that spacing is known.
+const BESIDE: usize = 4;
 
-/// Refuses an answer that ends, or begins, under pressure while the contact of the truth goes on.
+/// What carries the force of a contact, of which parts may be missing.
+struct Carried<'a> {
+    truth: &'a Truth,
+    contact: usize,
+    /// Where the contact of the truth begins and ends, on the sides that the answer has \[mm, or rad\].
+    reach: [f64; 2],
+}
+
+impl Carried<'_> {
+    /// Force between two places of the contact.
+    fn force(&self, [from, to]: [f64; 2]) -> f64 {
+        let path = &self.truth.case.scene.contacts[self.contact].path;
+        let carried = |s: f64| {
+            let pressure = self.truth.pressure(self.contact, s) * self.truth.case.scene.depth(path.point(s));
+            if pressure.is_finite() { pressure } else { 0.0 }
+        };
+        (to - from) * norm::mean([from, to], INTERVALS, carried)
+    }
+
+    /// Share of the force between two places; an answer away from the contact has none of it.
+    fn share(&self, [from, to]: [f64; 2]) -> f64 {
+        let [begin, end] = self.reach;
+        let (from, to) = (from.max(begin), to.min(end));
+        if from < to { self.force([from, to]) / self.force(self.reach) } else { 0.0 }
+    }
+}
+
+/// Refuses an answer that ends, or begins, under pressure while the contact of the truth goes on, or that has holes in it.
 pub fn all(truth: &Truth, answer: &Answer, handed: &Handed, profile: &Profile, tolerance: f64) -> Result<(), Error> {
     let contact = profile.contact;
     let pair = &truth.case.scene.contacts[contact];
     let ours = &truth.run.contacts[contact].measures;
-    let (Some(first), Some(last)) = (profile.points.first(), profile.points.last()) else { return Ok(()) };
-    let [Some(begin), Some(end)] = [profile.edges.first(), profile.edges.last()] else { return Ok(()) };
-    let largest = profile.points.iter().map(|point| point.pressure.abs()).fold(0.0, larger);
-    let is_pressed = |pressure: f64| pressure.abs() > PRESSED * largest;
-    let symmetric = !pair.path.has_both_sides();
-    let from = match (symmetric, profile.across) {
+    let from = match (!pair.path.has_both_sides(), profile.across) {
         (true, true) => 0.0 - ours.edge(),
         (true, false) => ours.begin().max(0.0),
         (false, _) => ours.begin(),
     };
+    let carried = Carried { truth, contact, reach: [from, ours.edge()] };
+    let lacking = cut(&carried, profile).map(|message| {
+        (message, "hand in every point up to where nothing presses, on both sides of a contact that is not symmetric")
+    });
+    let lacking = lacking.or_else(|| {
+        Some((
+            hole(&carried, handed)?,
+            "hand in every point of the contact; what lies between two of them is not guessed",
+        ))
+    });
+    let Some((message, remedy)) = lacking else { return Ok(()) };
+    let explained = mistakes::explain(truth, handed, tolerance).into_iter().map(|says| format!("; or {says}"));
+    let source = Source { file: &answer.file, text: "" };
+    Err(source.refused(message, remedy.to_owned() + &explained.collect::<String>()))
+}
+
+/// Where a profile stops under pressure, and how much of the force lies beyond.
+fn cut(carried: &Carried, profile: &Profile) -> Option<String> {
+    let ([first, last], [begin, end]) =
+        ([profile.points.first()?, profile.points.last()?], [profile.edges.first()?, profile.edges.last()?]);
+    let largest = profile.points.iter().map(|point| point.pressure.abs()).fold(0.0, larger);
+    let is_pressed = |pressure: f64| pressure.abs() > PRESSED * largest;
     // An end within one edge of that of the contact is judged as what it is.
     let cuts = [
-        (first, [from, first.position], EDGES * begin.length()),
-        (last, [last.position, ours.edge()], EDGES * end.length()),
+        (first, [carried.reach[0], first.position], EDGES * begin.length()),
+        (last, [last.position, carried.reach[1]], EDGES * end.length()),
     ];
-    let carried = |s: f64| {
-        let pressure = truth.pressure(contact, s) * truth.case.scene.depth(pair.path.point(s));
-        if pressure.is_finite() { pressure } else { 0.0 }
+    let dropped =
+        cuts.into_iter().filter(|(stop, ..)| is_pressed(stop.pressure)).find_map(|(stop, [from, to], near)| {
+            let share = carried.share([from, to]);
+            (to - from > near && share > DROPPED).then_some((stop, share))
+        });
+    let (stop, share) = dropped?;
+    Some(format!(
+        "the pressures of contact `{}` stop at {} with {:.0} % of the largest, and {:.1} % of the force lies beyond",
+        profile.pair().name,
+        places(profile.pair(), &[stop.position]),
+        100.0 * stop.pressure.abs() / largest,
+        100.0 * share
+    ))
+}
+
+/// Where an answer has holes, the widest by name, and how much of the force lies in all.
+fn hole(carried: &Carried, handed: &Handed) -> Option<String> {
+    let holes: Vec<([f64; 2], f64)> =
+        holes(handed).into_iter().filter(|(ends, _)| carried.share(*ends) > 0.0).collect();
+    let share: f64 = holes.iter().map(|(ends, _)| carried.share(*ends)).sum();
+    let (widest, times) = holes.iter().max_by(|(a, _), (b, _)| (a[1] - a[0]).total_cmp(&(b[1] - b[0])))?;
+    let pair = &carried.truth.case.scene.contacts[carried.contact];
+    let others = match holes.len() - 1 {
+        0 => String::new(),
+        more => format!(" and in {more} more like it"),
     };
-    let force = |from: f64, to: f64| (to - from) * norm::mean([from, to], INTERVALS, carried);
-    let whole = force(from, ours.edge());
-    for (stop, [begin, end], near) in cuts.into_iter().filter(|(stop, ..)| is_pressed(stop.pressure)) {
-        // An answer away from the contact has none of it.
-        let share = force(begin.max(from), end.min(ours.edge())) / whole;
-        if end - begin <= near || share <= DROPPED {
-            continue;
-        }
-        let message = format!(
-            "the pressures of contact `{}` stop at {} {} with {:.0} % of the largest, and {:.1} % of the force lies beyond",
+    (share > HIDDEN).then(|| {
+        format!(
+            "contact `{}` has no point from {}, {times:.0} times as far apart as those beside them, and {:.1} % of the force lies there{others}",
             pair.name,
-            significant(display_factor(&pair.path) * stop.position, 4),
-            if pair.path.is_straight() { "mm" } else { "°" },
-            100.0 * stop.pressure.abs() / largest,
+            places(pair, widest),
             100.0 * share
-        );
-        let explained = mistakes::explain(truth, handed, tolerance).into_iter().map(|says| format!("; or {says}"));
-        let remedy =
-            "hand in every point up to where nothing presses, on both sides of a contact that is not symmetric";
-        let source = Source { file: &answer.file, text: "" };
-        return Err(source.refused(message, remedy.to_owned() + &explained.collect::<String>()));
-    }
-    Ok(())
+        )
+    })
+}
+
+/// The steps between points that are much longer than those beside them, with how many times. Of these, four on either side, the longest quarter
+/// does not count: other holes may be among them, and points that lie in pairs have every second step short.
+fn holes(handed: &Handed) -> Vec<([f64; 2], f64)> {
+    let steps: Vec<[f64; 2]> = handed.points.windows(2).map(|two| [two[0].position, two[1].position]).collect();
+    let length = |step: &[f64; 2]| step[1] - step[0];
+    let times = |k: usize| {
+        let beside = k.saturating_sub(BESIDE)..(k + BESIDE + 1).min(steps.len());
+        let mut beside: Vec<f64> = beside.filter(|&other| other != k).map(|other| length(&steps[other])).collect();
+        beside.sort_by(|a, b| b.total_cmp(a));
+        let spacing = beside.get(beside.len() / 4).filter(|_| beside.len() >= BESIDE)?;
+        Some(length(&steps[k]) / spacing).filter(|times| *times > HOLE)
+    };
+    (0..steps.len()).filter_map(|k| Some((steps[k], times(k)?))).collect()
+}
+
+/// Places of a contact, in mm or degrees.
+fn places(pair: &ContactPair, all: &[f64]) -> String {
+    let all: Vec<String> = all.iter().map(|s| significant(display_factor(&pair.path) * s, 4)).collect();
+    format!("{} {}", all.join(" to "), if pair.path.is_straight() { "mm" } else { "°" })
 }

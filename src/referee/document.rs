@@ -148,6 +148,10 @@ impl Reader<'_> {
                 Err((self.refused)(role.name(), "it has no unit".into(), &remedy))
             };
         };
+        let named = self.asked.unit(role).filter(|_| length > 0);
+        if let Some([message, remedy]) = named.and_then(|named| role.contradiction("it", (unit, named))) {
+            return Err((self.refused)(role.name(), message, &remedy));
+        }
         let known = role.factor(unit);
         known.ok_or_else(|| {
             (self.refused)(

@@ -26,9 +26,9 @@ const EXPANDED: &str = "write *CONTACT FILE and *NODE FILE with OUTPUT=3D, so th
 pub fn parse(file: &Path, text: &str, scene: &Scene, asked: &Asked) -> Result<Answer, Error> {
     let source = Source { file, text };
     let contact = contact_named(scene, asked.contact.as_deref(), |message, remedy| source.refused(message, remedy))?;
-    let length = source.factor(Role::Position, "the place of a node", asked.unit(Role::Position))?;
-    let stress = source.factor(Role::Pressure, "the pressure", asked.unit(Role::Pressure))?;
-    let gaps = source.factor(Role::Gap, "the gap", asked.unit(Role::Gap).or(asked.unit(Role::Position)))?;
+    let length = source.factor(Role::Position, "the place of a node", None, asked.unit(Role::Position))?;
+    let stress = source.factor(Role::Pressure, "the pressure", None, asked.unit(Role::Pressure))?;
+    let gaps = source.factor(Role::Gap, "the gap", None, asked.unit(Role::Gap).or(asked.unit(Role::Position)))?;
     let heads = heads(&source);
     let own: Vec<&Head> = heads.iter().filter(|head| head.name == "CONTACT").collect();
     if own.is_empty() {
@@ -92,12 +92,12 @@ pub fn displacements(
     ours: Option<&str>,
     time: Option<f64>,
 ) -> Result<Option<Field>, Error> {
-    let unit = asked.unit(Role::Displacement).or(ours);
+    let named = asked.unit(Role::Displacement);
     let heads = heads(source);
     let is_it = |head: &&Head| head.name == "DISP" && time.is_none_or(|time| head.state.is_at(time));
-    let Some(head) = heads.iter().rfind(is_it).filter(|_| unit.is_some()) else { return Ok(None) };
-    let length = source.factor(Role::Position, "the place of a node", asked.unit(Role::Position).or(ours))?;
-    let moved = source.factor(Role::Displacement, "the displacement", unit)?;
+    let Some(head) = heads.iter().rfind(is_it).filter(|_| ours.or(named).is_some()) else { return Ok(None) };
+    let length = source.factor(Role::Position, "the place of a node", ours, asked.unit(Role::Position))?;
+    let moved = source.factor(Role::Displacement, "the displacement", ours, named)?;
     let (mut block, plane) = (block(source, head)?, Plane::of(source, scene)?);
     block.rows.iter_mut().for_each(|(number, values)| plane.turn(*number, values));
     if let Some(number) = plane.all.keys().find(|number| !block.rows.contains_key(number)) {

@@ -13,7 +13,7 @@ use crate::referee::source::Source;
 use crate::referee::units::Role;
 use crate::referee::unstructured::{Field, Grid};
 use crate::referee::vtu::AGAIN;
-use crate::referee::{vtk, vtu};
+use crate::referee::{table, vtk, vtu};
 use crate::scene::{ContactPair, Scene};
 
 /// Names that fields have without being named, by what they hold. Grids have fields inside bodies too: `p` may be a mean stress there.
@@ -38,7 +38,7 @@ pub fn parse(file: &Path, bytes: &[u8], scene: &Scene, asked: &Asked) -> Result<
     }
     let count = grid.points.len() / 3;
     grid.fields.retain(|field| field.components > 0 && Some(field.data.len()) == count.checked_mul(field.components));
-    let length = source.factor(Role::Position, "the place of a point", asked.unit(Role::Position))?;
+    let length = source.factor(Role::Position, "the place of a point", None, asked.unit(Role::Position))?;
     let points: Vec<[f64; 2]> =
         grid.points.chunks_exact(3).map(|point| [length * point[0], length * point[1]]).collect();
     let cells = grid.cells()?;
@@ -174,9 +174,10 @@ impl<'a> Grid<'a> {
         Ok((Handed { contact, points, order, edges: vec![], forces: false }, read))
     }
 
-    /// What turns a field into our unit: no grid says its units.
+    /// What turns a field into our unit: no grid says its units but in a name such as `CPRESS [Pa]`.
     fn factor(&self, role: Role, field: &Field, asked: &Asked) -> Result<f64, Error> {
-        self.source().factor(role, &format!("`{}`", field.name), asked.unit(role))
+        let written = table::split(&field.name).1.filter(|unit| role.factor(unit).is_some());
+        self.source().factor(role, &format!("`{}`", field.name), written, asked.unit(role))
     }
 
     /// The field of a role, and its component where one is named, `NAME:COMPONENT`; none where there is none of its usual names, and none was named.

@@ -26,10 +26,14 @@ impl Source<'_> {
         Error::at(Located::new((self.file, self.text), begin..begin + part.len()), message, remedy)
     }
 
-    /// What turns numbers of a role into ours, by their unit; `what` has it. None is guessed.
-    pub fn factor(&self, role: Role, what: &str, unit: Option<&str>) -> Result<f64, Error> {
+    /// What turns numbers of a role into ours, by the unit that the file says, `written`, or that --unit names; `what` has it. None is guessed,
+    /// and where both are there they are one.
+    pub fn factor(&self, role: Role, what: &str, written: Option<&str>, named: Option<&str>) -> Result<f64, Error> {
         let remedy = || format!("give --unit {}=UNIT, with one of {}", role.name(), role.known_units());
-        let unit = unit.ok_or_else(|| self.refused(format!("{what} has no unit"), remedy()))?;
+        if let Some([message, remedy]) = written.zip(named).and_then(|both| role.contradiction(what, both)) {
+            return Err(self.refused(message, remedy));
+        }
+        let unit = written.or(named).ok_or_else(|| self.refused(format!("{what} has no unit"), remedy()))?;
         role.factor(unit).ok_or_else(|| self.refused(format!("the unit `{unit}` of {what} is not known"), remedy()))
     }
 }

@@ -320,7 +320,7 @@ fn is_like_unit(name: &str) -> bool {
 }
 
 /// Name and unit of a column: `pressure [MPa]`, `pressure (MPa)`, `pressure / MPa`, `pressure in MPa` or `pressure_MPa`.
-fn split<'a>(title: &'a str) -> (&'a str, Option<&'a str>) {
+pub fn split<'a>(title: &'a str) -> (&'a str, Option<&'a str>) {
     let inside = |open: char, close: char| {
         let (name, rest) = title.rsplit_once(open)?;
         Some((name.trim(), Some(rest.trim().strip_suffix(close)?.trim()).filter(|unit| !unit.is_empty())))
@@ -408,22 +408,16 @@ fn columns(source: &Source, head: &[String], scene: &Scene, asked: &Asked) -> Re
     used.map(|&(role, index)| column(source, role, index, &head[index], asked)).collect()
 }
 
-/// One column with its unit: that of the file where it says one, else the one that is named.
+/// One column with its unit: that of the file, or the one that is named; where both are there they are one.
 fn column(source: &Source, role: Role, index: usize, title: &str, asked: &Asked) -> Result<Column, Error> {
     let (written, named) = (split(title).1, asked.unit(role));
     // What brackets hold may be no unit: `pressure (nodal)`.
     let says_unit = |unit: &&str| role.factor(unit).is_some() || title.ends_with(']') || is_like_unit(unit);
-    let unit = written.filter(says_unit).or(named).or(written);
-    let factor =
-        if role == Role::Contact { 1.0 } else { source.factor(role, &format!("the column `{title}`"), unit)? };
-    let said = match (written, named) {
-        (None, Some(named)) => format!(", in {named}"),
-        (Some(written), Some(named)) if unit != Some(named) => {
-            format!(", in {written} and not in {named}, which is for columns that say no unit")
-        }
-        _ => String::new(),
-    };
-    let angle = unit.is_some_and(is_angle) && role == Role::Position;
+    let written = written.filter(|unit| named.is_none() || says_unit(unit));
+    let what = format!("the column `{title}`");
+    let factor = if role == Role::Contact { 1.0 } else { source.factor(role, &what, written, named)? };
+    let said = named.filter(|_| written.is_none()).map_or_else(String::new, |named| format!(", in {named}"));
+    let angle = written.or(named).is_some_and(is_angle) && role == Role::Position;
     Ok(Column { role, index, factor, title: format!("{title}{said}"), angle })
 }
 

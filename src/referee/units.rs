@@ -109,12 +109,24 @@ impl Role {
         self.units().iter().find(|(known, _)| *known == plain).map(|(_, factor)| *factor)
     }
 
+    /// What is wrong, and what to do, where a file says one unit and --unit names another; none where both are one, or one is not known.
+    pub fn contradiction(self, what: &str, (written, named): (&str, &str)) -> Option<[String; 2]> {
+        let ([own, other], option) =
+            ([self.factor(written)?, self.factor(named)?], format!("--unit {}={named}", self.name()));
+        let is_one = (own / other - 1.0).abs() <= SAME && is_angle(written) == is_angle(named);
+        let remedy =
+            format!("leave out {option} where the file is right, for which it is not needed; else correct the file");
+        (!is_one).then(|| [format!("{what} is in {written} by the file, but in {named} by {option}"), remedy])
+    }
+
     /// Names of its units, in a row.
     pub fn known_units(self) -> String {
         self.units().iter().map(|(name, _)| *name).collect::<Vec<_>>().join(", ")
     }
 }
 
+/// Part of a factor by which two units are one.
+const SAME: f64 = 1e-12;
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
 /// Pound-force \[N\] and inch \[mm\], both by definition.
 const POUND: f64 = 4.448_221_615_260_5;

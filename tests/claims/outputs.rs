@@ -186,6 +186,13 @@ fn a_folder_is_verified_file_by_file_and_fails_with_its_worst() {
     let (sound, lines, _) = contact_vv(&["verify", &folder.path().display().to_string(), "--json"]);
     let last = lines.lines().last().expect("a line");
     assert!(!sound && last.contains("b.toml") && last.contains("\"fail\"") && last.contains("above 0"), "{lines}");
+    // A table without rows is not printed: of files that are not solved, and of one that has no checks of its own.
+    std::fs::remove_file(folder.path().join("a.toml")).expect("removed");
+    let (_, table, _) = verify();
+    assert_eq!(table.trim(), "1 of 1 files not solved");
+    add("b.toml", text.split("[[check]]").next().expect("a part"));
+    let (sound, table, error) = verify();
+    assert!(sound && table.contains("none") && !table.contains("error bar"), "{table}{error}");
 }
 
 #[test]

@@ -28,7 +28,7 @@ pub struct Arguments {
     /// pressure=CONTACT:3 or pressure=S:yy; may be given several times.
     #[arg(long, value_name = "ROLE=NAME")]
     column: Vec<String>,
-    /// Unit of a column or field that does not say it, such as pressure=Pa; may be given several times.
+    /// Unit of a column or field that does not say it, such as pressure=Pa; may be given several times; another than the file says is refused.
     #[arg(long, value_name = "ROLE=UNIT")]
     unit: Vec<String>,
     /// Order of the contact edges: 1, every point is a corner (unless the file says otherwise); 2, corners and mid-sides by turns.
