@@ -4,6 +4,9 @@ The end of the contact is sought until pressures that vanish there as a root, an
 are closed forms in the pressure (potentials.py); what else bounds a body is met by regular potentials in least squares. Units mm, N, MPa, rad.
 """
 
+if __name__ == "__main__":
+    raise SystemExit("usage: python3 oracles/high/freeze.py, which imports this module")
+
 import numpy as np
 
 from potentials import Arc, Disc, Hole, Regular, force, least_squares, moved, symmetric

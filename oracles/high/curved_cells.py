@@ -1,5 +1,8 @@
 """Bodies of curved cells of high order in NGSolve, their cells crowding towards points where stresses are singular."""
 
+if __name__ == "__main__":
+    raise SystemExit("usage: python3 oracles/high/freeze.py, which imports this module")
+
 import pathlib
 import sys
 

@@ -5,6 +5,9 @@ integrated over the parts that the vertices of both cut. The end is sought until
 stress intensity. Units mm, N, MPa, rad.
 """
 
+if __name__ == "__main__":
+    raise SystemExit("usage: python3 oracles/high/freeze.py, which imports this module")
+
 import numpy as np
 from numpy.polynomial import Legendre, legendre
 from scipy.sparse import bmat, csc_matrix, csr_matrix

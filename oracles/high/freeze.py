@@ -2,6 +2,7 @@
 script and settings are kept. The second needs ../peers/setup.sh. Numbers are [value, how far it may be off] in mm, MPa, N and rad.
 """
 
+import argparse
 import hashlib
 import importlib
 import json
@@ -67,4 +68,10 @@ def main():
 
 
 if __name__ == "__main__":
-    main()
+    argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter).parse_args()
+    try:
+        main()
+    except ModuleNotFoundError as absent:
+        sys.exit(f"{absent.name} is missing in {sys.executable}: bash oracles/peers/setup.sh installs it for /usr/bin/python3")
+    except FileNotFoundError as absent:
+        sys.exit(f"{absent.filename} is missing: cargo run --release -p contact-vv-live writes it")

@@ -5,6 +5,9 @@ i int (X + iY) ds (N. I. Muskhelishvili, Some basic problems of the mathematical
 2 mu (u + iv) = (kappa + 1) phi - f: where tractions are known, phi alone is sought. Scenes are symmetric about x = 0; log(iz) has its cut above.
 """
 
+if __name__ == "__main__":
+    raise SystemExit("usage: python3 oracles/high/freeze.py, which imports this module")
+
 import numpy as np
 
 

@@ -3,32 +3,38 @@
 The scene is a JSON object: case, numbers by name, stations. Printed: version of the code, series coarse to fine.
 """
 
+import argparse
 import importlib
 import json
 import sys
 
 import common  # first: one thread
 
-try:
-    import numpy as np
-
-    sys.path.insert(0, sys.argv[1])
-    script = importlib.import_module(sys.argv[2])
-except ModuleNotFoundError as absent:
-    common.missing(f"module {absent.name}")
+import numpy as np
 
 
-def main(method, levels):
-    """Answers on every mesh."""
+def main(asked, wrong):
+    """Answers on every mesh; `wrong` is told of what is asked."""
+    sys.path.insert(0, asked.folder)
     try:
+        script = importlib.import_module(asked.module)
         version = script.version()
+    except ModuleNotFoundError as absent:
+        common.missing(f"module {absent.name}")
     except FileNotFoundError as absent:
         common.missing(f"program {absent.filename}")
-    given = json.load(sys.stdin)
-    scene = {"case": given["case"], **given["numbers"], "stations": np.array(given["stations"])}
-    answers = [script.solve(scene, level, method) for level in range(levels)]
+    try:
+        given = json.load(sys.stdin)
+        scene = {"case": given["case"], **given["numbers"], "stations": np.array(given["stations"])}
+    except (KeyError, TypeError, ValueError) as error:
+        wrong(f"no scene is on stdin: {error!r}")
+    answers = [script.solve(scene, level, asked.method) for level in range(asked.levels)]
     common.report(version=version, series=[{**answer, "pressure": list(answer["pressure"])} for answer in answers])
 
 
 if __name__ == "__main__":
-    main(sys.argv[3], int(sys.argv[4]))
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    for name in ("folder", "module", "method"):
+        parser.add_argument(name)
+    parser.add_argument("levels", type=int)
+    main(parser.parse_args(), parser.error)

@@ -1,5 +1,8 @@
 """Stiffness and edge functions of dolfinx 0.5 to 0.11, factorised by MUMPS."""
 
+if __name__ == "__main__":
+    raise SystemExit("usage: python3 oracles/peers/work_precision.py CODE < request.json, which imports this module")
+
 from mpi4py import MPI  # before PETSc, which would otherwise start it with fewer threads allowed
 
 import inspect

@@ -4,6 +4,9 @@ Scene: radius [mm], young [MPa], poisson, a_over_r (it sets the load P = pi a^2 
 candidates over a, side over a, size. The block is symmetric about x = 0 and held upwards by contact alone.
 """
 
+if __name__ == "__main__":
+    raise SystemExit("usage: python3 oracles/peers/work_precision.py CODE < request.json, which imports this module")
+
 from dataclasses import dataclass
 from functools import partial
 from typing import Callable

@@ -1,5 +1,8 @@
 """Two ways to close contact points: a penalty law by Newton, and exact conditions by active sets."""
 
+if __name__ == "__main__":
+    raise SystemExit("usage: python3 oracles/peers/work_precision.py CODE < request.json, which imports this module")
+
 import numpy as np
 from scipy.sparse import csr_matrix, diags
 

@@ -3,6 +3,9 @@
 Importing this first makes every library loaded later, and every process started, keep to one thread.
 """
 
+if __name__ == "__main__":
+    raise SystemExit("usage: python3 oracles/peers/ask.py FOLDER MODULE METHOD LEVELS < scene, which imports this module")
+
 import json
 import os
 import sys

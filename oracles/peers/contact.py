@@ -5,6 +5,9 @@ Edge functions come from the code under test: `functions(xi) -> (N, dN)`, xi in 
 first, last, middle.
 """
 
+if __name__ == "__main__":
+    raise SystemExit("usage: python3 oracles/peers/work_precision.py CODE < request.json, which imports this module")
+
 from dataclasses import dataclass
 
 import numpy as np

@@ -1,5 +1,8 @@
 """Measures of a pressure profile."""
 
+if __name__ == "__main__":
+    raise SystemExit("usage: python3 oracles/peers/work_precision.py CODE < request.json, which imports this module")
+
 import numpy as np
 
 

@@ -180,6 +180,8 @@ def row(on, half_width, request):
 
 def main():
     """Answers the request on stdin."""
+    if sys.argv[1:]:
+        sys.exit("usage: python3 oracles/peers/ngsolve_precision.py < request.json")
     request = work_precision.asked(list(METHODS), "augmented-lagrangian")
     Block(request["scene"], 4, 9).solved(request["half_widths"][0], request["method"])  # warm-up
     for order, size in request["meshes"]:

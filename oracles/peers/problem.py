@@ -6,6 +6,9 @@ Own meshes, own loads, own contact; the code under test is a module with
     linear_solution(matrix, load)  one load, or one a column
 """
 
+if __name__ == "__main__":
+    raise SystemExit("usage: python3 oracles/peers/work_precision.py CODE < request.json, which imports this module")
+
 import numpy as np
 from scipy.sparse import identity
 

@@ -169,7 +169,7 @@ def main(folder, method):
     """Solves, and writes the answer; compiling a form is not counted."""
     problem = exported.Problem(folder, centres=method != "ngsolve")
     if problem.data["plane"] != "axisymmetric":
-        raise ValueError("this is a plane scene: run the script of one code")
+        sys.exit(f"{folder} is a plane scene: run the script of one code, run_{method.replace('-', '_')}.py")
     if method == "calculix":
         version, steps, seconds = by_calculix(problem)
         exported.report(code=method, version=version, file="revolution-calculix.dat", iterations=steps, seconds=seconds)

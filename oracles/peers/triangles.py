@@ -5,6 +5,9 @@ bounded) until no edge is longer than a size function allows. Each level above t
 four.
 """
 
+if __name__ == "__main__":
+    raise SystemExit("usage: python3 oracles/peers/work_precision.py CODE < request.json, which imports this module")
+
 from dataclasses import dataclass
 
 import numpy as np

@@ -66,12 +66,15 @@ def main(name):
 
 def asked(methods, default):
     """The request on stdin, its method and repeats filled in."""
-    request = {"method": default, "repeats": 3} | json.load(sys.stdin)
+    try:
+        request = {"method": default, "repeats": 3} | json.load(sys.stdin)
+        scene, half_widths = request["scene"], request["half_widths"]
+        last = scene["stretch"] * scene["a_over_r"] * scene["radius"]
+    except (KeyError, TypeError, ValueError) as error:
+        sys.exit(f"usage: {os.path.basename(sys.argv[0])} … < request.json, of which work_precision.py tells: {error!r}")
     if request["method"] not in methods:
         sys.exit(f"methods are {', '.join(methods)}")
-    scene = request["scene"]
-    last = scene["stretch"] * scene["a_over_r"] * scene["radius"]
-    if not all(0.0 < half_width < last for half_width in request["half_widths"]):
+    if not all(0.0 < half_width < last for half_width in half_widths):
         sys.exit(f"half-widths must lie between 0 and the last candidate, {last} mm")
     return request
 

@@ -45,7 +45,10 @@ def plain(answer):
 if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("installed", help="folder that oracles/setup.sh has filled")
-    environment.prepare(parser.parse_args().installed)
+    try:
+        environment.prepare(parser.parse_args().installed)
+    except ModuleNotFoundError as missing:
+        sys.exit(f"module `{missing.name}` is missing in {sys.executable}: run oracles/setup.sh on Debian 12")
     # What a code prints besides is no answer.
     told, sys.stdout = sys.stdout, sys.stderr
     print(json.dumps(environment.versions()), file=told, flush=True)

@@ -1,5 +1,8 @@
 """Closed forms the oracles need: moduli, gaps, the Hertz load and the stress under it. Units mm, N, MPa."""
 
+if __name__ == "__main__":
+    raise SystemExit("usage: cargo run --release -p contact-vv-live, which imports this module")
+
 import numpy as np
 
 

@@ -10,6 +10,9 @@ node, middle; no second: rigid); `profile`, `radius`, `clearance` of the gap; `a
 origin, not vertical; `length` and `kappa`: springs `k_n = kappa E*/length`; `vectors` (10, 2n) to multiply.
 """
 
+if __name__ == "__main__":
+    raise SystemExit("usage: cargo run --release -p contact-vv-live, which imports this module")
+
 import numpy as np
 import scipy.sparse as sparse
 from scipy.sparse.linalg import splu

@@ -1,4 +1,8 @@
 """The same discrete problem in dolfinx 0.5 to 0.11: Lagrange cells on the mesh it is given, 8-node ones inside 9-node ones."""
+
+if __name__ == "__main__":
+    raise SystemExit("usage: cargo run --release -p contact-vv-live, which imports this module")
+
 import inspect
 
 from mpi4py import MPI

@@ -1,4 +1,8 @@
 """The same discrete problem in scikit-fem: its quadrilaterals, mappings and forms on the mesh it is given."""
+
+if __name__ == "__main__":
+    raise SystemExit("usage: cargo run --release -p contact-vv-live, which imports this module")
+
 import numpy as np
 import scipy.sparse as sparse
 from skfem import Basis, BilinearForm, Dofs, FacetBasis, LinearForm, MeshQuad, MeshQuad2

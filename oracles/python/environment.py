@@ -1,4 +1,8 @@
 """What the oracles need around them: paths, environment, modules, versions."""
+
+if __name__ == "__main__":
+    raise SystemExit("usage: cargo run --release -p contact-vv-live, which imports this module")
+
 import os
 import sys
 

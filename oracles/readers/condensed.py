@@ -1,9 +1,12 @@
 """Whether the solution in an exported condensed.npz, as numpy reads it, is one of its own problem: prints the largest violation, relative."""
-import sys
+import given
 
-import numpy
+try:
+    import numpy
+except ModuleNotFoundError as absent:
+    given.missing(absent.name)
 
-with numpy.load(sys.argv[1]) as arrays:
+with numpy.load(given.file(__doc__)) as arrays:
     S, B, f, g, A, u, p = (arrays[name] for name in "SBfgAup")
 force, approach = A * p, B @ u
 imbalance = abs(S @ u + B.T @ force - f).max() / force.max()

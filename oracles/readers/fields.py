@@ -1,10 +1,14 @@
 """What meshio and pyvista read in a file of fields: points, cells, names, and the extremes of every field, as JSON."""
 import json
-import sys
 
-import meshio
-import numpy
-import pyvista
+import given
+
+try:
+    import meshio
+    import numpy
+    import pyvista
+except ModuleNotFoundError as absent:
+    given.missing(absent.name)
 
 # A component by another way: von Mises from the components, by the calculator's own names.
 FORMULA = "sqrt(0.5*((stress_xx-stress_yy)^2+(stress_yy-stress_zz)^2+(stress_zz-stress_xx)^2)+3*stress_xy^2)"
@@ -45,5 +49,5 @@ def calculated(path):
     return float(numpy.max(numpy.abs(found.point_data["calculated"] - grid.point_data["von_mises"])))
 
 
-path = sys.argv[1]
+path = given.file(__doc__)
 print(json.dumps({"meshio": by_meshio(path), "pyvista": by_pyvista(path), "calculated": calculated(path)}))

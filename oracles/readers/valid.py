@@ -2,9 +2,15 @@
 import json
 import sys
 
-import fastjsonschema
+import given
 
-validate = fastjsonschema.compile(json.load(open(sys.argv[1], encoding="utf-8")))
-for number, line in enumerate(sys.stdin):
+try:
+    import fastjsonschema
+except ModuleNotFoundError as absent:
+    given.missing(absent.name)
+
+validate = fastjsonschema.compile(json.load(open(given.file(__doc__), encoding="utf-8")))
+number = 0
+for number, line in enumerate(sys.stdin, start=1):
     validate(json.loads(line))
-print(number + 1)
+print(number)

@@ -5,6 +5,9 @@ a fixed one, whose reaction is the contact force. Forces are those of the whole 
 and a block with the tractions of Hertz's half-space on its other faces. Units mm, N, MPa.
 """
 
+if __name__ == "__main__":
+    raise SystemExit("usage: python3 oracles/revolution/freeze.py, which imports this module")
+
 import os
 import re
 import subprocess

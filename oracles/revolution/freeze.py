@@ -4,6 +4,7 @@ Needs ../setup.sh and setup.sh. Every script runs in a process of its own, of th
 same scene of the same script are kept.
 """
 
+import argparse
 import hashlib
 import json
 import os
@@ -68,4 +69,8 @@ def main():
 
 
 if __name__ == "__main__":
-    main()
+    argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter).parse_args()
+    try:
+        main()
+    except (FileNotFoundError, subprocess.CalledProcessError) as absent:
+        sys.exit(f"{absent}; what the scripts need is installed by: bash oracles/setup.sh && bash oracles/revolution/setup.sh")

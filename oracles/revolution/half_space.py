@@ -4,6 +4,9 @@ Nothing of revolution enters but the profile, a paraboloid or a cone on a grid i
 periodic images, and the pressure is found by conjugate gradients (Polonsky and Keer 1999). Units mm, N, MPa.
 """
 
+if __name__ == "__main__":
+    raise SystemExit("usage: python3 oracles/revolution/freeze.py, which imports this module")
+
 import numpy as np
 import tamaas
 from scipy.ndimage import map_coordinates

@@ -5,6 +5,9 @@ active set is that of the integration points. A sphere on a rigid plane, loaded 
 half-space (Huber 1904) on its other faces. Units mm, N, MPa.
 """
 
+if __name__ == "__main__":
+    raise SystemExit("usage: python3 oracles/revolution/freeze.py, which imports this module")
+
 from importlib.metadata import version as version_of
 
 import numpy as np

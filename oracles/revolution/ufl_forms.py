@@ -5,6 +5,9 @@ approach, g the gap; its derivative by UFL, Newton's iteration here, MUMPS. A sp
 the tractions of Hertz's half-space on its other faces. Curved quadratic triangles. Units mm, N, MPa.
 """
 
+if __name__ == "__main__":
+    raise SystemExit("usage: python3 oracles/revolution/freeze.py, which imports this module")
+
 from mpi4py import MPI  # before PETSc, which would otherwise start it with fewer threads allowed
 
 import inspect
