@@ -1,7 +1,7 @@
 //! What the user types, and what a terminal, a shell and another program are shown.
 
 use std::path::Path;
-use std::process::Command;
+use std::process::{Command, Stdio};
 
 use contact_vv::case::library::NAMES;
 use contact_vv::case::{Check, Reference};
@@ -221,6 +221,47 @@ fn scoreboard_asks_in_the_checkout_it_runs_in_and_writes_nothing_where_a_code_is
     assert!(code == Some(2) && error.contains("not all of CalculiX") && error.contains("NGSolve"), "{error}");
     assert_eq!(std::fs::read_dir(&frozen).expect("read").count(), 0);
     assert!(folder.path().join("target/scoreboard").is_dir(), "it is asked where it runs");
+}
+
+/// Folders of modules that nobody starts: one that is started all the same still shows a traceback where a package is missing.
+const INDEPENDENT: [&str; 5] = ["boundary", "calculix", "dolfinx", "getfem", "scikit_fem"];
+
+/// By a Python without any package but its own, and by one as it is installed; no answer is frozen where the scripts are copied to.
+#[test]
+fn scripts_of_the_oracles_show_how_to_start_them_and_what_they_lack_instead_of_a_traceback() {
+    let (folder, mut scripts) = (tempfile::tempdir().expect("a folder"), Vec::new());
+    for room in std::fs::read_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join("oracles")).expect("folders") {
+        let room = room.expect("a folder");
+        if INDEPENDENT.iter().any(|name| room.file_name() == *name) {
+            continue;
+        }
+        let copy = folder.path().join(room.file_name());
+        for file in std::fs::read_dir(room.path()).into_iter().flatten().map(|file| file.expect("a file").path()) {
+            if file.extension().is_some_and(|ending| ending == "py") {
+                std::fs::create_dir_all(&copy).expect("made");
+                scripts.push(copy.join(file.file_name().expect("a name")));
+                std::fs::copy(&file, &scripts[scripts.len() - 1]).expect("copied");
+            }
+        }
+    }
+    assert!(scripts.len() > 40, "{scripts:?}");
+    let (alone, installed) = ("-EsSB", "-B");
+    for script in &scripts {
+        for (python, arguments) in [(alone, &[][..]), (installed, &[]), (installed, &["absent", "absent"])] {
+            let mut command = Command::new("python3");
+            command.arg(python).arg(script).args(arguments).current_dir(&folder).stdin(Stdio::null());
+            let output = command.output().expect("python3 runs");
+            let said = String::from_utf8_lossy(&output.stderr);
+            let told = !output.status.success() && ["usage: ", "missing"].iter().any(|word| said.contains(word));
+            // `exported.py` ends well and without a word where it has all it needs.
+            let silent = python == installed && output.status.success() && said.is_empty();
+            assert!((told || silent) && !said.contains("Traceback"), "{python} {script:?} {arguments:?}: {said}");
+            // Which is said before anything is imported or read.
+            if said.contains("imports this module") {
+                break;
+            }
+        }
+    }
 }
 
 /// A checkout whose page cannot be written; root may write to any file, but not to a folder of that name.
