@@ -160,7 +160,8 @@ fn tables_are_read_as_comsol_excel_and_fortran_write_them() {
         ellipse::assert(&read("theirs.txt", text), 1e-9);
     }
     let inches = ellipse::rows(",", |x| x.to_string());
-    let inches = parsed("theirs.csv", format!("position [inch],pressure [MPa]\n{inches}"), &usual()).expect("read");
+    let inches =
+        parsed("theirs.csv", format!("position [inch],pressure [MPa]\n{inches}"), &Asked::default()).expect("read");
     assert_relative_eq!(inches.contacts[0].points[1].position, 25.4 * ellipse::place(1));
     let commas = "position [mm],pressure [MPa]\n0,0,100,0\n1,0,86,6\n2,0,0,0\n";
     refused("theirs.csv", commas, &usual(), &["theirs.csv:2", "4 cells", "decimal commas need semicolons"]);

@@ -339,7 +339,7 @@ fn a_unit_that_is_named_against_the_one_of_the_file_is_refused() {
         units: units.iter().map(|(role, unit)| (*role, (*unit).to_owned())).collect(),
         ..Asked::default()
     };
-    let text = rows((0..=60).map(|k| 0.05 * f64::from(k)));
+    let text = rows((0..ellipse::NODES).map(ellipse::place));
     let units = text.replace("position [mm],pressure [MPa]", "position,pressure\nmm,MPa");
     for (units, parts) in [
         (&[(Role::Pressure, "Pa")][..], ["`pressure [MPa]`", "is in MPa by the file, but in Pa by --unit pressure=Pa"]),
