@@ -42,7 +42,7 @@ const ALLOWED: [(&str, May); 26] = [
     ("stability", Only(&["error", "condensation", "contact", "solution", "measure", "algorithm"])),
     ("solve", AllAboveBut(&["checkout", "drawing", "markdown", "stability"])),
     ("accuracy", Only(&["error", "named", "scene", "mesh", "solution", "measure", "algorithm", "solve"])),
-    ("oracle", Only(&["error", "checkout", "scene", "measure", "uncertainty"])),
+    ("oracle", Only(&["error", "named", "checkout", "scene", "measure", "uncertainty"])),
     ("case", AllAboveBut(&["named", "drawing"])),
     ("referee", AllAboveBut(&[])),
     ("study", AllAboveBut(&[])),
