@@ -230,7 +230,7 @@ const INDEPENDENT: [&str; 5] = ["boundary", "calculix", "dolfinx", "getfem", "sc
 #[test]
 fn scripts_of_the_oracles_show_how_to_start_them_and_what_they_lack_instead_of_a_traceback() {
     let (folder, mut scripts) = (tempfile::tempdir().expect("a folder"), Vec::new());
-    for room in std::fs::read_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join("oracles")).expect("folders") {
+    for room in std::fs::read_dir(root().join("oracles")).expect("folders") {
         let room = room.expect("a folder");
         if INDEPENDENT.iter().any(|name| room.file_name() == *name) {
             continue;
