@@ -212,10 +212,10 @@ fn matrix_types_of_libraries_stay_inside_the_numerics() {
 
 /// Lines that a room may have; raised only by a commit that says what for.
 const BUDGETS: [(&str, usize); 9] = [
-    ("solver", 20_770),
+    ("solver", 23_394),
     ("drawing", 3_220),
     ("case", 8_200),
-    ("oracle", 3_941),
+    ("oracle", 1_400),
     ("study", 14_873),
     ("referee", 6_100),
     ("report", 3_117),

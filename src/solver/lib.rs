@@ -13,6 +13,7 @@
 //! * [`solve`] — one way from a scene to a solution, by any formulation: element × algorithm × rule × stiffness.
 //! * [`accuracy`] — how far these numbers may be from the truth, and the cheapest mesh for an accuracy asked.
 //! * [`stability`] — where an iteration must fail, before it is run.
+//! * [`oracle`] — closed forms and boundary methods, which share nothing with the chain but the scene.
 //!
 //! Beside the chain stand [`error`], what was wrong, [`clock`], what each stage took, [`named`](mod@named), enums of named members, and
 //! [`uncertainty`], what ± means.
@@ -59,6 +60,7 @@ pub mod error;
 pub mod measure;
 pub mod mesh;
 pub mod named;
+pub mod oracle;
 pub mod scene;
 pub mod solution;
 pub mod solve;

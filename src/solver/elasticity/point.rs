@@ -1,4 +1,4 @@
-//! Where in the cells of a body a point lies.
+//! Where in the cells of a mesh a point lies.
 
 use nalgebra::{Matrix2, Vector2};
 
@@ -21,45 +21,100 @@ pub fn shapes_at(scene: &Scene, mesh: &Mesh, body: usize, point: [f64; 2]) -> Re
         Ok(node) => return Ok(vec![(node, 1.0)]),
         Err(nearest) => nearest,
     };
-    let near = mesh.bodies[body].cells.clone().filter_map(|cell| {
-        let (natural, outside) = natural(mesh, cell, point)?;
-        Some((outside, cell, natural))
-    });
-    let Some((_, cell, natural)) = near.min_by(|a, b| a.0.total_cmp(&b.0)) else {
+    let Some((found, shapes)) = Cells::of_body(mesh, body).shapes_at(point, OUTSIDE) else {
         let message = format!("there is no cell around `({}, {})`", point[0], point[1]);
         return Err(Error { message, ..refused });
     };
-    let nodes = mesh.cell(cell);
-    let shapes = shape_functions::cell(nodes.len(), natural);
-    Ok(nodes.iter().copied().zip(shapes.into_iter().map(|(value, _)| value)).collect())
+    let nodes = mesh.cell(mesh.bodies[body].cells.start + found);
+    Ok(nodes.iter().copied().zip(shapes).collect())
 }
 
-/// (ξ, η) with `Σ N_a(ξ, η) x_a = x` by Newton's method, and how far outside the cell the point lies, over its size; none
-/// for cells away from the point.
-pub fn natural(mesh: &Mesh, cell: usize, point: [f64; 2]) -> Option<([f64; 2], f64)> {
-    let point = Vector2::from(point);
-    let nodes: Vec<Vector2<f64>> = mesh.cell(cell).iter().map(|&node| mesh.points[node].into()).collect();
-    let middle = nodes.iter().sum::<Vector2<f64>>() / nodes.len() as f64;
-    let size = nodes.iter().map(|node| (node - middle).norm()).fold(0.0, f64::max);
-    if (point - middle).norm() > size * (1.0 + OUTSIDE) {
-        return None;
+/// Cells to look points up in, ours or those of another mesh.
+#[derive(Clone, Debug)]
+pub struct Cells(Vec<Cell>);
+
+/// A quadrilateral, or a triangle of 3 or 6 nodes, by the places of its nodes in the order of [`shape_functions`].
+#[derive(Clone, Debug)]
+struct Cell {
+    triangle: bool,
+    nodes: Vec<Vector2<f64>>,
+    /// The box around the nodes.
+    low: Vector2<f64>,
+    high: Vector2<f64>,
+    /// Largest distance of a node from the middle \[mm\].
+    size: f64,
+}
+
+impl Cells {
+    /// Cells of so many corners and nodes at these places.
+    pub fn of(cells: impl IntoIterator<Item = (usize, Vec<[f64; 2]>)>) -> Self {
+        Self(cells.into_iter().map(|(corners, nodes)| Cell::of(corners == 3, nodes)).collect())
     }
-    let mut natural = Vector2::zeros();
-    for _ in 0..STEPS {
-        let (mut missing, mut jacobian) = (point, Matrix2::zeros());
-        for (node, (value, gradient)) in nodes.iter().zip(shape_functions::cell(nodes.len(), natural.into())) {
-            missing -= node * value;
-            jacobian += node * Vector2::from(gradient).transpose();
-        }
-        let change = jacobian.try_inverse()? * missing;
-        natural += change;
-        if change.amax() <= AT_REST {
-            let inside = natural.map(|x: f64| x.clamp(-1.0, 1.0));
-            let shapes = shape_functions::cell(nodes.len(), inside.into());
-            let nearest: Vector2<f64> = nodes.iter().zip(shapes).map(|(node, (value, _))| node * value).sum();
-            let outside = (point - nearest).norm() / size;
-            return (outside <= OUTSIDE).then_some((natural.into(), outside));
+
+    /// Those of a body of a mesh, in its order.
+    pub fn of_body(mesh: &Mesh, body: usize) -> Self {
+        let places = |cell| mesh.cell(cell).iter().map(|&node| mesh.points[node]).collect();
+        Self(mesh.bodies[body].cells.clone().map(|cell| Cell::of(false, places(cell))).collect())
+    }
+
+    /// The cell that holds a point best, with its shape functions there; none where it lies farther outside of all than so many of
+    /// their sizes.
+    pub fn shapes_at(&self, point: [f64; 2], outside: f64) -> Option<(usize, Vec<f64>)> {
+        let point = Vector2::from(point);
+        let near = self.0.iter().enumerate().filter_map(|(place, cell)| {
+            let slack = outside * cell.size;
+            let boxed = (0..2).all(|k| cell.low[k] - slack <= point[k] && point[k] <= cell.high[k] + slack);
+            let (natural, distance) = boxed.then(|| cell.natural(point)).flatten()?;
+            (distance <= outside).then_some((distance, place, natural))
+        });
+        let (_, place, natural) = near.min_by(|a, b| a.0.total_cmp(&b.0))?;
+        Some((place, self.0[place].shapes(natural).into_iter().map(|(value, _)| value).collect()))
+    }
+}
+
+impl Cell {
+    fn of(triangle: bool, nodes: Vec<[f64; 2]>) -> Self {
+        let nodes: Vec<Vector2<f64>> = nodes.into_iter().map(Vector2::from).collect();
+        let middle = nodes.iter().sum::<Vector2<f64>>() / nodes.len() as f64;
+        let size = nodes.iter().map(|node| (node - middle).norm()).fold(0.0, f64::max);
+        let [low, high] = nodes.iter().fold([middle; 2], |[low, high], node| [low.inf(node), high.sup(node)]);
+        Self { triangle, nodes, low, high, size }
+    }
+
+    /// Values and gradients of its shape functions.
+    fn shapes(&self, at: [f64; 2]) -> Vec<(f64, [f64; 2])> {
+        match self.triangle {
+            true => shape_functions::triangle(self.nodes.len(), at),
+            false => shape_functions::cell(self.nodes.len(), at),
         }
     }
-    None
+
+    /// (ξ, η) with `Σ N_a(ξ, η) x_a = x` by Newton's method, and how far outside the cell the point lies, over its size.
+    fn natural(&self, point: Vector2<f64>) -> Option<([f64; 2], f64)> {
+        let mut natural = if self.triangle { Vector2::repeat(1.0 / 3.0) } else { Vector2::zeros() };
+        for _ in 0..STEPS {
+            let (mut missing, mut jacobian) = (point, Matrix2::zeros());
+            for (node, (value, gradient)) in self.nodes.iter().zip(self.shapes(natural.into())) {
+                missing -= node * value;
+                jacobian += node * Vector2::from(gradient).transpose();
+            }
+            let change = jacobian.try_inverse()? * missing;
+            natural += change;
+            if change.amax() <= AT_REST {
+                let shapes = self.shapes(self.inside(natural).into());
+                let nearest: Vector2<f64> = self.nodes.iter().zip(shapes).map(|(node, (value, _))| node * value).sum();
+                return Some((natural.into(), (point - nearest).norm() / self.size));
+            }
+        }
+        None
+    }
+
+    /// The natural coordinates that are next to these and inside.
+    fn inside(&self, natural: Vector2<f64>) -> Vector2<f64> {
+        if !self.triangle {
+            return natural.map(|x| x.clamp(-1.0, 1.0));
+        }
+        let beyond = 0.5 * (natural.sum() - 1.0).max(0.0);
+        natural.map(|x| (x - beyond).clamp(0.0, 1.0))
+    }
 }

@@ -52,6 +52,25 @@ fn serendipity([xa, ya]: [f64; 2], [x, y]: [f64; 2]) -> (f64, [f64; 2]) {
     (p * q * (s - 1.0) / 4.0, [xa * q * (s + xa * x) / 4.0, ya * p * (s + ya * y) / 4.0])
 }
 
+/// Gradients of the area coordinates `1 − ξ − η, ξ, η`.
+const SLOPES: [[f64; 2]; 3] = [[-1.0, -1.0], [1.0, 0.0], [0.0, 1.0]];
+
+/// Values and gradients at (ξ, η) of a triangle of 3 or 6 nodes: corners `L_a (2 L_a − 1)`, or `L_a` alone, then mid-sides `4 L_a L_b`.
+pub fn triangle(n: usize, [x, y]: [f64; 2]) -> Vec<(f64, [f64; 2])> {
+    let area = [1.0 - x - y, x, y];
+    let along = |k: usize, factor: f64| SLOPES[k].map(|slope| factor * slope);
+    if n == 3 {
+        return (0..3).map(|k| (area[k], SLOPES[k])).collect();
+    }
+    let corner = |k: usize| (area[k] * (2.0 * area[k] - 1.0), along(k, 4.0 * area[k] - 1.0));
+    let middle = |k: usize| {
+        let next = (k + 1) % 3;
+        let (a, b) = (along(k, 4.0 * area[next]), along(next, 4.0 * area[k]));
+        (4.0 * area[k] * area[next], [a[0] + b[0], a[1] + b[1]])
+    };
+    (0..3).map(corner).chain((0..3).map(middle)).collect()
+}
+
 /// Values and slopes `(N_a, dN_a/dξ)` on an edge of 2 nodes, of 3 (first, last, middle), or of more (first, last, those between).
 pub fn edge(n: usize, x: f64) -> Vec<(f64, f64)> {
     match n {

@@ -5,7 +5,7 @@ use crate::case::library::{Cylinder, CylinderModel};
 use crate::case::{Check, Judged, Quantity, Reference};
 use crate::drawing::palette::{self, Dash, Marker, Style};
 use crate::drawing::{Axis, Chart, Drawing, Series, panels};
-use crate::elasticity::{point, shape_functions};
+use crate::elasticity::point::Cells;
 use crate::error::Error;
 use crate::markdown::{self, Column, significant};
 use crate::measure::larger;
@@ -232,14 +232,13 @@ const ELEMENTS: usize = 8;
 /// Growth of the elements away from the contact, and the coarsest: fringes reach far into the disc.
 const GROWTH: f64 = 1.15;
 const COARSEST: f64 = 0.05;
-/// How far around its nodes a cell is looked into, over its size: its edges are curved.
-const SLACK: f64 = 0.05;
+/// How far outside a cell, over its size, a point still belongs to it: edges only approach a curved outline.
+const OUTSIDE: f64 = 0.02;
 
 /// Stresses at the nodes of our disc.
 pub struct Field {
     mesh: Mesh,
-    /// Lowest and highest coordinates of each cell.
-    boxes: Vec<[[f64; 2]; 2]>,
+    cells: Cells,
     stress: Vec<[f64; 3]>,
     radius: f64,
     centre: f64,
@@ -256,16 +255,7 @@ impl Field {
         let run = Run::of(&discretisation, &Formulation::verification())?;
         let stress = discretisation.recover(&run.solution)?.stress;
         let mesh = discretisation.mesh;
-        let around = |cell: usize| {
-            let sides = [0, 1].map(|k| {
-                let of = || mesh.cell(cell).iter().map(|&node| mesh.points[node][k]);
-                let (low, high) = (of().fold(f64::INFINITY, f64::min), of().fold(f64::NEG_INFINITY, f64::max));
-                [low - SLACK * (high - low), high + SLACK * (high - low)]
-            });
-            [0, 1].map(|end| sides.map(|side| side[end]))
-        };
-        let boxes = (0..mesh.cells()).map(around).collect();
-        let mut field = Self { boxes, stress, radius: disc.radius, centre: 1.0, mesh };
+        let mut field = Self { cells: Cells::of_body(&mesh, 0), stress, radius: disc.radius, centre: 1.0, mesh };
         field.centre = if run.solution.converged() { field.at([0.0, 1.0]) } else { f64::NAN };
         Ok(field)
     }
@@ -274,15 +264,9 @@ impl Field {
     /// disc's lower quarter.
     pub fn at(&self, point: [f64; 2]) -> f64 {
         let at = point.map(|x| self.radius * x);
-        let holds = |[low, high]: &[[f64; 2]; 2]| (0..2).all(|k| low[k] <= at[k] && at[k] <= high[k]);
-        let near = self.boxes.iter().enumerate().filter(|(_, around)| holds(around)).filter_map(|(cell, _)| {
-            let (natural, outside) = point::natural(&self.mesh, cell, at)?;
-            Some((outside, cell, natural))
-        });
-        let Some((_, cell, natural)) = near.min_by(|a, b| a.0.total_cmp(&b.0)) else { return f64::NAN };
-        let nodes = self.mesh.cell(cell);
+        let Some((cell, shapes)) = self.cells.shapes_at(at, OUTSIDE) else { return f64::NAN };
         let mut tensor = [0.0; 3];
-        for (&node, (shape, _)) in nodes.iter().zip(shape_functions::cell(nodes.len(), natural)) {
+        for (&node, shape) in self.mesh.cell(cell).iter().zip(shapes) {
             (0..3).for_each(|k| tensor[k] += shape * self.stress[node][k]);
         }
         let [x, y, xy] = tensor;
