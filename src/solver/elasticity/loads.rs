@@ -8,10 +8,19 @@ use crate::error::Error;
 use crate::mesh::Mesh;
 use crate::scene::{Action, Load, Scene, SidePart};
 
-/// Load vector of a body \[N\].
-pub fn nodal_forces(scene: &Scene, mesh: &Mesh, body: usize, dofs: &Dofs) -> Result<Vec<f64>, Error> {
+/// Load vector of a body, from the forces applied at its nodes and those on rigid faces \[N\].
+pub fn vector(
+    scene: &Scene,
+    mesh: &Mesh,
+    body: usize,
+    dofs: &Dofs,
+    applied: &[[f64; 2]],
+) -> Result<Vec<f64>, Error> {
     let mut force = vec![0.0; dofs.equations];
-    for (index, load) in scene.bodies[body].loads.iter().enumerate() {
+    for (node, &value) in mesh.bodies[body].nodes.clone().zip(applied) {
+        dofs.add_force(node, value, &mut force);
+    }
+    for load in &scene.bodies[body].loads {
         if let Load::RigidFace { boundary, component, force: value } = load {
             // The component that the nodes of the face share; a node of it that a support holds has none.
             let nodes = mesh.boundary(scene, body, boundary)?.iter().flatten();
@@ -19,7 +28,6 @@ pub fn nodal_forces(scene: &Scene, mesh: &Mesh, body: usize, dofs: &Dofs) -> Res
             let Some(equation) = shared else { return Err(fixed_face(scene, body, boundary, *value)) };
             force[equation] += value;
         }
-        hand_out(scene, mesh, body, index, &mut |node, value| dofs.add_force(node, value, &mut force))?;
     }
     Ok(force)
 }

@@ -72,6 +72,8 @@ pub struct BodySystem {
     pub place: Place,
     /// Lower triangle of the stiffness matrix `K` [N/mm].
     pub stiffness: SparseColMat<Index, f64>,
+    /// Applied forces at each node, in x and y, as [`loads::at_nodes`] has them \[N\].
+    pub applied: Vec<[f64; 2]>,
     /// Load vector `f`, prescribed displacements included \[N\].
     pub force: Vec<f64>,
     /// Numbering.
@@ -154,10 +156,11 @@ impl BodySystem {
         dofs: Dofs,
         factor: &(dyn Fn(usize) -> f64 + Sync),
     ) -> Result<Self, Error> {
-        let mut force = loads::nodal_forces(scene, mesh, body, &dofs)?;
+        let applied = loads::at_nodes(scene, mesh, body)?;
+        let mut force = loads::vector(scene, mesh, body, &dofs, &applied)?;
         let stiffness = assembly::stiffness(scene, mesh, body, (graph, &dofs), factor, &mut force)?;
         let retained = dofs.retained.clone();
-        Ok(Self { place: scene.place_of_body(body), stiffness, force, dofs, retained })
+        Ok(Self { place: scene.place_of_body(body), stiffness, applied, force, dofs, retained })
     }
 
     /// Applied load along y: its work on a unit motion along y \[N\].

@@ -3,7 +3,7 @@
 //! Inside a body forces cancel in pairs, so that this balance holds of any displacement: what is left over is what the reported
 //! pressures are short of the forces that the displacements belong to, and what round-off has made of both.
 
-use crate::elasticity::{loads, reactions};
+use crate::elasticity::reactions;
 use crate::error::Error;
 use crate::measure::larger;
 use crate::scene::Load;
@@ -81,9 +81,9 @@ impl Discretisation {
             false => [mesh.points[node][0] - middle[0], mesh.points[node][1] - middle[1]],
         };
 
-        let loads = loads::at_nodes(scene, mesh, body)?;
+        let loads = &self.system.bodies[body].applied;
         let mut applied = Sum::default();
-        for (node, force) in part.nodes.clone().zip(&loads) {
+        for (node, force) in part.nodes.clone().zip(loads) {
             applied.add(arm(node), force.map(|f| share * f), kept);
         }
         let mut contacts = vec![Sum::default(); scene.contacts.len()];

@@ -1,6 +1,6 @@
 //! Reactions: what the supports exert on the bodies.
 
-use crate::elasticity::{loads, reactions};
+use crate::elasticity::reactions;
 use crate::error::Error;
 use crate::solution::Solution;
 use crate::solve::Discretisation;
@@ -52,7 +52,7 @@ impl Discretisation {
         let mut is_held = vec![false; mesh.bodies[body].nodes.len()];
         holders.keys().for_each(|(node, _)| is_held[node - first] = true);
         let internal = reactions::internal_forces_at(scene, mesh, body, displacement, &|node| is_held[node - first])?;
-        let applied = loads::at_nodes(scene, mesh, body)?;
+        let applied = &self.system.bodies[body].applied;
         for ((node, component), support) in holders {
             forces[support] += internal[node - first][component] - share * applied[node - first][component];
         }
