@@ -5,6 +5,9 @@ Pressures are linear between equally spaced nodes; the pressure that presses the
 load is found by a linear system, the set by dropping nodes that pull. Nothing of Hertz's answer enters. Units mm, N, MPa.
 """
 
+if __name__ == "__main__":
+    raise SystemExit("usage: cargo run --release -p contact-vv-live, which imports this module")
+
 import numpy as np
 
 NODES = 100  # on one side of the middle, on the coarsest level

@@ -5,6 +5,9 @@ the pin's normal n is the freedom of a node of its own, by an *EQUATION, and a G
 node and a fixed one, whose reaction is the contact force. Units mm, N, MPa, rad.
 """
 
+if __name__ == "__main__":
+    raise SystemExit("usage: cargo run --release -p contact-vv-live, which imports this module")
+
 import os
 import re
 import subprocess

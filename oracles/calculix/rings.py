@@ -1,5 +1,8 @@
 """Pins and the bodies round them as rings of 8-node quadrilaterals and 6-node triangles, numbered for CalculiX from 1."""
 
+if __name__ == "__main__":
+    raise SystemExit("usage: cargo run --release -p contact-vv-live, which imports this module")
+
 import numpy as np
 
 

@@ -6,6 +6,9 @@ of edges that face one another: of dolfinx 0.11, 0.5.2 couples no such pairs. Pl
 k_n = KAPPA E*/R, 1/E* the sum of 1/E: the bodies enter one another by p/k_n.
 """
 
+if __name__ == "__main__":
+    raise SystemExit("usage: cargo run --release -p contact-vv-live, which imports this module")
+
 from mpi4py import MPI  # before PETSc, which would otherwise start it with fewer threads allowed
 
 import numpy as np

@@ -1,5 +1,8 @@
 """Own meshes of curved quadratic triangles, and pressures along their candidates."""
 
+if __name__ == "__main__":
+    raise SystemExit("usage: cargo run --release -p contact-vv-live, which imports this module")
+
 import numpy as np
 
 ELEMENTS = 6  # on the half-width, level 0

@@ -1,5 +1,8 @@
 """Own meshes of curved quadratic triangles of a pin and of what is round it: facing arcs have nodes on the same rays from (0, 0); and peaks."""
 
+if __name__ == "__main__":
+    raise SystemExit("usage: cargo run --release -p contact-vv-live, which imports this module")
+
 import numpy as np
 
 import fan

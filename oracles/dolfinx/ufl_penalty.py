@@ -5,6 +5,9 @@ its derivative by UFL, Newton's iteration here, MUMPS. Curved quadratic triangle
 Pins in holes are served by facet_pairs.py: dolfinx 0.5.2 couples no facets of two bodies.
 """
 
+if __name__ == "__main__":
+    raise SystemExit("usage: cargo run --release -p contact-vv-live, which imports this module")
+
 from mpi4py import MPI  # before PETSc, which would otherwise start it with fewer threads allowed
 
 import inspect

@@ -5,6 +5,9 @@ approach of pin u and hole v along the pin's outward normal n, g the gap along n
 read where the ray along n meets the hole. Displacements quadratic, p linear. Units mm, N, MPa, rad.
 """
 
+if __name__ == "__main__":
+    raise SystemExit("usage: cargo run --release -p contact-vv-live, which imports this module")
+
 import getfem as gf
 import numpy as np
 

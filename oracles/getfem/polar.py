@@ -1,5 +1,8 @@
 """Pins and the bodies round them as GetFEM meshes: polar grids of curved quadrilaterals, triangles at the centre of a pin."""
 
+if __name__ == "__main__":
+    raise SystemExit("usage: cargo run --release -p contact-vv-live, which imports this module")
+
 import getfem as gf
 import numpy as np
 

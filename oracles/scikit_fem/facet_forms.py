@@ -5,6 +5,9 @@ theta = 0); w = (u1 - u2).n is the approach along the first body's outward norma
 Newton's active set is that of the integration points. Units mm, N, MPa, rad.
 """
 
+if __name__ == "__main__":
+    raise SystemExit("usage: cargo run --release -p contact-vv-live, which imports this module")
+
 import numpy as np
 from scipy.sparse import block_diag, bmat, csr_matrix
 from scipy.sparse.linalg import splu

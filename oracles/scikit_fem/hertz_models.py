@@ -1,5 +1,8 @@
 """Hertz's contact on own meshes: a cylinder's quarter on a rigid plane, and a block that carries the half-plane's tractions."""
 
+if __name__ == "__main__":
+    raise SystemExit("usage: cargo run --release -p contact-vv-live, which imports this module")
+
 import numpy as np
 
 from quadrilaterals import HERTZ, GROWTH, Model, block, disc, facets_on, growing, halved, join, meshed

@@ -1,5 +1,8 @@
 """The scenes that are solved, by name."""
 
+if __name__ == "__main__":
+    raise SystemExit("usage: cargo run --release -p contact-vv-live, which imports this module")
+
 import hertz_models
 import pin_models
 

@@ -1,5 +1,8 @@
 """Pins in holes on own meshes, two bodies in plane stress: facing arcs have nodes at the same angles about the pin's centre."""
 
+if __name__ == "__main__":
+    raise SystemExit("usage: cargo run --release -p contact-vv-live, which imports this module")
+
 import numpy as np
 
 from quadrilaterals import PIN, Model, angle, block, disc, facets_on, growing, halved, join, meshed, polar

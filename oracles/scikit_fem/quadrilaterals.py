@@ -1,5 +1,8 @@
 """Scenes as models on meshes of curved 9-node quadrilaterals, put together from blocks; facing arcs have nodes at the same angles."""
 
+if __name__ == "__main__":
+    raise SystemExit("usage: cargo run --release -p contact-vv-live, which imports this module")
+
 from dataclasses import dataclass, field
 from typing import Callable
 
