@@ -212,12 +212,12 @@ fn matrix_types_of_libraries_stay_inside_the_numerics() {
 
 /// Lines that a room may have; raised only by a commit that says what for.
 const BUDGETS: [(&str, usize); 9] = [
-    ("solver", 23_394),
+    ("solver", 23_399),
     ("drawing", 3_220),
     ("case", 8_200),
     ("oracle", 1_400),
-    ("study", 14_873),
-    ("referee", 6_100),
+    ("study", 14_865),
+    ("referee", 6_010),
     ("report", 3_117),
     ("cli", 4_849),
     ("live", 500),

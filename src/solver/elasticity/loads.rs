@@ -9,13 +9,7 @@ use crate::mesh::Mesh;
 use crate::scene::{Action, Load, Scene, SidePart};
 
 /// Load vector of a body, from the forces applied at its nodes and those on rigid faces \[N\].
-pub fn vector(
-    scene: &Scene,
-    mesh: &Mesh,
-    body: usize,
-    dofs: &Dofs,
-    applied: &[[f64; 2]],
-) -> Result<Vec<f64>, Error> {
+pub fn vector(scene: &Scene, mesh: &Mesh, body: usize, dofs: &Dofs, applied: &[[f64; 2]]) -> Result<Vec<f64>, Error> {
     let mut force = vec![0.0; dofs.equations];
     for (node, &value) in mesh.bodies[body].nodes.clone().zip(applied) {
         dofs.add_force(node, value, &mut force);
