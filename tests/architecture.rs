@@ -217,7 +217,7 @@ const BUDGETS: [(&str, usize); 9] = [
     ("case", 8_200),
     ("oracle", 1_400),
     ("study", 14_865),
-    ("referee", 6_010),
+    ("referee", 6_039),
     ("report", 3_117),
     ("cli", 4_849),
     ("live", 500),

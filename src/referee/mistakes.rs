@@ -12,6 +12,7 @@ use crate::referee::answer::{Handed, Point};
 use crate::referee::judge::{fails_by_width, judge};
 use crate::referee::profile::{Profile, tributary};
 use crate::referee::truth::Truth;
+use crate::referee::units::Role;
 use crate::scene::{ContactPair, PlaneHypothesis, Scene};
 use crate::solution::EdgeState;
 
@@ -63,16 +64,25 @@ fn middles(handed: &Handed) -> Vec<Correction> {
     vec![Correction { says, corrected: Handed { points, order: Order::Linear, ..handed.clone() } }]
 }
 
-/// Factors on pressures and on positions.
+/// Factors on pressures and on positions; units that are called others, and numbers without, where nothing else has the same.
 fn scales(truth: &Truth, handed: &Handed) -> Vec<(String, [f64; 2])> {
-    match truth.case.scene.is_around_axis(handed.contact) {
+    let mut all = match truth.case.scene.is_around_axis(handed.contact) {
         true => of_revolution(&truth.case.scene, handed),
         false => of_strips(truth, handed),
+    };
+    for (says, [times, by]) in
+        units(&truth.case.scene.contacts[handed.contact]).into_iter().chain(normalised(truth, handed.contact))
+    {
+        let is_alike = |known: &[f64; 2]| (times / known[0] - 1.0).hypot(by / known[1] - 1.0) < ALIKE;
+        if !all.iter().any(|(_, known)| is_alike(known)) {
+            all.push((says, [times, by]));
+        }
     }
-    .into_iter()
-    .chain(units(&truth.case.scene.contacts[handed.contact]))
-    .collect()
+    all
 }
+
+/// Difference of factors that no answer tells apart.
+const ALIKE: f64 = 1e-3;
 
 /// Those of bodies of revolution: of a load so many times the scene's `a` and `p₀` are `∛` of it, of a contact of given radius p alone.
 fn of_revolution(scene: &Scene, handed: &Handed) -> Vec<(String, [f64; 2])> {
@@ -164,31 +174,50 @@ fn of_strips(truth: &Truth, handed: &Handed) -> Vec<(String, [f64; 2])> {
     all
 }
 
-/// Units that are called others.
+/// Lengths and the pressures that go with them.
+const SYSTEMS: [(&str, &[&str]); 3] = [("m", &["Pa", "kPa", "GPa"]), ("in", &["psi", "ksi"]), ("cm", &["bar"])];
+
+/// Units that are called others: another one ours, or the reverse.
 fn units(pair: &ContactPair) -> Vec<(String, [f64; 2])> {
     let mut all = Vec::new();
-    let places: &[(&str, f64)] = match pair.path.is_straight() {
-        true => &[("", 1.0), ("positions in m are called mm", 1e3), ("positions in mm are called m", 1e-3)],
-        false => &[
-            ("", 1.0),
-            ("angles in rad are called degrees", 180.0 / PI),
-            ("angles in degrees are called rad", PI / 180.0),
-        ],
-    };
-    let pressures = [
-        ("", 1.0),
-        ("pressures in Pa are called MPa", 1e-6),
-        ("pressures in MPa are called Pa", 1e6),
-        ("pressures in kPa are called MPa", 1e-3),
-        ("pressures in GPa are called MPa", 1e3),
-    ];
-    for (place, by) in places {
-        for (pressure, times) in pressures.iter().filter(|(pressure, _)| !(place.is_empty() && pressure.is_empty())) {
-            let both = [*place, *pressure].into_iter().filter(|text| !text.is_empty()).collect::<Vec<_>>();
-            all.push((format!("units: {}", both.join(", ")), [*times, *by]));
+    let nothing = || (String::new(), 1.0);
+    for (length, stresses) in SYSTEMS {
+        let places = match pair.path.is_straight() {
+            true => called("positions", &[(length, Role::X.factor(length))], "mm"),
+            false => called("angles", &[("degrees", Role::Position.factor("deg"))], "rad"),
+        };
+        let stresses: Vec<_> = stresses.iter().map(|&unit| (unit, Role::Pressure.factor(unit))).collect();
+        for (place, by) in std::iter::once(nothing()).chain(places) {
+            for (pressure, times) in std::iter::once(nothing()).chain(called("pressures", &stresses, "MPa")) {
+                let both = [&*place, &*pressure].into_iter().filter(|text| !text.is_empty()).collect::<Vec<_>>();
+                if !both.is_empty() {
+                    all.push((format!("units: {}", both.join(", ")), [times, by]));
+                }
+            }
         }
     }
     all
+}
+
+/// What is in one of these units and called ours, then the reverse.
+fn called(what: &str, units: &[(&str, Option<f64>)], ours: &str) -> Vec<(String, f64)> {
+    let known = || units.iter().filter_map(|&(unit, factor)| Some((unit, factor?)));
+    let forth = known().map(|(unit, factor)| (format!("{what} in {unit} are called {ours}"), factor));
+    let back = known().map(|(unit, factor)| (format!("{what} in {ours} are called {unit}"), 1.0 / factor));
+    forth.chain(back).collect()
+}
+
+/// Pressures over the peak, and places over the half-width.
+fn normalised(truth: &Truth, contact: usize) -> Vec<(String, [f64; 2])> {
+    let [peak, width] =
+        [Quantity::PeakPressure, Quantity::HalfWidth].map(|one| truth.known(contact, &one).reference.value);
+    let all = [
+        ("pressures are over their peak", [peak, 1.0]),
+        ("positions are over the half-width", [1.0, width]),
+        ("pressures are over their peak, and positions over the half-width", [peak, width]),
+    ];
+    let says = |text: &str| format!("{text}: hand them in with their units");
+    all.into_iter().filter(|(_, by)| by.iter().all(|x| x.is_normal())).map(|(text, by)| (says(text), by)).collect()
 }
 
 /// What turns a sphere's peak into that of a cylinder, with its half-width and without: since `a² = 4PR/πE*`, the sphere has `a₃³ = 3πta²/16`, and

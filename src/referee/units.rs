@@ -63,8 +63,8 @@ impl Role {
         }
     }
 
-    /// Names that columns and fields have without being named, in small letters, the one that goes first in front: our own, then those of ParaView,
-    /// MOOSE, Abaqus, Ansys, COMSOL and CalculiX.
+    /// Names that columns and fields have without being named, in small letters, the one that goes first in front: those of contacts, then those that may be of a body.
+    /// They are our own, and those of ParaView, MOOSE, Abaqus, Ansys, COMSOL and CalculiX.
     pub fn usual(self) -> &'static [&'static str] {
         match self {
             Self::Position => &["position"],
@@ -75,7 +75,7 @@ impl Role {
                 &["y", "points:1", "points_1", "coord.coor2", "coor2", "y location", "y coordinate", "y-coordinate"]
             }
             Self::Pressure => {
-                &["contact_pressure", "contact pressure", "pressure", "cpress", "pres", "solid.tn", "tn", "p"]
+                &["contact_pressure", "contact pressure", "cpress", "solid.tn", "pressure", "pres", "tn", "p"]
             }
             Self::Force => &["force", "contact_force", "contact force"],
             Self::Gap => &["contact_gap", "contact gap", "gap", "copen", "solid.gap"],

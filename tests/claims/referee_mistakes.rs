@@ -107,6 +107,24 @@ fn every_wrong_input_of_hertz_is_named_by_what_it_does_to_width_and_pressure() {
             table.push((&strain, RIGHT, [by, times], vec![format!("units: {both}")]));
         }
     }
+    let [bar, psi, inch] = [10.0, 145.037_737_730_209_22, 1.0 / 25.4];
+    let (peak, a) = (100.0, 2.0);
+    for (factors, wanted) in [
+        ([1.0, bar], "units: pressures in bar are called MPa"),
+        ([1.0, 1.0 / bar], "units: pressures in MPa are called bar"),
+        ([1.0, psi], "units: pressures in psi are called MPa"),
+        ([1.0, 1e-3 * psi], "units: pressures in ksi are called MPa"),
+        ([1.0, 1.0 / psi], "units: pressures in MPa are called psi"),
+        ([inch, 1.0], "units: positions in in are called mm"),
+        ([1.0 / inch, 1.0], "units: positions in mm are called in"),
+        ([0.1, 1.0], "units: positions in cm are called mm"),
+        ([inch, psi], "units: positions in in are called mm, pressures in psi are called MPa"),
+        ([0.1, bar], "units: positions in cm are called mm, pressures in bar are called MPa"),
+        ([1.0, 1.0 / peak], "pressures are over their peak: hand"),
+        ([1.0 / a, 1.0 / peak], "pressures are over their peak, and positions over the half-width"),
+    ] {
+        table.push((&strain, RIGHT, factors, vec![wanted.into()]));
+    }
     for (k, (truth, wrong, factors, wanted)) in table.iter().enumerate() {
         let found = named(truth, "pressure [MPa]", &wrong.profile(*factors), &Asked::default());
         let wanted: Vec<&str> = wanted.iter().map(String::as_str).collect();

@@ -94,6 +94,15 @@ fn tables_of_the_wild_are_read_and_met() {
 }
 
 #[test]
+fn the_pressure_of_a_contact_goes_before_that_of_a_body() {
+    let rows = ellipse::rows(",", |x| format!("{x:.6}")).replace('\n', ",-7\n");
+    for name in ["CPRESS", "contact_pressure", "Contact pressure"] {
+        let text = format!("position [mm],{name} [MPa],pressure [MPa]\n{rows}");
+        assert_relative_eq!(peak_of(parsed("both.csv", text, &usual()).expect(name)), 100.0, max_relative = 2e-3);
+    }
+}
+
+#[test]
 fn tables_say_the_same_whatever_their_marks_numbers_and_names() {
     let row = |separator: &str, number: fn(f64) -> String| ellipse::rows(separator, number);
     let plain: fn(f64) -> String = |x| format!("{x:.6}");
