@@ -15,8 +15,10 @@ pub struct Field {
     pub displacement: Vec<[f64; 2]>,
 }
 
-/// How far outside a cell, over its size, a point still belongs to it: edges only approach a curved outline.
-const OUTSIDE: f64 = 0.05;
+/// How far outside a cell, over its size, a point still belongs to it: the edges of coarse triangles miss a curved outline by as much.
+const OUTSIDE: f64 = 0.08;
+/// The same of one that lies within, but for round-off.
+const WITHIN: f64 = 1e-9;
 
 impl Field {
     /// The displacement at every node of our mesh; why not, where it does not reach one.
@@ -43,10 +45,11 @@ impl Field {
         Ok(found)
     }
 
-    /// The body of the scene that a cell belongs to.
+    /// The body of the scene that a cell belongs to: the one it lies in, or else beside.
     fn body(&self, ours: &[Cells], cell: &Cell) -> Option<usize> {
         let of = |axis: usize| cell.nodes.iter().map(|&node| self.points[node][axis]).sum::<f64>();
         let middle = [0, 1].map(|axis| of(axis) / cell.nodes.len() as f64);
-        ours.iter().position(|cells| cells.shapes_at(middle, OUTSIDE).is_some())
+        let holding = |outside| ours.iter().position(|cells| cells.shapes_at(middle, outside).is_some());
+        holding(WITHIN).or_else(|| holding(OUTSIDE))
     }
 }

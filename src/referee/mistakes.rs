@@ -175,7 +175,7 @@ fn of_strips(truth: &Truth, handed: &Handed) -> Vec<(String, [f64; 2])> {
 }
 
 /// Lengths and the pressures that go with them.
-const SYSTEMS: [(&str, &[&str]); 3] = [("m", &["Pa", "kPa", "GPa"]), ("in", &["psi", "ksi"]), ("cm", &["bar"])];
+const SYSTEMS: [(&str, &[&str]); 3] = [("m", &["Pa", "kPa", "GPa"]), ("inch", &["psi", "ksi"]), ("cm", &["bar"])];
 
 /// Units that are called others: another one ours, or the reverse.
 fn units(pair: &ContactPair) -> Vec<(String, [f64; 2])> {

@@ -148,6 +148,46 @@ fn cells_of_every_kind_carry_a_motion_of_their_degree_to_our_nodes() {
 }
 
 #[test]
+fn thin_cells_beside_another_body_move_their_own_body() {
+    let case = find("patch", None).expect("a case");
+    let target = Discretisation::of(case.scene.clone(), case.resolution).expect("meshed");
+    // Each body by itself: rows of cells that are as thin as cells fitted to a contact, at all of its ends.
+    let (mut field, thin) =
+        (Field { points: vec![], cells: vec![], displacement: vec![] }, [0.0, 1e-6, 0.5, 1.0 - 1e-6, 1.0]);
+    // What the outermost rows alone tell.
+    let outermost = |y: f64, ends: [f64; 2]| if ends.contains(&y) { 1.0 } else { 0.0 };
+    let motion =
+        |body: usize, [x, y]: [f64; 2], ends| [0.1 * x + body as f64 + outermost(y, ends), 0.2 * y - body as f64];
+    let mut all_ends = Vec::new();
+    for (body, part) in target.mesh.bodies.iter().enumerate() {
+        let of = |axis: usize| target.mesh.points[part.nodes.clone()].iter().map(move |point| point[axis]);
+        let ends =
+            [0, 1].map(|axis| [of(axis).fold(f64::INFINITY, f64::min), of(axis).fold(f64::NEG_INFINITY, f64::max)]);
+        all_ends.push(ends[1]);
+        let first = field.points.len();
+        for share in thin.iter().flat_map(|&x| thin.map(|y| [x, y])) {
+            let point = [0, 1].map(|axis| ends[axis][0] + share[axis] * (ends[axis][1] - ends[axis][0]));
+            field.displacement.push(motion(body, point, ends[1]));
+            field.points.push(point);
+        }
+        let corner = |i: usize, j: usize| first + thin.len() * i + j;
+        let cells = (0..thin.len() - 1).flat_map(|i| (0..thin.len() - 1).map(move |j| (i, j)));
+        field.cells.extend(cells.map(|(i, j)| Cell {
+            nodes: vec![corner(i, j), corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1)],
+            corners: 4,
+        }));
+    }
+    let found = field.at_nodes(&target).expect("reached");
+    for (body, part) in target.mesh.bodies.iter().enumerate() {
+        for node in part.nodes.clone() {
+            let wanted = motion(body, target.mesh.points[node], all_ends[body]);
+            let off = (found[node][0] - wanted[0]).hypot(found[node][1] - wanted[1]);
+            assert!(off <= 1e-9 * (1.0 + wanted[0].hypot(wanted[1])), "{off} at {:?}", target.mesh.points[node]);
+        }
+    }
+}
+
+#[test]
 fn displacements_approaches_and_shears_that_a_scene_file_declares_are_judged_and_found_wrong() {
     let folder = format!("{}/tests/cases", root().display());
     for (file, what) in [

@@ -9,9 +9,9 @@ use crate::scene::Scene;
 
 /// How far outside a cell, over its size, a point still belongs to it: edges only approach a curved outline.
 const OUTSIDE: f64 = 0.02;
-/// Iterations of Newton's method, and the last change of a natural coordinate, at which they end.
+/// Iterations of Newton's method, and what is missing of the point, over the size of the cell, at which they end.
 const STEPS: usize = 30;
-const AT_REST: f64 = 1e-12;
+const AT_REST: f64 = 1e-13;
 
 /// Nodes of the cell that holds a point, with their shape functions `N_a` there; the node alone where one stands there.
 ///
@@ -37,8 +37,10 @@ pub struct Cells(Vec<Cell>);
 #[derive(Clone, Debug)]
 struct Cell {
     triangle: bool,
+    middle: Vector2<f64>,
+    /// Places from the middle, so that a small cell far from the origin loses no digits.
     nodes: Vec<Vector2<f64>>,
-    /// The box around the nodes.
+    /// The box around them.
     low: Vector2<f64>,
     high: Vector2<f64>,
     /// Largest distance of a node from the middle \[mm\].
@@ -60,9 +62,8 @@ impl Cells {
     /// The cell that holds a point best, with its shape functions there; none where it lies farther outside of all than so many of
     /// their sizes.
     pub fn shapes_at(&self, point: [f64; 2], outside: f64) -> Option<(usize, Vec<f64>)> {
-        let point = Vector2::from(point);
         let near = self.0.iter().enumerate().filter_map(|(place, cell)| {
-            let slack = outside * cell.size;
+            let (slack, point) = (outside * cell.size, Vector2::from(point) - cell.middle);
             let boxed = (0..2).all(|k| cell.low[k] - slack <= point[k] && point[k] <= cell.high[k] + slack);
             let (natural, distance) = boxed.then(|| cell.natural(point)).flatten()?;
             (distance <= outside).then_some((distance, place, natural))
@@ -76,9 +77,10 @@ impl Cell {
     fn of(triangle: bool, nodes: Vec<[f64; 2]>) -> Self {
         let nodes: Vec<Vector2<f64>> = nodes.into_iter().map(Vector2::from).collect();
         let middle = nodes.iter().sum::<Vector2<f64>>() / nodes.len() as f64;
-        let size = nodes.iter().map(|node| (node - middle).norm()).fold(0.0, f64::max);
-        let [low, high] = nodes.iter().fold([middle; 2], |[low, high], node| [low.inf(node), high.sup(node)]);
-        Self { triangle, nodes, low, high, size }
+        let nodes: Vec<Vector2<f64>> = nodes.into_iter().map(|node| node - middle).collect();
+        let size = nodes.iter().map(Vector2::norm).fold(0.0, f64::max);
+        let [low, high] = nodes.iter().fold([Vector2::zeros(); 2], |[low, high], node| [low.inf(node), high.sup(node)]);
+        Self { triangle, middle, nodes, low, high, size }
     }
 
     /// Values and gradients of its shape functions.
@@ -89,7 +91,8 @@ impl Cell {
         }
     }
 
-    /// (ξ, η) with `Σ N_a(ξ, η) x_a = x` by Newton's method, and how far outside the cell the point lies, over its size.
+    /// (ξ, η) with `Σ N_a(ξ, η) x_a = x` by Newton's method, x and x_a from the middle, and how far outside the cell the point lies, over
+    /// its size.
     fn natural(&self, point: Vector2<f64>) -> Option<([f64; 2], f64)> {
         let mut natural = if self.triangle { Vector2::repeat(1.0 / 3.0) } else { Vector2::zeros() };
         for _ in 0..STEPS {
@@ -98,13 +101,12 @@ impl Cell {
                 missing -= node * value;
                 jacobian += node * Vector2::from(gradient).transpose();
             }
-            let change = jacobian.try_inverse()? * missing;
-            natural += change;
-            if change.amax() <= AT_REST {
+            if missing.norm() <= AT_REST * self.size {
                 let shapes = self.shapes(self.inside(natural).into());
                 let nearest: Vector2<f64> = self.nodes.iter().zip(shapes).map(|(node, (value, _))| node * value).sum();
                 return Some((natural.into(), (point - nearest).norm() / self.size));
             }
+            natural += jacobian.try_inverse()? * missing;
         }
         None
     }
