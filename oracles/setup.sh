@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
 # Installs what the Python oracles need, once: dolfinx from Debian, scikit-fem from PyPI, and where there is a Python from 3.12 on,
 # also the dolfinx of today, for a process of its own; then compiles dolfinx's forms. NEWER_PYTHON=/path/to/python3 names that Python.
+# Besides, a browser in which a test opens what `solve --html` writes.
 # Serves Debian 12 (bookworm). Everything that is not a Debian package goes to oracles/.python, which git ignores.
 set -euo pipefail
 cd "$(dirname "$0")"
 
-packages=(python3-dolfinx libpython3.11-dev python3-pip libopenblas0-pthread gcc)
+packages=(python3-dolfinx libpython3.11-dev python3-pip libopenblas0-pthread gcc chromium-headless-shell)
 scikit_fem=12.0.2
 newest_dolfinx=0.11.0.post0
 python=/usr/bin/python3

@@ -33,7 +33,7 @@ fn ill_formed(text: &str) -> Option<String> {
 
 /// A browser that shows no window, where one is installed.
 fn browser() -> Option<&'static str> {
-    let all = ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable"];
+    let all = ["chromium-headless-shell", "chromium", "chromium-browser", "google-chrome", "google-chrome-stable"];
     all.into_iter().find(|name| Command::new(name).arg("--version").output().is_ok_and(|told| told.status.success()))
 }
 
