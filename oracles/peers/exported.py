@@ -11,6 +11,7 @@ import json
 import os
 import pathlib
 import sys
+import traceback
 
 os.environ["OMP_NUM_THREADS"] = os.environ["OPENBLAS_NUM_THREADS"] = "1"  # before any library is loaded
 
@@ -265,7 +266,7 @@ def report(**told):
 
 
 def run(main, description, methods, versions):
-    """Calls `main` with the folder and the method of the command line; where a code has another interface, names the versions it shall be of."""
+    """Calls `main` with the folder and the method of the command line; what breaks off tells where, and the versions the code shall be of."""
     parser = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("folder", help="folder with the problem.json that `contact-vv export CASE FOLDER` writes; the answer goes there")
     parser.add_argument("method", choices=list(methods), help="the contact, see above")
@@ -274,5 +275,7 @@ def run(main, description, methods, versions):
         parser.error(f"{asked.folder} has no problem.json: write it by `contact-vv export CASE {asked.folder}`")
     try:
         main(asked.folder, asked.method)
-    except (AttributeError, ImportError, TypeError) as other:
-        raise RuntimeError(f"{other}; this script is written for {versions}, and has been run with these") from other
+    except Exception as other:  # of a code of another version, any
+        at = traceback.extract_tb(other.__traceback__)[-1]
+        sys.exit(f"{pathlib.Path(at.filename).name}:{at.lineno}: {type(other).__name__}: {other}\n"
+                 f"This script is written for {versions}, and has been run with these.")

@@ -28,8 +28,8 @@ except ModuleNotFoundError as absent:
     exported.missing(f"FElupe ({absent.name})", "python3 -m pip install felupe meshio")
 
 MULTIPLIER = {"contact": 1.0, "stiff-contact": 100.0}  # over the mean nodal stiffness; 1 is FElupe's default
-LAWS = {"strain": felupe.constitution.LinearElasticPlaneStrain, "stress": felupe.LinearElasticPlaneStress}
-CELLS = {4: ("quad", felupe.RegionQuad), 8: ("quad8", felupe.RegionQuadraticQuad)}
+LAWS = {"strain": "LinearElasticPlaneStrain", "stress": "LinearElasticPlaneStress"}
+CELLS = {4: ("quad", "RegionQuad"), 8: ("quad8", "RegionQuadraticQuad")}
 STEPS, TOLERANCE = 100, 1e-6  # of the residual over all forces; FElupe rounds stresses as those of strains beside 1
 MOVED = 0.2  # part of the way to the widest gap that it starts at
 FACING = 1e-4  # part of the shortest contact edge by which nodes that face one another may miss
@@ -43,12 +43,13 @@ class Scene:
         data = problem.data
         self.points, self.size = problem.points, np.ptp(problem.points)
         planes = [self.of_contact(contact) for contact in data["contacts"]]
-        kind, region = CELLS[problem.cells.shape[1]]
+        kind, name = CELLS[problem.cells.shape[1]]
+        region, law = getattr(felupe, name), getattr(felupe.constitution, LAWS[data["plane"]])
         self.solids = []
         for body, (young, poisson) in enumerate(zip(data["young"], data["poisson"])):
             mesh = felupe.Mesh(self.points, problem.cells[problem.body == body], kind)
             field = felupe.FieldContainer([felupe.Field(region(mesh), dim=2)])
-            self.solids.append(felupe.SolidBody(LAWS[data["plane"]](young, poisson), field))
+            self.solids.append(felupe.SolidBody(law(young, poisson), field))
             self.solids[-1].assemble.matrix()  # of which contacts take the mean
         self.field = self.solids[0].field
         self.contacts = []
