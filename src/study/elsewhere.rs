@@ -55,6 +55,10 @@ pub fn paragraph(name: &str, scene: &Scene, mesh: &Mesh) -> String {
         rigid = rigid,
         pressed = pressed,
         moose = moose(scene, &numbers),
+        judged = format!(
+            "`--column pressure={}_normal_lm --unit pressure=MPa --unit x=mm --unit y=mm`",
+            plain(&scene.contact().name)
+        ),
         lame = scene.bodies.iter().map(lame).collect::<Vec<_>>().join("; "),
     );
     page.trim_end().to_owned()

@@ -11,7 +11,6 @@ use crate::oracle::ReferenceKind;
 use crate::oracle::cross_code::high::Way;
 use crate::oracle::cross_code::independent::Script;
 use crate::scene::{ContactPair, Scene};
-use crate::uncertainty::COVERAGE;
 
 macro_rules! made {
     ($($name:literal),* $(,)?) => { [$(($name, include_str!(concat!("../../snapshots/sheets/", $name, ".md")))),*] };
@@ -44,7 +43,7 @@ const MADE: &[(&str, &str)] = &made![
     "truncated-sphere",
 ];
 /// Identifier of the schema of the values; another one where a reader of this would be misled.
-const ID: &str = "urn:contact-vv:references:1";
+const ID: &str = "https://github.com/contact-vv/contact-vv/references-1.schema.json";
 
 /// A case of the library with its reference values.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
@@ -359,9 +358,8 @@ const VALUES: [Column<Value>; 7] = [
     ("closed form", |value| value.closed_form.map_or("–".into(), |value| format!("{value:.7}"))),
     ("other codes ± error bar (confirm it to)", |value| {
         let told = |other: &Other| {
-            let bar = COVERAGE * other.uncertainty;
-            let to = Other { bound: bar, ..other.clone() }.confirms(value.value, value.value);
-            format!("{}: {} ({})", other.by, quoted(other.value, bar), markdown::error(to))
+            let to = other.confirms(value.value, value.value);
+            format!("{}: {} ({})", other.by, quoted(other.value, other.bound), markdown::error(to))
         };
         match &value.others[..] {
             [] => "–".into(),

@@ -3,6 +3,7 @@
 use contact_vv::case::Verdict;
 use contact_vv::case::library::NAMES;
 use contact_vv::checkout::root;
+use contact_vv::markdown::significant;
 use contact_vv::study::Study;
 use contact_vv::study::references::{Numbers, solve};
 use contact_vv::study::sheet::{BUILT_IN, FoundBy, Sheet, schema};
@@ -76,7 +77,7 @@ fn program_prints_the_reference_values_of_every_case_and_their_schema() {
     let citation = std::fs::read_to_string(root().join("CITATION.cff")).expect("a citation");
     assert!(citation.contains(concat!("\nversion: ", env!("CARGO_PKG_VERSION"), "\n")), "{citation}");
     let schema: Value = serde_json::from_str(&schema()).expect("JSON");
-    assert!(schema["$id"].as_str().is_some_and(|id| id.starts_with("urn:contact-vv:references:")));
+    assert!(schema["$id"].as_str().is_some_and(|id| id.starts_with("https://") && !id.contains('#')));
     let half = |case: &Value| case["half_of_symmetric"].as_bool().expect("said");
     let conventions = |case: &Value| [&case["plane"], &case["thickness"]].map(Value::to_string).join(", thickness ");
     for (case, (name, _)) in cases.iter().zip(NAMES) {
@@ -87,6 +88,19 @@ fn program_prints_the_reference_values_of_every_case_and_their_schema() {
         };
         assert!(sheet.contains(&told), "{name}: {told}");
         assert_eq!(sheet.contains("one half of a symmetric one"), half(case), "{name}");
+        // One bar, whether it is read from the sheet or from the values.
+        let confirmed = case["values"]
+            .as_array()
+            .expect("values")
+            .iter()
+            .flat_map(|value| value["confirmed_by"].as_array())
+            .flatten();
+        for by in confirmed.filter(|by| !by["by"].as_str().is_some_and(|by| by.starts_with("our"))) {
+            let told = format!("± {} (", significant(by["bound"].as_f64().expect("a number"), 2));
+            let named = format!("{}: ", by["by"].as_str().expect("a name"));
+            let mut cells = sheet.split(['|', ';']).filter(|cell| cell.trim().starts_with(&named));
+            assert!(cells.any(|cell| cell.contains(&told)), "{name}: {named}{told}");
+        }
         let mut defined = case["values"].as_array().expect("values").iter().map(|value| (half(case), value));
         assert!(defined.all(|(half, value)| value["quantity"] != "resultant"
             || value["definition"].as_str().expect("defined").contains("both halves") == half));

@@ -45,6 +45,10 @@ if [[ -z $program ]]; then
     program=$folder/contact-vv
 fi
 
+command -v "$program" >/dev/null || refuse "There is no program \`$program\`: build it in a step before, or leave the input \`program\` out."
+# Remove an older report: after a refusal it would be taken for this one's.
+junit=$(input junit)
+if [[ $junit == *.xml && -f $junit ]]; then rm -f -- "$junit"; fi
 command=("$program" judge --markdown "--junit=$(input junit)")
 while IFS= read -r option; do command+=("$option"); done < <(
     input units | sed 's/^/--unit=/'
