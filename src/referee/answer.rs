@@ -118,12 +118,15 @@ pub fn ordered(
     let length = points[points.len() - 1].position - points[0].position;
     if let Some(two) = points.windows(2).find(|two| two[1].position - two[0].position <= SAME * length) {
         let message = format!("two points lie at one place, {}", two[0].position);
-        return Err(refused(message, "hand in the points of one side of one contact, each once"));
+        return Err(refused(message, "hand in the points of one side of one contact, of one step and time, each once"));
     }
     let nodes = usize::from(order.number()) + 1;
     if !(points.len() - 1).is_multiple_of(nodes - 1) {
         let message = format!("{} nodes are no whole number of edges with {nodes} nodes each", points.len());
-        return Err(refused(message, "hand in every node from corner to corner, or leave out --order"));
+        return Err(refused(
+            message,
+            "hand in every node from corner to corner, that on an axis too, or say by --order what edges they are of",
+        ));
     }
     Ok(points)
 }

@@ -84,3 +84,10 @@ impl Bench<'_> {
         self.profile.edges.iter().filter(near).map(EdgeState::length).fold(0.0, f64::max)
     }
 }
+
+/// Linear between places that rise, each with what is known there.
+pub fn along(known: &[(f64, f64)], at: f64) -> f64 {
+    let after = known.partition_point(|(place, _)| *place < at).clamp(1, known.len().max(2) - 1);
+    let [Some((a, x)), Some((b, y))] = [known.get(after - 1), known.get(after)] else { return f64::NAN };
+    x + (y - x) * (at - a) / (b - a)
+}

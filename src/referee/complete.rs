@@ -82,9 +82,13 @@ fn cut(carried: &Carried, profile: &Profile) -> Option<String> {
         ([profile.points.first()?, profile.points.last()?], [profile.edges.first()?, profile.edges.last()?]);
     let largest = profile.points.iter().map(|point| point.pressure.abs()).fold(0.0, larger);
     let is_pressed = |pressure: f64| pressure.abs() > PRESSED * largest;
-    // An end within one edge of that of the contact is judged as what it is.
+    // An end within one edge of that of the contact is judged as what it is; at a symmetry line none ends, and forces and areas may be of
+    // points within edges.
+    let path = &profile.pair().path;
+    let is_half = !path.has_both_sides() && !profile.across && !profile.scene.is_around_axis(profile.contact);
+    let is_at_line = is_half && carried.reach[0] <= 0.0 && !profile.has_forces;
     let cuts = [
-        (first, [carried.reach[0], first.position], EDGES * begin.length()),
+        (first, [carried.reach[0], first.position], if is_at_line { 0.0 } else { EDGES * begin.length() }),
         (last, [last.position, carried.reach[1]], EDGES * end.length()),
     ];
     let dropped =

@@ -1,8 +1,9 @@
 //! The checks that a scene file declares itself, as far as pressures tell.
 
 use crate::case::quantity::Quantity as Asked;
-use crate::case::{Against, Check, Judged};
+use crate::case::{Against, Check, Judged, Reference};
 use crate::measure::{Quantity, profile};
+use crate::oracle::ReferenceKind;
 use crate::referee::bench::Bench;
 
 /// What to hand in for displacements.
@@ -15,10 +16,10 @@ pub(super) fn checks(bench: &Bench, missing: &mut Vec<[String; 2]>) -> Vec<Judge
     let mut judged = Vec::new();
     for check in own {
         match (value(bench, &check.quantity), &check.against) {
-            (Some(value), Against::Value(reference)) => {
+            (Some(value), Against::Value(reference)) if !is_own_equilibrium(check, reference) => {
                 judged.push(of_digits(check).judge_by(value, reference.clone()))
             }
-            // What the oracle reads is judged above.
+            // What the oracle reads is judged above, as is equilibrium.
             (Some(_), _) => {}
             // Numbers of a mesh or of an iteration are not asked of others.
             (None, _) if matches!(check.quantity, Asked::Dofs | Asked::EdgeMeans | Asked::Named { .. }) => {}
@@ -52,6 +53,12 @@ fn of_digits(check: &Check) -> Check {
         return with_model;
     }
     Check { tolerance: DIGITS, because: "the digits that files of other codes carry".into(), ..with_model }
+}
+
+/// Whether a check holds the force of the contact against the load within the round-off of this code, which is asked of no other.
+fn is_own_equilibrium(check: &Check, reference: &Reference) -> bool {
+    let is_of_force = check.quantity.number() == Some(&Quantity::Resultant);
+    is_of_force && reference.kind == ReferenceKind::SelfConsistency && check.tolerance < DIGITS
 }
 
 /// Relative error that these digits explain.

@@ -198,7 +198,7 @@ fn connected(points: &[[f64; 2]], from: &[Edge], others: &[&Edge]) -> Vec<Edge> 
 }
 
 /// How deep the first body's side lies where a point is; none where only its mesh tells.
-fn surface(scene: &Scene, pair: &ContactPair, point: [f64; 2]) -> Option<f64> {
+pub fn surface(scene: &Scene, pair: &ContactPair, point: [f64; 2]) -> Option<f64> {
     let origin = pair.path.origin();
     if let (Path::Arc(circle), false) = (&pair.path, matches!(pair.profile, Profile::Drawn)) {
         return Some(circle.radius);

@@ -11,9 +11,10 @@ use crate::error::Error;
 use crate::mesh::Order;
 use crate::referee::answer::{Answer, FEWEST, Handed, Point, contact_named, ordered, signed_coordinate};
 use crate::referee::asked::Asked;
+use crate::referee::side::surface;
 use crate::referee::source::Source;
 use crate::referee::units::{Role, is_angle};
-use crate::scene::Scene;
+use crate::scene::{ContactPair, Scene};
 
 /// What a file needs.
 const HEADER: &str = "begin with a line of names and units such as `position [mm],pressure [MPa]`, or name columns by --column and --unit; where \
@@ -351,7 +352,7 @@ fn is_usual(role: Role, title: &str) -> bool {
 
 /// Whether a column has a name in small letters; COMSOL puts the pair of the contact behind it.
 fn is_called(title: &str, name: &str) -> bool {
-    let own = split(title).0.to_lowercase();
+    let own = split(title).0.to_lowercase().replace('-', " ");
     let is_of_pair =
         |rest: &str| rest.starts_with(", contact pair") || name.starts_with("solid.") && rest.starts_with('_');
     own.strip_prefix(name).is_some_and(|rest| rest.is_empty() || is_of_pair(rest))
@@ -373,7 +374,11 @@ fn columns(source: &Source, head: &[String], scene: &Scene, asked: &Asked) -> Re
         let usual = |name: &&str| of(&|title: &str| is_called(title, name));
         let all = match asked.column(role) {
             Some(_) => of(&|title: &str| asked.names(role, title)),
-            None => role.usual().iter().map(usual).find(|all| !all.is_empty()).unwrap_or_default(),
+            None => {
+                let is_of_scene = |name: &&&str| scene.is_of_revolution() || !["r", "z"].contains(*name);
+                let names = role.usual().iter().filter(is_of_scene);
+                names.map(usual).find(|all| !all.is_empty()).unwrap_or_default()
+            }
         };
         match (all.as_slice(), asked.column(role)) {
             ([], None) => {}
@@ -397,10 +402,14 @@ fn columns(source: &Source, head: &[String], scene: &Scene, asked: &Asked) -> Re
     if !has(Role::Pressure) && !has(Role::Force) {
         return Err(source.refused(format!("no column is called `pressure` or `force`, but {}", shown()), HEADER));
     }
+    let has_unit = |role: Role| {
+        let written = found.iter().find(|(known, _)| *known == role).and_then(|(_, index)| split(&head[*index]).1);
+        asked.unit(role).is_some() || written.is_some_and(|unit| role.factor(unit).is_some())
+    };
     let all_straight = scene.contacts.iter().all(|pair| pair.path.is_straight());
     let is_used = |role: Role| match role {
         Role::X => !has(Role::Position),
-        Role::Y => !has(Role::Position) && !all_straight,
+        Role::Y => !has(Role::Position) && (!all_straight || has_unit(role)),
         Role::Force => !has(Role::Pressure),
         _ => true,
     };
@@ -419,6 +428,19 @@ fn column(source: &Source, role: Role, index: usize, title: &str, asked: &Asked)
     let said = named.filter(|_| written.is_none()).map_or_else(String::new, |named| format!(", in {named}"));
     let angle = written.or(named).is_some_and(is_angle) && role == Role::Position;
     Ok(Column { role, index, factor, title: format!("{title}{said}"), angle })
+}
+
+/// Part of the candidate stretch by which a point may lie off the side, beside the gap there: displaced, or on the other side.
+const OFF: f64 = 0.05;
+/// What to do about a point that does.
+const UNDEFORMED: &str =
+    "hand in the points of the contact side alone, in the coordinates of the scene, or leave the column out";
+
+/// How far a point lies off a straight contact's side \[mm\]; none where that does not matter.
+fn off_the_side(scene: &Scene, pair: &ContactPair, point: [f64; 2]) -> Option<f64> {
+    let off = (pair.path.depth(point) - surface(scene, pair, point)?).abs();
+    let gap = pair.profile.gap(pair.path.coordinate(point)).abs();
+    (pair.path.is_straight() && off > OFF * pair.stretch + gap).then_some(off)
 }
 
 /// What turns lines into points.
@@ -469,7 +491,17 @@ impl Reader<'_> {
                 }
                 position
             }
-            (None, Some(x), Some(y)) => signed_coordinate(pair, [x, y]),
+            (None, Some(x), Some(y)) => {
+                if let Some(off) = off_the_side(self.scene, pair, [x, y]) {
+                    let title = column(Role::Y).map_or("y", |column| &column.title);
+                    let message = format!(
+                        "the point {x}, {y} mm, by the column `{title}`, lies {off:.3} mm off the side of contact `{}`",
+                        pair.name
+                    );
+                    return Err(self.source.at(line, message, UNDEFORMED));
+                }
+                signed_coordinate(pair, [x, y])
+            }
             (None, Some(x), None) if straight => signed_coordinate(pair, [x, pair.path.origin()[1]]),
             _ => {
                 let message = "the contact runs along an arc, and there is no column `y`";

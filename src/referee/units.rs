@@ -68,12 +68,8 @@ impl Role {
     pub fn usual(self) -> &'static [&'static str] {
         match self {
             Self::Position => &["position"],
-            Self::X => {
-                &["x", "points:0", "points_0", "coord.coor1", "coor1", "x location", "x coordinate", "x-coordinate"]
-            }
-            Self::Y => {
-                &["y", "points:1", "points_1", "coord.coor2", "coor2", "y location", "y coordinate", "y-coordinate"]
-            }
+            Self::X => &["x", "points:0", "points_0", "coord.coor1", "coor1", "x location", "x coordinate", "r"],
+            Self::Y => &["y", "points:1", "points_1", "coord.coor2", "coor2", "y location", "y coordinate", "z"],
             Self::Pressure => {
                 &["contact_pressure", "contact pressure", "cpress", "solid.tn", "pressure", "pres", "tn", "p"]
             }

@@ -2,15 +2,17 @@
 //! displacements, reactions, approaches and shears that a scene file declares.
 
 use crate::case::{self, Against, Check, Judged, Reference};
+use crate::contact::interface::ContactNode;
 use crate::elasticity::{loads, reactions};
 use crate::error::Error;
 use crate::measure::{Measures, Quantity, larger};
 use crate::oracle::ReferenceKind;
+use crate::referee::Ruled;
+use crate::referee::bench::{Bench, along};
 use crate::referee::declared::GRID;
 use crate::referee::field::Field;
 use crate::referee::profile::Profile;
 use crate::referee::truth::{Known, Truth};
-use crate::referee::{Ruled, bench::Bench};
 use crate::scene::{Load, Place};
 use crate::solve::{Discretisation, Run};
 
@@ -211,15 +213,15 @@ impl Whole<'_> {
         }
         for profile in profiles {
             let Some(interface) = interfaces.get(profile.contact) else { continue };
+            let of = |number: &dyn Fn(&ContactNode) -> f64| -> Vec<(f64, f64)> {
+                interface.nodes.iter().map(|node| (node.coordinate, number(node))).collect()
+            };
+            let places = [0, 1].map(|axis| of(&|node| node.point[axis]));
+            let normals = [0, 1].map(|axis| of(&|node| node.normal[axis]));
+            let gaps = of(&|node| node.gap);
             for point in &profile.points {
-                let place = |axis: usize| {
-                    along(interface.nodes.iter().map(|node| (node.coordinate, node.point[axis])), point.position)
-                };
-                let normal = |axis: usize| {
-                    along(interface.nodes.iter().map(|node| (node.coordinate, node.normal[axis])), point.position)
-                };
-                let gap = along(interface.nodes.iter().map(|node| (node.coordinate, node.gap)), point.position);
-                let (at, n) = ([place(0), place(1)], [normal(0), normal(1)]);
+                let [at, n] = [&places, &normals].map(|pair| pair.each_ref().map(|known| along(known, point.position)));
+                let gap = along(&gaps, point.position);
                 let force = point.weight * point.pressure;
                 // Nothing presses where there is no other side.
                 if force.abs() <= 0.0 {
@@ -270,14 +272,4 @@ impl Whole<'_> {
         let nodes = mesh.nodes_at(scene, body, &support.at)?;
         Ok(nodes.into_iter().map(|node| self.internal[node][axis] - loads[node - first][axis]).sum())
     }
-}
-
-/// Linear between places that rise.
-fn along(known: impl Iterator<Item = (f64, f64)>, at: f64) -> f64 {
-    let known: Vec<(f64, f64)> = known.collect();
-    let after = known.partition_point(|(place, _)| *place < at).clamp(1, known.len().max(2) - 1);
-    let [Some((a, x)), Some((b, y))] = [known.get(after - 1), known.get(after)].map(|one| one.copied()) else {
-        return f64::NAN;
-    };
-    x + (y - x) * (at - a) / (b - a)
 }

@@ -209,15 +209,28 @@ fn tension_penetration_and_pressure_across_a_gap_are_found() {
     pulled.pressures[edge] = -0.05 * own.pressures[0];
     let found = judged(&truth, &pulled.text(), &Asked::default());
     assert!(failed(&found).iter().any(|name| name.contains("tension")), "{:?}", failed(&found));
-    let with_gaps = |gap: fn(f64, f64) -> f64| {
+    // Beyond the contact, Hertz on a half-plane: `g = (a²/2R) (ξ √(ξ² − 1) − ln(ξ + √(ξ² − 1)))`, ξ = s/a.
+    let open = move |s: f64| {
+        let (x, root) = (s / a, ((s / a).powi(2) - 1.0).max(0.0).sqrt());
+        a * a / (2.0 * TruncatedHertz::default().radius) * (x * root - (x + root).ln())
+    };
+    let with_gaps = |gap: &dyn Fn(f64, f64) -> f64| {
         let rows = own.places.iter().zip(&own.pressures).map(|(s, p)| format!("{s},{p},{}\n", gap(*s, *p)));
         format!("position [mm],pressure [MPa],gap [mm]\n{}", rows.collect::<String>())
     };
-    let sound = judged(&truth, &with_gaps(|_, p| if p > 0.0 { 0.0 } else { 1e-3 }), &Asked::default());
+    let beyond = |factor: f64| with_gaps(&|s, p| if p > 0.0 { 0.0 } else { factor * open(s) });
+    let sound = judged(&truth, &beyond(1.0), &Asked::default());
     assert!(sound.met(), "{:?}", failed(&sound));
-    let soft = judged(&truth, &with_gaps(|_, p| -1e-6 * p), &Asked::default());
+    for factor in [1e3, 4.0, -1.0] {
+        let off = judged(&truth, &beyond(factor), &Asked::default());
+        assert!(failed(&off).iter().any(|name| name.contains("gaps beyond")), "{factor}: {:?}", failed(&off));
+    }
+    // What a code writes that looks no farther is no gap: not judged, and said.
+    let unseen = judged(&truth, &beyond(0.0), &Asked::default());
+    assert!(unseen.met() && unseen.ruled[0].missing.iter().any(|[what, _]| what.contains("gaps beyond")));
+    let soft = judged(&truth, &with_gaps(&|_, p| -1e-6 * p), &Asked::default());
     assert!(failed(&soft).iter().any(|name| name.contains("penetration")), "{:?}", failed(&soft));
-    let apart = judged(&truth, &with_gaps(|_, p| 1e-6 * p), &Asked::default());
+    let apart = judged(&truth, &with_gaps(&|_, p| 1e-6 * p), &Asked::default());
     assert!(failed(&apart).iter().any(|name| name.contains("gap under pressure")), "{:?}", failed(&apart));
 }
 

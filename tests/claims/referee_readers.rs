@@ -45,9 +45,11 @@ pub mod ellipse {
         peak() * (1.0 - (s / half_width()).powi(2)).max(0.0).sqrt()
     }
 
-    /// A gap that opens beyond the contact.
+    /// The gap beyond the contact of a half-plane, `(a²/2R) (ξ √(ξ² − 1) − ln(ξ + √(ξ² − 1)))`, ξ = s/a.
     pub fn gap(s: f64) -> f64 {
-        0.1 * (s - half_width()).max(0.0)
+        let x = (s / half_width()).max(1.0);
+        let root = (x * x - 1.0).sqrt();
+        half_width().powi(2) / (2.0 * LOAD[1]) * (x * root - (x + root).ln())
     }
 
     /// Lines of two numbers.

@@ -680,3 +680,41 @@ fn pressures_that_alternate_from_point_to_point_are_no_answer() {
         assert!(named == ["alternation of the pressures from point to point over the peak"], "{named:?}");
     }
 }
+
+#[test]
+fn points_off_the_side_and_pressures_that_begin_behind_the_middle_are_refused() {
+    let table = |head: &str, from: usize, y: f64| {
+        let row = |k| format!("{},{y},{}\n", ellipse::place(k), ellipse::pressure(ellipse::place(k)));
+        format!("{head}\n{}", (from..ellipse::NODES).map(row).collect::<String>())
+    };
+    let plain = |head: &str, y: f64| table(head, 0, y);
+    let head = "x [mm],y [mm],pressure [MPa]";
+    assert!(judged(parsed("sides.csv", plain(head, 0.0), &usual()).expect("read")).expect("judged").met());
+    refused("sides.csv", plain(head, -0.3), &usual(), &["0.300 mm off the side", "leave the column out"]);
+    // r and z are places of bodies of revolution alone.
+    refused(
+        "sides.csv",
+        plain("r [mm],z [mm],pressure [MPa]", 0.0),
+        &usual(),
+        &["no column is called `position` or `x`"],
+    );
+    // A y without a unit is none that is read.
+    assert!(parsed("sides.csv", plain("x [mm],y,pressure [MPa]", -0.3), &Asked::default()).is_ok());
+    let quadratic = Asked { order: Some(contact_vv::mesh::Order::Quadratic), ..usual() };
+    assert!(judged(parsed("sides.csv", table(head, 0, 0.0), &quadratic).expect("read")).expect("judged").met());
+    refused("sides.csv", table(head, 2, 0.0), &quadratic, &["stop at 0.2", "of the force lies beyond"]);
+}
+
+#[test]
+fn a_check_of_a_scene_that_names_no_kind_is_asked_of_answers_too() {
+    let with = |peak: f64| {
+        let check =
+            format!("\n[[check]]\nquantity = \"peak-pressure\"\nvalue = {peak}\ntolerance = 0.01\nbecause = \"any\"\n");
+        let text = std::fs::read_to_string(folder().join("tiny.toml")).expect("readable");
+        let case = Case::parse(Path::new("tiny.toml"), &(text + &check)).expect("a case");
+        let truth = Truth::of(case).expect("solved");
+        let answer = read::parse(Path::new("theirs.csv"), ellipse::text().as_bytes(), &truth.case, &usual());
+        verdicts(&truth, answer.expect("read"), ENGINEERING).expect("judged").met()
+    };
+    assert!(with(peak()) && !with(1.02 * peak()));
+}
