@@ -48,6 +48,7 @@ use std::process::ExitCode;
 use clap::{CommandFactory, Parser, Subcommand};
 use clap_complete::Shell;
 
+use crate::case::file;
 use crate::case::library::NAMES;
 use crate::cli::choice::choice;
 use crate::cli::exit::Exit;
@@ -191,6 +192,7 @@ enum Command {
     #[command(after_help = examples(&[
         "schema > schema.json",
         "schema answer > answer-schema.json",
+        "schema scene > scene.schema.json",
         "schema references > references-schema.json",
     ]))]
     Schema {
@@ -273,6 +275,7 @@ pub fn main() -> ExitCode {
             say(match of {
                 json::Schema::Printed => json::schema(),
                 json::Schema::Answer => document::schema(),
+                json::Schema::Scene => file::schema(),
                 json::Schema::References => sheet::schema(),
             });
             Ok(Exit::Well)

@@ -4,8 +4,10 @@ use std::collections::BTreeSet;
 
 use contact_vv::case::{Case, Verdict};
 use contact_vv::cli::new::Template;
+use serde_json::Value as Schema;
 
 use crate::outputs::contact_vv;
+use crate::scene_file::{files, text_of};
 
 /// Those that are scenes.
 fn scenes() -> impl Iterator<Item = Template> {
@@ -53,13 +55,20 @@ fn every_new_scene_is_solved_and_its_checks_hold() {
     for template in scenes() {
         let name = template.name();
         let (_, text, _) = contact_vv(&["new", name]);
-        assert_eq!(text.trim_end(), template.text().trim_end(), "{name}");
+        assert!(text.starts_with("#:schema ./scene.schema.json\n"), "{name}");
+        assert!(text.trim_end().ends_with(template.text().trim_end()), "{name}");
         let file = folder.path().join(name).with_extension("toml");
         std::fs::write(&file, text).expect("written");
         let case = Case::read(&file).unwrap_or_else(|error| panic!("{name}: {error}"));
         let (meshed, run) = case.solve().unwrap_or_else(|error| panic!("{name}: {error}"));
         assert!(run.solution.converged(), "{name}: {}", run.solution.outcome);
         let judged = case.judge(&meshed, &run).expect("judged");
+        let (exported, _, error) = contact_vv(&[
+            "export",
+            &file.display().to_string(),
+            &folder.path().join("out").join(name).display().to_string(),
+        ]);
+        assert!(exported, "{name}: {error}");
         assert!(!case.checks.is_empty() && judged.iter().all(|one| one.verdict == Verdict::Pass), "{name}: {judged:?}");
     }
 }
@@ -71,4 +80,48 @@ fn shapes_of_new_scenes_are_listed_where_none_is_named() {
         list.lines().any(|line| line.starts_with(template.name()) && line.ends_with(template.title()))
     };
     assert!(sound && Template::ALL.iter().all(listed), "{list}");
+}
+
+/// Whether a value is what a schema says, as far as schemas of scenes go.
+fn fits(schema: &Schema, value: &toml::Value) -> bool {
+    if let Some(any) = schema["anyOf"].as_array() {
+        return any.iter().any(|one| fits(one, value));
+    }
+    match (schema["type"].as_str().expect("a type"), value) {
+        ("number", toml::Value::Integer(_) | toml::Value::Float(_)) => true,
+        ("integer", toml::Value::Integer(number)) => *number >= 0,
+        ("string", toml::Value::String(_)) | ("boolean", toml::Value::Boolean(_)) => true,
+        ("array", toml::Value::Array(all)) => all.iter().all(|one| fits(&schema["items"], one)),
+        ("object", toml::Value::Table(table)) => {
+            let known = |(key, value): (&String, &toml::Value)| {
+                schema["properties"].get(key).is_some_and(|one| fits(one, value))
+            };
+            let needed = schema["required"].as_array().into_iter().flatten();
+            let most = schema["maxProperties"].as_u64().unwrap_or(u64::MAX);
+            table.iter().all(known)
+                && needed.into_iter().all(|key| table.contains_key(key.as_str().expect("a name")))
+                && table.len() as u64 <= most
+        }
+        _ => false,
+    }
+}
+
+#[test]
+fn schema_of_scenes_takes_every_scene_file_and_refuses_wrong_keys_and_values() {
+    let (_, text, _) = contact_vv(&["schema", "scene"]);
+    let schema: Schema = serde_json::from_str(&text).expect("JSON");
+    let read = |text: &str| toml::from_str::<toml::Value>(text).expect("TOML");
+    let texts = files().into_iter().map(|(_, text)| text);
+    let all: Vec<String> = texts.chain(scenes().map(|template| template.text().into())).collect();
+    assert!(all.len() > 30 && all.iter().all(|text| fits(&schema, &read(text))));
+    let sound = &text_of("two-cylinders.toml");
+    for (from, to) in [
+        ("plane =", "plan ="),
+        ("thickness = ", "thickness = \"a\" # "),
+        ("[contact]", "[contacts]"),
+        ("gap = ", "gap = 1 # "),
+    ] {
+        let spoiled = sound.replacen(from, to, 1);
+        assert!(spoiled != *sound && !fits(&schema, &read(&spoiled)), "{to}");
+    }
 }

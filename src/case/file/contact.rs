@@ -2,7 +2,7 @@
 
 use toml::de::DeValue;
 
-use crate::case::file::form::Form::{Flag, Number, Own, Table, Text};
+use crate::case::file::form::Form::{Flag, List, Number, Own, Table, Text};
 use crate::case::file::form::{Form, PAIR, may, must, unexpected};
 use crate::case::file::gap::GAP;
 use crate::case::file::oracle::ORACLE;
@@ -14,7 +14,7 @@ use crate::scene::contact_pair::CONTACT;
 use crate::scene::{Body, BoundaryName, Circle, ContactPair, DrawnGap, Ends, Line, Path, PlaneHypothesis, Profile};
 
 /// One table, or several.
-pub(super) const CONTACTS: Form = Own(|value| match value.get_ref() {
+pub(super) const CONTACTS: Form = Own(&[ONE, List(&ONE)], |value| match value.get_ref() {
     DeValue::Table(_) => ONE.check(value),
     DeValue::Array(several) => several.iter().try_for_each(|one| ONE.check(one)),
     _ => Err(unexpected(value, "a table [contact], or several [[contact]]")),

@@ -9,7 +9,7 @@ use crate::case::file::bodies::BODY;
 use crate::case::file::contact::CONTACTS;
 use crate::case::file::folder::nearest_to;
 use crate::case::file::form::Form::{List, Number, Table, Text};
-use crate::case::file::form::{Form, Mistake, may, must};
+use crate::case::file::form::{DESCRIBED, Form, Mistake, may, must};
 use crate::case::file::mesh::{MESH, MeshTable};
 use crate::case::file::places::Places;
 use crate::case::file::reference::REFERENCE;
@@ -44,6 +44,14 @@ const DOCUMENT: Form = Table(&[
     may("check", List(&CHECK)),
 ]);
 
+/// The schema of a scene file, for editors (JSON Schema, draft 7).
+pub fn schema() -> String {
+    let mut schema = DOCUMENT.schema();
+    schema["$schema"] = "http://json-schema.org/draft-07/schema#".into();
+    schema["title"] = "Scene of contact-vv".into();
+    serde_json::to_string_pretty(&schema).expect("a schema can be written as JSON")
+}
+
 impl Case {
     /// Reads a scene file; what is wrong in it is reported with its line.
     pub fn read(file: &Path) -> Result<Self, Error> {
@@ -76,7 +84,7 @@ impl Case {
             let written = text.get(place.clone()).unwrap_or_default();
             match Unsupported::asked_by(written) {
                 Some(asked) => source.refused(place, asked.message(written), asked.instead),
-                None => source.refused(place, said, "add or correct it; tests/cases/README.md describes every key"),
+                None => source.refused(place, said, DESCRIBED),
             }
         };
         let parsed =

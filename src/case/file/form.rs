@@ -7,8 +7,12 @@ use std::fmt;
 use std::ops::Range;
 
 use serde::de::{DeserializeOwned, Deserializer, IgnoredAny, Visitor};
+use serde_json::{Map, Value, json};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue, ValueDeserializer};
+
+/// What to do about a key.
+pub(super) const DESCRIBED: &str = "add or correct it; tests/cases/README.md describes every key; see `contact-vv new`";
 
 /// What a value may be.
 pub(super) enum Form {
@@ -28,8 +32,8 @@ pub(super) enum Form {
     Table(&'static [Key]),
     /// A table with one of these keys: `{ disc = … }`.
     OneOf(&'static [(&'static str, Form)]),
-    /// What has a rule of its own.
-    Own(fn(&Spanned<DeValue>) -> Result<(), Mistake>),
+    /// What has one of these forms, and a rule of its own.
+    Own(&'static [Form], fn(&Spanned<DeValue>) -> Result<(), Mistake>),
 }
 
 /// A key of a table.
@@ -69,7 +73,34 @@ impl Form {
             (Self::Table(keys), DeValue::Table(table)) => check_keys(keys, table, value.span()),
             (Self::Table(_), _) => Err(unexpected(value, "a table with its keys, as in { key = value }")),
             (Self::OneOf(known), _) => check_choice(known, value),
-            (Self::Own(check), _) => check(value),
+            (Self::Own(_, check), _) => check(value),
+        }
+    }
+}
+
+impl Form {
+    /// Its JSON Schema, for editors; what a rule of its own refuses, and which words and names are known, is not in it.
+    pub(super) fn schema(&self) -> Value {
+        let of = |forms: &mut dyn Iterator<Item = (&'static str, &Form)>| {
+            forms.map(|(name, form)| (name.to_owned(), form.schema())).collect::<Map<_, _>>()
+        };
+        match self {
+            Self::Number => json!({"type": "number"}),
+            Self::Count => json!({"type": "integer", "minimum": 0}),
+            Self::Byte => json!({"type": "integer", "minimum": 0, "maximum": u8::MAX}),
+            Self::Text => json!({"type": "string"}),
+            Self::Flag => json!({"type": "boolean"}),
+            Self::List(form) => json!({"type": "array", "items": form.schema()}),
+            Self::Table(keys) => {
+                let needed: Vec<&str> = keys.iter().filter(|key| key.needed).map(|key| key.name).collect();
+                let properties = of(&mut keys.iter().map(|key| (key.name, &key.form)));
+                json!({"type": "object", "properties": properties, "required": needed, "additionalProperties": false})
+            }
+            Self::OneOf(known) => {
+                let properties = of(&mut known.iter().map(|(name, form)| (*name, form)));
+                json!({"type": "object", "properties": properties, "minProperties": 1, "maxProperties": 1, "additionalProperties": false})
+            }
+            Self::Own(forms, _) => json!({"anyOf": forms.iter().map(Self::schema).collect::<Vec<_>>()}),
         }
     }
 }

@@ -11,7 +11,7 @@ use crate::error::Error;
 use crate::scene::{DrawnGap, MonotoneCubic, Path, Profile, ROUNDING};
 
 /// `"drawn"`, as the meshes of the bodies are drawn, or one of [`KEYS`].
-pub(super) const GAP: Form = Own(|value| match value.get_ref() {
+pub(super) const GAP: Form = Own(&[Text, KEYS], |value| match value.get_ref() {
     DeValue::String(word) if word == DRAWN => Ok(()),
     DeValue::String(word) => Err((value.span(), unknown("variant", word, [DRAWN].into_iter()))),
     DeValue::Table(table) => {

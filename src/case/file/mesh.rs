@@ -96,8 +96,7 @@ impl<'a> MeshTable<'a> {
         Ok(Some(asked))
     }
 
-    /// How the mesh grows, on the length that holds the elements; where an accuracy chooses the mesh, on any: the stretch as it is
-    /// written.
+    /// How the mesh grows, on the length that holds the elements; where an accuracy chooses the mesh, on the stretch as it is written.
     pub(super) fn grading(self, stretch: Value<'a>) -> Result<Grading, Error> {
         let per = if self.get("accuracy").is_some() { Some(stretch.called("per")) } else { self.get("per") };
         let unit = per.map_or(Ok(self.place.units.length), Value::length)?;

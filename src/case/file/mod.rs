@@ -42,5 +42,6 @@ mod unsupported;
 mod value;
 mod wanted;
 
+pub use document::schema;
 pub use folder::files_in;
 pub use places::Places;

@@ -10,7 +10,7 @@ use crate::scene::{Body, BoundaryName, Component, Place, Shape};
 use crate::solve::Displaced;
 
 /// A boundary's name, or a point.
-pub(super) const PLACE: Form = Own(|value| {
+pub(super) const PLACE: Form = Own(&[Text, PAIR], |value| {
     let is_place = |form: Form| form.check(value).is_ok();
     match is_place(Text) || is_place(PAIR) {
         true => Ok(()),

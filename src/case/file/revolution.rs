@@ -1,6 +1,7 @@
 //! `plane = "axisymmetric"`: what a scene of bodies of revolution has otherwise than one in the plane.
 
 use crate::case::file::contact::way;
+use crate::case::file::form::DESCRIBED;
 use crate::case::file::value::Value;
 use crate::error::Error;
 use crate::scene::revolution::{NO_HALF, beside};
@@ -33,10 +34,7 @@ pub(super) fn thickness(file: Value, plane: PlaneHypothesis) -> Result<f64, Erro
             Err(thickness.refused(message, "leave it out"))
         }
         (None, true) => Ok(1.0),
-        (None, false) => {
-            let remedy = "add or correct it; tests/cases/README.md describes every key";
-            Err(file.refused("missing field `thickness`", remedy))
-        }
+        (None, false) => Err(file.refused("missing field `thickness`", DESCRIBED)),
     }
 }
 

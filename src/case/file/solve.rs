@@ -8,7 +8,7 @@ use crate::error::Error;
 use crate::solve::{Element, Formulation, Iteration};
 
 /// `[solve]`; `max-steps` was the name of `max-iterations`.
-pub(super) const SOLVE: Form = Own(|value| {
+pub(super) const SOLVE: Form = Own(&[KEYS], |value| {
     KEYS.check(value)?;
     match ["max-iterations", "max-steps"].map(|key| value.get_ref().get(key)) {
         [Some(_), Some(_)] => Err((value.span(), "duplicate field `max-iterations`".into())),

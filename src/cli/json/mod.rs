@@ -35,6 +35,8 @@ named_enum! {
         Printed = "printed",
         /// An answer that `judge` reads.
         Answer = "answer",
+        /// A scene file, for editors.
+        Scene = "scene",
         /// The reference values that `list --references` prints.
         References = "references",
     }

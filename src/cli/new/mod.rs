@@ -56,10 +56,15 @@ impl Template {
     }
 }
 
+/// What editors that know TOML find the keys of a scene by; others take it for a comment.
+const EDITORS: &str =
+    "#:schema ./scene.schema.json\n# `contact-vv schema scene > scene.schema.json` writes the schema for editors.";
+
 /// Prints a file, or the list of all.
 pub fn print(template: Option<Template>) {
     match template {
-        Some(template) => say(template.text().trim_end()),
+        Some(Template::Mesh) => say(Template::Mesh.text().trim_end()),
+        Some(template) => say(format!("{EDITORS}\n{}", template.text().trim_end())),
         None => say(list()),
     }
 }
