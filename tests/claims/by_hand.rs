@@ -5,17 +5,19 @@ use std::path::Path;
 
 use approx::assert_relative_eq;
 use contact_vv::accuracy::{Quantity, bars};
-use contact_vv::case::library::find;
+use contact_vv::case::library::{PinRod, find};
 use contact_vv::case::{self, Against, Case, Check, plausible};
 use contact_vv::cli::vtu;
 use contact_vv::elasticity::stress;
 use contact_vv::measure::profile;
 use contact_vv::mesh::{Mesh, Order, Resolution};
+use contact_vv::oracle::analytic::on_arc::OnArc;
+use contact_vv::oracle::{self, Oracle, Reading};
 use contact_vv::referee::answer::Point;
 use contact_vv::referee::source::Source;
 use contact_vv::referee::units::Role;
 use contact_vv::referee::{Asked, Handed, Profile, calculix, frd, norm, read};
-use contact_vv::scene::{Action, Load, MonotoneCubic};
+use contact_vv::scene::{Action, Circle, Load, MonotoneCubic, Path as ScenePath};
 use contact_vv::solution::{EdgeState, PointState};
 use contact_vv::solve::{Discretisation, Formulation, Run};
 use vtkio::IOBuffer;
@@ -329,4 +331,79 @@ fn a_pressure_that_departs_by_a_hundredth_is_judged_as_that() {
     let judged = case.judge(&meshed, &run).expect("judged");
     let departure = judged.iter().find(|one| one.check.quantity == case::Quantity::Departure).expect("a check");
     assert_relative_eq!(departure.value, 0.01, max_relative = 1e-5);
+}
+
+/// A block of revolution, or half of a plane one, pressed by the power `c sⁿ`, with the closed form of a half-space: `[half-width, peak]`.
+fn pressed_by_power(plane: &str, [c, n, force, stretch]: [f64; 4], mesh: &str) -> serde_json::Value {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("power.toml");
+    let held = if plane == "strain" { "thickness = 1.0\n" } else { "" };
+    let support = if plane == "strain" { "supports = [{ at = \"left\", component = \"x\" }]\n" } else { "" };
+    let size = 100.0 * stretch;
+    let text = format!(
+        "plane = \"{plane}\"\n{held}[[body]]\nname = \"b\"\nyoung = 210000.0\npoisson = 0.2\n\
+         shape = {{ rectangle = {{ x = [0, {size}], y = [0, {size}], contact = \"bottom\" }} }}\n{support}\
+         loads = [{{ traction = {{ at = \"far\", force = [0, {}] }} }}]\n\
+         [contact]\nfirst = \"b\"\ngap = {{ powers = [[{c}, {n}]] }}\nstretch = {stretch}\n{mesh}",
+        0.0 - force
+    );
+    std::fs::write(&file, text).expect("written");
+    let fitted: &[&str] = if mesh.contains("order") { &[] } else { &["--fitted", "--order", "6"] };
+    json(&[&["solve", &file.display().to_string()], fitted].concat())
+}
+
+#[test]
+fn half_widths_under_other_powers_than_the_second_lie_within_their_bars() {
+    // The contact radius of c rⁿ under F, by the transform of the profile: F = 2E* c κ n/(n + 1) aⁿ⁺¹, κ = √π/2 · n Γ(n/2)/Γ((n + 1)/2), with
+    // κ n/(n + 1) by n as given.
+    let modulus = 210_000.0 / (1.0 - 0.2 * 0.2);
+    let fitted = [
+        (0.000507917816, 4.93, 3662.63089, 1.380742),
+        (0.0005, 4.0, 4.0 * 4.0 / 3.0 * 4.0 / 5.0 * modulus * 0.0005, 1.0),
+    ];
+    for (c, n, force, radius) in fitted {
+        let solved = pressed_by_power("axisymmetric", [c, n, force, 1.9 * radius], "[mesh]\nelements = 8\nper = 1.0\n");
+        within_its_bar(&solved, "half-width", radius);
+    }
+    // Of c s⁶ on a half-plane: F/t = E* π/2 · 5/16 · 6 c a⁶, half of which the half carries; cells of high order whose lines do not know the end.
+    for order in [5, 7, 8] {
+        let force = 0.5 * modulus * std::f64::consts::FRAC_PI_2 * 5.0 / 16.0 * 6.0 * 0.0003;
+        let mesh = format!("[mesh]\nelements = 12\nper = 0.83\norder = {order}\n");
+        let solved = pressed_by_power("strain", [0.0003, 6.0, force, 1.9], &mesh);
+        within_its_bar(&solved, "half-width", 1.0);
+    }
+}
+
+/// That the truth lies within the bar of a number.
+fn within_its_bar(solved: &serde_json::Value, quantity: &str, truth: f64) {
+    let bars = solved["error_bars"].as_array().expect("bars");
+    let one = bars.iter().find(|one| one["quantity"] == quantity).expect("a number");
+    let [value, bar] = ["value", "bound"].map(|key| one[key].as_f64().expect("known"));
+    assert!((value - truth).abs() <= bar, "{quantity}: {value} ± {bar}, {truth}");
+    assert!(bar <= 0.1 * truth, "{bar} says nothing");
+}
+
+#[test]
+fn arcs_are_circles_and_what_a_line_has_of_uncertainty_is_an_angle_on_them() {
+    let path = ScenePath::Arc(Circle { centre: [1.0, 2.0], radius: 5.0 });
+    for s in [0.0, 0.3, 1.2] {
+        let [x, y] = path.point(s);
+        assert_relative_eq!(x, 1.0 + 5.0 * s.sin(), max_relative = 1e-15);
+        assert_relative_eq!(y, 2.0 - 5.0 * s.cos(), max_relative = 1e-14);
+        assert_relative_eq!(path.coordinate([x, y]), s, epsilon = 1e-15);
+    }
+    let rod = PinRod::default();
+    assert_eq!(rod.scene().reference.gap, rod.clearance, "the gap of a pin with a clearance is that");
+    struct Line;
+    impl Oracle for Line {
+        fn source(&self) -> oracle::Source {
+            oracle::Source::new("line", "made up", "of this test")
+        }
+        fn read(&self, _: &Quantity) -> Reading {
+            Reading::Value { value: 3.0, uncertainty: 0.6 }
+        }
+    }
+    let on_arc = OnArc { straight: std::sync::Arc::new(Line), radius: 4.0 };
+    let Reading::Value { value, uncertainty } = on_arc.read(&Quantity::HalfWidth) else { panic!("a value") };
+    assert_eq!([value, uncertainty], [0.75, 0.15]);
 }

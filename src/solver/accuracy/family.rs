@@ -35,16 +35,19 @@ const LEFT: f64 = 1.0 / 3.0;
 /// tell, whose curvature may leap, any fourth difference hides something.
 const UNDRAWN: [f64; 4] = [0.3, 0.5, 0.8, 0.08];
 const SMOOTH: f64 = 0.1;
+/// Part of an element that an end within a cell of high order may be off, whatever coarser meshes say (plane powers, orders 5 to 8).
+const WITHIN: f64 = 0.5;
 /// Fourth difference from which on a top in the last edge of its stretch is not told, by node elements one edge farther.
 const RISES: f64 = 1.0;
 /// Largest pressure at a node over the peak that consistent nodal pressures of smooth contacts show: those of corners and middles of
 /// 3-node edges differ by 0.5 % on four elements.
 const ALTERNATES: f64 = 1.01;
 /// On cells of high order that end with the contact: factor on the difference to the next finer mesh, of a peak and of what else pressures
-/// tell; part of the distance between two readings of a peak that is added; and the first factor where points tell the gap, over itself.
+/// tell; part of the distance between two readings of a peak that is added; and where the gap is not smooth those factors over themselves, and
+/// part of the relative difference of the peak that an end may be off, over the half-width: order by order both may agree by chance.
 const BY_NEXT: [f64; 2] = [2.0, 4.0];
 const READ: f64 = 0.6;
-const BY_POINTS: f64 = 2.4;
+const ROUGH: [f64; 2] = [2.4, 0.5];
 /// Factor on the square of how far an end may be off, over the half-width: 2 tells the error of a half-width, 1/2 that of a peak, since at the
 /// end the potential energy is the least; and half of 2 for that of the force, with whose root both grow.
 const MISFIT: f64 = 3.0;
@@ -83,8 +86,10 @@ pub struct Family {
     on_ends: bool,
     /// Layers of cells towards those.
     layers: usize,
-    /// Whether points tell the gap of a contact: its curvature may leap, and errors fall less from order to order.
+    /// Whether points tell the gap of a contact: its curvature may leap.
     by_points: bool,
+    /// Whether the gap of a contact is not smooth: errors fall less from order to order.
+    rough: bool,
     /// Whether a body is one element deep below a contact, which no coarser mesh tells from a finer one.
     shallow: bool,
     coarse: Vec<Other>,
@@ -204,6 +209,7 @@ impl Family {
             on_ends,
             layers: contacts.iter().map(|pair| pair.ends.layers).min().unwrap_or(0),
             by_points: contacts.iter().any(|pair| pair.profile.is_by_points()),
+            rough: contacts.iter().any(|pair| !pair.profile.is_smooth()),
             shallow: !on_ends && is_shallow(discretisation),
             coarse: Vec::new(),
             gentler: None,
@@ -338,11 +344,19 @@ impl Family {
                 Quantity::PeakPressure => (of_peak, READ * self.missed_by_reading(quantity, measures)),
                 _ => (of_others, 0.0),
             };
-            let factor = if self.by_points { BY_POINTS * factor } else { factor };
-            let apart = (discrete - value_of(&next.readings, contact, quantity)).abs();
+            let factor = if self.rough { ROUGH[0] * factor } else { factor };
+            let of_next = |quantity: &Quantity| value_of(&next.readings, contact, quantity);
+            let apart = (discrete - of_next(quantity)).abs();
+            let of_peak = match quantity {
+                Quantity::HalfWidth | Quantity::Begin(_) | Quantity::End(_) if self.rough => {
+                    let peak = measures.peak.pressure;
+                    ROUGH[1] * measures.half_width() * ((peak - of_next(&Quantity::PeakPressure)) / peak).abs()
+                }
+                _ => 0.0,
+            };
             let scale = quantity.scale(measures).abs();
             let misfit = if *quantity == Quantity::Resultant { 0.0 } else { self.misfit };
-            let rest = factor * apart + (misfit + ROUND_OFF) * scale + read + cusp;
+            let rest = factor * apart + (misfit + ROUND_OFF) * scale + read + cusp + of_peak;
             return Evidence { row, apart: 0.0, hidden: 0.0, rest };
         }
         let is_force = matches!(quantity, Quantity::Resultant | Quantity::Reaction { .. });
@@ -416,8 +430,11 @@ impl Family {
     /// to the end, so that its largest value lies in the last element.
     fn undrawn(&self, quantity: &Quantity, value: f64, contact: usize, measures: &Measures) -> f64 {
         use Quantity::{Begin, End, HalfWidth, PeakPressure, SecondMomentWidth};
-        if self.on_ends || self.order > Order::Quadratic || fills_candidates(measures) {
+        if self.on_ends || fills_candidates(measures) {
             return 0.0;
+        }
+        if self.order > Order::Quadratic {
+            return if matches!(quantity, HalfWidth | Begin(_) | End(_)) { WITHIN * self.sizes[contact] } else { 0.0 };
         }
         let smooth = if self.by_points { 0.0 } else { SMOOTH };
         let rough = larger(measures.drawn.rough - smooth, 0.0);

@@ -289,6 +289,19 @@ impl Profile {
         matches!(self, Self::Table(_) | Self::Smooth(_))
     }
 
+    /// Whether the gap is analytic and begins as a parabola, so that the pressure has a smooth top: not where points tell it, and not of
+    /// other powers.
+    pub fn is_smooth(&self) -> bool {
+        match self {
+            Self::Even { coefficients } => coefficients.first().is_some_and(|first| first.abs() > 0.0),
+            Self::Powers { terms } => {
+                let is_even = |[_, n]: &[f64; 2]| (n / 2.0).fract().abs() <= 0.0;
+                terms.iter().all(is_even) && terms.iter().any(|[c, n]| c.abs() > 0.0 && *n <= 2.0)
+            }
+            _ => !self.is_by_points(),
+        }
+    }
+
     /// Distances from s = 0, ascending, at which the slope of the gap leaps on either side of it.
     pub fn kinks(&self) -> Vec<f64> {
         let Self::Table(points) = self else { return Vec::new() };
