@@ -8,9 +8,9 @@ use crate::drawing::schematic;
 use crate::error::{Error, meant};
 use crate::report::front::nearness;
 use crate::report::links::{self, CHARTS, PAGES};
-use crate::report::{case_page, checks, files, front, matrix, record, study_page, symbols};
+use crate::report::{case_page, checks, files, front, matrix, record, statements, study_page, symbols};
 use crate::study::sheet::{self, SHEETS, Sheet};
-use crate::study::{Files, Finding, Room, Study, Trial, cases, drawn, on_page, promised, references};
+use crate::study::{self, Files, Finding, Room, Study, Trial, cases, drawn, on_page, paper, promised, references};
 use crate::uncertainty::COVERAGE;
 
 /// The report, made from the findings of the whole suite: paths and texts of the front page, the pages behind it, the charts, the
@@ -122,6 +122,11 @@ impl Only {
     /// What is to be solved for it.
     pub fn trials(&self) -> Vec<Trial> {
         match self {
+            // The paper's statements rest on others too.
+            Self::Study(room) if room.name == paper::Numbers::NAME => {
+                let others = study::trials().into_iter().filter(|trial| statements::CASES.contains(&&*trial.case));
+                (room.plan)().into_iter().chain(others).collect()
+            }
             Self::Study(room) => (room.plan)(),
             Self::Case(page) => on_page(page),
         }

@@ -18,11 +18,11 @@ fn end(iterations: usize) -> Option<Met> {
 /// Ends of the paper's combinations under which every sentence holds.
 fn fitting(element: Element, algorithm: Iteration) -> Vec<Option<Met>> {
     let ends = match (element, algorithm) {
-        (Element::Line, Iteration::Varying) => [Some(10), Some(20), Some(30), Some(30)],
-        (_, Iteration::Varying) => [Some(10), Some(20), Some(30), None],
-        (Element::Line, Iteration::Constant) => [Some(15), Some(45), None, None],
-        (_, Iteration::Constant) => [None, Some(15), Some(45), None],
-        (_, Iteration::Kinematic) => [Some(2); 4],
+        (Element::Line, Iteration::Varying) => [Some(10), Some(20), Some(30), Some(30), Some(30)],
+        (_, Iteration::Varying) => [Some(10), Some(20), Some(30), Some(30), None],
+        (Element::Line, Iteration::Constant) => [Some(15), Some(45), None, None, None],
+        (_, Iteration::Constant) => [None, Some(15), Some(45), None, None],
+        (_, Iteration::Kinematic) => [Some(2); 5],
     };
     ends.map(|iterations| iterations.and_then(end)).to_vec()
 }
@@ -54,12 +54,18 @@ fn every_sentence_holds_under_runs_made_for_it_and_fails_where_they_are_spoiled_
     for sentence in Sentence::ALL {
         assert!(sentence.holds(&sound), "{}", sentence.name());
         let seen = spoiled(|element, algorithm, ends| match (sentence, element, algorithm) {
+            (Sentence::Agrees, Element::Layer, Iteration::Constant) => {
+                ends[1] = Some(Met { iterations: 15, error: 0.051 })
+            }
+            (Sentence::NoDifference, Element::Layer, Iteration::Constant) => {
+                ends[1] = Some(Met { iterations: 15, error: 0.011 })
+            }
             (Sentence::VaryingDepends, Element::Line, Iteration::Varying) => ends[0] = end(11),
             (Sentence::ConstantDepends, Element::Line, Iteration::Constant) => ends[0] = end(16),
             (Sentence::Fails, _, Iteration::Varying | Iteration::Constant) => ends.fill(end(10)),
             (Sentence::MoreStable, Element::Layer, Iteration::Constant) => ends[0] = end(50),
             (Sentence::LineAlways, Element::Line, Iteration::Varying) => ends[2] = None,
-            (Sentence::Proviso, Element::Layer, Iteration::Varying) => ends[3] = end(40),
+            (Sentence::Proviso, Element::Layer, Iteration::Varying) => ends[4] = end(40),
             (Sentence::KinematicAlways, Element::Node, Iteration::Kinematic) => ends[2] = None,
             (Sentence::TwoSteps, Element::Node, Iteration::Kinematic) => ends[1] = end(3),
             (Sentence::Fewest, Element::Node, Iteration::Kinematic) => ends[1] = end(15),
@@ -168,7 +174,7 @@ fn one_start_that_never_ends_turns_the_sentence_on_every_case() {
 #[test]
 fn statement_that_needs_what_was_not_run_is_not_judged() {
     let all = statements::judge(&[]);
-    assert!(all.len() == 5 && all.iter().all(|one| one.judgement == Judgement::NotJudged));
+    assert!(all.len() == 3 && all.iter().all(|one| one.judgement == Judgement::NotJudged));
 }
 
 #[test]

@@ -21,8 +21,8 @@ use crate::error::Error;
 use crate::solve::{Element, Formulation, Iteration, LIMITS, Settings};
 use crate::study::about::{About, Found, Planned, Study};
 use reading::Reading;
-use sentence::{GOOD, Met, STRONG};
-use statement::{Course, Fared, starts};
+use sentence::{DIFFERENT, GOOD, MUCH, Met, STRONG, Sentence, UNREMARKABLE};
+use statement::{Course, Fared, most_fulfilled, starts};
 
 /// What was run.
 #[derive(Clone, Debug)]
@@ -106,7 +106,8 @@ const SAME: f64 = 1e-9;
 /// The designed set, and which departures do not count.
 fn readings(courses: &[Course]) -> String {
     let [departures, pairs] = [Reading::departures().len(), Reading::pairs().len()];
-    let (starts, agreement) = (starts(), Fared::agreement(courses));
+    let (starts, agreement, most) = (starts(), Fared::agreement(courses), most_fulfilled(courses));
+    let (first, open) = &most[0];
     format!(
         include_str!("readings.md"),
         nearest = Reading::nearest().name(),
@@ -119,6 +120,14 @@ fn readings(courses: &[Course]) -> String {
         hardest = starts[starts.len() - 1],
         good = 100.0 * GOOD,
         strong = STRONG,
+        much = MUCH,
+        different = DIFFERENT,
+        unremarkable = 100.0 * UNREMARKABLE,
+        held = Sentence::ALL.len() - open.len(),
+        sentences = Sentence::ALL.len(),
+        alike = most.len(),
+        most = first.name(),
+        open = open.iter().map(|one| format!("*{}*", one.name())).collect::<Vec<_>>().join(", "),
         at = agreement.at(),
         told = agreement.told()
     ) + "\n"

@@ -264,7 +264,7 @@ pub struct Statement {
 
 /// How a judgement is made, for the page.
 pub const RULE: &str = "What the paper says of iterations is judged under the reading nearest to its text, at three tolerances, and \
-    beside it under every single departure that keeps the agreement with the exact solution. Where a statement holds at all three \
+    beside it under every single departure that keeps the agreement with the exact solution; that agreement itself, under every one. Where a statement holds at all three \
     tolerances and no other rule of stiffness flips it, it is reproduced; where another rule does, it is not decidable without [12], the paper's \
     reference on that rule, which is not at hand. Where it holds at some of the tolerances, or under a departure of another kind, it is \
     reproduced only if that is so; else it is not reproduced.";
@@ -278,9 +278,25 @@ pub fn statements(courses: &[Course]) -> Vec<Statement> {
     let nearest = both(&Reading::nearest());
     let agrees = |reading: &Reading| agrees(&both(reading));
     let judged = |sentence: Sentence| {
-        statement(sentence, &nearest, &Fared::by(|reading| sentence.holds(&both(reading)), agrees))
+        let fared = match sentence {
+            Sentence::Agrees => Fared::agreement(courses),
+            _ => Fared::by(|reading| sentence.holds(&both(reading)), agrees),
+        };
+        statement(sentence, &nearest, &fared)
     };
     Sentence::ALL.map(judged).into()
+}
+
+/// The readings of the designed set under which most sentences hold together, and which do not there.
+pub fn most_fulfilled(courses: &[Course]) -> Vec<(Reading, Vec<Sentence>)> {
+    let open = |reading: &Reading| {
+        let seen = Example::ALL.map(|example| seen(courses, reading, example));
+        Sentence::ALL.into_iter().filter(|sentence| !sentence.holds(&seen)).collect::<Vec<_>>()
+    };
+    let mut all: Vec<_> = Reading::designed().into_iter().map(|reading| (reading, open(&reading))).collect();
+    let fewest = all.iter().map(|(_, open)| open.len()).min();
+    all.retain(|(_, open)| Some(open.len()) == fewest);
+    all
 }
 
 fn statement(sentence: Sentence, nearest: &[Seen; 2], fared: &Fared) -> Statement {
@@ -294,7 +310,8 @@ fn statement(sentence: Sentence, nearest: &[Seen; 2], fared: &Fared) -> Statemen
         text: sentence.name(),
         clause: format!("holds at {count} of {} tolerances; {flips}", fared.held.len()),
         measured: format!(
-            "cylinder and pin–rod, reading nearest to the text: {numbers}; {}; {}",
+            "cylinder and pin–rod, reading nearest to the text, by a cap of {}: {numbers}; {}; {}",
+            Reading::nearest().cap,
             fared.at(),
             fared.told()
         ),
