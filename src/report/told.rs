@@ -3,6 +3,8 @@
 use crate::case::{Judged, Relation, Verdict, judged};
 use crate::markdown;
 use crate::oracle::ReferenceKind;
+use crate::report::grouped::in_order;
+use crate::study::Finding;
 
 /// Kinds of references, the most independent first, and how a check by one is told.
 pub const KINDS: [(ReferenceKind, &str); 4] = [
@@ -21,10 +23,21 @@ pub fn once<'a>(judged: impl IntoIterator<Item = &'a Judged>) -> Vec<&'a Judged>
     requirements.iter().map(|runs| runs[0].1).collect()
 }
 
+/// The checks of each study, once each: the rows of the record.
+pub fn each(findings: &[Finding]) -> Vec<&Judged> {
+    let of_studies = in_order(findings.iter().map(|finding| (finding.study, &finding.judged)));
+    of_studies.into_iter().flat_map(|(_, judged)| once(judged.into_iter().flatten())).collect()
+}
+
 /// Numbers of checks that passed, failed and were not run; one that is asked of several runs is one check.
 pub fn counts<'a>(judged: impl IntoIterator<Item = &'a Judged>) -> [usize; 3] {
+    tally(once(judged))
+}
+
+/// Numbers of those that passed, failed and were not run.
+pub fn tally<'a>(judged: impl IntoIterator<Item = &'a Judged>) -> [usize; 3] {
     let mut counts = [0; 3];
-    for one in once(judged) {
+    for one in judged {
         counts[match one.verdict {
             Verdict::Pass => 0,
             Verdict::Fail => 1,
@@ -43,6 +56,7 @@ pub fn of(judged: &[&Judged]) -> String {
     let kinds: Vec<String> = kinds.map(|(number, told)| format!("{number} {told}")).collect();
     let verdict = match (fail, absent) {
         _ if judged.is_empty() => return "**Nothing was checked.**".into(),
+        (0, 0) if pass == 1 => "✓ **The one check passes**".into(),
         (0, 0) => format!("✓ **All {pass} checks pass**"),
         (0, _) => format!("○ **{pass} checks pass, none fails, {absent} could not be run**"),
         _ => format!("✗ **{fail} of {} checks fail**", judged.len()),

@@ -2,7 +2,7 @@
 
 use serde::Deserialize;
 
-use crate::case::{Check, Judged, Quantity, Verdict};
+use crate::case::{Check, Judged, Quantity, Reference, Verdict};
 use crate::checkout::{digest, root};
 use crate::error::Error;
 use crate::oracle::cross_code::frozen::read_json;
@@ -122,7 +122,12 @@ impl Made {
         let all = record.len();
         let quantity =
             Quantity::at(format!("{} of other sources than the present ones", self.entry), format!("of {all}"));
-        let judged = Check::none(quantity, "what was found on other sources need not hold on these").judge(old as f64);
+        let judged = Check::at_most(
+            quantity,
+            Reference::own(self.file, 0.0),
+            "what was found on other sources need not hold on these",
+        )
+        .judge(old as f64);
         let why = match all {
             0 => format!("none is recorded: {}", self.renew),
             _ => format!("{old} of {all} are of other sources: {}", self.renew),

@@ -13,8 +13,8 @@ use crate::oracle::ReferenceKind;
 use crate::report::grouped::{joined, largest_first};
 use crate::report::record::{CheckRow, Mark};
 
-/// Folder of what is recorded.
-const SNAPSHOTS: &str = "snapshots";
+/// Folders of what is recorded.
+const RECORDS: [&str; 2] = ["snapshots", "oracles/frozen"];
 /// Digits that the record has.
 const DIGITS: usize = 4;
 /// Relative difference that rounding leaves between a tolerance and a bar of four digits each.
@@ -298,7 +298,9 @@ fn is_of_truth(row: &CheckRow) -> bool {
 
 /// Whether the present code does not give a record of its own.
 fn is_stale(row: &CheckRow) -> bool {
-    row.verdict != Mark::Pass && !is_of_truth(row) && Path::new(&row.against).starts_with(SNAPSHOTS)
+    row.verdict != Mark::Pass
+        && !is_of_truth(row)
+        && RECORDS.iter().any(|folder| Path::new(&row.against).starts_with(folder))
 }
 
 fn is_worse_of_truth(pair: &Pair) -> bool {

@@ -38,7 +38,7 @@ pub fn page(findings: &[Finding]) -> String {
     format!(
         "# Validation report\n\nThree contact elements × three iterations for frictionless elastic contact in 2D (Égert 1999). \
          Numbers, verdicts and conditions are computed, and with them the sentences that have any; typed are definitions, sources, hypotheses, \
-         the reasons of checks, and what is out of scope. Do not edit. What letters stand for: {}.\n\n{}\n",
+         the paper's misprints, decisions where it is silent, reasons, limits and obstacles. Do not edit. What letters stand for: {}.\n\n{}\n",
         link("symbols", symbols::FILE),
         body.trim_end()
     )
@@ -62,8 +62,8 @@ const NAMED: usize = 4;
 
 /// Whether any check fails, and how many error bars hold.
 pub fn right(findings: &[Finding]) -> String {
-    let all = told::once(findings.iter().flat_map(|finding| &finding.judged));
-    let [pass, fail, absent] = told::counts(all.iter().copied());
+    let all = told::each(findings);
+    let [pass, fail, absent] = told::tally(all.iter().copied());
     let not_run = if absent > 0 { format!(", {absent} could not be run") } else { String::new() };
     let verdict = match (all.len(), fail) {
         (0, _) => "**Nothing was checked.**".to_string(),
@@ -75,7 +75,7 @@ pub fn right(findings: &[Finding]) -> String {
             let unknown = outside.iter().filter(|(_, one)| !one.has_known_bar()).count();
             let beyond = outside.len() - unknown;
             Some(format!(
-                " Of {all} numbers beside a closed form {beyond} are off by more than their error bar; of {unknown} the bar is not known."
+                " Of {all} numbers beside a closed form {beyond} are off by more than their error bar and the model error that their case states; of {unknown} the bar is not known."
             ))
         }
         _ => None,
@@ -95,12 +95,12 @@ pub fn right(findings: &[Finding]) -> String {
 
 /// Counts of checks by kind, the truths with the agreement with each, and what no measurement has seen.
 pub fn against(findings: &[Finding]) -> String {
-    let all = told::once(findings.iter().flat_map(|finding| &finding.judged));
+    let all = told::each(findings);
     let own = |kind: ReferenceKind| all.iter().copied().filter(move |one| one.reference.kind == kind);
     let mut kinds = SHOWS;
     kinds.sort_by_key(|(kind, ..)| Reverse(own(*kind).count()));
     let rows = kinds.map(|(kind, against, shows)| {
-        let [pass, fail, absent] = told::counts(own(kind)).map(|number| number.to_string());
+        let [pass, fail, absent] = told::tally(own(kind)).map(|number| number.to_string());
         let share = markdown::significant(100.0 * own(kind).count() as f64 / all.len().max(1) as f64, 2);
         vec![format!("{against} ({kind})"), shows.into(), own(kind).count().to_string(), share, pass, fail, absent]
     });
@@ -139,7 +139,7 @@ const ROUND_OFF: f64 = 1e-9;
 /// The truths of a kind that are named.
 fn agreements<'a>(own: &[&'a Judged]) -> Vec<Agreement<'a>> {
     let is_agreement = |one: &&Judged| {
-        let near = !matches!(one.check.relation, Relation::AtMost | Relation::AtLeast);
+        let near = matches!(one.check.relation, Relation::Near | Relation::Error);
         one.verdict == Verdict::Pass && near && one.check.tolerance < COUNTED && one.error >= ROUND_OFF
     };
     let told = own.iter().copied().filter(is_agreement);

@@ -331,7 +331,7 @@ pub fn recommendation(digests: &[Digest]) -> String {
         let (method, safe) = reliable.iter().find(|(method, _)| serves(method))?;
         Some((need, *method, Some(safe.best), *safe))
     };
-    let fewest = served("fewest iterations", &|method| !method.is_accelerated());
+    let fewest = served("fewest iterations of the paper's own rules", &|method| !method.is_accelerated());
     let constant = served("one factorisation only", &|method| method.algorithm == Iteration::Constant);
     let widest: Vec<_> = reliable.iter().filter(|(_, safe)| is_widest(&reliable, safe)).collect();
     let of_element = |element: Element| {

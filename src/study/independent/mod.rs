@@ -99,11 +99,11 @@ fn of_script(compared: &Compared, other: &Other) -> Vec<Judged> {
         let reference = || Reference { uncertainty: Some(uncertainty), ..theirs(value) };
         let near = Check::near(Quantity::at(noun, unit), reference(), demanded[k], because.clone()).judge(mine);
         judged.push(Judged { uncertainty: Some(own), ..near });
-        let (penalty, sources) = match script.has_penalty() {
-            true => (factor * compared.penalty[k], "both meshes ⊕ penalty"),
+        let (springs, sources) = match script.has_penalty() {
+            true => (factor * compared.penalty[k], "both meshes; theirs without what its springs add"),
             false => (0.0, "both meshes"),
         };
-        let comparison = Comparison::of(mine, value, [own, uncertainty, penalty]);
+        let comparison = Comparison::of(mine, value - springs, [own, uncertainty]);
         judged.push(covered(&format!("{noun}, {unit}"), reference(), comparison, sources));
     }
     let difference = l2(&compared.ours.profile, &other.found.profile);

@@ -292,7 +292,12 @@ pub fn within(recorded: &[Record]) -> Judged {
     });
     let quantity = "share of the true errors within their bars, where it is smallest";
     let bound = Reference::analytic("closed forms", SHARE);
-    smallest(shares, quantity, bound, "of each number of each family on each kind of cells")
+    smallest(
+        shares,
+        quantity,
+        bound,
+        "of each number of each family of smooth tops on each kind of cells, an unknown bar being outside",
+    )
 }
 
 /// The share of errors within the bars that are told, of each number of every family, where it is smallest; none told is no share.
@@ -329,7 +334,7 @@ pub fn beyond(recorded: &[Record]) -> Judged {
     known.retain(|[_, bar]| !bar.is_nan());
     let quantity = case::Quantity::at(
         format!("share of the true errors beyond {BEYOND} bars"),
-        format!("of {} bars known", known.len()),
+        format!("of {} bars known, of smooth tops", known.len()),
     );
     let because = "a number so far outside would mislead whoever trusts its bar";
     let beyond = 1.0 - share_within(&known, BEYOND);
@@ -364,7 +369,7 @@ const COLUMNS: [markdown::Column<Row>; 7] = [
         median => markdown::significant(median, 2),
     }),
     ("largest error over bar", |(.., [all, ..])| {
-        let known = all.iter().filter(|[_, bar]| !bar.is_nan());
+        let known = all.iter().filter(|[error, bar]| *error > 0.0 && !bar.is_nan());
         let worst = markdown::significant(known.map(|[error, bar]| error / bar).fold(0.0, larger), 2);
         match unknown(all) {
             0 => worst,
@@ -374,6 +379,9 @@ const COLUMNS: [markdown::Column<Row>; 7] = [
 ];
 
 fn percent(numbers: &[[f64; 2]]) -> String {
+    if numbers.is_empty() {
+        return "–".into();
+    }
     format!("{:.1} %", 100.0 * share_within(numbers, 1.0))
 }
 

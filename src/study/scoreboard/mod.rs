@@ -12,7 +12,7 @@ pub mod board;
 use std::fmt::Write;
 use std::fs;
 
-use crate::case::{Case, Check, Judged, Quantity, library};
+use crate::case::{Case, Check, Judged, Quantity, Reference, library};
 use crate::checkout::root;
 use crate::drawing::palette::{self, Dash, Marker, Style};
 use crate::drawing::{Axis, Chart, Drawing, Remark, Series, panels};
@@ -24,7 +24,9 @@ use crate::referee::Truth;
 use crate::solve::{Discretisation, Formulation};
 use crate::study::about::{About, Found, Planned, Study};
 use crate::study::drawn::picture;
-use crate::study::scoreboard::board::{Board, Code, Contact, Ended, RENEW, Scored, Setting, Told, hashes, scored};
+use crate::study::scoreboard::board::{
+    Board, Code, Contact, Ended, FOLDER, RENEW, Scored, Setting, Told, hashes, scored,
+};
 
 /// One body on a rigid one, flat and curved; two bodies, straight, curved, and conforming.
 pub const CASES: [&str; 6] = ["cylinder", "truncated-hertz", "bars", "own-weight", "two-cylinders", "pin-rod"];
@@ -78,8 +80,9 @@ impl Study for Numbers {
             rows().filter(|row| matches!(row.told.ended, Ended::Answered { .. }) && row.scored.is_err()).count();
         let complete = |value: f64| if self.rows.len() == Setting::ALL.len() { value } else { f64::NAN };
         let named = |name: &'static str| Quantity::at(name, self.case.clone());
-        let none =
-            |name, value: usize, because: &'static str| Check::none(named(name), because).judge(complete(value as f64));
+        let none = |name, value: usize, because: &'static str| {
+            Check::at_most(named(name), Reference::own(FOLDER, 0.0), because).judge(complete(value as f64))
+        };
         Ok(vec![
             none("frozen answers that cannot be read", unread, "what a code wrote once is read as it was"),
             none("scripts changed since their answers were frozen", self.changed.len(), RENEW),
