@@ -50,6 +50,14 @@ pub fn to_bound(value: f64, bound: f64) -> String {
     format!("{value:.*}", places as usize)
 }
 
+/// Bar over the value below which none of six digits is touched.
+pub const EXACT: f64 = 1e-6;
+
+/// A number as it is; one that rounds to nothing as 0.
+pub fn unsigned(text: String) -> String {
+    if text.bytes().any(|digit| digit.is_ascii_digit() && digit != b'0') { text } else { "0".into() }
+}
+
 /// `1 check`, `2 checks`.
 pub fn counted(count: usize, noun: &str) -> String {
     if count == 1 { format!("1 {noun}") } else { format!("{count} {noun}s") }

@@ -1,5 +1,6 @@
 //! The error bars of a solve, as a table and as JSON.
 
+use comfy_table::{ColumnConstraint, Width};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -7,7 +8,7 @@ use crate::accuracy::{Bar, Barred, Bars, Told};
 use crate::cli::json::Number;
 use crate::cli::solve::found::Found;
 use crate::cli::terminal::{say, table};
-use crate::markdown;
+use crate::markdown::{self, EXACT, to_bound, unsigned};
 use crate::report::grouped::in_order;
 
 /// A number and how far it may be from the truth; what is not known is null, and angles are in radians.
@@ -67,7 +68,12 @@ pub fn rows(found: &Found) -> Vec<[String; 7]> {
         let value = match one.value {
             _ if found.run.is_unbounded(one.contact, &one.quantity) => "without limit".into(),
             value if value.is_nan() => "unknown".into(),
-            value => format!("{} ± {}", markdown::value(factor * value), part(one.bar.total())),
+            value => {
+                let (value, bar) = (factor * value, factor * one.bar.total());
+                let told =
+                    if bar > EXACT * value.abs() { unsigned(to_bound(value, bar)) } else { markdown::value(value) };
+                format!("{told} ± {}", part(one.bar.total()))
+            }
         };
         [of, quantity, value, unit.into(), part(mesh), part(iteration), part(penalty)]
     };
@@ -77,12 +83,19 @@ pub fn rows(found: &Found) -> Vec<[String; 7]> {
 /// Prints every number with its bar.
 pub fn print(found: &Found) {
     let Some(Bars { all, meshes, .. }) = &found.bars else { return };
-    let (mut table, rows) = (table(HEAD), rows(found));
+    let rows = rows(found);
+    // Few scenes have a penalty, and the lines of most fit 80 columns without.
+    let columns = if rows.iter().all(|row| row[6] == "0") { 6 } else { 7 };
+    let mut table = table(HEAD[..columns].iter().copied());
     let mut unknown: Vec<(&str, String)> = Vec::new();
     for (one, [of, quantity, ..]) in all.iter().zip(&rows) {
         unknown.extend(one.unknown.map(|why| (why, format!("{quantity} of `{of}`"))));
     }
-    table.add_rows(rows);
+    let longest = rows.iter().flat_map(|row| row[1].split(' ')).map(str::len).max().unwrap_or(0);
+    table.add_rows(rows.iter().map(|row| &row[..columns]));
+    if let Some(names) = table.column_mut(1) {
+        names.set_constraint(ColumnConstraint::LowerBoundary(Width::Fixed(longest as u16 + 2)));
+    }
     say(table);
     for (why, numbers) in in_order(unknown) {
         let of = if numbers.len() == all.len() { "every number".into() } else { numbers.join(", ") };

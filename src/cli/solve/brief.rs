@@ -8,7 +8,7 @@ use crate::cli::json::oracle;
 use crate::cli::solve::found::Found;
 use crate::cli::terminal::{say, table_on, width};
 use crate::cli::{accuracy, verify};
-use crate::markdown::{self, significant, to_bound};
+use crate::markdown::{self, EXACT, significant, to_bound, unsigned};
 use crate::measure::Quantity;
 use crate::solve::VonMises;
 use crate::solve::run::Unbounded;
@@ -17,8 +17,6 @@ use crate::solve::run::Unbounded;
 pub const NOTE: &str = "note";
 /// Columns, where the terminal has as many.
 const COLUMNS: u16 = 80;
-/// Bar over the value below which none of the six digits shown is touched.
-const EXACT: f64 = 1e-6;
 /// A place below this part of the half-width is round-off, told as 0.
 const ROUND_OFF: f64 = 1e-9;
 /// Length within which a corner is told \[mm\].
@@ -234,9 +232,4 @@ impl Number {
         };
         format!("{told} {unit}")
     }
-}
-
-/// A number as it is; one that rounds to nothing as 0.
-fn unsigned(text: String) -> String {
-    if text.bytes().any(|digit| digit.is_ascii_digit() && digit != b'0') { text } else { "0".into() }
 }

@@ -19,7 +19,11 @@ pub fn text(found: &Found) -> Result<String, Error> {
     let Found { problem, discretisation, run, checks, .. } = found;
     let input = match &problem.places {
         Some(places) => preformatted(places.text()),
-        None => described::scene(&problem.scene).iter().map(|one| preformatted(one)).collect(),
+        // As words: the marks of Markdown say nothing here.
+        None => {
+            let plain = |one: &String| preformatted(&one.replace("## ", "").replace(['*', '`'], ""));
+            described::scene(&problem.scene).iter().map(plain).collect()
+        }
     };
     let [rows, notes]: [Vec<_>; 2] = {
         let (notes, rows) = brief::rows(found).into_iter().partition(|[name, _]| name == brief::NOTE);

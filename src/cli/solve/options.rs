@@ -63,8 +63,8 @@ pub struct Arguments {
     /// four digits, 8 for six.
     #[arg(long)]
     fitted: bool,
-    /// Relative error that peak and half-width may have, such as "0.1 %": chooses elements, growth and candidates of
-    /// 8-node cells.
+    /// Relative error that peak and half-width may have, such as "0.1 %": chooses cells, elements, growth and
+    /// candidates.
     #[arg(long, value_name = "PERCENT", allow_hyphen_values = true)]
     accuracy: Option<String>,
     /// Most degrees of freedom of a mesh that is solved for the accuracy, those of error bars among them.
