@@ -212,14 +212,14 @@ fn matrix_types_of_libraries_stay_inside_the_numerics() {
 
 /// Lines that a room may have; raised only by a commit that says what for.
 const BUDGETS: [(&str, usize); 9] = [
-    ("solver", 23_401),
+    ("solver", 23_431),
     ("drawing", 3_220),
-    ("case", 8_200),
+    ("case", 8_237),
     ("oracle", 1_400),
-    ("study", 14_865),
-    ("referee", 6_042),
-    ("report", 3_117),
-    ("cli", 4_849),
+    ("study", 14_931),
+    ("referee", 6_124),
+    ("report", 3_110),
+    ("cli", 4_871),
     ("live", 500),
 ];
 
