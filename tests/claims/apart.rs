@@ -58,3 +58,32 @@ fn what_needs_the_checkout_says_so() {
         assert!(code == Some(2) && told.contains("checkout"), "{command}: {code:?}, {told}");
     }
 }
+
+#[test]
+fn what_the_program_is_compiled_from_lies_in_its_package() {
+    let cargo = std::env::var("CARGO").unwrap_or_else(|_| "cargo".into());
+    let listed = Command::new(cargo)
+        .args(["package", "--list", "--allow-dirty", "--offline", "--package", "contact-vv"])
+        .current_dir(root())
+        .output()
+        .expect("cargo runs");
+    let listed = String::from_utf8(listed.stdout).expect("text");
+    let packed: Vec<_> = listed.lines().collect();
+    assert!(packed.len() > 300, "{listed}");
+    let sources = packed.iter().filter(|file| file.ends_with(".rs"));
+    let mut included = 0;
+    for source in sources {
+        let text = std::fs::read_to_string(root().join(source)).expect("readable");
+        for part in text.split("include_str!(\"").skip(1).filter_map(|rest| rest.split('"').next()) {
+            let file = root().join(source).parent().expect("a folder").join(part).canonicalize().expect("a file");
+            let name = file
+                .strip_prefix(root().canonicalize().expect("there"))
+                .expect("in the checkout")
+                .display()
+                .to_string();
+            assert!(packed.contains(&&*name), "{source} includes {name}");
+            included += 1;
+        }
+    }
+    assert!(included > 30, "{included}");
+}

@@ -51,7 +51,7 @@ impl Template {
             Self::Eccentric => include_str!("eccentric.toml"),
             Self::Blocks => include_str!("blocks.toml"),
             Self::Gmsh => include_str!("gmsh.toml"),
-            Self::Mesh => include_str!("../../../tests/cases/meshes/rings-coarse.msh"),
+            Self::Mesh => include_str!("rings.msh"),
         }
     }
 }
