@@ -216,9 +216,9 @@ const BUDGETS: [(&str, usize); 9] = [
     ("drawing", 3_220),
     ("case", 8_237),
     ("oracle", 1_400),
-    ("study", 14_931),
+    ("study", 14_934),
     ("referee", 6_124),
-    ("report", 3_110),
+    ("report", 3_114),
     ("cli", 4_871),
     ("live", 500),
 ];

@@ -14,16 +14,20 @@ use crate::study::{Finding, Study, cases, measured, paper};
 use crate::uncertainty::COVERAGE;
 
 /// Cases beside the paper's own study whose findings are asked.
-pub const CASES: [&str; 4] = ["half cylinder against quarter", cylinder::NINE, pin_rod::NINE, GAERTNER];
+pub const CASES: [&str; 4] = [refinement::QUARTER, cylinder::NINE, pin_rod::NINE, GAERTNER];
 
 /// All statements, judged; what is not among the findings is not judged.
 pub fn judge(findings: &[Finding]) -> Vec<Statement> {
     let sentences = findings.iter().filter_map(|finding| {
         let numbers: &paper::Numbers = finding.numbers()?;
-        Some(statement::statements(&numbers.courses))
+        Some(Sentence::ALL.into_iter().zip(statement::statements(&numbers.courses)))
     });
     let others = [top_quarter(findings), condensation_pays(findings), gaertner(findings)];
-    sentences.flatten().map(|one| with_reference(one, findings)).chain(others).collect()
+    let with_reference = |(sentence, one): (Sentence, Statement)| match sentence {
+        Sentence::Agrees => with_reference(one, findings),
+        _ => one,
+    };
+    sentences.flatten().map(with_reference).chain(others).collect()
 }
 
 /// How they are judged, and all of them, for the page on the paper.
@@ -57,7 +61,7 @@ fn statement(text: &'static str, found: Option<(String, String, Judgement)>) -> 
 /// more than the checks allow, nothing is reproduced.
 fn with_reference(statement: Statement, findings: &[Finding]) -> Statement {
     let both = passes(findings, cylinder::NINE).zip(passes(findings, pin_rod::NINE));
-    let Some((cylinder, rod)) = both.filter(|_| statement.text == Sentence::Agrees.name()) else { return statement };
+    let Some((cylinder, rod)) = both else { return statement };
     let worst = |case: &str, quantity: Quantity| 100.0 * error(findings, case, quantity);
     let [peak, rod_peak] = [cylinder::NINE, pin_rod::NINE].map(|case| worst(case, Number::PeakPressure.into()));
     let width = worst(cylinder::NINE, Number::SecondMomentWidth.into());

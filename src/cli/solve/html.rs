@@ -21,7 +21,7 @@ pub fn text(found: &Found) -> Result<String, Error> {
         Some(places) => preformatted(places.text()),
         // As words: the marks of Markdown say nothing here.
         None => {
-            let plain = |one: &String| preformatted(&one.replace("## ", "").replace(['*', '`'], ""));
+            let plain = |one: &String| preformatted(&one.replace("## ", "").replace("**", "").replace('`', ""));
             described::scene(&problem.scene).iter().map(plain).collect()
         }
     };

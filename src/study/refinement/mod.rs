@@ -50,6 +50,9 @@ pub enum Numbers {
     },
 }
 
+/// The case of the paper's upper quarter.
+pub const QUARTER: &str = "half cylinder against quarter";
+
 impl Study for Numbers {
     const NAME: &'static str = "refinement";
     const ABOUT: About = About {
@@ -74,7 +77,7 @@ impl Study for Numbers {
         });
         let others = [
             Planned::new("model error, cylinder", "node.kinematic", || model_error().map(Numbers::ModelError)),
-            Planned::new("half cylinder against quarter", "node.kinematic", || changes().map(Numbers::Quarter)),
+            Planned::new(QUARTER, "node.kinematic", || changes().map(Numbers::Quarter)),
             Planned::new("dimensionless family, pin-rod", "clearance and thickness", || {
                 let [first, other] = family::same_place()?;
                 let (curves, wide_plate) = (family::curves()?, family::in_wide_plate());
