@@ -57,9 +57,8 @@ fn asked<T: DeserializeOwned>(python: &Path, requests: Vec<Value>) -> Result<(Ve
     let script = scripts().join("apart.py");
     let wrong = |what: String| Error::file(&script, what, SET_UP);
     let request: String = requests.iter().map(|request| format!("{request}\n")).collect();
-    let Ok(mut lines) = run_by(python, &script, &[root().join(INSTALLED).display().to_string()], &request)? else {
-        return Err(wrong(format!("{} does not run", python.display())));
-    };
+    let told = run_by(python, &script, &[root().join(INSTALLED).display().to_string()], &request)?;
+    let mut lines = told.map_err(|said| wrong(format!("{} ends: {said}", python.display())))?;
     if lines.len() != 1 + requests.len() {
         return Err(wrong(format!("it prints {} lines after {} requests", lines.len(), requests.len())));
     }

@@ -10,6 +10,7 @@ mod truth;
 use contact_vv::study;
 use contact_vv::study::independent::run::ASKED;
 use contact_vv_live::LIVE;
+use contact_vv_live::interpreter::with_python;
 use libtest_mimic::Arguments;
 use truth::{Findings, counted, truth};
 
@@ -21,6 +22,11 @@ fn main() {
     tests.extend(study::live(LIVE).into_iter().map(|trial| truth(trial, findings.clone())));
     tests.extend(revolution::trials());
     tests.extend(readers::trials());
+    if !arguments.list {
+        // Python and its MPI set environment variables as they start: a process started meanwhile would be handed an environment in
+        // motion, and sometimes does not start. Where Python cannot start, each trial that asks it says so.
+        let _ = with_python(|_| Ok(()));
+    }
     let conclusion = libtest_mimic::run(&arguments, tests);
     if !arguments.list {
         let counted = counted(&findings.lock().expect("no test panics while keeping"));

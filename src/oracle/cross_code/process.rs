@@ -20,10 +20,14 @@ pub type Told = Result<Vec<Value>, String>;
 
 /// Runs a script under `oracles/peers`.
 pub fn run(script: &str, arguments: &[String], request: &str) -> Result<Told, Error> {
-    run_by(Path::new(PYTHON), &root().join("oracles/peers").join(script), arguments, request)
+    let python = Path::new(PYTHON);
+    if !python.is_file() {
+        return Ok(Err(format!("{PYTHON} is missing")));
+    }
+    run_by(python, &root().join("oracles/peers").join(script), arguments, request)
 }
 
-/// Runs a script by an interpreter.
+/// Runs a script by an interpreter that is there.
 pub fn run_by(python: &Path, script: &Path, arguments: &[String], request: &str) -> Result<Told, Error> {
     let failed = |reason: String| Error::file(script, reason, "run it by hand, or leave this code uninstalled");
     let started = Command::new(python)
@@ -34,7 +38,7 @@ pub fn run_by(python: &Path, script: &Path, arguments: &[String], request: &str)
         .stdout(Stdio::piped())
         .stderr(Stdio::piped())
         .spawn();
-    let Ok(mut child) = started else { return Ok(Err(format!("{} is missing", python.display()))) };
+    let mut child = started.map_err(|error| failed(format!("{} does not start: {error}", python.display())))?;
     let input = child.stdin.take();
     // Written beside what is read: a script that answers line by line would wait for its answers to be read. One that has ended already
     // says why itself.
