@@ -1,4 +1,4 @@
-"""Passes the examples of the installed package and of the README: `python -I examples.py`, in any folder."""
+"""Passes the examples of the installed package and of both READMEs: `python -I examples.py`, in any folder."""
 
 import doctest
 import sys
@@ -6,9 +6,13 @@ from pathlib import Path
 
 import contact_vv
 
-readme = Path(__file__).resolve().parents[1] / "README.md"
+here = Path(__file__).resolve().parent
 flags = doctest.ELLIPSIS | doctest.NORMALIZE_WHITESPACE
 own = doctest.testmod(contact_vv, optionflags=flags)
-front = doctest.testfile(str(readme), module_relative=False, optionflags=flags, encoding="utf-8")
-print(f"{own.attempted} examples of {contact_vv.__file__}, {front.attempted} of the README, by {contact_vv.program()}")
-sys.exit(own.failed + front.failed > 0 or 0 in (own.attempted, front.attempted))
+read = [
+    doctest.testfile(str(folder / "README.md"), module_relative=False, optionflags=flags, encoding="utf-8")
+    for folder in (here.parent, here)
+]
+counts = [one.attempted for one in (own, *read)]
+print(f"{counts} examples of {contact_vv.__file__} and of the READMEs, by {contact_vv.program()}")
+sys.exit(any(one.failed for one in (own, *read)) or 0 in counts)
