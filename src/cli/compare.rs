@@ -206,7 +206,7 @@ fn print(compared: &Compared) {
     }
     match compared.formulations.iter().find(|row| row.converged()) {
         Some(first) => {
-            say(format!("recommended, with the fewest operations of those that converge: {}", first.command))
+            say(format!("recommended, with the fewest operations of those that converge:\n  {}", first.command))
         }
         None => say("none of them converges to a contact"),
     }
