@@ -17,8 +17,10 @@ const DROPPED: f64 = 1e-3;
 const EDGES: f64 = 1.0 + 1e-3;
 /// Intervals over which the force behind it is summed.
 const INTERVALS: usize = 2000;
-/// Times the spacing of the points beside it from which on a step between two points is a hole, and share of the force that may lie in holes.
+/// Times the spacing of the points beside it from which on a step between two points is a hole: of those on either side, or of the two next ones
+/// on each, as no graded mesh has it; and share of the force that may lie in holes.
 const HOLE: f64 = 5.0;
+const BETWEEN: f64 = 3.5;
 const HIDDEN: f64 = 0.05;
 /// Steps on either side by which that spacing is known.
 const BESIDE: usize = 4;
@@ -127,8 +129,8 @@ fn hole(carried: &Carried, handed: &Handed) -> Option<String> {
     })
 }
 
-/// The steps between points that are much longer than those beside them, with how many times. Of these, four on either side, the longest quarter
-/// does not count: other holes may be among them, and points that lie in pairs have every second step short.
+/// The steps between points that are much longer than those beside them, with how many times. Of four on either side the longest quarter does not
+/// count: other holes may be among them, and points that lie in pairs have every second step short.
 fn holes(handed: &Handed) -> Vec<([f64; 2], f64)> {
     let steps: Vec<[f64; 2]> = handed.points.windows(2).map(|two| [two[0].position, two[1].position]).collect();
     let length = |step: &[f64; 2]| step[1] - step[0];
@@ -139,7 +141,12 @@ fn holes(handed: &Handed) -> Vec<([f64; 2], f64)> {
         let spacing = beside.get(beside.len() / 4).filter(|_| beside.len() >= BESIDE)?;
         Some(length(&steps[k]) / spacing).filter(|times| *times > HOLE)
     };
-    (0..steps.len()).filter_map(|k| Some((steps[k], times(k)?))).collect()
+    let between = |k: usize| {
+        let longest = |side: &[[f64; 2]]| side.iter().map(length).reduce(f64::max);
+        let longer = longest(&steps[k.checked_sub(2)?..k])?.max(longest(steps.get(k + 1..k + 3)?)?);
+        Some(length(&steps[k]) / longer).filter(|times| *times > BETWEEN)
+    };
+    (0..steps.len()).filter_map(|k| Some((steps[k], times(k).or_else(|| between(k))?))).collect()
 }
 
 /// Places of a contact, in mm or degrees.

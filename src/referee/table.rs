@@ -436,11 +436,11 @@ const OFF: f64 = 0.05;
 const UNDEFORMED: &str =
     "hand in the points of the contact side alone, in the coordinates of the scene, or leave the column out";
 
-/// How far a point lies off a straight contact's side \[mm\]; none where that does not matter.
+/// How far a point lies off a contact's side \[mm\]; none where that does not matter.
 fn off_the_side(scene: &Scene, pair: &ContactPair, point: [f64; 2]) -> Option<f64> {
     let off = (pair.path.depth(point) - surface(scene, pair, point)?).abs();
     let gap = pair.profile.gap(pair.path.coordinate(point)).abs();
-    (pair.path.is_straight() && off > OFF * pair.stretch + gap).then_some(off)
+    (off > OFF * pair.stretch * pair.path.metric() + gap).then_some(off)
 }
 
 /// What turns lines into points.

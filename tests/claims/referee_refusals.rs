@@ -39,6 +39,13 @@ fn what_is_unknown_is_asked_for_with_file_found_and_remedy() {
             &plain,
             ["the column `position` has no unit", "--unit position=UNIT"],
         ),
+        // Metres called mm.
+        (
+            &arc,
+            "x [mm],y [mm],pressure [MPa]\n0,-0.01,3\n0.001,-0.00995,2\n0.002,-0.0098,1\n",
+            &plain,
+            ["mm off the side of contact", "in the coordinates of the scene"],
+        ),
         (&case, "position [mm],pressure [torr]\n0,3\n", &plain, ["the unit `torr`", "MPa, N/mm2, kPa, Pa, GPa"]),
         (&case, good, &named, ["there is no column `cpress`", "--column"]),
         (

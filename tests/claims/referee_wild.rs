@@ -318,6 +318,10 @@ fn a_table_with_holes_is_not_judged_and_they_are_named_with_the_force_in_them() 
     ] {
         refused("theirs.csv", without(from, &[hole]), &Asked::default(), &parts);
     }
+    // Four points in a row of a coarse table.
+    let coarse = even(0, 0.2).filter(|s| *s <= 3.0 && !(0.5..1.3).contains(s));
+    let parts = ["no point from 0.4000 to 1.400 mm", "5 times", "55.9 % of the force"];
+    refused("theirs.csv", rows(coarse), &Asked::default(), &parts);
     // With a point left in it, and two small ones.
     let apart = [[0.5, 0.75], [0.85, 1.1]];
     refused("theirs.csv", without(0, &apart), &Asked::default(), &["7 times as far apart"]);
