@@ -25,6 +25,9 @@ use crate::scene::contact_pair::CONTACT;
 const LARGER: f64 = 2.8;
 /// Least that a body is larger than the box.
 const LEAST: f64 = 1.25;
+/// Times its width from which on a body is too high for frames, which are thin beside the contact where they are deep below it: half-widths under
+/// waves on a block of ten widths were 0.3 % off on cells of any order.
+const TALL: f64 = 4.0;
 
 /// A rectangle whose contact has ends that are known; none where it is too small for a frame, or has more to mesh than one
 /// contact.
@@ -82,7 +85,7 @@ impl Frames {
         let [wide, leftwards] = [(right - middle) / (end - middle), (middle - left) / (middle - begin)];
         let deep = depth / first;
         let sides = [wide, deep, if has_left { leftwards } else { deep }];
-        if !sides.into_iter().all(|larger| larger >= LEAST) {
+        if !sides.into_iter().all(|larger| larger >= LEAST) || deep > TALL * wide.max(leftwards) {
             return None;
         }
         let largest = sides.into_iter().fold(1.0, f64::max);
