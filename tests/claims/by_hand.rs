@@ -333,45 +333,81 @@ fn a_pressure_that_departs_by_a_hundredth_is_judged_as_that() {
     assert_relative_eq!(departure.value, 0.01, max_relative = 1e-5);
 }
 
-/// A block of revolution, or half of a plane one, pressed by the power `c sⁿ`, with the closed form of a half-space: `[half-width, peak]`.
-fn pressed_by_power(plane: &str, [c, n, force, stretch]: [f64; 4], mesh: &str) -> serde_json::Value {
+/// What is said of a block of revolution, or half of a plane one, pressed by powers `[[c, n], …]` of the distance, of modulus [`MODULUS`].
+fn pressed_by_powers(plane: &str, powers: &str, [force, stretch]: [f64; 2], asked: &str) -> serde_json::Value {
     let folder = tempfile::tempdir().expect("a folder");
     let file = folder.path().join("power.toml");
-    let held = if plane == "strain" { "thickness = 1.0\n" } else { "" };
-    let support = if plane == "strain" { "supports = [{ at = \"left\", component = \"x\" }]\n" } else { "" };
+    let is_plane = plane == "strain";
+    let held = if is_plane { "thickness = 1.0\n" } else { "" };
+    let support = if is_plane { "supports = [{ at = \"left\", component = \"x\" }]\n" } else { "" };
     let size = 100.0 * stretch;
     let text = format!(
-        "plane = \"{plane}\"\n{held}[[body]]\nname = \"b\"\nyoung = 210000.0\npoisson = 0.2\n\
+        "plane = \"{plane}\"\n{held}{asked}\n[[body]]\nname = \"b\"\nyoung = 210000.0\npoisson = 0.2\n\
          shape = {{ rectangle = {{ x = [0, {size}], y = [0, {size}], contact = \"bottom\" }} }}\n{support}\
          loads = [{{ traction = {{ at = \"far\", force = [0, {}] }} }}]\n\
-         [contact]\nfirst = \"b\"\ngap = {{ powers = [[{c}, {n}]] }}\nstretch = {stretch}\n{mesh}",
+         [contact]\nfirst = \"b\"\ngap = {{ powers = {powers} }}\nstretch = {stretch}\n",
         0.0 - force
     );
     std::fs::write(&file, text).expect("written");
-    let fitted: &[&str] = if mesh.contains("order") { &[] } else { &["--fitted", "--order", "6"] };
+    let fitted: &[&str] = if asked.contains("fitted") { &["--fitted", "--order", "6"] } else { &[] };
     json(&[&["solve", &file.display().to_string()], fitted].concat())
 }
 
+/// E* of such a block \[MPa\].
+const MODULUS: f64 = 210_000.0 / (1.0 - 0.2 * 0.2);
+
 #[test]
-fn half_widths_under_other_powers_than_the_second_lie_within_their_bars() {
+fn half_widths_and_peaks_under_other_powers_than_the_second_lie_within_their_bars() {
     // The contact radius of c rⁿ under F, by the transform of the profile: F = 2E* c κ n/(n + 1) aⁿ⁺¹, κ = √π/2 · n Γ(n/2)/Γ((n + 1)/2), with
     // κ n/(n + 1) by n as given.
-    let modulus = 210_000.0 / (1.0 - 0.2 * 0.2);
     let fitted = [
         (0.000507917816, 4.93, 3662.63089, 1.380742),
-        (0.0005, 4.0, 4.0 * 4.0 / 3.0 * 4.0 / 5.0 * modulus * 0.0005, 1.0),
+        (0.0005, 4.0, 4.0 * 4.0 / 3.0 * 4.0 / 5.0 * MODULUS * 0.0005, 1.0),
     ];
     for (c, n, force, radius) in fitted {
-        let solved = pressed_by_power("axisymmetric", [c, n, force, 1.9 * radius], "[mesh]\nelements = 8\nper = 1.0\n");
+        let asked = "mesh = { elements = 8, per = 1.0 } # fitted";
+        let solved = pressed_by_powers("axisymmetric", &format!("[[{c}, {n}]]"), [force, 1.9 * radius], asked);
         within_its_bar(&solved, "half-width", radius);
     }
-    // Of c s⁶ on a half-plane: F/t = E* π/2 · 5/16 · 6 c a⁶, half of which the half carries; cells of high order whose lines do not know the end.
+    // The pressure of r^1.95 has a cusp: E* c κ n/(n − 1)/π aⁿ⁻¹ at r = 0.
+    let cusp =
+        pressed_by_powers("axisymmetric", "[[0.0005, 1.95]]", [286.389234, 1.9], "mesh = { accuracy = \"0.3 %\" }");
+    within_its_bar(&cusp, "peak-pressure", 141.538709);
+    // The peak of r^3.04 lies at 0.562 of the radius: E* c κ n/π ∫ tⁿ⁻¹/√(t² − r²) dt from r to a, by quadrature.
+    let asked = "mesh = { accuracy = \"0.3 %\" }";
+    let ridge = pressed_by_powers("axisymmetric", "[[0.00033, 3.04]]", [257.405193, 2.5], asked);
+    within_its_bar(&ridge, "peak-pressure", 98.0658054);
+    // Of c s²ᵏ on a half-plane: F/t = E* π/2 · (2k)!/(k! 2ᵏ)² · 2k c a²ᵏ, half of which the half carries; cells of high order whose lines do not
+    // know the end.
+    let half = 0.5 * MODULUS * std::f64::consts::FRAC_PI_2;
     for order in [5, 7, 8] {
-        let force = 0.5 * modulus * std::f64::consts::FRAC_PI_2 * 5.0 / 16.0 * 6.0 * 0.0003;
-        let mesh = format!("[mesh]\nelements = 12\nper = 0.83\norder = {order}\n");
-        let solved = pressed_by_power("strain", [0.0003, 6.0, force, 1.9], &mesh);
-        within_its_bar(&solved, "half-width", 1.0);
+        let mesh = format!("mesh = {{ elements = 12, per = 0.83, order = {order} }}");
+        let force = half * 5.0 / 16.0 * 6.0 * 0.0003;
+        within_its_bar(&pressed_by_powers("strain", "[[0.0003, 6]]", [force, 1.9], &mesh), "half-width", 1.0);
     }
+    // Steep at the end, where the slope is four times that of the parabola and more.
+    let force = half * (0.5 * 2.0 * 1e-4 + 48_620.0 / 262_144.0 * 18.0 * 5e-5);
+    let asked = "mesh = { accuracy = \"0.03 %\" }";
+    let steep = pressed_by_powers("strain", "[[1e-4, 2], [5e-5, 18]]", [force, 1.9], asked);
+    within_its_bar(&steep, "half-width", 1.0);
+}
+
+#[test]
+fn waves_on_a_block_ten_times_as_high_as_wide_touch_as_westergaard_has_it() {
+    // p̄ = p* sin²(πa/λ) with p* = πE*Δ/λ; half a wave is as wide as the block, a quarter of it touches: p̄ = p*/2.
+    let load = 0.5 * std::f64::consts::PI * MODULUS * 0.01 / 4.0 * 2.0;
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("waves.toml");
+    let text = format!(
+        "plane = \"strain\"\nthickness = 1.0\nmesh = {{ accuracy = \"0.3 %\" }}\n[[body]]\nname = \"b\"\nyoung = 210000.0\npoisson = 0.2\n\
+         shape = {{ rectangle = {{ x = [0, 2], y = [0, 20], contact = \"bottom\" }} }}\n\
+         supports = [{{ at = \"left\", component = \"x\" }}, {{ at = \"right\", component = \"x\" }}]\n\
+         loads = [{{ traction = {{ at = \"far\", force = [0, {}] }} }}]\n\
+         [contact]\nfirst = \"b\"\ngap = {{ cosine = {{ amplitude = 0.01, wavelength = 4.0 }} }}\nstretch = 1.5\n",
+        0.0 - load
+    );
+    std::fs::write(&file, text).expect("written");
+    within_its_bar(&json(&["solve", &file.display().to_string()]), "half-width", 1.0);
 }
 
 /// That the truth lies within the bar of a number.

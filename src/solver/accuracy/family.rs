@@ -6,9 +6,9 @@ use crate::accuracy::coarser::{coarser, finer, gentler};
 use crate::accuracy::counted::{Kind, Row};
 use crate::accuracy::reading::{Reading, of_discrete, value_of};
 use crate::accuracy::recovered::recovered;
-use crate::measure::{Measures, Quantity, Stretch, larger};
+use crate::measure::{Measures, Quantity, Stretch, larger, relative_error};
 use crate::mesh::Order;
-use crate::scene::{ContactPair, Place};
+use crate::scene::{ContactPair, Place, Profile};
 use crate::solve::run::BALANCED;
 use crate::solve::{Discretisation, Displaced, Element, Fitted, Formulation, Iteration, Permits, Run, Settings};
 
@@ -43,11 +43,13 @@ const RISES: f64 = 1.0;
 /// 3-node edges differ by 0.5 % on four elements.
 const ALTERNATES: f64 = 1.01;
 /// On cells of high order that end with the contact: factor on the difference to the next finer mesh, of a peak and of what else pressures
-/// tell; part of the distance between two readings of a peak that is added; and where the gap is not smooth those factors over themselves, and
-/// part of the relative difference of the peak that an end may be off, over the half-width: order by order both may agree by chance.
+/// tell; part of the distance between two readings of a peak that is added, and of an end that is the least on more than three layers: under a
+/// gap that is steep at the end (s^8 to s^22 on a parabola) series near it are as far off on the next mesh; and where the gap is not smooth
+/// those factors over themselves, and of the relative difference of the half-width what the peak may be off, and of the peak's what an end may
+/// be: order by order either agrees by chance.
 const BY_NEXT: [f64; 2] = [2.0, 4.0];
-const READ: f64 = 0.6;
-const ROUGH: [f64; 2] = [2.4, 0.5];
+const READ: [f64; 2] = [0.6, 0.2];
+const ROUGH: [f64; 3] = [2.4, 2.4, 0.5];
 /// Factor on the square of how far an end may be off, over the half-width: 2 tells the error of a half-width, 1/2 that of a peak, since at the
 /// end the potential energy is the least; and half of 2 for that of the force, with whose root both grow.
 const MISFIT: f64 = 3.0;
@@ -86,10 +88,8 @@ pub struct Family {
     on_ends: bool,
     /// Layers of cells towards those.
     layers: usize,
-    /// Whether points tell the gap of a contact: its curvature may leap.
-    by_points: bool,
-    /// Whether the gap of a contact is not smooth: errors fall less from order to order.
-    rough: bool,
+    /// The gap of each contact. Where it is not smooth, errors fall less from order to order; where points tell it, its curvature may leap.
+    profiles: Vec<Profile>,
     /// Whether a body is one element deep below a contact, which no coarser mesh tells from a finer one.
     shallow: bool,
     coarse: Vec<Other>,
@@ -195,10 +195,9 @@ impl Family {
         let off = contacts.iter().map(|pair| pair.ends.off).fold(0.0, larger);
         let sizes = sizes(discretisation);
         let order = discretisation.resolution.order;
-        let cusp = |(pair, size): (&ContactPair, &f64)| {
-            scene.modulus_of(pair) * pair.profile.cusp(size / f64::from(order.number()))
-        };
-        let cusps = contacts.iter().zip(&sizes).map(cusp).collect();
+        let spacings = spacings_at_vertex(discretisation);
+        let cusp = |(pair, spacing): (&ContactPair, f64)| scene.modulus_of(pair) * pair.profile.cusp(spacing);
+        let cusps = contacts.iter().zip(spacings).map(cusp).collect();
         Self {
             formulation,
             order,
@@ -208,8 +207,7 @@ impl Family {
             cells: discretisation.mesh.cells(),
             on_ends,
             layers: contacts.iter().map(|pair| pair.ends.layers).min().unwrap_or(0),
-            by_points: contacts.iter().any(|pair| pair.profile.is_by_points()),
-            rough: contacts.iter().any(|pair| !pair.profile.is_smooth()),
+            profiles: contacts.iter().map(|pair| pair.profile.clone()).collect(),
             shallow: !on_ends && is_shallow(discretisation),
             coarse: Vec::new(),
             gentler: None,
@@ -339,24 +337,30 @@ impl Family {
         };
         let cusp = if *quantity == Quantity::PeakPressure { self.cusps[contact] } else { 0.0 };
         if let Some(next) = self.next.as_ref().filter(|_| quantity.is_of_pressures()) {
-            let [of_peak, of_others] = BY_NEXT;
-            let (factor, read) = match quantity {
-                Quantity::PeakPressure => (of_peak, READ * self.missed_by_reading(quantity, measures)),
-                _ => (of_others, 0.0),
-            };
-            let factor = if self.rough { ROUGH[0] * factor } else { factor };
+            let is_rough = !self.profiles[contact].is_smooth(measures.half_width());
             let of_next = |quantity: &Quantity| value_of(&next.readings, contact, quantity);
             let apart = (discrete - of_next(quantity)).abs();
-            let of_peak = match quantity {
-                Quantity::HalfWidth | Quantity::Begin(_) | Quantity::End(_) if self.rough => {
-                    let peak = measures.peak.pressure;
-                    ROUGH[1] * measures.half_width() * ((peak - of_next(&Quantity::PeakPressure)) / peak).abs()
+            let factor =
+                BY_NEXT[usize::from(*quantity != Quantity::PeakPressure)] * if is_rough { ROUGH[0] } else { 1.0 };
+            let [of_top, of_end] = READ.map(|part| part * self.missed_by_reading(quantity, measures));
+            let read = match quantity {
+                Quantity::PeakPressure => of_top,
+                _ if self.layers > LAYERS => (of_end - factor * apart).max(0.0),
+                _ => 0.0,
+            };
+            let half_width = measures.half_width();
+            let of_other = match quantity {
+                Quantity::PeakPressure if is_rough => {
+                    ROUGH[1] * measures.peak.pressure * relative_error(of_next(&Quantity::HalfWidth), half_width)
+                }
+                Quantity::HalfWidth | Quantity::Begin(_) | Quantity::End(_) if is_rough => {
+                    ROUGH[2] * half_width * relative_error(of_next(&Quantity::PeakPressure), measures.peak.pressure)
                 }
                 _ => 0.0,
             };
             let scale = quantity.scale(measures).abs();
             let misfit = if *quantity == Quantity::Resultant { 0.0 } else { self.misfit };
-            let rest = factor * apart + (misfit + ROUND_OFF) * scale + read + cusp + of_peak;
+            let rest = factor * apart + (misfit + ROUND_OFF) * scale + read + cusp + of_other;
             return Evidence { row, apart: 0.0, hidden: 0.0, rest };
         }
         let is_force = matches!(quantity, Quantity::Resultant | Quantity::Reaction { .. });
@@ -436,7 +440,7 @@ impl Family {
         if self.order > Order::Quadratic {
             return if matches!(quantity, HalfWidth | Begin(_) | End(_)) { WITHIN * self.sizes[contact] } else { 0.0 };
         }
-        let smooth = if self.by_points { 0.0 } else { SMOOTH };
+        let smooth = if self.profiles[contact].is_by_points() { 0.0 } else { SMOOTH };
         let rough = larger(measures.drawn.rough - smooth, 0.0);
         let [peak, shear, end, width] = UNDRAWN.map(|part| part * rough);
         let rises = if self.rises_to_end(measures) { f64::NAN } else { 0.0 };
@@ -563,6 +567,19 @@ fn sizes(discretisation: &Discretisation) -> Vec<f64> {
         // As wide as the 8-node elements that have as many nodes.
         let wide = discretisation.resolution.order.intervals() as f64 / 2.0;
         (end - begin) / (interface.edges.len() as f64 * wide)
+    });
+    each.collect()
+}
+
+/// About the distance from s = 0 of each contact to the next node, by the candidate edge there: the widest of those that end with it.
+fn spacings_at_vertex(discretisation: &Discretisation) -> Vec<f64> {
+    let order = discretisation.resolution.order;
+    let of_8_nodes = order.intervals() as f64 / 2.0;
+    let from_zero = |[a, b]: &[f64; 2]| if a * b <= 0.0 { 0.0 } else { a.abs().min(b.abs()) };
+    let each = discretisation.interfaces.iter().map(|interface| {
+        let ends = |edge: &Vec<usize>| [0, 1].map(|end| interface.nodes[edge[end]].coordinate);
+        let nearest = interface.edges.iter().map(ends).min_by(|a, b| from_zero(a).total_cmp(&from_zero(b)));
+        nearest.map_or(f64::NAN, |[a, b]| (b - a).abs() / (of_8_nodes * f64::from(order.number())))
     });
     each.collect()
 }

@@ -289,14 +289,21 @@ impl Profile {
         matches!(self, Self::Table(_) | Self::Smooth(_))
     }
 
-    /// Whether the gap is analytic and begins as a parabola, so that the pressure has a smooth top: not where points tell it, and not of
-    /// other powers.
-    pub fn is_smooth(&self) -> bool {
+    /// Whether the gap is analytic and mostly a parabola, `|c₂| a² ≥ Σ |cₙ| aⁿ` over its other even powers, so that the pressure has a smooth
+    /// top: not where points tell it \[a of the half-width, mm\].
+    pub fn is_smooth(&self, half_width: f64) -> bool {
+        let is_mostly_parabola = |terms: &[[f64; 2]]| {
+            let size = |[c, n]: &[f64; 2]| c.abs() * half_width.powf(*n);
+            let (parabola, others): (Vec<_>, Vec<_>) = terms.iter().partition(|[_, n]| *n <= 2.0 && *n >= 2.0);
+            parabola.into_iter().map(size).sum::<f64>() >= others.into_iter().map(size).sum()
+        };
         match self {
-            Self::Even { coefficients } => coefficients.first().is_some_and(|first| first.abs() > 0.0),
+            Self::Even { coefficients } => {
+                let powers = coefficients.iter().enumerate().map(|(k, c)| [*c, 2.0 * (k + 1) as f64]);
+                is_mostly_parabola(&powers.collect::<Vec<_>>())
+            }
             Self::Powers { terms } => {
-                let is_even = |[_, n]: &[f64; 2]| (n / 2.0).fract().abs() <= 0.0;
-                terms.iter().all(is_even) && terms.iter().any(|[c, n]| c.abs() > 0.0 && *n <= 2.0)
+                terms.iter().all(|[_, n]| (n / 2.0).fract().abs() <= 0.0) && is_mostly_parabola(terms)
             }
             _ => !self.is_by_points(),
         }
