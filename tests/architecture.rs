@@ -212,12 +212,12 @@ fn matrix_types_of_libraries_stay_inside_the_numerics() {
 
 /// Lines that a room may have; raised only by a commit that says what for.
 const BUDGETS: [(&str, usize); 9] = [
-    ("solver", 23_431),
+    ("solver", 23_458),
     ("drawing", 3_220),
     ("case", 8_237),
-    ("oracle", 1_400),
-    ("study", 14_934),
-    ("referee", 6_124),
+    ("oracle", 1_404),
+    ("study", 14_941),
+    ("referee", 6_131),
     ("report", 3_114),
     ("cli", 4_871),
     ("live", 500),
