@@ -294,7 +294,7 @@ impl Profile {
     pub fn is_smooth(&self, half_width: f64) -> bool {
         let is_mostly_parabola = |terms: &[[f64; 2]]| {
             let size = |[c, n]: &[f64; 2]| c.abs() * half_width.powf(*n);
-            let (parabola, others): (Vec<_>, Vec<_>) = terms.iter().partition(|[_, n]| *n <= 2.0 && *n >= 2.0);
+            let (parabola, others): (Vec<_>, Vec<_>) = terms.iter().partition(|[_, n]| (n - 2.0).abs() <= 0.0);
             parabola.into_iter().map(size).sum::<f64>() >= others.into_iter().map(size).sum()
         };
         match self {
