@@ -212,11 +212,11 @@ fn matrix_types_of_libraries_stay_inside_the_numerics() {
 
 /// Lines that a room may have; raised only by a commit that says what for.
 const BUDGETS: [(&str, usize); 9] = [
-    ("solver", 23_458),
+    ("solver", 23_459),
     ("drawing", 3_220),
-    ("case", 8_237),
+    ("case", 8_235),
     ("oracle", 1_404),
-    ("study", 14_941),
+    ("study", 14_940),
     ("referee", 6_131),
     ("report", 3_114),
     ("cli", 4_871),

@@ -18,7 +18,7 @@ const EDGES: f64 = 1.0 + 1e-3;
 /// Intervals over which the force behind it is summed.
 const INTERVALS: usize = 2000;
 /// Times the spacing of the points beside it from which on a step between two points is a hole: of those on either side, or of the two next ones
-/// on each, as no graded mesh has it; and share of the force that may lie in holes.
+/// on each, since steps that grow one way are not longer than both; and share of the force that may lie in holes.
 const HOLE: f64 = 5.0;
 const BETWEEN: f64 = 3.5;
 const HIDDEN: f64 = 0.05;

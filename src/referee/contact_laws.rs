@@ -77,7 +77,7 @@ fn open_gaps(bench: &Bench, approach: f64) -> Option<Judged> {
         .then(|| bench.error(OPEN, Reference { value: 0.0, ..reference }, allowed, because, (error / size).sqrt()))
 }
 
-/// Part of the edge length over the half-width that gaps may be off beyond the end: our own coarse meshes of both orders leave two thirds of it.
+/// Part of the edge length over the half-width that gaps may be off beyond the end: our own coarse meshes of both orders take two thirds of it.
 const OPENS: f64 = 0.6;
 /// Part of the largest position that rounding explains.
 const SAME: f64 = 1e-9;

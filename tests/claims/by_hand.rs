@@ -333,24 +333,27 @@ fn a_pressure_that_departs_by_a_hundredth_is_judged_as_that() {
     assert_relative_eq!(departure.value, 0.01, max_relative = 1e-5);
 }
 
-/// What is said of a block of revolution, or half of a plane one, pressed by powers `[[c, n], …]` of the distance, of modulus [`MODULUS`].
-fn pressed_by_powers(plane: &str, powers: &str, [force, stretch]: [f64; 2], asked: &str) -> serde_json::Value {
+/// What is said of a block of modulus [`MODULUS`], so wide and so high, its `sides` held, that is pressed on a rigid gap: of a plane one, or one of
+/// revolution where no side is held.
+fn pressed(
+    ([wide, high], sides): ([f64; 2], &[&str]),
+    gap: &str,
+    [force, stretch]: [f64; 2],
+    (mesh, options): (&str, &[&str]),
+) -> serde_json::Value {
     let folder = tempfile::tempdir().expect("a folder");
-    let file = folder.path().join("power.toml");
-    let is_plane = plane == "strain";
-    let held = if is_plane { "thickness = 1.0\n" } else { "" };
-    let support = if is_plane { "supports = [{ at = \"left\", component = \"x\" }]\n" } else { "" };
-    let size = 100.0 * stretch;
+    let file = folder.path().join("block.toml");
+    let plane = if sides.is_empty() { "plane = \"axisymmetric\"" } else { "plane = \"strain\"\nthickness = 1.0" };
+    let supports: String = sides.iter().map(|side| format!("{{ at = \"{side}\", component = \"x\" }}, ")).collect();
     let text = format!(
-        "plane = \"{plane}\"\n{held}{asked}\n[[body]]\nname = \"b\"\nyoung = 210000.0\npoisson = 0.2\n\
-         shape = {{ rectangle = {{ x = [0, {size}], y = [0, {size}], contact = \"bottom\" }} }}\n{support}\
+        "{plane}\nmesh = {{ {mesh} }}\n[[body]]\nname = \"b\"\nyoung = 210000.0\npoisson = 0.2\n\
+         shape = {{ rectangle = {{ x = [0, {wide}], y = [0, {high}], contact = \"bottom\" }} }}\nsupports = [{supports}]\n\
          loads = [{{ traction = {{ at = \"far\", force = [0, {}] }} }}]\n\
-         [contact]\nfirst = \"b\"\ngap = {{ powers = {powers} }}\nstretch = {stretch}\n",
+         [contact]\nfirst = \"b\"\ngap = {{ {gap} }}\nstretch = {stretch}\n",
         0.0 - force
     );
     std::fs::write(&file, text).expect("written");
-    let fitted: &[&str] = if asked.contains("fitted") { &["--fitted", "--order", "6"] } else { &[] };
-    json(&[&["solve", &file.display().to_string()], fitted].concat())
+    json(&[&["solve", &file.display().to_string()], options].concat())
 }
 
 /// E* of such a block \[MPa\].
@@ -364,50 +367,43 @@ fn half_widths_and_peaks_under_other_powers_than_the_second_lie_within_their_bar
         (0.000507917816, 4.93, 3662.63089, 1.380742),
         (0.0005, 4.0, 4.0 * 4.0 / 3.0 * 4.0 / 5.0 * MODULUS * 0.0005, 1.0),
     ];
+    let of_powers = |sides: &[&str], powers: &str, [force, stretch]: [f64; 2], asked: (&str, &[&str])| {
+        pressed(([100.0 * stretch; 2], sides), &format!("powers = {powers}"), [force, stretch], asked)
+    };
     for (c, n, force, radius) in fitted {
-        let asked = "mesh = { elements = 8, per = 1.0 } # fitted";
-        let solved = pressed_by_powers("axisymmetric", &format!("[[{c}, {n}]]"), [force, 1.9 * radius], asked);
+        let asked = ("elements = 8, per = 1.0", &["--fitted", "--order", "6"][..]);
+        let solved = of_powers(&[], &format!("[[{c}, {n}]]"), [force, 1.9 * radius], asked);
         within_its_bar(&solved, "half-width", radius);
     }
     // The pressure of r^1.95 has a cusp: E* c κ n/(n − 1)/π aⁿ⁻¹ at r = 0.
-    let cusp =
-        pressed_by_powers("axisymmetric", "[[0.0005, 1.95]]", [286.389234, 1.9], "mesh = { accuracy = \"0.3 %\" }");
+    let asked: (&str, &[&str]) = ("accuracy = \"0.3 %\"", &[]);
+    let cusp = of_powers(&[], "[[0.0005, 1.95]]", [286.389234, 1.9], asked);
     within_its_bar(&cusp, "peak-pressure", 141.538709);
     // The peak of r^3.04 lies at 0.562 of the radius: E* c κ n/π ∫ tⁿ⁻¹/√(t² − r²) dt from r to a, by quadrature.
-    let asked = "mesh = { accuracy = \"0.3 %\" }";
-    let ridge = pressed_by_powers("axisymmetric", "[[0.00033, 3.04]]", [257.405193, 2.5], asked);
+    let ridge = of_powers(&[], "[[0.00033, 3.04]]", [257.405193, 2.5], asked);
     within_its_bar(&ridge, "peak-pressure", 98.0658054);
     // Of c s²ᵏ on a half-plane: F/t = E* π/2 · (2k)!/(k! 2ᵏ)² · 2k c a²ᵏ, half of which the half carries; cells of high order whose lines do not
     // know the end.
     let half = 0.5 * MODULUS * std::f64::consts::FRAC_PI_2;
     for order in [5, 7, 8] {
-        let mesh = format!("mesh = {{ elements = 12, per = 0.83, order = {order} }}");
+        let mesh = format!("elements = 12, per = 0.83, order = {order}");
         let force = half * 5.0 / 16.0 * 6.0 * 0.0003;
-        within_its_bar(&pressed_by_powers("strain", "[[0.0003, 6]]", [force, 1.9], &mesh), "half-width", 1.0);
+        within_its_bar(&of_powers(&["left"], "[[0.0003, 6]]", [force, 1.9], (&mesh, &[])), "half-width", 1.0);
     }
     // Steep at the end, where the slope is four times that of the parabola and more.
     let force = half * (0.5 * 2.0 * 1e-4 + 48_620.0 / 262_144.0 * 18.0 * 5e-5);
-    let asked = "mesh = { accuracy = \"0.03 %\" }";
-    let steep = pressed_by_powers("strain", "[[1e-4, 2], [5e-5, 18]]", [force, 1.9], asked);
+    let steep = of_powers(&["left"], "[[1e-4, 2], [5e-5, 18]]", [force, 1.9], ("accuracy = \"0.03 %\"", &[]));
     within_its_bar(&steep, "half-width", 1.0);
 }
 
 #[test]
 fn waves_on_a_block_ten_times_as_high_as_wide_touch_as_westergaard_has_it() {
-    // p̄ = p* sin²(πa/λ) with p* = πE*Δ/λ; half a wave is as wide as the block, a quarter of it touches: p̄ = p*/2.
+    // p̄ = p* sin²(πa/λ) with p* = πE*Δ/λ; half a wave is as wide as the block, half of which touches: p̄ = p*/2.
     let load = 0.5 * std::f64::consts::PI * MODULUS * 0.01 / 4.0 * 2.0;
-    let folder = tempfile::tempdir().expect("a folder");
-    let file = folder.path().join("waves.toml");
-    let text = format!(
-        "plane = \"strain\"\nthickness = 1.0\nmesh = {{ accuracy = \"0.3 %\" }}\n[[body]]\nname = \"b\"\nyoung = 210000.0\npoisson = 0.2\n\
-         shape = {{ rectangle = {{ x = [0, 2], y = [0, 20], contact = \"bottom\" }} }}\n\
-         supports = [{{ at = \"left\", component = \"x\" }}, {{ at = \"right\", component = \"x\" }}]\n\
-         loads = [{{ traction = {{ at = \"far\", force = [0, {}] }} }}]\n\
-         [contact]\nfirst = \"b\"\ngap = {{ cosine = {{ amplitude = 0.01, wavelength = 4.0 }} }}\nstretch = 1.5\n",
-        0.0 - load
-    );
-    std::fs::write(&file, text).expect("written");
-    within_its_bar(&json(&["solve", &file.display().to_string()]), "half-width", 1.0);
+    let gap = "cosine = { amplitude = 0.01, wavelength = 4.0 }";
+    let block: ([f64; 2], &[&str]) = ([2.0, 20.0], &["left", "right"]);
+    let waves = pressed(block, gap, [load, 1.5], ("accuracy = \"0.3 %\"", &[]));
+    within_its_bar(&waves, "half-width", 1.0);
 }
 
 /// That the truth lies within the bar of a number.

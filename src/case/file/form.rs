@@ -76,9 +76,7 @@ impl Form {
             (Self::Own(_, check), _) => check(value),
         }
     }
-}
 
-impl Form {
     /// Its JSON Schema, for editors; what a rule of its own refuses, and which words and names are known, is not in it.
     pub(super) fn schema(&self) -> Value {
         let of = |forms: &mut dyn Iterator<Item = (&'static str, &Form)>| {

@@ -345,7 +345,7 @@ impl Family {
             let [of_top, of_end] = READ.map(|part| part * self.missed_by_reading(quantity, measures));
             let read = match quantity {
                 Quantity::PeakPressure => of_top,
-                _ if self.layers > LAYERS => (of_end - factor * apart).max(0.0),
+                _ if self.layers > LAYERS => larger(of_end - factor * apart, 0.0),
                 _ => 0.0,
             };
             let half_width = measures.half_width();

@@ -78,14 +78,13 @@ fn predicted(stretch: &Chart) -> Drawing {
         .map(|(method, ratio)| format!("{method} (measured {} times what is predicted)", significant(*ratio, 2)))
         .collect();
     let [all, held] = [ratios.len(), ratios.len() - off.len()];
-    let title =
-        format!("Iterations against initial stiffness: measured (points); curves predict {held} of {all} methods");
+    let predicted = format!("predicted within a factor {FACTOR} for {held} of {all} methods (curves)");
     if held < all {
         let note =
             format!("Off their curves by a factor above {FACTOR} in the median of the starts: {}.", off.join(", "));
-        panels_of_all.iter_mut().take(1).for_each(|first| first.notes.push(note.clone()));
+        panels_of_all[0].notes.push(note);
     }
-    panels(&title, &panels_of_all, 3)
+    panels(&format!("Iterations against initial stiffness: measured (points), {predicted}"), &panels_of_all, 3)
 }
 
 /// Measured iterations over predicted ones, the median of the starts of each method that has both.

@@ -77,7 +77,7 @@ pub(super) struct Core {
 
 impl Frames {
     /// Around a box in a body that reaches from `left` to `right` and is so deep, each about so much larger than the one inside it; none
-    /// where the body is too small for a frame.
+    /// where the body is too small for a frame, or too high.
     pub(super) fn around(core: Core, [left, right]: [f64; 2], depth: f64, larger: f64) -> Option<Self> {
         let Core { columns, depth: first, has_left } = core;
         let [begin, end] = [columns[0], columns[columns.len() - 1]];
@@ -85,7 +85,8 @@ impl Frames {
         let [wide, leftwards] = [(right - middle) / (end - middle), (middle - left) / (middle - begin)];
         let deep = depth / first;
         let sides = [wide, deep, if has_left { leftwards } else { deep }];
-        if !sides.into_iter().all(|larger| larger >= LEAST) || deep > TALL * wide.max(leftwards) {
+        let across = if has_left { wide.max(leftwards) } else { wide };
+        if !sides.into_iter().all(|larger| larger >= LEAST) || deep > TALL * across {
             return None;
         }
         let largest = sides.into_iter().fold(1.0, f64::max);
