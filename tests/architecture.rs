@@ -216,7 +216,7 @@ const BUDGETS: [(&str, usize); 9] = [
     ("drawing", 3_220),
     ("case", 8_235),
     ("oracle", 1_404),
-    ("study", 14_940),
+    ("study", 14_942),
     ("referee", 6_131),
     ("report", 3_114),
     ("cli", 4_871),

@@ -78,13 +78,15 @@ fn predicted(stretch: &Chart) -> Drawing {
         .map(|(method, ratio)| format!("{method} (measured {} times what is predicted)", significant(*ratio, 2)))
         .collect();
     let [all, held] = [ratios.len(), ratios.len() - off.len()];
-    let predicted = format!("predicted within a factor {FACTOR} for {held} of {all} methods (curves)");
+    let title = format!(
+        "Iterations measured (points), and predicted within a factor {FACTOR} for {held} of {all} methods (curves)"
+    );
     if held < all {
         let note =
             format!("Off their curves by a factor above {FACTOR} in the median of the starts: {}.", off.join(", "));
         panels_of_all[0].notes.push(note);
     }
-    panels(&format!("Iterations against initial stiffness: measured (points), {predicted}"), &panels_of_all, 3)
+    panels(&title, &panels_of_all, 3)
 }
 
 /// Measured iterations over predicted ones, the median of the starts of each method that has both.
