@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use crate::error::Error;
 use crate::mesh::Order;
 use crate::referee::field::Field;
+use crate::referee::units::Units;
 use crate::scene::{ContactPair, Scene};
 use crate::solution::EdgeState;
 
@@ -19,6 +20,8 @@ pub struct Answer {
     pub read: Vec<String>,
     /// What makes it another answer than may be meant, a sentence each.
     pub notes: Vec<String>,
+    /// Units of its numbers, as the file or --unit calls them.
+    pub units: Units,
     /// Its contacts.
     pub contacts: Vec<Handed>,
     /// Displacements on its mesh, where they were handed in with their unit.
@@ -119,6 +122,14 @@ pub fn ordered(
     if let Some(two) = points.windows(2).find(|two| two[1].position - two[0].position <= SAME * length) {
         let message = format!("two points lie at one place, {}", two[0].position);
         return Err(refused(message, "hand in the points of one side of one contact, of one step and time, each once"));
+    }
+    // On an axis a node may have no area, and codes give none to nodes that are open.
+    let may_have_none = |point: &Point| point.position.abs() <= SAME * length || point.value.abs() <= 0.0;
+    let is_wrong = |point: &Point, area: f64| area < 0.0 || area <= 0.0 && !may_have_none(point);
+    let wrong = |point: &Point| Some((point.position, point.area.filter(|area| is_wrong(point, *area))?));
+    if let Some((position, area)) = points.iter().find_map(wrong) {
+        let remedy = "areas where something presses are positive; without areas they follow from the places";
+        return Err(refused(format!("the area at {position} is {area} mm²"), remedy));
     }
     let nodes = usize::from(order.number()) + 1;
     if !(points.len() - 1).is_multiple_of(nodes - 1) {

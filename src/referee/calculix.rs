@@ -10,7 +10,7 @@ use crate::referee::asked::Asked;
 use crate::referee::export::deck::{GAPS, SECTORS, named};
 use crate::referee::source::Source;
 use crate::referee::state::State;
-use crate::referee::units::Role;
+use crate::referee::units::{Role, Units};
 use crate::scene::Scene;
 
 /// What a deck of ours begins with, and by which its units are known.
@@ -84,7 +84,8 @@ pub fn forces(file: &Path, text: &str, deck: &str, scene: &Scene, asked: &Asked)
     read.extend(scene.is_of_revolution().then(|| "reactions of a sector of 2° times 180".to_owned()));
     read.push("places from the deck of the same name".into());
     notes.dedup();
-    Ok(Answer { file: file.into(), code: Some("CalculiX".into()), read, notes, contacts, field: None })
+    let (code, units) = (Some("CalculiX".into()), Units::named(asked));
+    Ok(Answer { file: file.into(), code, read, notes, units, contacts, field: None })
 }
 
 /// The tables of forces of a set, each with its time and its lines.

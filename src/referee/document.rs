@@ -82,7 +82,7 @@ pub fn schema() -> String {
 
 /// What to do about a document that is none.
 const SCHEMA: &str = "write it by the schema that `contact-vv schema answer` prints; `contact-vv export` writes one to begin with; numbers are \
-     finite: leave points out that have none";
+     finite: leave out only points beyond the contact";
 
 /// The answer in a text.
 pub fn parse(file: &Path, text: &str, case: &str, scene: &Scene, asked: &Asked) -> Result<Answer, Error> {
@@ -96,7 +96,11 @@ pub fn parse(file: &Path, text: &str, case: &str, scene: &Scene, asked: &Asked) 
         return Err(refused("case", message, "judge the case that it is of"));
     }
     let units = &document.units;
-    let handed = document.contacts.iter().enumerate().map(|(k, contact)| {
+    let is_asked = |contact: &Contact| {
+        asked.contact.as_ref().is_none_or(|asked| contact.name.as_ref().is_none_or(|name| name == asked))
+    };
+    let own = document.contacts.iter().enumerate().filter(|(_, contact)| is_asked(contact));
+    let handed = own.map(|(k, contact)| {
         let key = format!("contacts[{k}]");
         contact_of(&Reader {
             scene,
@@ -108,7 +112,8 @@ pub fn parse(file: &Path, text: &str, case: &str, scene: &Scene, asked: &Asked) 
     });
     let contacts: Vec<Handed> = handed.collect::<Result<_, Error>>()?;
     if contacts.is_empty() {
-        return Err(refused("contacts", "there is none".into(), SCHEMA));
+        let which = asked.contact.as_ref().map_or_else(String::new, |name| format!(" of the name `{name}`"));
+        return Err(refused("contacts", format!("there is none{which}"), SCHEMA));
     }
     if let Some(twice) =
         contacts.iter().enumerate().find(|(k, one)| contacts[..*k].iter().any(|two| two.contact == one.contact))
@@ -120,7 +125,8 @@ pub fn parse(file: &Path, text: &str, case: &str, scene: &Scene, asked: &Asked) 
         ));
     }
     let read = vec!["lists by their keys, in the units that the file names".to_owned()];
-    Ok(Answer { file: file.into(), code: document.code.clone(), read, notes: vec![], contacts, field: None })
+    let (code, units) = (document.code, document.units);
+    Ok(Answer { file: file.into(), code, read, notes: vec![], units, contacts, field: None })
 }
 
 /// Byte at which a line begins, from 1.
@@ -223,8 +229,29 @@ fn contact_of(reader: &Reader) -> Result<Handed, Error> {
     let points = ordered((0..position.len()).map(point).collect(), order, |message, remedy| {
         refused("position", message, remedy)
     })?;
-    Ok(Handed { contact: index, points, order, edges: edges_of(reader, &scene.contacts[index].path)?, forces })
+    let edges = edges_of(reader, &scene.contacts[index].path)?;
+    if let Some([from, to]) = lacking(&edges, &points) {
+        let message = format!("no edge reaches from {from} to {to} (mm, or rad on an arc)");
+        return Err(refused(
+            "edges",
+            message,
+            "give one for every part of the contact from its first point to its last, or none at all",
+        ));
+    }
+    Ok(Handed { contact: index, points, order, edges, forces })
 }
+
+/// A part of the contact that edges in order leave out; none where they are none.
+fn lacking(edges: &[EdgeState], points: &[Point]) -> Option<[f64; 2]> {
+    let ([first, .., last], false) = (points, edges.is_empty()) else { return None };
+    let begins = edges.iter().map(|edge| edge.ends[0]).chain([last.position]);
+    let ends = std::iter::once(first.position).chain(edges.iter().map(|edge| edge.ends[1]));
+    let left_out = |[from, to]: &[f64; 2]| to - from > SAME * (last.position - first.position);
+    ends.zip(begins).map(|(from, to)| [from, to]).find(left_out)
+}
+
+/// Part of the length of a contact that rounding of places explains.
+const SAME: f64 = 1e-6;
 
 /// Its edges in our units.
 fn edges_of(reader: &Reader, path: &scene::Path) -> Result<Vec<EdgeState>, Error> {

@@ -12,7 +12,7 @@ use crate::referee::field::Field;
 use crate::referee::side::{Cell, Side};
 use crate::referee::source::Source;
 use crate::referee::state::State;
-use crate::referee::units::Role;
+use crate::referee::units::{Role, Units};
 use crate::scene::Scene;
 
 /// How contact results are written.
@@ -82,7 +82,8 @@ pub fn parse(file: &Path, text: &str, scene: &Scene, asked: &Asked) -> Result<An
     let contacts = vec![Handed { contact, points, order, edges: vec![], forces: false }];
     let field = displacements((&source, scene), asked, None, Some(head.state.time))?;
     let code = Some("CalculiX".into());
-    Ok(Answer { file: file.into(), code, read, notes: head.state.notes(&all), contacts, field })
+    let (notes, units) = (head.state.notes(&all), Units::named(asked));
+    Ok(Answer { file: file.into(), code, read, notes, units, contacts, field })
 }
 
 /// The displacements of a file, of a time where one is given; none where it has none, or their unit is not known. `ours` is the unit of our own decks.

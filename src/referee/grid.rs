@@ -10,7 +10,7 @@ use crate::referee::asked::Asked;
 use crate::referee::field::Field as Displaced;
 use crate::referee::side::{self, Cell, Side};
 use crate::referee::source::Source;
-use crate::referee::units::Role;
+use crate::referee::units::{Role, Units};
 use crate::referee::unstructured::{Field, Grid};
 use crate::referee::vtu::AGAIN;
 use crate::referee::{table, vtk, vtu};
@@ -51,7 +51,7 @@ pub fn parse(file: &Path, bytes: &[u8], scene: &Scene, asked: &Asked) -> Result<
     read.sort();
     read.dedup();
     let field = grid.displaced(points, cells, asked)?;
-    Ok(Answer { file: file.into(), code: None, read, notes: vec![], contacts, field })
+    Ok(Answer { file: file.into(), code: None, read, notes: vec![], units: Units::named(asked), contacts, field })
 }
 
 /// A quadrilateral of order p, whose nodes lie evenly, as cells of nine nodes, or of four where p is odd; none where no order has so many nodes.
@@ -323,6 +323,14 @@ impl<'a> Grid<'a> {
     fn displaced(&self, points: Vec<[f64; 2]>, cells: Vec<Cell>, asked: &Asked) -> Result<Option<Displaced>, Error> {
         let Some(field) = self.moved(asked)? else { return Ok(None) };
         let factor = self.factor(Role::Displacement, field, asked)?;
+        let of_cells = || cells.iter().flat_map(|cell| &cell.nodes);
+        if let Some((node, k)) =
+            of_cells().flat_map(|&node| [(node, 0), (node, 1)]).find(|&(node, k)| !field.at(node, k).is_finite())
+        {
+            let message = format!("`{}` is {} at node {node}", field.name, field.at(node, k));
+            let remedy = "hand in finite numbers at every node of a cell, or leave out --unit displacement";
+            return Err(self.source().refused(message, remedy));
+        }
         let moved = field.data.chunks_exact(field.components).map(|moved| [factor * moved[0], factor * moved[1]]);
         Ok(Some(Displaced { points, cells, displacement: moved.collect() }))
     }

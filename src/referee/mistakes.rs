@@ -12,7 +12,7 @@ use crate::referee::answer::{Handed, Point};
 use crate::referee::judge::{fails_by_width, judge};
 use crate::referee::profile::{Profile, tributary};
 use crate::referee::truth::Truth;
-use crate::referee::units::Role;
+use crate::referee::units::{Role, Units, is_angle};
 use crate::scene::{ContactPair, PlaneHypothesis, Scene};
 use crate::solution::EdgeState;
 
@@ -23,8 +23,17 @@ struct Correction {
     corrected: Handed,
 }
 
+/// What is known of an answer beside its pressures.
+#[derive(Clone, Copy)]
+pub struct Beside<'a> {
+    /// Units as the file or --unit calls them.
+    pub units: &'a Units,
+    /// Whether its displacements have the strain energy of the scene: loads, radii and moduli are right then.
+    pub is_of_scene: bool,
+}
+
 /// The mistakes that explain an answer: each turns what fails into what passes. Gaps take no part.
-pub fn explain(truth: &Truth, handed: &Handed, tolerance: f64) -> Vec<String> {
+pub fn explain(truth: &Truth, handed: &Handed, beside: Beside, tolerance: f64) -> Vec<String> {
     let plain = without_gaps(handed);
     let meets = |one: &Handed| {
         let profile = Profile::of(&truth.case.scene, one);
@@ -34,14 +43,14 @@ pub fn explain(truth: &Truth, handed: &Handed, tolerance: f64) -> Vec<String> {
     if meets(&plain) {
         return vec![];
     }
-    let all = corrections(truth, &plain).into_iter();
+    let all = corrections(truth, &plain, beside).into_iter();
     all.filter(|one| sound(&one.corrected) && meets(&one.corrected)).map(|one| one.says).collect()
 }
 
 /// Every correction that is tried.
-fn corrections(truth: &Truth, handed: &Handed) -> Vec<Correction> {
+fn corrections(truth: &Truth, handed: &Handed, beside: Beside) -> Vec<Correction> {
     let (scene, is_circle) = (&truth.case.scene, truth.case.scene.is_around_axis(handed.contact));
-    let scales = scales(truth, handed).into_iter();
+    let scales = scales(truth, handed, beside).into_iter();
     let scaled = scales.map(|(says, [pressure, place])| Correction {
         says,
         corrected: scaled(handed, pressure, place, if is_circle { place * place } else { place }),
@@ -64,15 +73,17 @@ fn middles(handed: &Handed) -> Vec<Correction> {
     vec![Correction { says, corrected: Handed { points, order: Order::Linear, ..handed.clone() } }]
 }
 
-/// Factors on pressures and on positions; units that are called others, and numbers without, where nothing else has the same.
-fn scales(truth: &Truth, handed: &Handed) -> Vec<(String, [f64; 2])> {
-    let mut all = match truth.case.scene.is_around_axis(handed.contact) {
-        true => of_revolution(&truth.case.scene, handed),
-        false => of_strips(truth, handed),
-    };
-    for (says, [times, by]) in
-        units(&truth.case.scene.contacts[handed.contact]).into_iter().chain(normalised(truth, handed.contact))
-    {
+/// Factors on pressures and on positions: numbers that are called others, then, unless the scene was solved, another scene; units that are called
+/// others, and numbers without, where nothing else has the same.
+fn scales(truth: &Truth, handed: &Handed, beside: Beside) -> Vec<(String, [f64; 2])> {
+    let scene = &truth.case.scene;
+    let is_circle = scene.is_around_axis(handed.contact);
+    let mut all = called(scene, handed);
+    if !beside.is_of_scene {
+        all.extend(if is_circle { of_revolution(scene, handed) } else { of_strips(truth, handed) });
+    }
+    let others = units(&scene.contacts[handed.contact], handed, beside.units, is_circle).into_iter();
+    for (says, [times, by]) in others.chain(normalised(truth, handed.contact)) {
         let is_alike = |known: &[f64; 2]| (times / known[0] - 1.0).hypot(by / known[1] - 1.0) < ALIKE;
         if !all.iter().any(|(_, known)| is_alike(known)) {
             all.push((says, [times, by]));
@@ -83,6 +94,29 @@ fn scales(truth: &Truth, handed: &Handed) -> Vec<(String, [f64; 2])> {
 
 /// Difference of factors that no answer tells apart.
 const ALIKE: f64 = 1e-3;
+
+/// Signs, diameters and parts of the whole: numbers of the scene that are called others.
+fn called(scene: &Scene, handed: &Handed) -> Vec<(String, [f64; 2])> {
+    let is_circle = scene.is_around_axis(handed.contact);
+    let [doubled, halved] = match is_circle {
+        true => ["a diameter for a radius", "a radius for a diameter"],
+        false => ["a width for a half-width", "a half-width for a width"],
+    };
+    let mut all = vec![
+        ("pressures are negative in compression: hand them in with --tension-positive".to_owned(), [-1.0, 1.0]),
+        (format!("positions are doubled: {doubled}"), [1.0, 0.5]),
+        (format!("positions are halved: {halved}"), [1.0, 2.0]),
+    ];
+    if is_circle && handed.forces {
+        all.push(("nodal forces are per radian: 2π is forgotten".into(), [TAU, 1.0]));
+        all.push(("nodal forces are those of a sector of 2°: they are to be multiplied by 180".into(), [180.0, 1.0]));
+    }
+    if !is_circle && (scene.thickness - 1.0).abs() > 0.0 {
+        let text = format!("forces are per unit thickness, but the scene is {} mm thick", scene.thickness);
+        all.push((text, [scene.thickness, 1.0]));
+    }
+    all
+}
 
 /// Those of bodies of revolution: of a load so many times the scene's `a` and `p₀` are `∛` of it, of a contact of given radius p alone.
 fn of_revolution(scene: &Scene, handed: &Handed) -> Vec<(String, [f64; 2])> {
@@ -108,19 +142,12 @@ fn of_revolution(scene: &Scene, handed: &Handed) -> Vec<(String, [f64; 2])> {
         std::iter::once(of_hertz).chain((!is_named).then_some(of_given_radius))
     };
     let mut all = vec![
-        (say("pressures are negative in compression: hand them in with --tension-positive"), [-1.0, 1.0]),
         (say("the radius is twice the scene's (a diameter for a radius)"), [4f64.cbrt(), 2f64.cbrt().recip()]),
         (say("the radius is half of the scene's (a radius for a diameter)"), [4f64.cbrt().recip(), 2f64.cbrt()]),
         (say("E* is half of the scene's (an elastic other side for a rigid one)"), [4f64.cbrt(), 2f64.cbrt().recip()]),
         (say("E* is twice the scene's (a rigid other side for an elastic one)"), [4f64.cbrt().recip(), 2f64.cbrt()]),
-        (say("positions are doubled: a diameter for a radius"), [1.0, 0.5]),
-        (say("positions are halved: a radius for a diameter"), [1.0, 2.0]),
     ];
     all.extend(loads.into_iter().flat_map(of_load));
-    if handed.forces {
-        all.push((say("nodal forces are per radian: 2π is forgotten"), [TAU, 1.0]));
-        all.push((say("nodal forces are those of a sector of 2°: they are to be multiplied by 180"), [180.0, 1.0]));
-    }
     let plane = Scene { plane: PlaneHypothesis::Stress, ..scene.clone() };
     let pair = &scene.contacts[handed.contact];
     let root = (plane.modulus_of(pair) / scene.modulus_of(pair)).cbrt();
@@ -134,7 +161,6 @@ fn of_strips(truth: &Truth, handed: &Handed) -> Vec<(String, [f64; 2])> {
     let pair = &scene.contacts[handed.contact];
     let say = |text: &str| text.to_owned();
     let mut all = vec![
-        (say("pressures are negative in compression: hand them in with --tension-positive"), [-1.0, 1.0]),
         (say("the load is half of the scene's: that is of the whole contact, not of one half"), [SQRT_2, SQRT_2]),
         (say("the load is half of the scene's: that is of the whole contact, not of one half"), [2.0, 1.0]),
         (say("the load is twice the scene's: the load of the whole acts on one half"), [FRAC_1_SQRT_2, FRAC_1_SQRT_2]),
@@ -151,8 +177,6 @@ fn of_strips(truth: &Truth, handed: &Handed) -> Vec<(String, [f64; 2])> {
             ),
             [FRAC_1_SQRT_2, SQRT_2],
         ),
-        (say("positions are doubled: a width for a half-width"), [1.0, 0.5]),
-        (say("positions are halved: a half-width for a width"), [1.0, 2.0]),
     ];
     let sphere =
         "p₀ = 3F/2πa² is that of a sphere, whose a = ∛(3FR/4E*): of a cylinder p₀ = 2F/πat and a = √(4FR/πE*t)";
@@ -167,44 +191,50 @@ fn of_strips(truth: &Truth, handed: &Handed) -> Vec<(String, [f64; 2])> {
         _ => "plane stress was solved, but the scene is in plane strain: E for E/(1−ν²)",
     };
     all.extend([(say(plane), [1.0 / root, root]), (say(plane), [1.0 / (root * root), 1.0])]);
-    if (scene.thickness - 1.0).abs() > 0.0 {
-        let text = format!("forces are per unit thickness, but the scene is {} mm thick", scene.thickness);
-        all.push((text, [scene.thickness, 1.0]));
-    }
     all
 }
 
-/// Lengths and the pressures that go with them.
-const SYSTEMS: [(&str, &[&str]); 3] = [("m", &["Pa", "kPa", "GPa"]), ("inch", &["psi", "ksi"]), ("cm", &["bar"])];
-
-/// Units that are called others: another one ours, or the reverse.
-fn units(pair: &ContactPair) -> Vec<(String, [f64; 2])> {
+/// Units that are called others: positions, pressures or forces, or both. Forces do not change with the unit of positions.
+fn units(pair: &ContactPair, handed: &Handed, units: &Units, is_circle: bool) -> Vec<(String, [f64; 2])> {
+    let role = if handed.forces { Role::Force } else { Role::Pressure };
+    let [places, values] = [(Role::Position, pair.path.is_straight()), (role, true)].map(|(role, are_lengths)| {
+        let own = units.of(role).map_or_else(Vec::new, |own| others(role, own, are_lengths));
+        [vec![(String::new(), 1.0, true)], own].concat()
+    });
     let mut all = Vec::new();
-    let nothing = || (String::new(), 1.0);
-    for (length, stresses) in SYSTEMS {
-        let places = match pair.path.is_straight() {
-            true => called("positions", &[(length, Role::X.factor(length))], "mm"),
-            false => called("angles", &[("degrees", Role::Position.factor("deg"))], "rad"),
-        };
-        let stresses: Vec<_> = stresses.iter().map(|&unit| (unit, Role::Pressure.factor(unit))).collect();
-        for (place, by) in std::iter::once(nothing()).chain(places) {
-            for (pressure, times) in std::iter::once(nothing()).chain(called("pressures", &stresses, "MPa")) {
-                let both = [&*place, &*pressure].into_iter().filter(|text| !text.is_empty()).collect::<Vec<_>>();
-                if !both.is_empty() {
-                    all.push((format!("units: {}", both.join(", ")), [times, by]));
-                }
+    for (place, by, is_plain) in &places {
+        for (value, times, may_both) in &values {
+            let both = [&**place, value].into_iter().filter(|text| !text.is_empty()).collect::<Vec<_>>();
+            let area = if is_circle { by * by } else { *by };
+            let times = if handed.forces { times / area } else { *times };
+            if both.len() == 1 || both.len() == 2 && *is_plain && *may_both {
+                all.push((format!("units: {}", both.join(", ")), [times, *by]));
             }
         }
     }
     all
 }
 
-/// What is in one of these units and called ours, then the reverse.
-fn called(what: &str, units: &[(&str, Option<f64>)], ours: &str) -> Vec<(String, f64)> {
-    let known = || units.iter().filter_map(|&(unit, factor)| Some((unit, factor?)));
-    let forth = known().map(|(unit, factor)| (format!("{what} in {unit} are called {ours}"), factor));
-    let back = known().map(|(unit, factor)| (format!("{what} in {ours} are called {unit}"), 1.0 / factor));
-    forth.chain(back).collect()
+/// What numbers of a role in a unit may be, each with its factor: in another unit, then in that unit, and converted to it from another once more; and
+/// whether they are in another. Lengths or angles, the first of a size.
+fn others(role: Role, own: &str, are_lengths: bool) -> Vec<(String, f64, bool)> {
+    let Some(ours) = role.factor(own) else { return vec![] };
+    let what = if are_lengths { format!("{}s", role.name()) } else { "angles".into() };
+    let name = |unit: &str| if unit == "in" { "inch".to_owned() } else { unit.to_owned() };
+    let units = || role.units().iter().filter(|(unit, _)| is_angle(unit) != are_lengths);
+    let called = units()
+        .map(|(unit, factor)| (format!("{what} in {} are called {}", name(unit), name(own)), factor / ours, true));
+    let converted = units().map(|(unit, factor)| {
+        (format!("{what} in {} were taken for {}, and converted", name(own), name(unit)), ours / factor, false)
+    });
+    let mut all: Vec<(String, f64, bool)> = Vec::new();
+    for one in called.chain(converted) {
+        let is_new = |known: f64| (one.1 / known - 1.0).abs() > ALIKE;
+        if is_new(1.0) && all.iter().all(|(_, known, _)| is_new(*known)) {
+            all.push(one);
+        }
+    }
+    all
 }
 
 /// Pressures over the peak, and places over the half-width.
@@ -301,6 +331,9 @@ fn shifts(scene: &Scene, handed: &Handed) -> Vec<Correction> {
     all
 }
 
+/// Pressures of a half over those of the other, from which on it is there.
+const MISSING: f64 = 0.1;
+
 /// The half that is there, and its mirror image for the other.
 fn halves(handed: &Handed) -> Vec<Correction> {
     let half = |right: bool| {
@@ -314,11 +347,14 @@ fn halves(handed: &Handed) -> Vec<Correction> {
         points.sort_by(|a, b| a.position.total_cmp(&b.position));
         Handed { points, edges: vec![], ..handed.clone() }
     };
+    let carried = |sign: f64| -> f64 {
+        let own = handed.points.iter().filter(|point| sign * point.position > 0.0);
+        own.map(|point| point.value.abs()).sum()
+    };
     let says = |half: &str| format!("the {half} half of the profile is missing");
-    vec![
-        Correction { says: says("left"), corrected: half(true) },
-        Correction { says: says("right"), corrected: half(false) },
-    ]
+    let lacks = |sign: f64| carried(sign) <= MISSING * carried(0.0 - sign);
+    let both = [("left", -1.0), ("right", 1.0)].into_iter().filter(|(_, sign)| lacks(*sign));
+    both.map(|(name, sign)| Correction { says: says(name), corrected: half(sign < 0.0) }).collect()
 }
 
 fn without_gaps(handed: &Handed) -> Handed {

@@ -3,7 +3,9 @@
 use std::collections::{HashMap, HashSet, VecDeque};
 
 use crate::error::Error;
+use crate::measure::display_factor;
 use crate::mesh::Order;
+use crate::referee::answer::signed_coordinate;
 use crate::referee::source::Source;
 use crate::referee::units::{Role, is_angle};
 use crate::scene::{ContactPair, Path, Profile, Scene, Shape};
@@ -18,9 +20,16 @@ const SAME: f64 = 1e-6;
 const PRESSED: f64 = 0.02;
 /// Share of the force that may lie elsewhere.
 const DROPPED: f64 = 1e-3;
+/// Distance of two edges, over the length of one, from which on there is a part of the side between them.
+const APART: f64 = 1e-2;
+/// Part of the candidate stretch that a side reaches over which lies there with its points in another unit.
+const REACHED: f64 = 0.5;
 /// What to do about points that lie elsewhere.
 const UNDEFORMED: &str = "hand in the mesh undeformed, in plane cells, in the coordinates of the scene and the unit of --unit position=UNIT; --contact \
                           names one of several";
+
+/// What to do about a part of it that no cell is at.
+const ALL: &str = "hand in all cells along the contact";
 
 /// A cell by its nodes: three or four corners, then the mid-sides, if it has them.
 #[derive(Clone, Debug)]
@@ -122,7 +131,8 @@ impl Side {
         let pressed = || self.off.iter().filter(|edge| edge.iter().all(|&node| at(node) > PRESSED * largest));
         let (whole, dropped) = (all().map(force).sum::<f64>(), pressed().map(force).sum::<f64>());
         if dropped <= DROPPED * whole {
-            return Ok(());
+            let broken = self.broken(pair, points, |node| at(node) > PRESSED * largest);
+            return broken.map_or(Ok(()), |ends| Err(source.refused(lacking(pair, ends), ALL)));
         }
         let is_beyond = |edge: &Edge| edge.iter().any(|&node| pair.path.coordinate(points[node]).abs() > pair.stretch);
         let beyond = pressed().filter(|edge| is_beyond(edge)).count();
@@ -141,6 +151,34 @@ impl Side {
     }
 }
 
+/// What is said of a part of a side that no edge is on \[mm, or rad on an arc\].
+fn lacking(pair: &ContactPair, ends: [f64; 2]) -> String {
+    let [from, to] = ends.map(|s| display_factor(&pair.path) * s);
+    let unit = if pair.path.is_straight() { "mm" } else { "°" };
+    format!(
+        "no edge of its cells lies on contact `{}` from {from:.4} to {to:.4} {unit}, beside nodes that are pressed",
+        pair.name
+    )
+}
+
+impl Side {
+    /// A part of the side that no edge is on, beside a node that is pressed.
+    fn broken(&self, pair: &ContactPair, points: &[[f64; 2]], is_pressed: impl Fn(usize) -> bool) -> Option<[f64; 2]> {
+        let place = |node: usize| (signed_coordinate(pair, points[node]), node);
+        let in_order = |edge: &Edge| {
+            let [a, b] = [place(edge[0]), place(edge[1])];
+            if a.0 <= b.0 { [a, b] } else { [b, a] }
+        };
+        let mut edges: Vec<[(f64, usize); 2]> = self.edges.iter().map(in_order).collect();
+        edges.sort_by(|a, b| a[0].0.total_cmp(&b[0].0));
+        let is_broken = |two: &&[[(f64, usize); 2]]| {
+            let [[_, (from, end)], [(to, begin), _]] = [two[0], two[1]];
+            to - from > APART * (two[0][1].0 - two[0][0].0) && (is_pressed(end) || is_pressed(begin))
+        };
+        edges.windows(2).find(is_broken).map(|two| [two[0][1].0, two[1][0].0])
+    }
+}
+
 /// The factor by which more than so many edges would lie on the side, as a part of a remedy; nothing where none is.
 fn unit_that_fits(
     scene: &Scene,
@@ -151,7 +189,9 @@ fn unit_that_fits(
 ) -> String {
     let count = |factor: f64| {
         let scaled: Vec<[f64; 2]> = points.iter().map(|point| point.map(|x| factor * x)).collect();
-        outline.iter().filter(|edge| lies_on(scene, pair, &scaled, edge)).count()
+        let on_side: Vec<&Edge> = outline.iter().filter(|edge| lies_on(scene, pair, &scaled, edge)).collect();
+        let reach = on_side.iter().flat_map(|edge| &edge[..2]).map(|&node| pair.path.coordinate(scaled[node]).abs());
+        if reach.fold(0.0, f64::max) < REACHED * pair.stretch { 0 } else { on_side.len() }
     };
     let lengths = Role::Position.units().iter().filter(|(unit, factor)| !is_angle(unit) && (factor - 1.0).abs() > 0.0);
     let tried = lengths.flat_map(|(_, factor)| [*factor, 1.0 / factor]).map(|factor| (count(factor), factor));

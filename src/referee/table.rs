@@ -13,7 +13,7 @@ use crate::referee::answer::{Answer, FEWEST, Handed, Point, contact_named, order
 use crate::referee::asked::Asked;
 use crate::referee::side::surface;
 use crate::referee::source::Source;
-use crate::referee::units::{Role, is_angle};
+use crate::referee::units::{Role, Units, is_angle};
 use crate::scene::{ContactPair, Scene};
 
 /// What a file needs.
@@ -42,8 +42,8 @@ struct Column {
     factor: f64,
     /// Its name and unit, as it was read.
     title: String,
-    /// Whether it holds angles.
-    angle: bool,
+    /// Its unit; none of names.
+    unit: Option<String>,
 }
 
 /// The answer in a text.
@@ -52,18 +52,27 @@ pub fn parse(file: &Path, text: &str, scene: &Scene, asked: &Asked) -> Result<An
     let table = Table::of(&source, asked)?;
     let columns = columns(&source, &table.head, scene, asked)?;
     let reader = Reader { source, columns, scene, asked, comma: table.comma };
-    let mut groups: Vec<(usize, Vec<Point>)> = Vec::new();
+    let (mut groups, mut rows): (Vec<(usize, Vec<Point>)>, Vec<(usize, f64, &str)>) = Default::default();
     for (line, cells) in &table.rows {
         if cells.len() != table.head.len() {
             let message = format!("this line has {} cells, but the head names {}", cells.len(), table.head.len());
             let is_numbered = cells.len() == table.head.len() + 1 && cells[0].parse::<usize>().is_ok();
             return Err(source.at(line, message, if is_numbered { ROW_NUMBERS } else { WRONG_CELLS }));
         }
-        let (contact, point) = reader.point(line, cells)?;
+        let Some(contact) = reader.contact(line, cells)? else { continue };
+        let point = reader.point(contact, line, cells)?;
         match groups.iter_mut().find(|(known, _)| *known == contact) {
             Some((_, points)) => points.push(point),
             None => groups.push((contact, vec![point])),
         }
+        rows.push((contact, point.position, *line));
+    }
+    if let Some(line) = another(text, &rows) {
+        return Err(source.at(line, ANOTHER, ONE));
+    }
+    if let (true, Some(name), false) = (groups.is_empty(), &asked.contact, table.rows.is_empty()) {
+        let message = format!("it has no line of contact `{name}`");
+        return Err(source.refused(message, "name by --contact one that stands in its column `contact`"));
     }
     if groups.is_empty() {
         return Err(source.refused("it has no line behind its head", "the file is cut: write it again"));
@@ -76,7 +85,16 @@ pub fn parse(file: &Path, text: &str, scene: &Scene, asked: &Asked) -> Result<An
     };
     let contacts = groups.into_iter().map(handed).collect::<Result<_, Error>>()?;
     let read = reader.columns.iter().map(|column| format!("`{}` as {}", column.title, column.role.name())).collect();
-    Ok(Answer { file: file.into(), code: None, read, notes: vec![], contacts, field: None })
+    let unit = |roles: &[Role]| {
+        reader.columns.iter().find(|column| roles.contains(&column.role)).and_then(|column| column.unit.clone())
+    };
+    let units = Units {
+        position: unit(&[Role::Position, Role::X]),
+        pressure: unit(&[Role::Pressure]),
+        force: unit(&[Role::Force]),
+        ..Default::default()
+    };
+    Ok(Answer { file: file.into(), code: None, read, notes: vec![], units, contacts, field: None })
 }
 
 /// What separates cells: the mark by which most lines are rows of numbers.
@@ -161,14 +179,22 @@ impl<'a> Table<'a> {
                 false => rows.push((line, own)),
             }
         }
-        if let Some(line) = another(source.text, &rows) {
-            return Err(source.at(line, ANOTHER, ONE));
-        }
         // ParaView writes zeros where a line leaves the grid, and masks them.
         if let Some(mask) = head.iter().position(|title| title.eq_ignore_ascii_case("vtkValidPointMask")) {
             rows.retain(|(_, cells)| cells.get(mask).and_then(|cell| number(cell, false)) != Some(0.0));
         }
-        let comma = mark != ',' && rows.iter().flat_map(|(_, cells)| cells).any(|cell| cell.contains(','));
+        let commas = || {
+            rows.iter()
+                .flat_map(|(line, own)| own.iter().map(move |cell| (line, cell)))
+                .filter(|(_, cell)| cell.contains(','))
+        };
+        let comma = mark != ',' && commas().next().is_some();
+        if let (true, Some((line, cell))) = (comma && commas().all(|(_, cell)| is_of_thousands(cell)), commas().next())
+        {
+            let message =
+                format!("`{cell}` may be a number with a decimal comma, or one with a mark between thousands");
+            return Err(source.at(line, message, "write numbers with a decimal point, and no mark between thousands"));
+        }
         Ok(Self { head, rows, comma })
     }
 }
@@ -181,18 +207,35 @@ fn is_rule(line: &str) -> bool {
     line.chars().all(|mark| "-=+|,; \t".contains(mark))
 }
 
-/// The first of some rows behind a line without numbers, where as many rows stand before and behind it as make a profile: the next data set of
-/// gnuplot, or the other side of the contact.
-fn another<'a>(text: &str, rows: &[(&'a str, Vec<String>)]) -> Option<&'a str> {
-    let begin = |k: usize| rows[k].0.as_ptr() as usize - text.as_ptr() as usize;
+/// The first of some rows (contact, place, line) behind a line without numbers, where as many rows stand before and behind it as make a profile,
+/// and its places do not go on from those before: the next data set of gnuplot, or the other side of the contact.
+fn another<'a>(text: &str, rows: &[(usize, f64, &'a str)]) -> Option<&'a str> {
+    let begin = |k: usize| rows[k].2.as_ptr() as usize - text.as_ptr() as usize;
     let is_behind_break = |k: usize| {
-        let between = text.get(begin(k - 1) + rows[k - 1].0.len()..begin(k)).unwrap_or_default();
+        let between = text.get(begin(k - 1) + rows[k - 1].2.len()..begin(k)).unwrap_or_default();
         between.trim_start_matches('\r').strip_prefix('\n').is_some_and(|between| !between.is_empty())
     };
     let breaks: Vec<usize> = (1..rows.len()).filter(|&k| is_behind_break(k)).collect();
     let ends = |k: usize| breaks.get(k).copied().unwrap_or(rows.len());
     let is_long = |k: usize| ends(k) - k.checked_sub(1).map_or(0, ends) >= FEWEST;
-    (0..breaks.len()).find(|&k| is_long(k) && is_long(k + 1)).map(|k| rows[breaks[k]].0)
+    let goes_on = |k: usize| {
+        let step = |k: usize| rows[k].1 - rows[k - 1].1;
+        rows[k].0 != rows[k - 1].0 || (k - 1..k + 2).all(|other| step(other) * step(k) > 0.0)
+    };
+    let is_other = |k: &usize| is_long(*k) && is_long(k + 1) && !goes_on(breaks[*k]);
+    (0..breaks.len()).find(is_other).map(|k| rows[breaks[k]].2)
+}
+
+/// Whether a comma may stand between thousands: up to three digits before it, the first not 0, and three behind.
+fn is_of_thousands(cell: &str) -> bool {
+    let are_digits = |text: &str| text.bytes().all(|letter| letter.is_ascii_digit());
+    cell.trim_start_matches(['+', '-', '−']).split_once(',').is_some_and(|(before, behind)| {
+        (1..4).contains(&before.len())
+            && behind.len() == 3
+            && !before.starts_with('0')
+            && are_digits(before)
+            && are_digits(behind)
+    })
 }
 
 /// Whether a line is a row of units for so many columns.
@@ -426,8 +469,7 @@ fn column(source: &Source, role: Role, index: usize, title: &str, asked: &Asked)
     let what = format!("the column `{title}`");
     let factor = if role == Role::Contact { 1.0 } else { source.factor(role, &what, written, named)? };
     let said = named.filter(|_| written.is_none()).map_or_else(String::new, |named| format!(", in {named}"));
-    let angle = written.or(named).is_some_and(is_angle) && role == Role::Position;
-    Ok(Column { role, index, factor, title: format!("{title}{said}"), angle })
+    Ok(Column { role, index, factor, title: format!("{title}{said}"), unit: written.or(named).map(str::to_owned) })
 }
 
 /// Part of the candidate stretch by which a point may lie off the side, beside the gap there: displaced, or on the other side.
@@ -466,23 +508,32 @@ impl Reader<'_> {
             _ => {
                 let also = if mixed { ": other numbers of the file have a decimal comma" } else { "" };
                 let message = format!("`{}` is `{text}`, which is no number{also}", column.title);
-                let remedy = "write finite numbers, all with a decimal point or all with a comma, and no mark between thousands; leave nodes out that have none";
+                let remedy = "write finite numbers, all with a decimal point or all with a comma, and no mark between thousands; leave out only nodes beyond the contact";
                 Err(self.source.at(line, message, remedy))
             }
         }
     }
 
-    /// The point of a line, and the contact it belongs to.
-    fn point(&self, line: &str, cells: &[String]) -> Result<(usize, Point), Error> {
+    /// The contact that a line belongs to; none of one that is not asked for.
+    fn contact(&self, line: &str, cells: &[String]) -> Result<Option<usize>, Error> {
+        let asked = self.asked.contact.as_deref();
+        let named = self.columns.iter().find(|column| column.role == Role::Contact);
+        let own = named.map(|column| cells[column.index].as_str());
+        let index = |name| contact_named(self.scene, name, |message, remedy| self.source.at(line, message, remedy));
+        let is_other = asked.is_some_and(|asked| own.is_some_and(|own| own != asked));
+        let wanted = index(asked.or(own))?;
+        Ok(Some(wanted).filter(|_| !is_other))
+    }
+
+    /// The point of a line of a contact.
+    fn point(&self, contact: usize, line: &str, cells: &[String]) -> Result<Point, Error> {
         let number = |role: Role| self.number(line, cells, role);
         let column = |role: Role| self.columns.iter().find(|column| column.role == role);
-        let name = column(Role::Contact).map(|column| cells[column.index].as_str()).or(self.asked.contact.as_deref());
-        let contact = contact_named(self.scene, name, |message, remedy| self.source.at(line, message, remedy))?;
         let pair = &self.scene.contacts[contact];
         let straight = pair.path.is_straight();
         let position = match (number(Role::Position)?, number(Role::X)?, number(Role::Y)?) {
             (Some(position), ..) => {
-                if column(Role::Position).is_some_and(|column| column.angle) == straight {
+                if column(Role::Position).and_then(|column| column.unit.as_deref()).is_some_and(is_angle) == straight {
                     let [is, wanted] = if straight { ["angles", "mm, m or um"] } else { ["lengths", "deg or rad"] };
                     let along = if straight { "a straight line" } else { "an arc, from the load line on" };
                     let message = format!("positions are {is}, but the contact runs along {along}");
@@ -510,6 +561,6 @@ impl Reader<'_> {
         };
         let value = number(Role::Pressure)?.map_or_else(|| number(Role::Force), |pressure| Ok(Some(pressure)))?;
         let value = self.asked.sign() * value.unwrap_or(f64::NAN);
-        Ok((contact, Point { position, value, area: number(Role::Area)?, gap: number(Role::Gap)? }))
+        Ok(Point { position, value, area: number(Role::Area)?, gap: number(Role::Gap)? })
     }
 }

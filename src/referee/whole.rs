@@ -1,7 +1,7 @@
 //! What displacements on the whole mesh tell: whether their stresses are in equilibrium with loads and pressures, their strain energy, and the
 //! displacements, reactions, approaches and shears that a scene file declares.
 
-use crate::case::{self, Against, Check, Judged, Reference};
+use crate::case::{self, Against, Check, Judged, Reference, Verdict};
 use crate::contact::interface::ContactNode;
 use crate::elasticity::{loads, reactions};
 use crate::error::Error;
@@ -33,14 +33,14 @@ struct Whole<'a> {
     tolerance: f64,
 }
 
-/// Judges a field: what belongs to no contact goes to the first of the profiles.
+/// Judges a field: what belongs to no contact goes to the first of the profiles. Whether its strain energy is that of the scene.
 pub fn judge(
     truth: &Truth,
     field: &Field,
     profiles: &[Profile],
     ruled: &mut [Ruled],
     tolerance: f64,
-) -> Result<(), Error> {
+) -> Result<bool, Error> {
     let (own, energies) = exported(truth)?;
     let displacement = match field.at_nodes(own) {
         Ok(displacement) => displacement,
@@ -49,7 +49,7 @@ pub fn judge(
             if let Some(first) = ruled.first_mut() {
                 first.missing.push([what, format!("{how}: {why}")]);
             }
-            return Ok(());
+            return Ok(false);
         }
     };
     let internal = internal(own, &displacement)?;
@@ -64,9 +64,11 @@ pub fn judge(
                 first.missing.push(["equilibrium of the stresses".into(), "the pressures of every contact".into()])
             }
         }
-        first.judged.push(whole.energy(*energies));
     }
-    Ok(())
+    let energy = whole.energy(*energies);
+    let is_of_scene = energy.verdict == Verdict::Pass;
+    ruled.iter_mut().take(1).for_each(|first| first.judged.push(energy.clone()));
+    Ok(is_of_scene)
 }
 
 /// The case on the mesh that it is exported on: solved once for all fields that are judged.

@@ -86,6 +86,7 @@ mod referee_field;
 mod referee_fuzz;
 mod referee_grid;
 mod referee_mistakes;
+mod referee_parts;
 mod referee_readers;
 mod referee_refusals;
 mod referee_series;

@@ -87,6 +87,20 @@ fn displacements_that_are_wrong_are_found_by_equilibrium_and_energy() {
 }
 
 #[test]
+fn no_other_load_or_radius_explains_pressures_beside_displacements_of_the_scene() {
+    let truth = crate::workbench::truth("cylinder");
+    let text = own(&truth.case);
+    let mistakes = |spoil: &dyn Fn(&mut Answer)| {
+        let mut answer = answer(&truth.case, text.as_bytes());
+        answer.contacts[0].points.iter_mut().for_each(|point| point.value *= 2.0);
+        spoil(&mut answer);
+        verdicts(truth, answer, ENGINEERING).expect("judged").mistakes
+    };
+    assert_eq!(mistakes(&|_| ()), Vec::<String>::new());
+    assert!(mistakes(&|answer| answer.field = None).iter().any(|says| says.starts_with("the load is twice")));
+}
+
+#[test]
 fn a_mesh_with_a_hole_is_not_judged_and_the_place_is_named() {
     let truth = crate::workbench::truth("bars");
     let text = own(&truth.case);

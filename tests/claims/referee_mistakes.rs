@@ -91,11 +91,10 @@ fn every_wrong_input_of_hertz_is_named_by_what_it_does_to_width_and_pressure() {
         (&strain, RIGHT, [1.0, 0.91], vec!["plane stress was solved".into()]),
         (&stress, STRESS, [1.0, 1.0 / 0.91], vec!["plane strain was solved".into()]),
     ];
-    let places = [("", 1.0), ("positions in m are called mm", 1e-3), ("positions in mm are called m", 1e3)];
+    let places = [("", 1.0), ("positions in m are called mm", 1e-3), ("positions in um are called mm", 1e3)];
     let pressures = [
         ("", 1.0),
         ("pressures in Pa are called MPa", 1e6),
-        ("pressures in MPa are called Pa", 1e-6),
         ("pressures in kPa are called MPa", 1e3),
         ("pressures in GPa are called MPa", 1e-3),
     ];
@@ -111,12 +110,13 @@ fn every_wrong_input_of_hertz_is_named_by_what_it_does_to_width_and_pressure() {
     let (peak, a) = (100.0, 2.0);
     for (factors, wanted) in [
         ([1.0, bar], "units: pressures in bar are called MPa"),
-        ([1.0, 1.0 / bar], "units: pressures in MPa are called bar"),
+        ([1.0, 1e-6], "units: pressures in MPa were taken for Pa, and converted"),
+        ([1.0, 1.0 / bar], "units: pressures in MPa were taken for bar, and converted"),
         ([1.0, psi], "units: pressures in psi are called MPa"),
         ([1.0, 1e-3 * psi], "units: pressures in ksi are called MPa"),
-        ([1.0, 1.0 / psi], "units: pressures in MPa are called psi"),
+        ([1.0, 1.0 / psi], "units: pressures in MPa were taken for psi, and converted"),
         ([inch, 1.0], "units: positions in inch are called mm"),
-        ([1.0 / inch, 1.0], "units: positions in mm are called inch"),
+        ([1.0 / inch, 1.0], "units: positions in mm were taken for inch, and converted"),
         ([0.1, 1.0], "units: positions in cm are called mm"),
         ([inch, psi], "units: positions in inch are called mm, pressures in psi are called MPa"),
         ([0.1, bar], "units: positions in cm are called mm, pressures in bar are called MPa"),
@@ -164,7 +164,7 @@ fn forces_of_another_thickness_are_named_and_those_of_every_order_are_right() {
             &thick,
             forces(&two, linear, 1.0),
             &of_two,
-            vec!["the load is half", "forces are per unit thickness, but the scene is 2 mm thick"],
+            vec!["forces are per unit thickness, but the scene is 2 mm thick", "the load is half"],
         ),
     ] {
         let found = named(truth, "force [N]", &rows, asked);
@@ -212,8 +212,8 @@ fn angles_and_pressures_of_a_press_fit_in_other_units_are_named() {
     for (rows, wanted) in [
         (rows(1.0, 1.0), ""),
         (rows(1.0, 1e6), "units: pressures in Pa are called MPa"),
-        (rows(degrees, 1.0), "units: angles in rad are called degrees"),
-        (rows(1.0 / degrees, 1.0), "units: angles in degrees are called rad"),
+        (rows(degrees, 1.0), "units: angles in rad are called deg"),
+        (rows(1.0 / degrees, 1.0), "units: angles in deg were taken for rad, and converted"),
     ] {
         let rows: String = rows.iter().map(|[s, value]| format!("{s:e},{value:e}\n")).collect();
         let text = format!("position [deg],pressure [MPa]\n{rows}");

@@ -1,0 +1,159 @@
+//! What is left out of an answer, stands there of another contact, or hides behind something else is named, and never judged as the whole.
+
+use std::path::Path;
+
+use contact_vv::case::{Case, Verdict};
+use contact_vv::checkout::root;
+use contact_vv::referee::judge::ENGINEERING;
+use contact_vv::referee::units::Role;
+use contact_vv::referee::{Asked, Truth, read, verdicts};
+
+use crate::referee_readers::{Frd, ellipse, vtk};
+use crate::referee_wild::{parsed, usual};
+
+fn refused(name: &str, text: &str, asked: &Asked, parts: &[&str]) {
+    let error = parsed(name, text, asked).map(|_| ()).expect_err(text).to_string();
+    assert!(error.contains(name) && parts.iter().all(|part| error.contains(part)), "{parts:?}: {error}");
+}
+
+#[test]
+fn a_table_goes_on_behind_a_comment_where_its_places_go_on() {
+    let rows = ellipse::rows(",", |x| x.to_string());
+    let lines: Vec<&str> = rows.lines().collect();
+    let (near, far) = (lines[..20].join("\n"), lines[20..].join("\n"));
+    for between in ["# beyond the middle", "", "\n\n"] {
+        let text = format!("position [mm],pressure [MPa]\n{near}\n{between}\n{far}\n");
+        ellipse::assert(&parsed("parts.csv", text, &usual()).expect("read"), 1e-9);
+    }
+    let again =
+        format!("position [mm],pressure [MPa]\n{near}\n# another\n{}\n{far}\n", lines[19].replace("1.9", "1.85"));
+    refused("parts.csv", &again, &usual(), &["begins another table"]);
+}
+
+#[test]
+fn a_comma_that_may_stand_between_thousands_is_not_taken_for_a_decimal_one() {
+    let table = |places: [&str; 3]| {
+        let rows: String = places.iter().zip(["5,769", "5,123", "1,000"]).map(|(s, p)| format!("{s};{p}\n")).collect();
+        format!("position [mm];pressure [MPa]\n{rows}")
+    };
+    refused("theirs.csv", &table(["0", "1", "2"]), &usual(), &["`5,769`", "between thousands", "decimal point"]);
+    for places in [["0,0", "1,0", "2,0"], ["0,000", "1,000", "2,000"], ["0", "1,25", "2"]] {
+        let points = parsed("theirs.csv", table(places), &usual()).expect("read").contacts[0].points.clone();
+        assert!((points[0].value - 5.769).abs() <= 1e-12);
+    }
+}
+
+#[test]
+fn areas_where_something_presses_are_positive() {
+    let table = |area: &str| format!("position [mm],pressure [MPa],area [mm2]\n0,3,{area}\n1,2,{area}\n2,0,0\n");
+    assert!(parsed("theirs.csv", table("1"), &usual()).is_ok());
+    for (area, named) in [("-1", "the area at 0 is -1"), ("0", "the area at 1 is 0")] {
+        refused("theirs.csv", &table(area), &usual(), &[named, "positive"]);
+        let lists = "\"position\":[0,1,2],\"pressure\":[3,2,0]";
+        let text = format!(
+            "{{\"units\":{{\"position\":\"mm\",\"pressure\":\"MPa\",\"area\":\"mm2\"}},\"contacts\":[{{{lists},\"area\":[{area},{area},0]}}]}}"
+        );
+        refused("theirs.json", &text, &usual(), &[named, "positive"]);
+    }
+}
+
+#[test]
+fn of_several_contacts_the_one_that_is_asked_for_is_read() {
+    let asked = |name: &str| Asked { contact: Some(name.into()), ..usual() };
+    let rows: String =
+        ellipse::rows(",", |x| x.to_string()).lines().map(|row| format!("{row},block on rigid\n")).collect();
+    let text = format!("position [mm],pressure [MPa],contact\n0,7,other\n{rows}1,5,other\n");
+    ellipse::assert(&parsed("theirs.csv", &text, &asked("block on rigid")).expect("read"), 1e-9);
+    refused("theirs.csv", &text, &usual(), &["there is no contact `other`"]);
+    refused("theirs.csv", &text, &asked("other"), &["there is no contact `other`"]);
+    let text = "position [mm],pressure [MPa],contact\n0,7,other\n1,5,other\n2,0,other\n";
+    refused("theirs.csv", text, &asked("block on rigid"), &["no line of contact `block on rigid`"]);
+    let one = "\"position\":[0,1,2],\"pressure\":[3,2,0]";
+    let text = format!(
+        "{{\"units\":{{\"position\":\"mm\",\"pressure\":\"MPa\"}},\"contacts\":[{{\"name\":\"other\",{one}}}]}}"
+    );
+    refused("theirs.json", &text, &asked("block on rigid"), &["there is none of the name `block on rigid`"]);
+}
+
+#[test]
+fn edges_of_a_document_reach_from_its_first_point_to_its_last() {
+    let text = |edges: &[[f64; 2]]| {
+        let edges = edges
+            .iter()
+            .map(|[from, to]| format!("{{\"from\":{from},\"to\":{to},\"area\":{},\"pressure\":2}}", to - from));
+        let edges = edges.collect::<Vec<_>>().join(",");
+        format!(
+            "{{\"units\":{{\"position\":\"mm\",\"pressure\":\"MPa\",\"area\":\"mm2\"}},\"contacts\":[{{\"position\":[0,1,2],\"pressure\":[3,2,1],\"edges\":[{edges}]}}]}}"
+        )
+    };
+    assert!(parsed("theirs.json", text(&[[0.0, 1.0], [1.0, 2.0]]), &usual()).is_ok());
+    for (edges, named) in [
+        (&[[0.0, 1.0]][..], "no edge reaches from 1 to 2"),
+        (&[[1.0, 2.0]], "no edge reaches from 0 to 1"),
+        (&[[0.0, 0.5], [1.0, 2.0]], "no edge reaches from 0.5 to 1"),
+    ] {
+        refused("theirs.json", &text(edges), &usual(), &["contacts[0].edges", named]);
+    }
+}
+
+#[test]
+fn a_grid_without_some_of_the_cells_along_the_contact_is_not_judged() {
+    let whole = Frd::plain().text();
+    let without = |cells: &[usize]| {
+        let heads: Vec<String> = cells.iter().map(|cell| format!(" -1{cell:>10}    9    0    1")).collect();
+        let mut left_out = false;
+        let mut is_kept = |line: &&str| {
+            left_out = heads.iter().any(|head| *line == head) || left_out && line.starts_with(" -2");
+            !left_out
+        };
+        whole.lines().filter(|line| is_kept(line)).map(|line| format!("{line}\n")).collect::<String>()
+    };
+    assert!(parsed("theirs.frd", without(&[]), &usual()).is_ok());
+    // Beyond the contact, a = 2 mm, nothing presses.
+    assert!(parsed("theirs.frd", without(&[33, 40]), &usual()).is_ok());
+    for cells in [&[5][..], &[5, 11], &[5, 6]] {
+        let parts =
+            ["no edge of its cells lies on contact `block on rigid` from 0.4000", "all cells along the contact"];
+        refused("theirs.frd", &without(cells), &usual(), &parts);
+    }
+    // A grid elsewhere is not one in another unit.
+    let far =
+        parsed("theirs.vtk", vtk::points(&|x, y| [x, y + 7.0]), &usual()).map(|_| ()).expect_err("far").to_string();
+    assert!(!far.contains("times"), "{far}");
+}
+
+#[test]
+fn displacements_that_are_no_numbers_are_named_with_their_node() {
+    let columns = vec![(Role::Displacement, "moved".to_owned())];
+    let units = [usual().units, vec![(Role::Displacement, "mm".to_owned())]].concat();
+    let asked = Asked { columns, units, ..usual() };
+    let text = vtk::ascii(&|s| format!("{:e}", ellipse::pressure(s)));
+    assert!(parsed("theirs.vtk", &text, &asked).is_ok());
+    let spoiled = text.replacen("VECTORS moved float\n1 2 3\n1 2 3\n", "VECTORS moved float\n1 2 3\n1 nan 3\n", 1);
+    refused("theirs.vtk", &spoiled, &asked, &["`moved` is NaN at node 1"]);
+}
+
+#[test]
+fn pressures_without_a_limit_that_alternate_are_no_answer() {
+    for scene in ["flat-punch"] {
+        let case = Case::read(&root().join(format!("tests/cases/{scene}.toml"))).expect("a case");
+        let truth = Truth::of(case).expect("solved");
+        let end = truth.run.contacts[0].measures.edge();
+        let failed = |share: f64| {
+            let place = |k: i32| end * (f64::from(k) / 160.0);
+            let turn = |k: i32| if k % 2 == 0 { 1.0 + share } else { 1.0 - share };
+            // The last ones lie beside the end, where the pressure has no limit.
+            let row = |k: i32| {
+                let s = place(k);
+                format!("{s},{}\n", turn(k) * truth.pressure(0, s.min(0.998 * end)))
+            };
+            let text = "position [mm],pressure [MPa]\n".to_owned() + &(0..=160).map(row).collect::<String>();
+            let answer = read::parse(Path::new("theirs.csv"), text.as_bytes(), &truth.case, &usual()).expect("read");
+            let found = verdicts(&truth, answer, ENGINEERING).expect("judged");
+            let failed = found.ruled[0].judged.iter().filter(|one| one.verdict == Verdict::Fail);
+            failed.map(|one| one.check.quantity.to_string()).collect::<Vec<_>>()
+        };
+        let alternates = |share: f64| failed(share).iter().any(|one| one.starts_with("alternation"));
+        assert!(!alternates(0.0) && !alternates(0.05) && alternates(0.3) && alternates(-0.3), "{:?}", failed(0.0));
+    }
+}
