@@ -6,7 +6,7 @@ use crate::error::Error;
 use crate::mesh::Order;
 use crate::referee::field::Field;
 use crate::referee::units::Units;
-use crate::scene::{ContactPair, Scene};
+use crate::scene::Scene;
 use crate::solution::EdgeState;
 
 /// An answer as it was handed in.
@@ -99,12 +99,6 @@ pub fn contact_named(
             .position(|other| *other == name)
             .ok_or_else(|| refused(format!("there is no contact `{name}`"), format!("known: {}", known.join(", ")))),
     }
-}
-
-/// Contact coordinate of a point, negative on the left of a symmetry line.
-pub fn signed_coordinate(pair: &ContactPair, [x, y]: [f64; 2]) -> f64 {
-    let s = pair.path.coordinate([x, y]);
-    if !pair.path.has_both_sides() && x < pair.path.origin()[0] { 0.0 - s } else { s }
 }
 
 /// Points in order; refuses too few, two at one place, and three-node edges that do not add up.

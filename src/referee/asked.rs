@@ -2,7 +2,7 @@
 
 use crate::error::Error;
 use crate::mesh::Order;
-use crate::referee::units::Role;
+use crate::referee::units::{Role, Units};
 
 /// How files are to be read, where they do not say so themselves.
 #[derive(Clone, Debug, Default)]
@@ -32,6 +32,14 @@ impl Asked {
     /// The unit that was named for a role.
     pub fn unit(&self, role: Role) -> Option<&str> {
         self.units.iter().find(|(known, _)| *known == role).map(|(_, unit)| unit.as_str())
+    }
+
+    /// All that were named.
+    pub fn units(&self) -> Units {
+        let [position, pressure, force, gap, area] =
+            [Role::Position, Role::Pressure, Role::Force, Role::Gap, Role::Area]
+                .map(|role| self.unit(role).map(str::to_owned));
+        Units { position, pressure, force, gap, area }
     }
 
     /// Whether one of several states is asked for.

@@ -5,12 +5,13 @@ use std::path::Path;
 
 use crate::error::Error;
 use crate::mesh::Order;
-use crate::referee::answer::{Answer, Handed, Point, ordered, signed_coordinate};
+use crate::referee::answer::{Answer, Handed, Point, ordered};
 use crate::referee::asked::Asked;
 use crate::referee::export::deck::{GAPS, SECTORS, named};
+use crate::referee::side::signed_coordinate;
 use crate::referee::source::Source;
 use crate::referee::state::State;
-use crate::referee::units::{Role, Units};
+use crate::referee::units::Role;
 use crate::scene::Scene;
 
 /// What a deck of ours begins with, and by which its units are known.
@@ -84,7 +85,7 @@ pub fn forces(file: &Path, text: &str, deck: &str, scene: &Scene, asked: &Asked)
     read.extend(scene.is_of_revolution().then(|| "reactions of a sector of 2° times 180".to_owned()));
     read.push("places from the deck of the same name".into());
     notes.dedup();
-    let (code, units) = (Some("CalculiX".into()), Units::named(asked));
+    let (code, units) = (Some("CalculiX".into()), asked.units());
     Ok(Answer { file: file.into(), code, read, notes, units, contacts, field: None })
 }
 

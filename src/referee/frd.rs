@@ -5,14 +5,14 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 use crate::error::Error;
-use crate::referee::answer::{Answer, Handed, Point, contact_named, ordered, signed_coordinate, without_gaps};
+use crate::referee::answer::{Answer, Handed, Point, contact_named, ordered, without_gaps};
 use crate::referee::asked::Asked;
 use crate::referee::calculix::AGAIN;
 use crate::referee::field::Field;
-use crate::referee::side::{Cell, Side};
+use crate::referee::side::{Cell, Side, signed_coordinate};
 use crate::referee::source::Source;
 use crate::referee::state::State;
-use crate::referee::units::{Role, Units};
+use crate::referee::units::Role;
 use crate::scene::Scene;
 
 /// How contact results are written.
@@ -82,7 +82,7 @@ pub fn parse(file: &Path, text: &str, scene: &Scene, asked: &Asked) -> Result<An
     let contacts = vec![Handed { contact, points, order, edges: vec![], forces: false }];
     let field = displacements((&source, scene), asked, None, Some(head.state.time))?;
     let code = Some("CalculiX".into());
-    let (notes, units) = (head.state.notes(&all), Units::named(asked));
+    let (notes, units) = (head.state.notes(&all), asked.units());
     Ok(Answer { file: file.into(), code, read, notes, units, contacts, field })
 }
 

@@ -5,12 +5,12 @@ use std::path::Path;
 
 use crate::error::Error;
 use crate::mesh::Order;
-use crate::referee::answer::{Answer, Handed, Point, contact_named, joined, ordered, signed_coordinate, without_gaps};
+use crate::referee::answer::{Answer, Handed, Point, contact_named, joined, ordered, without_gaps};
 use crate::referee::asked::Asked;
 use crate::referee::field::Field as Displaced;
-use crate::referee::side::{self, Cell, Side};
+use crate::referee::side::{self, Cell, Side, signed_coordinate};
 use crate::referee::source::Source;
-use crate::referee::units::{Role, Units};
+use crate::referee::units::Role;
 use crate::referee::unstructured::{Field, Grid};
 use crate::referee::vtu::AGAIN;
 use crate::referee::{table, vtk, vtu};
@@ -51,7 +51,7 @@ pub fn parse(file: &Path, bytes: &[u8], scene: &Scene, asked: &Asked) -> Result<
     read.sort();
     read.dedup();
     let field = grid.displaced(points, cells, asked)?;
-    Ok(Answer { file: file.into(), code: None, read, notes: vec![], units: Units::named(asked), contacts, field })
+    Ok(Answer { file: file.into(), code: None, read, notes: vec![], units: asked.units(), contacts, field })
 }
 
 /// A quadrilateral of order p, whose nodes lie evenly, as cells of nine nodes, or of four where p is odd; none where no order has so many nodes.

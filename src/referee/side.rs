@@ -5,7 +5,6 @@ use std::collections::{HashMap, HashSet, VecDeque};
 use crate::error::Error;
 use crate::measure::display_factor;
 use crate::mesh::Order;
-use crate::referee::answer::signed_coordinate;
 use crate::referee::source::Source;
 use crate::referee::units::{Role, is_angle};
 use crate::scene::{ContactPair, Path, Profile, Scene, Shape};
@@ -235,6 +234,12 @@ fn connected(points: &[[f64; 2]], from: &[Edge], others: &[&Edge]) -> Vec<Edge> 
     found.sort_unstable();
     found.dedup();
     found.into_iter().map(|k| others[k].clone()).collect()
+}
+
+/// Contact coordinate of a point, negative on the left of a symmetry line.
+pub fn signed_coordinate(pair: &ContactPair, [x, y]: [f64; 2]) -> f64 {
+    let s = pair.path.coordinate([x, y]);
+    if !pair.path.has_both_sides() && x < pair.path.origin()[0] { 0.0 - s } else { s }
 }
 
 /// How deep the first body's side lies where a point is; none where only its mesh tells.

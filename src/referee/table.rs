@@ -9,9 +9,9 @@ use std::path::Path;
 
 use crate::error::Error;
 use crate::mesh::Order;
-use crate::referee::answer::{Answer, FEWEST, Handed, Point, contact_named, ordered, signed_coordinate};
+use crate::referee::answer::{Answer, FEWEST, Handed, Point, contact_named, ordered};
 use crate::referee::asked::Asked;
-use crate::referee::side::surface;
+use crate::referee::side::{signed_coordinate, surface};
 use crate::referee::source::Source;
 use crate::referee::units::{Role, Units, is_angle};
 use crate::scene::{ContactPair, Scene};

@@ -3,8 +3,6 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::referee::asked::Asked;
-
 /// What a list of numbers holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Role {
@@ -170,14 +168,6 @@ pub struct Units {
 }
 
 impl Units {
-    /// Those that --unit names.
-    pub fn named(asked: &Asked) -> Self {
-        let [position, pressure, force, gap, area] =
-            [Role::Position, Role::Pressure, Role::Force, Role::Gap, Role::Area]
-                .map(|role| asked.unit(role).map(str::to_owned));
-        Self { position, pressure, force, gap, area }
-    }
-
     /// The unit of a role; none where it is not given.
     pub fn of(&self, role: Role) -> Option<&str> {
         match role {

@@ -166,7 +166,7 @@ fn forces_of_nearly_incompressible_cells_do_not_lock() {
     for order in TENSOR {
         let run = Run::of(&meshed(hertz.scene(), few(order), order), &Formulation::verification()).expect("run");
         let error = relative_error(run.measures().peak.pressure, peak);
-        assert!(error <= 1e-2, "{order:?}: {error:.1e}");
+        assert!(error <= 4e-3, "{order:?}: {error:.1e}");
     }
 }
 

@@ -1,10 +1,12 @@
-//! Nearly incompressible bodies in plane strain: neither cell locks, up to ν = 0.4999.
+//! Nearly incompressible bodies in plane strain and of revolution: no cell locks, up to ν = 0.4999.
 //!
 //! In plane stress with `E/(1−ν²)`, `ν/(1−ν)` a body has the same D and plain cells: what locks is shown by that.
 
-use std::f64::consts::FRAC_PI_2;
+use std::f64::consts::{FRAC_PI_2, PI};
+use std::path::Path;
 use std::sync::Arc;
 
+use contact_vv::case::Case;
 use contact_vv::elasticity::dilatation::ORDINARY;
 use contact_vv::elasticity::element::{self, CellStiffness, Tabulated};
 use contact_vv::elasticity::{quadrature, stress};
@@ -33,7 +35,7 @@ fn in_strain(order: Order, material: Material) -> CellStiffness {
 
 #[test]
 fn cells_of_ordinary_materials_are_the_plain_ones_and_others_follow_without_a_jump() {
-    for order in ORDERS {
+    for order in Order::ALL {
         let points = distorted(order);
         let with = |poisson: f64| Material { poisson, ..STEEL };
         for (plane, ratios) in
@@ -52,29 +54,34 @@ fn cells_of_ordinary_materials_are_the_plain_ones_and_others_follow_without_a_ju
 }
 
 #[test]
-fn eight_node_cells_keep_every_linear_dilatation() {
-    // A skewed cell reproduces complete quadratics, whose dilatation is linear: smoothing leaves it, and the energy, alone.
-    let points: Vec<[f64; 2]> =
-        nodes(Order::Quadratic).iter().map(|[x, y]| [x + 0.5 * y + 3.0, 0.2 * x + 0.7 * y]).collect();
-    let mut number = noise(3);
-    let c: [f64; 12] = std::array::from_fn(|_| number());
-    let quadratic =
-        |[x, y]: &[f64; 2], c: &[f64]| c[0] + c[1] * x + c[2] * y + c[3] * x * x + c[4] * x * y + c[5] * y * y;
-    let u = points.iter().flat_map(|point| [quadratic(point, &c[..6]), quadratic(point, &c[6..])]);
-    let u = DVector::from_iterator(16, u);
-    for poisson in RATIOS {
-        let material = Material { poisson, ..STEEL };
-        let plain = CellStiffness::new(Order::Quadratic, &material.stiffness(PlaneHypothesis::Strain), 1.3);
-        let energy = |kernel: &CellStiffness| (stiffness(kernel, &points) * &u).dot(&u);
-        let (found, wanted) = (energy(&in_strain(Order::Quadratic, material)), energy(&plain));
-        assert!((found - wanted).abs() <= 1e-11 * wanted, "ν = {poisson}: {found}, not {wanted}");
+fn cells_of_order_p_keep_every_dilatation_of_degree_p_less_one() {
+    // A skewed cell reproduces complete polynomials of degree p: smoothing leaves their dilatation, and the energy, alone.
+    for order in Order::ALL.into_iter().filter(|order| *order != Order::Linear) {
+        let p = i32::from(order.number());
+        let points: Vec<[f64; 2]> = nodes(order).iter().map(|[x, y]| [x + 0.5 * y + 3.0, 0.2 * x + 0.7 * y]).collect();
+        let mut number = noise(3);
+        let powers: Vec<[i32; 2]> = (0..=p).flat_map(|sum| (0..=sum).map(move |j| [sum - j, j])).collect();
+        let c: Vec<[f64; 2]> = powers.iter().map(|_| [number(), number()]).collect();
+        let value = |[x, y]: &[f64; 2], k: usize| -> f64 {
+            let term = |([i, j], c): (&[i32; 2], &[f64; 2])| c[k] * (x - 3.0).powi(*i) * y.powi(*j);
+            powers.iter().zip(&c).map(term).sum()
+        };
+        let u = points.iter().flat_map(|point| [value(point, 0), value(point, 1)]);
+        let u = DVector::from_iterator(2 * points.len(), u);
+        for poisson in RATIOS {
+            let material = Material { poisson, ..STEEL };
+            let plain = CellStiffness::new(order, &material.stiffness(PlaneHypothesis::Strain), 1.3);
+            let energy = |kernel: &CellStiffness| (stiffness(kernel, &points) * &u).dot(&u);
+            let (found, wanted) = (energy(&in_strain(order, material)), energy(&plain));
+            assert!((found - wanted).abs() <= 1e-10 * wanted, "{order:?}, ν = {poisson}: {found}, not {wanted}");
+        }
     }
 }
 
 #[test]
 fn stresses_are_those_that_the_stiffness_works_with() {
     // uᵀ k u = ∫ ε·σ t dA for any displacement.
-    for order in ORDERS {
+    for order in Order::ALL {
         let points = distorted(order);
         for poisson in RATIOS {
             let kernel = in_strain(order, Material { poisson, ..STEEL });
@@ -83,7 +90,7 @@ fn stresses_are_those_that_the_stiffness_works_with() {
             let all = DVector::from_iterator(2 * u.len(), u.iter().flatten().copied());
             let wanted = (stiffness(&kernel, &points) * &all).dot(&all);
 
-            let rule = quadrature::gauss_square(if order == Order::Linear { 2 } else { 3 });
+            let rule = quadrature::gauss_square(usize::from(order.number()) + 1);
             let work = |(at, weight): &([f64; 2], f64)| {
                 let (gradients, determinant) = element::gradients(&points, *at).expect("convex");
                 let stress = kernel.stresses(&points, &u, &[Tabulated::of(points.len(), *at)]).expect("convex")[0];
@@ -187,7 +194,9 @@ fn ring_errors(
 
 #[test]
 fn thick_ring_of_rubber_follows_lame_as_one_of_steel_does() {
-    for (order, elements, widening) in [(Order::Linear, 16, 5e-3), (Order::Quadratic, 8, 1e-4)] {
+    for (order, elements, widening) in
+        [(Order::Linear, 16, 5e-3), (Order::Quadratic, 8, 1e-4), (Order::Quartic, 2, 1e-4)]
+    {
         let strain = PlaneHypothesis::Strain;
         let steel = ring_errors(STEEL, strain, STEEL, elements, order);
         let rubber = ring_errors(RUBBER, strain, RUBBER, elements, order);
@@ -199,6 +208,51 @@ fn thick_ring_of_rubber_follows_lame_as_one_of_steel_does() {
         }
         for (found, plain) in rubber.iter().zip(locked) {
             assert!(*found <= 0.01 * plain, "{order:?}: plain cells do not lock: {locked:?}, {rubber:?}");
+        }
+    }
+}
+
+/// A block that is so many half-widths wide and high, pressed by a rigid parabola under which a half-space touches over 1 mm, on a mesh
+/// fitted to the end of the contact: p₀ over `P E*`-Hertz's, and the half-width \[mm\].
+fn pressed(plane: PlaneHypothesis, poisson: f64, size: f64) -> [f64; 2] {
+    let (young, radius) = (1000.0, 20.0);
+    let modulus = young / (1.0 - poisson * poisson);
+    // Load, its area, and the peak of Hertz's strip and circle.
+    let (load, area, peak) = match plane {
+        PlaneHypothesis::Strain => (0.5 * PI * modulus / (4.0 * radius), size, modulus / (2.0 * radius)),
+        _ => (4.0 * modulus / (3.0 * radius), PI * size * size, 2.0 * modulus / (PI * radius)),
+    };
+    let of_plane = match plane {
+        PlaneHypothesis::Strain => "plane = \"strain\"\nthickness = 1.0",
+        _ => "plane = \"axisymmetric\"",
+    };
+    let symmetric = if plane == PlaneHypothesis::Strain { "symmetric = true" } else { "" };
+    let text = format!(
+        "{of_plane}\n[[body]]\nname = \"block\"\nyoung = {young:?}\npoisson = {poisson:?}\n\
+         shape = {{ rectangle = {{ x = [0, {size}], y = [0, {size}], contact = \"bottom\" }} }}\n\
+         supports = [{{ at = \"left\", component = \"x\" }}]\nloads = [{{ traction = {{ at = \"far\", value = [0, {:?}] }} }}]\n\
+         [contact]\nfirst = \"block\"\ngap = {{ parabola = {radius:?} }}\nstretch = 1.3\n{symmetric}\n[mesh]\naccuracy = \"0.1 %\"\n",
+        0.0 - load / area
+    );
+    let case = Case::parse(Path::new("rubber.toml"), &text).expect("a case");
+    let (_, run) = case.solve().expect("solved");
+    assert!(run.solution.converged(), "{plane:?}, ν = {poisson}, {size} half-widths");
+    let measures = &run.contacts[0].measures;
+    [measures.peak.pressure / peak, measures.half_width()]
+}
+
+#[test]
+fn blocks_of_rubber_of_any_size_follow_hertz_as_those_of_steel_do() {
+    for (plane, size, limit) in [
+        (PlaneHypothesis::Axisymmetric, 30.0, 3e-4),
+        (PlaneHypothesis::Axisymmetric, 1000.0, 3e-4),
+        (PlaneHypothesis::Axisymmetric, 10_000.0, 3e-4),
+        (PlaneHypothesis::Strain, 1000.0, 3e-4),
+    ] {
+        for poisson in [0.3, 0.49, LARGEST_POISSON] {
+            let [peak, width] = pressed(plane, poisson, size);
+            let what = format!("{plane:?}, ν = {poisson}, {size} half-widths");
+            assert!((peak - 1.0).abs() <= limit && (width - 1.0).abs() <= limit, "{what}: {peak}, {width}");
         }
     }
 }

@@ -35,7 +35,7 @@ pub fn unbalanced(problem: &Case, run: &Run) -> Option<String> {
     let within = run.solution.error().largest() <= run.formulation.settings.tolerance;
     (run.solution.outcome == Outcome::Stalled && within).then(|| {
         format!(
-            "loads, contact and reactions of `{}` are out of balance by {}: its stiffness, or that of a body it touches, is so large that round-off takes the forces; make such a body rigid, or fix it",
+            "loads, contact and reactions of `{}` are out of balance by {}: its stiffness, or that of a body it touches, is so large, or its cells so long and thin, that round-off takes the forces; try --fitted, make such a body rigid, or fix it",
             problem.scene.bodies[worst.body].name,
             markdown::error(worst.largest())
         )

@@ -262,7 +262,9 @@ impl Family {
             Some(None) => f64::NAN,
             None => 0.0,
         };
-        let imbalance = self.coarse.iter().map(|other| other.imbalance).fold(0.0, f64::max);
+        // What the iteration leaves of the balance is its own part.
+        let own = larger(run.imbalance() - run.iteration_error(), 0.0);
+        let imbalance = self.coarse.iter().map(|other| other.imbalance).fold(own, larger);
         let lost = if imbalance > BALANCED { UNBALANCED.1 * imbalance * reading.scale.abs() } else { 0.0 };
         let own = self.of_coarser(run, reading, discrete);
         // What statics give is the same wherever the contact ends.
@@ -525,9 +527,7 @@ pub(super) fn discrete_of(run: &Run, contact: usize) -> &Measures {
 /// Whether the iteration of a run has converged, though round-off may leave more of the balance of a body than a solve accepts: on meshes
 /// fitted to the ends of a contact, since others leave more in a body that is as thin than coarser ones tell.
 fn is_found(run: &Run, on_ends: bool) -> bool {
-    let (most, _) = UNBALANCED;
-    let lost_forces = || run.iteration_error() <= run.formulation.settings.tolerance && run.imbalance() <= most;
-    run.solution.converged() || on_ends && lost_forces()
+    if on_ends { run.is_found(UNBALANCED.0) } else { run.solution.converged() }
 }
 
 /// The formulation that finds the discrete solution of a contact element, with the settings of another one.

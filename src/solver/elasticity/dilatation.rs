@@ -7,8 +7,8 @@
 //!
 //! `W = ½ ∫ (εᵀ D₀ ε + λ₁ θ̄²) t dA`, `σ = D₀ ε + λ₁ θ̄ m`, `D₀ = D − λ₁ m mᵀ`, `m = [1, 1, 0]`,
 //!
-//! where θ̄ is the least-squares fit to θ over the cell by a constant (4 nodes) or by 1, x, y (8 nodes). Uniform strains
-//! are their own fit, so that patch tests hold, and D₀ under full integration leaves no motion but the rigid ones free.
+//! where θ̄ is the least-squares fit to θ over a cell of order p by polynomials of degree p − 1. Uniform strains are their
+//! own fit, so that patch tests hold, and D₀ under full integration leaves no motion but the rigid ones free.
 //!
 //! Bodies of revolution have `θ = ε_r + ε_z + ε_θ`, m has a one for the hoop stress too, and t is `2πr`.
 //!
@@ -65,43 +65,52 @@ impl<const N: usize> Sample<N> {
 }
 
 /// Fields `ψ_j`, orthonormal over a cell, that span `θ̄ = Σ ψ_j b_j·u` with `b_j = ∫ ψ_j ∇N t dA`.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Modes<const N: usize> {
+    /// Middle of the cell and its size, by which powers are scaled.
     centre: [f64; 2],
-    /// `ψ = c₀ + c₁ (x − x_c) + c₂ (y − y_c)`.
-    fields: [[f64; 3]; MOST],
+    size: f64,
+    degree: i32,
+    /// Coefficients of the powers of each field.
+    fields: Vec<Vec<f64>>,
     /// `b_j` by component and node.
-    rows: [[[f64; N]; 2]; MOST],
+    rows: Vec<[[f64; N]; 2]>,
 }
 
-/// Fields of an 8-node cell; a 4-node cell has the first of them only.
-const MOST: usize = 3;
-
 impl<const N: usize> Modes<N> {
-    /// Fields of the cell with Gauss points at some places: 1, x − x_c and y − y_c made orthonormal one after the other.
-    pub fn of(samples: &[Sample<N>], places: &[[f64; 2]]) -> Self {
+    /// Fields up to a degree of the cell with Gauss points at some places: powers made orthonormal one after the other.
+    pub fn of(degree: i32, samples: &[Sample<N>], places: &[[f64; 2]]) -> Self {
         let sum = |of: &dyn Fn(&[f64; 2]) -> f64| -> f64 {
             samples.iter().zip(places).map(|(at, place)| at.area * of(place)).sum()
         };
         let area = sum(&|_| 1.0);
         let centre = [0, 1].map(|k| sum(&|place| place[k]) / area);
-        let mut fields = [[0.0; 3]; MOST];
-        fields[0][0] = 1.0 / area.sqrt();
-        if N > 4 {
-            let moment = |i: usize, k: usize| sum(&|place| (place[i] - centre[i]) * (place[k] - centre[k]));
-            let [xx, xy, yy] = [moment(0, 0), moment(0, 1), moment(1, 1)];
-            let (slant, rest) = (xy / xx, (yy - xy * xy / xx).sqrt());
-            fields[1][1] = 1.0 / xx.sqrt();
-            [fields[2][1], fields[2][2]] = [-slant / rest, 1.0 / rest];
-        }
-        let mut modes = Self { centre, fields, rows: [[[0.0; N]; 2]; MOST] };
-        for (at, place) in samples.iter().zip(places) {
-            let values = modes.values(*place).map(|value| at.area * value);
-            for (row, value) in modes.rows.iter_mut().zip(values) {
+        let size = places.iter().map(|[x, y]| (x - centre[0]).hypot(y - centre[1])).fold(0.0, f64::max);
+        let mut modes = Self { centre, size, degree, fields: vec![], rows: vec![] };
+        let powers: Vec<Vec<f64>> = places.iter().map(|place| modes.powers(*place)).collect();
+        let mut values: Vec<Vec<f64>> = Vec::new();
+        for k in 0..powers[0].len() {
+            let mut own: Vec<f64> = powers.iter().map(|powers| powers[k]).collect();
+            let mut field: Vec<f64> = (0..powers[0].len()).map(|other| f64::from(u8::from(other == k))).collect();
+            let product = |a: &[f64], b: &[f64]| -> f64 {
+                samples.iter().zip(a.iter().zip(b)).map(|(at, (a, b))| at.area * a * b).sum()
+            };
+            for (before, of_before) in modes.fields.iter().zip(&values) {
+                let share = product(&own, of_before);
+                own.iter_mut().zip(of_before).for_each(|(own, other)| *own -= share * other);
+                field.iter_mut().zip(before).for_each(|(own, other)| *own -= share * other);
+            }
+            let norm = product(&own, &own).sqrt();
+            own.iter_mut().chain(&mut field).for_each(|entry| *entry /= norm);
+            let mut row = [[0.0; N]; 2];
+            for (at, value) in samples.iter().zip(&own) {
                 for (entry, gradient) in row.as_flattened_mut().iter_mut().zip(at.gradients.as_flattened()) {
-                    *entry += value * gradient;
+                    *entry += at.area * value * gradient;
                 }
             }
+            modes.rows.push(row);
+            modes.fields.push(field);
+            values.push(own);
         }
         modes
     }
@@ -128,13 +137,17 @@ impl<const N: usize> Modes<N> {
         let share = |[x, y]: &[[f64; N]; 2]| -> f64 {
             (0..N).map(|a| x[a] * displacements[a][0] + y[a] * displacements[a][1]).sum()
         };
-        let shares = self.rows.each_ref().map(share);
-        places.map(move |place| self.values(place).iter().zip(shares).map(|(value, share)| value * share).sum())
+        let shares: Vec<f64> = self.rows.iter().map(share).collect();
+        let value = |powers: &[f64], field: &[f64]| -> f64 { powers.iter().zip(field).map(|(a, b)| a * b).sum() };
+        places.map(move |place| {
+            let powers = self.powers(place);
+            self.fields.iter().zip(&shares).map(|(field, share)| value(&powers, field) * share).sum()
+        })
     }
 
-    /// `ψ_j` at a place.
-    fn values(&self, place: [f64; 2]) -> [f64; MOST] {
-        let [x, y] = [place[0] - self.centre[0], place[1] - self.centre[1]];
-        self.fields.map(|[c, cx, cy]| c + cx * x + cy * y)
+    /// `xⁱ yʲ`, i + j up to the degree, at a place, with x and y from the middle over the size.
+    fn powers(&self, place: [f64; 2]) -> Vec<f64> {
+        let [x, y] = [0, 1].map(|k| (place[k] - self.centre[k]) / self.size);
+        (0..=self.degree).flat_map(|sum| (0..=sum).map(move |j| x.powi(sum - j) * y.powi(j))).collect()
     }
 }

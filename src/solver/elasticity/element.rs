@@ -11,8 +11,7 @@ use crate::scene::{Material, PlaneHypothesis};
 
 /// `k = ∫ Bᵀ D B t dA` [N/mm] of cells of order p (p + 1 Gauss points each way); dofs are u_x, u_y node by node.
 ///
-/// Of nearly incompressible bodies `k = ∫ Bᵀ D₀ B t dA + λ₁ Σ b_j b_jᵀ` ([`dilatation`](crate::elasticity::dilatation)) up to
-/// order 2; cells of order 4 and more have displacements to spare.
+/// Of nearly incompressible bodies `k = ∫ Bᵀ D₀ B t dA + λ₁ Σ b_j b_jᵀ` ([`dilatation`](crate::elasticity::dilatation)).
 /// The shape functions and their slopes at the Gauss points are the same for all cells and tabulated once.
 #[derive(Clone, Debug)]
 pub struct CellStiffness {
@@ -35,12 +34,9 @@ impl CellStiffness {
         Self::tabulated(order, Split { plain: *elasticity, excess: 0.0 }, thickness)
     }
 
-    /// For cells of an order and a material, whose dilatation is smoothed where it is nearly incompressible and cells could lock.
+    /// For cells of an order and a material, whose dilatation is smoothed where it is nearly incompressible.
     pub fn of(order: Order, material: &Material, plane: PlaneHypothesis, thickness: f64) -> Self {
-        let plane_kernel = match order.is_high() {
-            true => Self::new(order, &material.stiffness(plane), thickness),
-            false => Self::tabulated(order, Split::of(material, plane), thickness),
-        };
+        let plane_kernel = Self::tabulated(order, Split::of(material, plane), thickness);
         let radial = plane.radial();
         Self { radial, thickness: radial.map_or(plane_kernel.thickness, |_| TAU), ..plane_kernel }
     }
@@ -203,10 +199,15 @@ impl CellStiffness {
         at: &[Tabulated],
     ) -> Result<Vec<[f64; 3]>, f64> {
         let smoothed = match self.order {
-            Order::Linear if self.split.excess > 0.0 => self.smoothed::<4, 4>(points, displacements, at)?,
-            Order::Biquadratic if self.split.excess > 0.0 => self.smoothed::<9, 9>(points, displacements, at)?,
-            Order::Quadratic if self.split.excess > 0.0 => self.smoothed::<8, 9>(points, displacements, at)?,
-            _ => vec![0.0; at.len()],
+            _ if self.split.excess <= 0.0 => vec![0.0; at.len()],
+            Order::Linear => self.smoothed::<4, 4>(points, displacements, at)?,
+            Order::Biquadratic => self.smoothed::<9, 9>(points, displacements, at)?,
+            Order::Quadratic => self.smoothed::<8, 9>(points, displacements, at)?,
+            Order::Quartic => self.smoothed::<25, 25>(points, displacements, at)?,
+            Order::Quintic => self.smoothed::<36, 36>(points, displacements, at)?,
+            Order::Sextic => self.smoothed::<49, 49>(points, displacements, at)?,
+            Order::Septic => self.smoothed::<64, 64>(points, displacements, at)?,
+            Order::Octic => self.smoothed::<81, 81>(points, displacements, at)?,
         };
         let mut stresses = vec![[0.0; 3]; at.len()];
         for ((Tabulated { shapes, slopes }, mean), stress) in at.iter().zip(smoothed).zip(&mut stresses) {
@@ -279,7 +280,7 @@ impl CellStiffness {
         for (at, shapes) in places.iter_mut().zip(&self.shapes) {
             *at = place(shapes, points);
         }
-        Modes::of(samples, &places)
+        Modes::of(i32::from(self.order.number()) - 1, samples, &places)
     }
 }
 

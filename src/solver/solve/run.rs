@@ -134,6 +134,12 @@ impl Run {
         Ok(run)
     }
 
+    /// Whether the iteration has converged, though round-off may leave so much of the balance of a body.
+    pub fn is_found(&self, most: f64) -> bool {
+        let within = self.iteration_error() <= self.formulation.settings.tolerance && self.imbalance() <= most;
+        self.solution.converged() || within
+    }
+
     /// What is left over of the forces on a body, at the worst one; NaN where that is not known.
     pub fn imbalance(&self) -> f64 {
         largest(self.equilibrium.iter().map(Equilibrium::largest))
