@@ -1,8 +1,12 @@
 //! What used to be called converged and was wrong is refused or noted; what is right is not.
 
+use std::path::Path;
+
+use contact_vv::case::Case;
 use contact_vv::case::library::{Cylinder, Patch};
 use contact_vv::case::notes::RESOLVED;
 use contact_vv::case::{library, notes};
+use contact_vv::checkout::root;
 use contact_vv::error::{Error, Kind};
 use contact_vv::mesh::{Mesh, Order, Resolution};
 use contact_vv::scene::Scene;
@@ -42,6 +46,21 @@ fn contact_beyond_the_candidates_is_refused_by_every_formulation_with_place_dept
             assert!(text.contains(part), "`{part}` is missing in: {text}");
         }
     }
+}
+
+#[test]
+fn a_gap_that_falls_beyond_the_candidates_is_named_where_surfaces_meet_there() {
+    let text = std::fs::read_to_string(root().join("tests/data/wild/tiny.toml")).expect("a scene");
+    let refused = |gap: &str| {
+        let text = text.replace("parabola = 1000", gap).replace("oracle = ", "# oracle = ");
+        let case = Case::parse(Path::new("tiny.toml"), &text).expect("a case");
+        case.solve().map(|_| ()).expect_err(gap).to_string()
+    };
+    // 5e-4 s² − 1e-5 s⁴ is negative beyond s = √50.
+    let falls = refused("powers = [[5e-4, 2], [-1e-5, 4]]");
+    assert!(falls.contains("the gap falls beyond the candidates, to -") && falls.contains("correct it"), "{falls}");
+    let rises = refused("parabola = 10000");
+    assert!(rises.contains("widen the candidate stretch") && !rises.contains("falls"), "{rises}");
 }
 
 #[test]

@@ -247,6 +247,15 @@ fn beside(sides: &Sides, solution: &Solution, tolerance: f64) -> Result<Vec<Unse
 /// Error of a contact that reaches the end of the candidate surface, with the deepest penetration beyond, if it is seen.
 fn too_short(discretisation: &Discretisation, interface: &Interface, end: f64, deepest: Option<(f64, f64)>) -> Error {
     let told = |s: f64| interface.pair.path.reported(s);
+    let gap = |s: f64| interface.pair.gap(s);
+    let remedy = match deepest {
+        Some((position, _)) if gap(position) < gap(end) => format!(
+            "the gap falls beyond the candidates, to {:.3e} mm at s = {}: correct it, end the body before, or widen the candidate stretch",
+            gap(position),
+            told(position)
+        ),
+        _ => "widen the candidate stretch".into(),
+    };
     let (end, deepest) = (told(end), deepest.map(|(position, depth)| (told(position), depth)));
     let seen = match deepest {
         Some((position, depth)) => format!("at s = {position} the surfaces penetrate by {depth:.3e} mm"),
@@ -257,7 +266,7 @@ fn too_short(discretisation: &Discretisation, interface: &Interface, end: f64, d
     );
     let place = discretisation.scene.place_of(interface.contact, Part::Stretch);
     let kind = Kind::ContactBeyondCandidates { end, deepest };
-    Error { kind, ..Error::at(place, message, "widen the candidate stretch") }
+    Error { kind, ..Error::at(place, message, remedy) }
 }
 
 /// Share of the contact's force on the stretch that goes on to an end of the candidates.
