@@ -11,6 +11,7 @@ use crate::cli::{accuracy, verify};
 use crate::markdown::{self, EXACT, significant, to_bound, unsigned};
 use crate::measure::Quantity;
 use crate::solve::VonMises;
+use crate::solve::run::BALANCED;
 use crate::solve::run::Unbounded;
 
 /// What a note is about.
@@ -189,7 +190,7 @@ fn unknown(found: &Found) -> Vec<String> {
     reasons.dedup();
     let mut told: Vec<String> =
         reasons.into_iter().map(|why| format!("bars that are missing are unknown, since {why}")).collect();
-    if bars.meshes == 0 {
+    if bars.meshes == 0 && found.run.imbalance() <= BALANCED {
         told.push("give more elements, or for a mesh made elsewhere `--accuracy`, which halves it".into());
     }
     told

@@ -14,7 +14,7 @@
 //!
 //! The parts of iteration and penalty are differences to the solution of the same discrete problem, which is exact.
 
-use crate::accuracy::family::{Evidence, Family, discrete_of};
+use crate::accuracy::family::{Evidence, Family, LOST, discrete_of};
 use crate::accuracy::reading::{self, Reading, of_discrete, value_of};
 use crate::accuracy::recovered::{Recovered, recovered};
 use crate::accuracy::watch::up_to;
@@ -22,6 +22,7 @@ use crate::algorithm::StiffnessRule;
 use crate::error::Error;
 use crate::measure::{Measures, Quantity, larger};
 use crate::solution::PointState;
+use crate::solve::run::BALANCED;
 use crate::solve::{Change, Discretisation, Displaced, Element, Formulation, Origin, Permits, Run};
 
 /// Part of the bar of a largest value within which those elsewhere may be the true one: their errors are alike.
@@ -98,8 +99,10 @@ impl Barred {
         let Reading { contact, quantity, value, .. } = reading.clone();
         let one = Self { contact, quantity, value, bar, unknown: None, told };
         match () {
-            _ if (bar.iteration + bar.penalty).is_nan() => Self { unknown: Some(NOT_FOUND), ..one },
-            _ if mesh.is_nan() => Self { unknown: Some(family.why_unknown(&reading.quantity, measures)), ..one },
+            _ if (bar.iteration + bar.penalty).is_nan() => {
+                Self { unknown: Some(if run.imbalance() > BALANCED { LOST } else { NOT_FOUND }), ..one }
+            }
+            _ if mesh.is_nan() => Self { unknown: Some(family.why_unknown(&reading.quantity, measures, run)), ..one },
             // It says nothing.
             _ if bar.total() > reading.size() => {
                 Self { unknown: Some(TOO_WIDE), bar: Bar { mesh: f64::NAN, ..bar }, ..one }
