@@ -14,7 +14,7 @@ use contact_vv::scene::{Material, PlaneHypothesis, Scene};
 use contact_vv::solve::{Discretisation, Element, Formulation, Iteration, Run};
 use contact_vv::study::random::{Family, Site};
 
-use crate::scene_file::files;
+use crate::scene_file::{self, text_of};
 use crate::workbench::{self, block_text, parsed};
 
 /// Relative errors asked for.
@@ -89,8 +89,7 @@ fn pin_and_rod_press_fits_and_scene_files_meet_what_they_are_asked() {
             assert!(error(&answer.run, fine) <= asked, "{name}, {asked}");
         }
     }
-    let (path, text) = files().into_iter().find(|(path, _)| path.ends_with("rigid-cosine.toml")).expect("the file");
-    let file = Case::parse(&path, &text).expect("sound");
+    let file = scene_file::case("rigid-cosine");
     // Westergaard, as the file's own checks have it.
     let answer = answered(&file.scene, 3e-3);
     assert!(answer.unmet.is_none());
@@ -99,9 +98,7 @@ fn pin_and_rod_press_fits_and_scene_files_meet_what_they_are_asked() {
 
 #[test]
 fn disc_on_a_block_is_solved_with_8_node_cells_whose_middles_do_not_face() {
-    let (path, text) =
-        files().into_iter().find(|(path, _)| path.ends_with("cylinder-on-block.toml")).expect("the file");
-    let file = Case::parse(&path, &text).expect("sound");
+    let file = scene_file::case("cylinder-on-block");
     for asked in [1e-2, 3e-3, 2e-3] {
         let by_moment = Asked { high_order: false, ..by_moment(asked) };
         let answer = accuracy::solve(&file.scene, &plain(), &by_moment).expect("solved");
@@ -306,9 +303,7 @@ fn candidates_may_go_as_far_as_the_sides_of_the_bodies_and_the_gap_do() {
         assert_relative_eq!(longest(&scene, scene.contact()), wanted, max_relative = 1e-9);
     }
     // A little less than halfway to the next contact of the same side.
-    let (path, text) =
-        files().into_iter().find(|(path, _)| path.ends_with("plate-on-two-supports.toml")).expect("the file");
-    let scene = Case::parse(&path, &text).expect("sound").scene;
+    let scene = scene_file::case("plate-on-two-supports").scene;
     let [left, right] = [0, 1].map(|contact: usize| scene.contacts[contact].path.origin()[0]);
     for pair in &scene.contacts {
         let side = (50.0 - pair.path.origin()[0]).min(pair.path.origin()[0] + 50.0);
@@ -328,9 +323,7 @@ fn percentages_are_read_and_nothing_else_is() {
 
 #[test]
 fn accuracy_in_a_file_is_the_engines_and_its_first_mesh_is_within_limits() {
-    let (path, text) =
-        files().into_iter().find(|(path, _)| path.ends_with("cylinder-to-accuracy.toml")).expect("the file");
-    let file = Case::parse(&path, &text).expect("sound");
+    let file = scene_file::case("cylinder-to-accuracy");
     let asked = file.accuracy.clone().expect("asked");
     assert_relative_eq!(asked.relative, 1e-3, max_relative = 1e-12);
     assert_eq!(asked.quantities, Quantity::ASKED);
@@ -340,7 +333,8 @@ fn accuracy_in_a_file_is_the_engines_and_its_first_mesh_is_within_limits() {
     assert!(met(&asked, &answer).verdict == Verdict::Pass);
     assert!(error(&run, [576.923077, 0.25]) <= 1e-3);
     assert_eq!(file.resolution, Resolution { elements: 8, refinement: 0, order: Order::Quadratic });
-    let one = text.replace("accuracy = \"0.1 %\"", "accuracy = \"1 %\"\nquantity = [\"second-moment-width\"]");
-    let asked = Case::parse(&path, &one).expect("sound").accuracy.expect("asked");
+    let one = "accuracy = \"1 %\"\nquantity = [\"second-moment-width\"]";
+    let one = text_of("cylinder-to-accuracy.toml").replace("accuracy = \"0.1 %\"", one);
+    let asked = parsed(&one).accuracy.expect("asked");
     assert_eq!(asked.quantities, [Quantity::SecondMomentWidth]);
 }

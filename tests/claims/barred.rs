@@ -1,17 +1,17 @@
 //! Checks beside the error bars of what they judge, and that bars which do not hold would be seen.
 
-use std::path::Path;
-
 use contact_vv::accuracy::bars;
-use contact_vv::case::{Case, Judged, Scope, Verdict};
+use contact_vv::case::{Judged, Scope, Verdict};
 use contact_vv::measure::Quantity;
 use contact_vv::oracle::ReferenceKind;
 use contact_vv::study::Study;
 use contact_vv::study::promised::Numbers;
 
+use crate::scene_file;
+
 /// The judged checks of a scene file, with the bars of `solve`.
 fn judged(file: &str) -> (Vec<Judged>, Vec<(usize, Quantity, f64)>) {
-    let case = Case::read(Path::new(&crate::outputs::scene(file))).expect("a case");
+    let case = scene_file::case(file);
     let (meshed, run) = case.solve().expect("a run");
     let bars = bars(&meshed.discretisation, &run, &case.displaced()).expect("bars");
     let bars = bars.all.into_iter().map(|one| (one.contact, one.quantity, one.bar.total())).collect();

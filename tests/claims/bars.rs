@@ -1,12 +1,11 @@
 //! Error bars against scenes of closed form, and that narrower ones would be seen.
 
 use std::f64::consts::PI;
-use std::path::Path;
 
 use contact_vv::accuracy::{self, Asked, Barred, Bars, Quantity, bars};
 use contact_vv::algorithm::StiffnessRule;
+use contact_vv::case::Verdict;
 use contact_vv::case::library::{self, Cylinder};
-use contact_vv::case::{Case, Verdict};
 use contact_vv::checkout::root;
 use contact_vv::mesh::{Order, Resolution};
 use contact_vv::scene::{Component, Place, Scene, Support};
@@ -17,6 +16,7 @@ use contact_vv::study::random::{Family, Site};
 use contact_vv::study::records::Millionths;
 
 use crate::balance::{scene, solved};
+use crate::scene_file;
 use crate::workbench::{meshed, parsed};
 
 /// The run on a mesh, and its bars.
@@ -175,7 +175,7 @@ fn unknown_is_unknown_and_no_zero() {
 #[test]
 fn numbers_without_a_limit_or_a_meaning_are_not_quoted() {
     let subjects = |file: &str| {
-        let case = Case::read(Path::new(&crate::outputs::scene(file))).expect("a case");
+        let case = scene_file::case(file);
         let (meshed, run) = case.solve().expect("a run");
         let bars = bars(&meshed.discretisation, &run, &[]).expect("bars");
         bars.all.into_iter().map(|one| one.quantity).collect::<Vec<_>>()

@@ -24,7 +24,7 @@ use vtkio::IOBuffer;
 
 use crate::outputs::{contact_vv, json, piece, scene};
 use crate::referee_readers::Frd;
-use crate::scene_file::text_of;
+use crate::scene_file::{self, text_of};
 use crate::workbench::parsed;
 
 #[test]
@@ -65,7 +65,7 @@ fn blocks_approach_by_their_gap_and_their_strains_whichever_is_the_first() {
 
 #[test]
 fn stresses_that_are_linear_are_exact_at_the_nodes_of_8_node_cells() {
-    let case = parsed(&text_of("blocks.toml"));
+    let case = scene_file::case("blocks");
     let mesh = Mesh::of(&case.scene, Resolution { order: Order::Quadratic, ..case.resolution }).expect("meshed");
     let displacement: Vec<[f64; 2]> = mesh.points.iter().map(|[x, y]| [x * x + x * y, y * y - 0.5 * x * y]).collect();
     let found = stress::at_nodes(&case.scene, &mesh, &displacement).expect("stress");

@@ -3,9 +3,7 @@
 use std::sync::Arc;
 
 use contact_vv::accuracy;
-use contact_vv::case::Case;
 use contact_vv::case::library::{Patch, TruncatedHertz};
-use contact_vv::checkout::root;
 use contact_vv::measure::Quantity;
 use contact_vv::measure::{nodal, profile, relative_error};
 use contact_vv::mesh::{Mesh, Order};
@@ -17,6 +15,7 @@ use contact_vv::solve::edge_fitted::Answer;
 use contact_vv::solve::{Fitted, Formulation, Run};
 use contact_vv::study::fitted::{self, LOADS};
 
+use crate::scene_file;
 use crate::workbench::{self, area, block_text, held_at, meshed, parsed, resolution};
 
 /// The same block and candidates under another load.
@@ -266,8 +265,7 @@ fn columns_beyond_a_contact_on_both_sides_grow_from_its_last_cell_where_frames_h
 
 #[test]
 fn pressure_between_nodes_is_the_polynomial_of_the_cell_and_the_bar_of_a_force_of_statics_is_round_off() {
-    let file = root().join("tests/cases/rigid-cosine.toml");
-    let case = Case::read(&file).expect("sound");
+    let case = scene_file::case("rigid-cosine");
     let answer = solved(Fitted { order: Order::Octic, layers: 3 }, &case.scene);
     let wanted = case.reading(0, &Quantity::Pressure { at: 4.0 }).value;
     let part = answer.run.solution.part(0);

@@ -1,12 +1,12 @@
 //! What no mesh is fitted to, what does not go with `--fitted`, and how far it iterates.
 
-use contact_vv::case::Case;
 use contact_vv::case::library::Bars;
 use contact_vv::mesh::{Mesh, Order, Resolution};
 use contact_vv::scene::{Place, Scene};
 use contact_vv::solve::{Fitted, Formulation};
 
-use crate::outputs::{contact_vv, scene};
+use crate::outputs::contact_vv;
+use crate::scene_file::case;
 
 /// What is said of a scene that no mesh can be fitted to.
 fn refusal(scene: &Scene) -> String {
@@ -16,7 +16,7 @@ fn refusal(scene: &Scene) -> String {
 
 /// A block held at a point of its right side, where the mesh of the scene has a node.
 fn held_on_a_side() -> Scene {
-    let mut scene = Case::read(std::path::Path::new(&scene("eccentric-to-accuracy"))).expect("sound").scene;
+    let mut scene = case("eccentric-to-accuracy").scene;
     let mesh = Mesh::of(&scene, Resolution { elements: 3, refinement: 0, order: Order::Quadratic }).expect("mesh");
     let right = mesh.boundary(&scene, 0, "right").expect("side");
     scene.bodies[0].supports[0].at = Place::Point(mesh.points[right[1][0]]);
@@ -25,14 +25,13 @@ fn held_on_a_side() -> Scene {
 
 #[test]
 fn what_no_mesh_is_fitted_to_is_refused_with_its_place_and_the_remedy() {
-    let drawn = |name: &str| Case::read(std::path::Path::new(&scene(name))).expect("sound").scene;
     let open = Bars { push: 0.9, ..Bars::default() }.scene();
     let refused = [
         (open, "bar", "no candidate is closed"),
         (Bars::default().scene(), "bar", "ends where its candidates end"),
-        (drawn("three-rings"), "inner fit", "ends where its candidates end"),
-        (drawn("rings-from-gmsh"), "inner", "the mesh of this body is given"),
-        (drawn("blocks"), "upper", "ends where its candidates end"),
+        (case("three-rings").scene, "inner fit", "ends where its candidates end"),
+        (case("rings-from-gmsh").scene, "inner", "the mesh of this body is given"),
+        (case("blocks").scene, "upper", "ends where its candidates end"),
         (held_on_a_side(), "block", "there is no node at"),
     ];
     for (scene, place, message) in refused {

@@ -1,51 +1,28 @@
 //! Contacts of bodies of revolution that are rings: off the axis, along it, and on arcs.
 
 use std::f64::consts::{PI, TAU};
-use std::path::Path;
 use std::sync::Arc;
 
 use approx::assert_relative_eq;
 use contact_vv::algorithm::Iteration;
 use contact_vv::case::Case;
-use contact_vv::checkout::root;
 use contact_vv::contact::Element;
 use contact_vv::error::Error;
-use contact_vv::mesh::{Order, Resolution};
+use contact_vv::mesh::Order;
+use contact_vv::oracle::Quantity;
 use contact_vv::oracle::analytic::hertz::Hertz;
 use contact_vv::oracle::analytic::revolution::half_space::Potential;
-use contact_vv::oracle::{Quantity, Reading};
 use contact_vv::scene::{
-    Body, Component, ContactPair, Face, Grading, Line, Load, Material, MonotoneCubic, Path as Way, Place,
-    PlaneHypothesis, Profile, ReferenceValues, Scene, Shape, StressField, Support,
+    Component, Face, Grading, Line, Material, MonotoneCubic, Path as Way, PlaneHypothesis, Profile, ReferenceValues,
+    Scene, Shape,
 };
-use contact_vv::solve::{Discretisation, Formulation, Run};
+use contact_vv::solve::{Formulation, Run};
+
+use crate::balance::scene;
+use crate::scene_file::{self};
+use crate::workbench::{held, meshed, stressed, told, turned};
 
 const ORDERS: [Order; 4] = [Order::Linear, Order::Quadratic, Order::Quartic, Order::Octic];
-
-/// One block on a rigid side, under the traction of a stress on the sides that are named.
-fn block(plane: PlaneHypothesis, shape: Shape, path: Way, stretch: f64, loaded: &[&'static str]) -> Scene {
-    let stress = StressField(Arc::new(|_| [-7.0, -7.0, 0.0]));
-    let load = |name: &&'static str| Load::Stress { boundary: (*name).into(), field: stress.clone() };
-    let body = Body {
-        name: "block".into(),
-        shape,
-        material: Material { young: 1000.0, poisson: 0.3 },
-        density: 1.0,
-        supports: vec![],
-        loads: loaded.iter().map(load).collect(),
-    };
-    let mut pair = ContactPair::new(None, path, Profile::Uniform(0.0), stretch);
-    pair.symmetric = false;
-    Scene {
-        name: "block".into(),
-        plane,
-        thickness: 1.0,
-        bodies: vec![body],
-        contacts: vec![pair],
-        reference: ReferenceValues { length: 1.0, pressure: 1.0, gap: 1e-3 },
-        grading: Grading { unit: 3.0, along: 1.0, depth: 1.0, first: 1.0, coarsest: 1.0, end: 1.0 },
-    }
-}
 
 fn across(origin: [f64; 2]) -> Way {
     Way::Straight(Line { origin, both_sides: true })
@@ -56,13 +33,13 @@ fn pressed() -> [(&'static str, Scene, f64); 2] {
     let (about_y, about_x) = (PlaneHypothesis::Axisymmetric, PlaneHypothesis::AxisymmetricAboutX);
     let ring = Shape::Rectangle { x: [2.0, 5.0], y: [0.0, 2.0], contact: Face::Bottom };
     let sleeve = Shape::Rectangle { x: [-1.5, 1.5], y: [2.0, 4.0], contact: Face::Bottom };
-    let mut around = block(about_x, sleeve, across([0.0, 2.0]), 1.5, &["right", "far"]);
-    around.bodies[0].supports =
-        vec![Support { at: Place::Boundary("left".into()), component: Component::X, value: 0.0 }];
+    let all = [-7.0, -7.0, 0.0];
+    let mut around = turned(about_x, sleeve, across([0.0, 2.0]), 1.5, all, &["right", "far"]);
+    around.bodies[0].supports = vec![held("left", Component::X, 0.0)];
     // Under the same pressure from all sides its bore narrows by p (1 − 2ν) r/E.
     around.contacts[0].profile = Profile::Uniform(7.0 * 0.4 * 2.0 / 1000.0);
     [
-        ("ring", block(about_y, ring, across([3.5, 0.0]), 1.5, &["left", "right", "far"]), PI * (25.0 - 4.0)),
+        ("ring", turned(about_y, ring, across([3.5, 0.0]), 1.5, all, &["left", "right", "far"]), PI * (25.0 - 4.0)),
         ("sleeve", around, TAU * 2.0 * 3.0),
     ]
 }
@@ -72,8 +49,7 @@ fn uniform_pressures_on_rings_are_exact() {
     for (order, element) in ORDERS.into_iter().flat_map(|order| Element::ALL.map(|element| (order, element))) {
         for (name, scene, area) in pressed() {
             let case = format!("{name}, {order:?}, {element:?}");
-            let resolution = Resolution { elements: 4, refinement: 0, order };
-            let discretisation = Discretisation::of(scene, resolution).expect("meshed");
+            let discretisation = meshed(scene, 4, order);
             let formulation = Formulation::new(element, Iteration::Kinematic).tolerance(1e-11);
             let run = Run::of(&discretisation, &formulation).expect("solved");
 
@@ -99,127 +75,38 @@ fn uniform_pressures_on_rings_are_exact() {
     }
 }
 
-/// What a scene file finds.
-fn solved(text: &str) -> (Case, Run) {
-    let case = Case::parse(Path::new("rings.toml"), text).unwrap_or_else(|error| panic!("{error}\n{text}"));
-    let (_, run) = case.solve().unwrap_or_else(|error| panic!("{error}\n{text}"));
-    assert!(run.solution.converged(), "{text}");
-    (case, run)
+/// What a case finds.
+fn solved(case: &Case) -> Run {
+    let (_, run) = case.solve().unwrap_or_else(|error| panic!("{error}"));
+    assert!(run.solution.converged(), "{}", run.solution.outcome);
+    run
 }
 
-/// A steel ring on a hollow shaft of aluminium that is as long; the right half is modelled.
-const RING_ON_SHAFT: &str = r#"
-title = "ring on a shaft"
-plane = "axisymmetric"
-axis = "x"
-
-[[body]]
-name = "ring"
-young = 210e3
-poisson = 0.3
-shape = { rectangle = { x = [0, 10], y = [40, 70], contact = "bottom" } }
-supports = [{ at = "left", component = "x" }]
-
-[[body]]
-name = "shaft"
-young = 70e3
-poisson = 0.33
-shape = { rectangle = { x = [0, 10], y = [20, 40], contact = "top" } }
-supports = [{ at = "left", component = "x" }]
-
-[contact]
-first = "ring"
-second = "shaft"
-origin = [0, 40]
-gap = { uniform = -0.02 }
-stretch = 10
-oracle = { lame = { radii = [20, 40, 70], interference = 0.02 } }
-
-[mesh]
-elements = 4
-per = 10
-order = 4
-growth = { along = 1.0, depth = 1.0 }
-
-[solve]
-tolerance = 1e-8
-
-[[check]]
-quantity = "pressure"
-at = 5
-tolerance = 1e-6
-because = "rings of free ends and the same length are in plane stress"
-"#;
-
 #[test]
-fn a_ring_on_a_shaft_of_its_length_is_lames() -> Result<(), Error> {
-    let (case, run) = solved(RING_ON_SHAFT);
-    let wanted = case.oracles[0].as_ref().expect("Lamé").read(&Quantity::PeakPressure);
-    let Reading::Value { value, .. } = wanted else { panic!("a pressure") };
+fn a_ring_on_a_shaft_of_its_length_is_lames() {
+    let case = scene("ring-on-shaft", &[]);
+    let (run, value) = (solved(&case), told(&case, &Quantity::PeakPressure));
     for point in &run.solution.points {
         assert_relative_eq!(point.pressure, value, max_relative = 1e-5);
     }
     assert_relative_eq!(run.transmitted(), value * TAU * 40.0 * 20.0, max_relative = 1e-5);
 
     // What the plane scene of the same rings says.
-    let plane = Case::read(&root().join("tests/cases/press-fit.toml"))?;
-    let swapped = RING_ON_SHAFT
-        .replace("name = \"ring\"\nyoung = 210e3\npoisson = 0.3", "name = \"ring\"\nyoung = 70e3\npoisson = 0.33")
-        .replace("name = \"shaft\"\nyoung = 70e3\npoisson = 0.33", "name = \"shaft\"\nyoung = 210e3\npoisson = 0.3");
-    let (_, turned) = solved(&swapped);
-    let (_, plane) = plane.solve()?;
+    let swapped = scene(
+        "ring-on-shaft",
+        &[
+            ["name = \"ring\"\nyoung = 210e3\npoisson = 0.3", "name = \"ring\"\nyoung = 70e3\npoisson = 0.33"],
+            ["name = \"shaft\"\nyoung = 70e3\npoisson = 0.33", "name = \"shaft\"\nyoung = 210e3\npoisson = 0.3"],
+        ],
+    );
+    let [turned, plane] = [swapped, scene_file::case("press-fit")].map(|case| solved(&case));
     assert_relative_eq!(turned.measures().peak.pressure, plane.measures().peak.pressure, max_relative = 1e-3);
-    Ok(())
 }
-
-/// A ball of brass in a shell of steel that is too narrow for it, to a half: both are cut where they are symmetric.
-const BALL_IN_SHELL: &str = r#"
-title = "ball in a shell"
-plane = "axisymmetric"
-
-[[body]]
-name = "ball"
-young = 100e3
-poisson = 0.35
-shape = { ring = { centre = [0, 0], inner = 20, outer = 30, sweep = 90, contact = "outer" } }
-supports = [{ at = "end", component = "y" }]
-
-[[body]]
-name = "shell"
-young = 210e3
-poisson = 0.3
-shape = { ring = { centre = [0, 0], inner = 30, outer = 50, sweep = 90, contact = "inner" } }
-supports = [{ at = "end", component = "y" }]
-
-[contact]
-first = "ball"
-second = "shell"
-arc = { centre = [0, 0], radius = 30 }
-gap = { uniform = -0.02 }
-stretch = 90
-oracle = { lame = { radii = [20, 30, 50], interference = 0.02 } }
-
-[mesh]
-elements = 4
-per = 47.1
-order = 6
-growth = { along = 1.0, depth = 1.0 }
-
-[solve]
-tolerance = 1e-8
-
-[[check]]
-quantity = "pressure"
-at = 45
-tolerance = 1e-6
-because = "spheres about one centre"
-"#;
 
 #[test]
 fn a_ball_in_a_narrow_shell_is_lames() {
-    let (case, run) = solved(BALL_IN_SHELL);
-    let wanted = case.oracles[0].as_ref().expect("Lamé").read(&Quantity::PeakPressure);
-    let Reading::Value { value, .. } = wanted else { panic!("a pressure") };
+    let case = scene("ball-in-shell", &[]);
+    let (run, value) = (solved(&case), told(&case, &Quantity::PeakPressure));
     for point in &run.solution.points {
         assert!((point.pressure / value - 1.0).abs() <= 1e-5, "{point:?} {value}");
     }
@@ -305,13 +192,11 @@ fn on_a_ring() -> Scene {
     // Somewhat beyond the last candidates, which rounding may move.
     let places = (-602..=602).map(|k| stretch * f64::from(k) / 600.0);
     let points: Vec<[f64; 2]> = places.map(|s| [s, gap(middle + s)]).collect();
-    let field = StressField(Arc::new(|[r, depth]: [f64; 2]| below(r, depth).stress(0.3).in_plane()));
     let shape = Shape::Rectangle { x: [0.0, side], y: [0.0, side], contact: Face::Bottom };
-    let mut scene = block(PlaneHypothesis::Axisymmetric, shape, across([middle, 0.0]), stretch, &[]);
+    let mut scene = turned(PlaneHypothesis::Axisymmetric, shape, across([middle, 0.0]), stretch, [0.0; 3], &[]);
     let body = &mut scene.bodies[0];
     body.material = Material::STEEL;
-    body.loads =
-        ["right", "far"].map(|boundary| Load::Stress { boundary: boundary.into(), field: field.clone() }).into();
+    body.loads = stressed(&["right", "far"], |[r, depth]| below(r, depth).stress(0.3).in_plane()).collect();
     scene.contacts[0].profile = Profile::Smooth(Arc::new(MonotoneCubic::through(&points)));
     scene.reference = ReferenceValues { length: 1.0, pressure: PEAK, gap: 1e-2 };
     scene.grading = Grading { unit: 1.0, along: 1.5, depth: 1.4, first: 1.0, coarsest: 0.2, end: 1.0 };
@@ -320,8 +205,7 @@ fn on_a_ring() -> Scene {
 
 #[test]
 fn a_ring_of_contact_is_its_closed_form() -> Result<(), Error> {
-    let resolution = Resolution { elements: 16, refinement: 0, order: Order::Quadratic };
-    let discretisation = Discretisation::of(on_a_ring(), resolution)?;
+    let discretisation = meshed(on_a_ring(), 16, Order::Quadratic);
     let (load, middle) = (over_ring(|_| 1.0), 0.5 * (A + B));
     let centre = over_ring(|r| r - middle) / load;
     let second = 2.0 * (over_ring(|r| (r - middle - centre).powi(2)) / load).sqrt();
@@ -355,68 +239,14 @@ fn a_ring_of_contact_is_its_closed_form() -> Result<(), Error> {
 /// A torus pressed on to a rigid shaft of radius R by a pressure all around, and its line load \[N/mm\]: far from the axis it is a cylinder.
 #[test]
 fn a_seal_on_a_wide_shaft_is_as_good_as_a_cylinder() {
-    let text = |radius: f64| {
-        format!(
-            r#"
-title = "seal"
-plane = "axisymmetric"
-axis = "x"
-[[body]]
-name = "seal"
-young = 210e3
-poisson = 0.3
-shape = {{ disc = {{ centre = [0, {}], radius = 5 }} }}
-supports = [{{ at = "axis", component = "x" }}]
-loads = [{{ pressure = {{ at = "cut", law = {{ uniform = 100 }} }} }}]
-[contact]
-first = "seal"
-origin = [0, {radius}]
-gap = {{ circle = 5 }}
-stretch = 0.3
-[mesh]
-elements = 12
-per = 0.1
-"#,
-            radius + 5.0
-        )
-    };
     let hertz = Hertz { load: 1000.0, radius: 5.0, modulus: 210e3 / 0.91 };
     let off = [1000.0, 4000.0].map(|radius| {
-        let (_, run) = solved(&text(radius));
+        let centre = format!("[0, {}], radius", radius + 5.0);
+        let run = solved(&scene("seal", &[["[0, 1005], radius", &centre], ["[0, 1000]", &format!("[0, {radius}]")]]));
         // All of the pressure on the horizontal cut, both halves; hoop stresses carry the rest.
         let force = run.transmitted() / (TAU * radius) / 1000.0;
         let peak = run.measures().peak.pressure / hertz.peak_pressure();
         [force, peak]
     });
     assert!((off[1][0] - 1.0).abs() <= 5e-3 && (off[1][1] - 1.0).abs() <= 5e-3, "{off:?}");
-}
-
-/// What is said of a scene in which something is replaced.
-fn refused(text: &str, what: &str, by: &str) -> String {
-    assert!(text.contains(what), "{what}");
-    match Case::parse(Path::new("rings.toml"), &text.replacen(what, by, 1)).and_then(|case| case.solve().map(|_| ())) {
-        Ok(()) => String::new(),
-        Err(error) => error.to_string(),
-    }
-}
-
-#[test]
-fn rings_that_cannot_be_are_refused() {
-    for (text, what, by, said) in [
-        (RING_ON_SHAFT, "axis = \"x\"", "axis = \"z\"", "axis"),
-        (RING_ON_SHAFT, "plane = \"axisymmetric\"", "plane = \"strain\"\nthickness = 1", "bodies of revolution"),
-        (RING_ON_SHAFT, "origin = [0, 40]", "origin = [0, 0]", "lies on the axis"),
-        (RING_ON_SHAFT, "radii = [20, 40, 70]", "radii = [10, 40, 70]", "bore"),
-        (
-            RING_ON_SHAFT,
-            "{ lame = { radii = [20, 40, 70], interference = 0.02 } }",
-            "{ cone = { load = 1, slope = 1 } }",
-            "around the axis",
-        ),
-        (BALL_IN_SHELL, "arc = { centre = [0, 0]", "arc = { centre = [1, 0]", "ring about x = 0"),
-        (BALL_IN_SHELL, "centre = [0, 0], inner = 20", "centre = [0, 1], inner = 20", "does not lie on `arc`"),
-    ] {
-        let found = refused(text, what, by);
-        assert!(found.contains(said), "{by}: {found}");
-    }
 }

@@ -21,6 +21,11 @@ pub fn files() -> Vec<(PathBuf, String)> {
     paths.into_iter().map(|path| (path.clone(), std::fs::read_to_string(path).expect("text"))).collect()
 }
 
+/// A case by the name of its file.
+pub fn case(name: &str) -> Case {
+    Case::read(&folder().join(format!("{name}.toml"))).unwrap_or_else(|error| panic!("{error}"))
+}
+
 pub fn text_of(name: &str) -> String {
     std::fs::read_to_string(folder().join(name)).expect("text")
 }
@@ -74,7 +79,7 @@ fn checks_of_another_value_sign_or_place_fail_and_so_does_a_run_that_does_not_co
 }
 
 /// Checks of a file that fail.
-fn failures(text: &str) -> usize {
+pub fn failures(text: &str) -> usize {
     let file = parsed(text);
     let (meshed, run) = solved(&file);
     let judged = file.own(&meshed.discretisation, &run).expect("judged");

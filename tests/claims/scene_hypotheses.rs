@@ -4,12 +4,12 @@ use approx::assert_relative_eq;
 use contact_vv::accuracy::bars;
 use contact_vv::case::library::FlatPunch;
 use contact_vv::case::{Case, Verdict};
-use contact_vv::oracle::{Quantity, Reading};
+use contact_vv::oracle::Quantity;
 use contact_vv::referee::Truth;
 
 use crate::balance::scene;
-use crate::scene_file::text_of;
-use crate::workbench::parsed;
+use crate::scene_file::{self, text_of};
+use crate::workbench::{parsed, told};
 
 /// What is noted of a scene that is solved.
 fn noted(case: &Case) -> Vec<String> {
@@ -19,12 +19,8 @@ fn noted(case: &Case) -> Vec<String> {
 
 #[test]
 fn hertz_on_an_arc_speaks_of_angles() {
-    let case = parsed(&text_of("rigid-pin.toml"));
-    let oracle = case.oracle().expect("Hertz").clone();
-    let read = |quantity: Quantity| match oracle.read(&quantity) {
-        Reading::Value { value, .. } => value,
-        other => panic!("{quantity:?}: {other:?}"),
-    };
+    let case = scene_file::case("rigid-pin");
+    let read = |quantity: Quantity| told(&case, &quantity);
     let radius = case.scene.contact().path.metric();
     let half_width = (4.0 * 0.6591 * 10010.0 / (std::f64::consts::PI * 210e3)).sqrt();
     assert_relative_eq!(read(Quantity::HalfWidth), half_width / radius, max_relative = 1e-12);
@@ -75,7 +71,7 @@ fn cases_are_off_their_closed_forms_by_no_more_than_they_say() {
         let (meshed, run) = case.solve().expect("solved");
         case.held_to_closed_forms(&meshed, &run).expect("judged")
     };
-    let mut case = parsed(&text_of("rigid-pin.toml"));
+    let mut case = scene_file::case("rigid-pin");
     let judged = held(&case);
     assert_eq!(judged.len(), 3);
     assert!(judged.iter().all(|one| one.verdict == Verdict::Pass), "{judged:?}");

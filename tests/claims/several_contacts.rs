@@ -13,7 +13,7 @@ use contact_vv::mesh::size::{cells_of, expected};
 use contact_vv::solution::Work;
 use contact_vv::solve::{Change, Discretisation, Element, Formulation, Iteration, Origin, Run};
 
-use crate::scene_file::text_of;
+use crate::scene_file::{self};
 use crate::shared_mesh::between_punches;
 use crate::workbench::parsed;
 
@@ -23,7 +23,7 @@ fn discretised(file: &Case) -> Discretisation {
 
 #[test]
 fn profile_of_a_contact_is_held_against_its_own_closed_form() {
-    let mut case = parsed(&text_of("roller-between-plates.toml"));
+    let mut case = scene_file::case("roller-between-plates");
     case.oracles[0] = None;
     let of_second = |quantity| Check { contact: 1, ..Check::error(quantity, Against::Oracle, 0.1, "the mesh") };
     case.checks = vec![of_second(Quantity::Profile), of_second(Quantity::Departure)];
@@ -119,7 +119,7 @@ fn scene_moved_with_its_origin_has_the_same_pressures() {
 
 #[test]
 fn carried_sets_and_another_load_keep_the_contacts_apart() {
-    let file = parsed(&text_of("roller-between-plates.toml"));
+    let file = scene_file::case("roller-between-plates");
     let discretisation = discretised(&file);
     let formulation = Formulation::verification();
     let run = Run::of(&discretisation, &formulation).expect("run");
@@ -230,7 +230,7 @@ fn what_another_contact_holds_is_no_contact_beyond_the_candidates() {
 
 #[test]
 fn scene_without_a_contact_is_refused() {
-    let file = parsed(&text_of("three-rings.toml"));
+    let file = scene_file::case("three-rings");
     let mut scene = file.scene.clone();
     scene.contacts.clear();
     let error = Mesh::of(&scene, file.resolution).expect_err("none").to_string();

@@ -8,7 +8,7 @@ use contact_vv::mesh::Mesh;
 use contact_vv::mesh::size::expected;
 use contact_vv::scene::Scene;
 
-use crate::scene_file::text_of;
+use crate::scene_file::{case, text_of};
 use crate::workbench::parsed;
 
 #[test]
@@ -22,7 +22,7 @@ fn meshes_are_fine_at_every_contact_of_a_body() {
     for (name, fine, along) in
         [("plate-on-two-supports", 0.05, [-30.0, 30.0]), ("roller-between-plates", 0.8 / 12.0, [0.0; 2])]
     {
-        let file = parsed(&text_of(&format!("{name}.toml")));
+        let file = case(name);
         let (scene, resolution) = (&file.scene, file.resolution);
         let mesh = Mesh::of(scene, resolution).expect("mesh");
         for (contact, origin) in along.into_iter().enumerate() {

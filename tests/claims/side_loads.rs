@@ -2,12 +2,11 @@
 
 use std::sync::Arc;
 
-use contact_vv::case::Case;
 use contact_vv::elasticity::loads;
 use contact_vv::mesh::{Mesh, Order};
 use contact_vv::scene::{Action, Along, Component, Load, Scene, SidePart, StressField};
 
-use crate::scene_file::{folder, text_of};
+use crate::scene_file::case;
 use crate::workbench::{ORDERS, block, distance, resolution};
 
 /// Force along x and y, and moment about the origin, of all nodal forces of a scene's first body.
@@ -76,7 +75,7 @@ fn moment_is_a_couple_of_no_force_on_any_side_and_any_part() {
 
 /// The whole disc of a scene file, radius 50 about (0, 50), with other loads.
 fn disc(loads: Vec<Load>) -> Scene {
-    let mut scene = Case::parse(&folder().join("whole-disc.toml"), &text_of("whole-disc.toml")).expect("sound").scene;
+    let mut scene = case("whole-disc").scene;
     scene.bodies[0].loads = loads;
     scene
 }

@@ -11,6 +11,7 @@ use contact_vv::case::library::{
 };
 use contact_vv::elasticity::{BodySystem, ElasticSystem, element, quadrature};
 use contact_vv::mesh::{BodyMesh, Edge, Mesh, Order, Resolution};
+use contact_vv::oracle::{Quantity, Reading};
 use contact_vv::referee::Truth;
 use contact_vv::scene::{
     self, Body, Circle, Component, ContactPair, Face, Grading, Load, Material, Place, PlaneHypothesis, Profile,
@@ -76,6 +77,31 @@ pub fn of_shape(shape: Shape, path: scene::Path, stretch: f64, supports: Vec<Sup
         reference: ReferenceValues { length: 1.0, pressure: 1.0, gap: 1.0 },
         grading: Grading { unit, along: 1.0, depth: 1.0, first: 1.0, coarsest: 1.0, end: 1.0 },
     }
+}
+
+/// Sides under the tractions of one field of stress.
+pub fn stressed(
+    sides: &[&'static str],
+    field: impl Fn([f64; 2]) -> [f64; 3] + Send + Sync + 'static,
+) -> impl Iterator<Item = Load> {
+    let field = StressField(Arc::new(field));
+    sides.iter().map(move |side| Load::Stress { boundary: (*side).into(), field: field.clone() })
+}
+
+/// A soft body of revolution on a rigid side, under the traction of a uniform stress on the sides that are named.
+pub fn turned(
+    plane: PlaneHypothesis,
+    shape: Shape,
+    path: scene::Path,
+    stretch: f64,
+    stress: [f64; 3],
+    loaded: &[&'static str],
+) -> Scene {
+    let mut scene = of_shape(shape, path, stretch, vec![], stressed(loaded, move |_| stress).collect());
+    (scene.plane, scene.thickness) = (plane, 1.0);
+    scene.bodies[0].material.young = 1000.0;
+    (scene.reference.gap, scene.grading.unit) = (1e-3, 3.0);
+    scene
 }
 
 /// A quarter of a ring about the origin near a rigid profile, on its inner side where that is its lower face.
@@ -156,6 +182,14 @@ pub fn displaced(scene: &Scene, mesh: &Mesh) -> Vec<[f64; 2]> {
 /// The case of a scene file's text.
 pub fn parsed(text: &str) -> Case {
     Case::parse(Path::new("scene.toml"), text).unwrap_or_else(|error| panic!("{error}\n{text}"))
+}
+
+/// A number that the closed form of a case tells.
+pub fn told(case: &Case, quantity: &Quantity) -> f64 {
+    match case.oracle().expect("a closed form").read(quantity) {
+        Reading::Value { value, .. } => value,
+        other => panic!("{quantity:?}: {other:?}"),
+    }
 }
 
 /// The text of a block of steel on x from `left` to `right` with a load on its far side, whose lower side touches a rigid profile; its
