@@ -5,6 +5,8 @@ use contact_vv::cli;
 use serde_json::Value;
 
 use crate::outputs::{contact_vv, json, scene};
+use crate::program::Folder;
+use crate::scene_file::text_of;
 
 fn lines(arguments: &[&str]) -> Vec<Value> {
     let (_, text, _) = contact_vv(arguments);
@@ -24,10 +26,8 @@ fn published_schema_is_that_of_the_program() {
 
 #[test]
 fn line_of_a_check_carries_its_numbers_its_verdict_and_why_it_failed() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("off.toml").display().to_string();
-    let text = std::fs::read_to_string(scene("blocks")).expect("text");
-    std::fs::write(&path, text.replace("value = 4000", "value = 4100")).expect("written");
+    let folder = Folder::made();
+    let path = folder.with("off.toml", text_of("blocks.toml").replace("value = 4000", "value = 4100"));
     let lines = lines(&["verify", &path, "--json"]);
     let own: Vec<&Value> = lines.iter().filter(|line| line["scope"] == "own").collect();
     assert!(own.len() == 2 && lines.iter().any(|line| line["scope"] == "every-run"), "{lines:?}");
@@ -69,9 +69,8 @@ fn every_contact_is_read_beside_its_own_oracle_and_every_quantity_beside_a_refer
 
 #[test]
 fn angles_are_told_and_judged_in_degrees_where_they_are_given_in_degrees() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let at = |name: &str| folder.path().join(name).display().to_string();
-    let csv = at("p.csv");
+    let folder = Folder::made();
+    let csv = folder.at("p.csv");
     let (sound, table, _) = contact_vv(&["solve", &scene("press-fit"), "--all", "--csv", &csv]);
     assert!(sound && table.contains("contact pressure at s = 45° [MPa]") && !table.contains("0.785"), "{table}");
     let mut rows = csv::Reader::from_path(&csv).expect("a table");
@@ -85,8 +84,7 @@ fn angles_are_told_and_judged_in_degrees_where_they_are_given_in_degrees() {
 
     let (_, text, _) = contact_vv(&["new", "pin-in-hole"]);
     let asked = "\n[[check]]\nquantity = \"second-moment-width\"\nvalue = 90\ntolerance = 0.9\nbecause = \"any\"\n";
-    std::fs::write(at("pin.toml"), text + asked).expect("written");
-    let solved = json(&["solve", &at("pin.toml")]);
+    let solved = json(&["solve", &folder.with("pin.toml", text + asked)]);
     let check = solved["checks"].as_array().and_then(|all| all.last()).expect("a check");
     let angle = solved["contacts"][0]["second_moment_width"].as_f64().expect("an angle");
     let judged = check["value"].as_f64().expect("a number");
@@ -104,8 +102,8 @@ fn angles_are_told_and_judged_in_degrees_where_they_are_given_in_degrees() {
 
 #[test]
 fn line_of_a_judged_answer_holds_its_points_on_the_truth_and_the_table_that_is_printed() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let [csv, case] = [folder.path().join("p.csv").display().to_string(), scene("roller-between-plates")];
+    let folder = Folder::made();
+    let [csv, case] = [folder.at("p.csv"), scene("roller-between-plates")];
     assert!(contact_vv(&["solve", &case, "--no-error-bar", "--csv", &csv]).0);
     let (_, printed, _) = contact_vv(&["judge", &case, &csv]);
     let [judged] = &lines(&["judge", &case, &csv, "--json"])[..] else { panic!("one answer is a line") };

@@ -1,14 +1,11 @@
 //! What `solve` prints where nothing else is asked for.
 
-use std::process::Command;
-
 use crate::outputs::{contact_vv, json, scene};
+use crate::program::{ended, program};
 
 /// What is printed on 80 columns.
 fn printed(arguments: &[&str]) -> String {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_contact-vv-tested"));
-    let output = command.arg("solve").args(arguments).env("COLUMNS", "80").output().expect("started");
-    String::from_utf8_lossy(&output.stdout).into_owned()
+    ended(program(arguments).env("COLUMNS", "80")).1
 }
 
 /// The numbers of a text, and what follows ± where something does.
@@ -22,7 +19,7 @@ fn solve_prints_the_numbers_one_quotes_rounded_to_their_bars_on_80_columns() {
     {
         let of_library = ["cylinder", "sphere", "pin-rod"].contains(&case);
         let case = if of_library { case.to_owned() } else { scene(case) };
-        let (text, document) = (printed(&[&case]), json(&["solve", &case]));
+        let (text, document) = (printed(&["solve", &case]), json(&["solve", &case]));
         assert!(text.lines().all(|line| line.chars().count() <= 80), "{text}");
         // Words are whole: those of the title stand in a line each, or beside one another.
         let words: Vec<&str> = text.split_whitespace().collect();

@@ -14,14 +14,11 @@ use contact_vv::study::faults;
 use contact_vv::study::{Finding, Study};
 
 use crate::outputs::{contact_vv, scene};
-
-const PROGRAM: &str = env!("CARGO_BIN_EXE_contact-vv-tested");
+use crate::program::{Folder, ended, program};
 
 /// What the program prints on a terminal of so many columns.
 fn on_columns(columns: usize, arguments: &[&str]) -> String {
-    let mut command = Command::new(PROGRAM);
-    let output = command.env("COLUMNS", columns.to_string()).args(arguments).output().expect("started");
-    String::from_utf8_lossy(&output.stdout).into_owned()
+    ended(program(arguments).env("COLUMNS", columns.to_string())).1
 }
 
 fn widest(text: &str) -> usize {
@@ -109,14 +106,12 @@ fn completions_and_manual_pages_name_every_command() {
     let names: Vec<String> = commands().into_iter().map(|(name, _)| name).collect();
     let (sound, script, _) = contact_vv(&["completions", "bash"]);
     assert!(sound && names.iter().all(|name| script.contains(name.as_str())), "{script}");
-    let folder = tempfile::tempdir().expect("a folder");
-    let pages = folder.path().join("made/man1");
-    let (sound, _, error) = contact_vv(&["man", &pages.display().to_string()]);
+    let folder = Folder::made();
+    let (sound, _, error) = contact_vv(&["man", &folder.at("made/man1")]);
     assert!(sound, "{error}");
     for (name, _) in commands() {
         let file = if name == "contact-vv" { "contact-vv.1".into() } else { format!("contact-vv-{name}.1") };
-        let page = std::fs::read_to_string(pages.join(&file));
-        assert!(page.is_ok_and(|page| page.contains(".SH SYNOPSIS")), "{file}");
+        assert!(folder.read(&format!("made/man1/{file}")).contains(".SH SYNOPSIS"), "{file}");
     }
 }
 
@@ -161,27 +156,24 @@ fn output_that_a_full_disk_cuts_is_an_error() {
     #[cfg(target_os = "linux")]
     for arguments in [&["schema"][..], &["new", "cylinder"], &["list"]] {
         let full = std::fs::OpenOptions::new().write(true).open("/dev/full").expect("a device");
-        let output = Command::new(PROGRAM).args(arguments).stdout(full).output().expect("started");
-        let error = String::from_utf8_lossy(&output.stderr).into_owned();
-        assert!(output.status.code() == Some(2) && error.contains("standard output"), "{arguments:?}: {error}");
+        let (code, _, error) = ended(program(arguments).stdout(full));
+        assert!(code == Some(2) && error.contains("standard output"), "{arguments:?}: {error}");
     }
 }
 
 /// A checkout with nothing in it but what tells that it is one.
-fn bare_checkout() -> tempfile::TempDir {
-    let folder = tempfile::tempdir().expect("a folder");
+fn bare_checkout() -> Folder {
+    let folder = Folder::made();
     std::fs::create_dir_all(folder.path().join("snapshots/charts")).expect("made");
-    for file in ["Cargo.toml", "snapshots/checks.csv"] {
-        std::fs::write(folder.path().join(file), "").expect("written");
-    }
+    folder.with("Cargo.toml", "");
+    folder.with("snapshots/checks.csv", "");
     folder
 }
 
 /// How the program ends in a folder, and what it says there.
 fn run_in(folder: &Path, arguments: &[&str]) -> (Option<i32>, String) {
-    let mut command = Command::new(PROGRAM);
-    let output = command.env_remove(CHECKOUT).current_dir(folder).args(arguments).output().expect("started");
-    (output.status.code(), String::from_utf8_lossy(&output.stderr).into_owned())
+    let (code, _, error) = ended(program(arguments).env_remove(CHECKOUT).current_dir(folder));
+    (code, error)
 }
 
 #[test]
@@ -202,8 +194,8 @@ fn reports_and_surveys_outside_of_a_checkout_are_refused_wherever_the_program_wa
         assert_eq!(code, Some(2), "{arguments:?}: {error}");
         assert!(error.contains("is a checkout of the project") && error.contains(CHECKOUT), "{arguments:?}: {error}");
     }
-    let named = Command::new(PROGRAM).env(CHECKOUT, folder.path()).arg("verdicts").output().expect("started");
-    assert!(String::from_utf8_lossy(&named.stderr).contains("names this folder"), "{named:?}");
+    let (_, _, named) = ended(program(&["verdicts"]).env(CHECKOUT, folder.path()));
+    assert!(named.contains("names this folder"), "{named}");
 }
 
 /// Codes that are no package of the system are absent in a checkout that has not installed them; others may be there.
@@ -264,9 +256,8 @@ fn read_only_checkout_is_refused_before_the_suite_runs() {
     let folder = bare_checkout();
     std::fs::create_dir_all(folder.path().join("VALIDATION.md")).expect("made");
     let clock = std::time::Instant::now();
-    let output = Command::new(PROGRAM).current_dir(folder.path()).output().expect("started");
-    let error = String::from_utf8_lossy(&output.stderr).into_owned();
-    assert_eq!((output.status.code(), output.stdout.len()), (Some(2), 0), "{error}");
+    let (code, text, error) = ended(program(&[]).current_dir(folder.path()));
+    assert_eq!((code, text.as_str()), (Some(2), ""), "{error}");
     assert!(error.contains("VALIDATION.md") && error.contains("cannot be written"), "{error}");
     assert!(error.contains("report --check") && clock.elapsed().as_secs() < 5, "{error}");
 }

@@ -1,11 +1,10 @@
 //! All nine formulations on one scene: a row for each, whatever becomes of it; and the command that converges where another does not.
 
-use std::fs;
-
 use contact_vv::cli;
 use serde_json::Value;
 
 use crate::outputs::{contact_vv, scene};
+use crate::program::Folder;
 use crate::scene_file::{scene_alone, text_of};
 
 /// Whether the command ended well, and its rows.
@@ -58,11 +57,9 @@ fn formulation_that_cannot_take_the_scene_is_a_row_with_its_reason_behind_the_ot
 
 #[test]
 fn open_contact_and_a_run_that_does_not_converge_are_rows_and_none_is_recommended() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("open.toml").display().to_string();
+    let folder = Folder::made();
     let open = scene_alone(&text_of("press-fit.toml")).replace("uniform = -0.02", "uniform = 0.02");
-    fs::write(&path, open).expect("written");
-    let (well, open) = rows(&[&path]);
+    let (well, open) = rows(&[&folder.with("open.toml", open)]);
     assert!(!well && open.len() == 9 && open.iter().all(|row| row["outcome"] == "no contact"), "{open:?}");
     let (well, slow) = rows(&["cylinder", "--formulations", "line.varying,line.varying+newton"]);
     assert!(well && slow[0]["formulation"] == "line.varying+newton" && slow[0]["reason"].is_null(), "{slow:?}");
@@ -73,18 +70,18 @@ fn open_contact_and_a_run_that_does_not_converge_are_rows_and_none_is_recommende
 
 #[test]
 fn outputs_of_a_comparison_are_its_own_and_a_name_that_is_none_is_refused_with_those_that_are() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let [json, plot] = ["all.json", "all.svg"].map(|name| folder.path().join(name).display().to_string());
+    let folder = Folder::made();
+    let [json, plot] = ["all.json", "all.svg"].map(|name| folder.at(name));
     for _ in 0..2 {
         let (well, text, told) = contact_vv(&["compare", "bars", "--json", &json, "--plot", &plot]);
         assert!(well && text.contains("recommended"), "{told}");
     }
-    let [json, drawn] = [&json, &plot].map(|path| fs::read_to_string(path).expect("written"));
+    let [json, drawn] = ["all.json", "all.svg"].map(|name| folder.read(name));
     assert!(cli::json::is_comparison(&json) && !cli::json::is_result(&json));
     assert!(drawn.contains("<svg") && drawn.contains("iteration error"), "a chart");
     let (well, _, told) = contact_vv(&["compare", "bars", "--formulations", "line.vary"]);
     assert!(!well && told.contains("did you mean `line.varying`") && told.contains("node.kinematic"), "{told}");
-    fs::write(&plot, "mine").expect("written");
+    folder.with("all.svg", "mine");
     let (well, _, told) = contact_vv(&["compare", "bars", "--plot", &plot]);
     assert!(!well && told.contains("--force"), "{told}");
 }

@@ -9,6 +9,7 @@ use contact_vv::solve::curve::CurvePoint;
 
 use crate::balance::solved_as_it_says;
 use crate::outputs::{contact_vv, scene};
+use crate::program::Folder;
 use crate::scene_file::text_of;
 use crate::workbench::parsed;
 
@@ -58,13 +59,11 @@ fn increment_that_does_not_converge_is_the_last_row_with_its_outcome() {
 
 #[test]
 fn curve_is_written_by_the_command_line() {
-    let file = std::env::temp_dir().join(format!("contact-vv-curve-{}.csv", std::process::id()));
-    let name = file.to_str().expect("a path");
-    let (well, _, error) = contact_vv(&["solve", &scene("load-approach"), "--no-error-bar", "--curve", name]);
+    let folder = Folder::made();
+    let file = folder.at("curve.csv");
+    let (well, _, error) = contact_vv(&["solve", &scene("load-approach"), "--no-error-bar", "--curve", &file]);
     assert!(well, "{error}");
-    let text = std::fs::read_to_string(&file).expect("written");
-    std::fs::remove_file(&file).expect("removed");
-    let mut rows = csv::Reader::from_reader(text.as_bytes());
+    let mut rows = csv::Reader::from_path(&file).expect("written");
     let head = rows.headers().expect("a head").clone();
     let column = |name: &str| head.iter().position(|title| title == name).expect("a column");
     let (share, force) = (column("load_factor"), column("resultant_n"));

@@ -3,10 +3,11 @@
 use std::process::Command;
 
 use crate::outputs::{contact_vv, json};
+use crate::program::{Folder, ended};
 use crate::scene_file::text_of;
 
 /// Tags that are opened and not closed, or closed and not opened; what is no markup at all.
-fn ill_formed(text: &str) -> Option<String> {
+pub fn ill_formed(text: &str) -> Option<String> {
     let mut open: Vec<&str> = Vec::new();
     let mut pieces = text.split('<');
     pieces.next()?;
@@ -39,21 +40,21 @@ fn browser() -> Option<&'static str> {
 
 #[test]
 fn a_solve_is_one_html_file_that_needs_nothing_else() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let at = |name: &str| folder.path().join(name).display().to_string();
+    let folder = Folder::made();
     let title = "steel < 5 mm & \"{{input}}\"";
     let text = text_of("two-cylinders.toml");
     let line = text.lines().find(|line| line.starts_with("title")).expect("a title");
-    std::fs::write(at("mine.toml"), text.replace(line, &format!("title = '{title}'"))).expect("written");
-    let (sound, _, error) = contact_vv(&["solve", &at("mine.toml"), "--html", &at("run.html")]);
+    let mine = folder.with("mine.toml", text.replace(line, &format!("title = '{title}'")));
+    let html = folder.at("run.html");
+    let (sound, _, error) = contact_vv(&["solve", &mine, "--html", &html]);
     assert!(sound, "{error}");
-    let page = std::fs::read_to_string(at("run.html")).expect("a page");
+    let page = folder.read("run.html");
     assert_eq!(ill_formed(&page), None);
     assert!(page.contains("<p>steel &lt; 5 mm &amp; &quot;{{input}}&quot;</p>"), "escaped, and not filled in again");
     for outside in ["<script", " src=", "href=\"http", "url(http", "@import"] {
         assert!(!page.contains(outside), "{outside}");
     }
-    let document = json(&["solve", &at("mine.toml")]);
+    let document = json(&["solve", &mine]);
     for list in ["error_bars", "checks"] {
         let key = if list == "checks" { "requirement" } else { "quantity" };
         for one in document[list].as_array().expect("a list") {
@@ -63,20 +64,15 @@ fn a_solve_is_one_html_file_that_needs_nothing_else() {
     }
     assert!(page.contains("<svg") && page.contains("prefers-color-scheme: dark") && page.contains("[[body]]"));
     // Written once more it replaces itself, and nothing else.
-    assert!(contact_vv(&["solve", &at("mine.toml"), "--html", &at("run.html"), "--no-error-bar"]).0);
-    let (sound, _, error) = contact_vv(&["solve", &at("mine.toml"), "--html", &at("mine.toml")]);
+    assert!(contact_vv(&["solve", &mine, "--html", &html, "--no-error-bar"]).0);
+    let (sound, _, error) = contact_vv(&["solve", &mine, "--html", &mine]);
     assert!(!sound && error.contains(".html"), "{error}");
     match browser() {
         None => println!("no Chromium is installed: the page was not opened in a browser"),
         Some(browser) => {
-            let url = format!("file://{}", at("run.html"));
-            let options = ["--headless", "--no-sandbox", "--disable-gpu", "--dump-dom", &url];
-            let shown = Command::new(browser).args(options).output().expect("started");
-            let shown = String::from_utf8_lossy(&shown.stdout).into_owned();
-            assert!(
-                shown.contains("peak pressure") && shown.contains("</svg>") && shown.contains("</html>"),
-                "{shown:.500}"
-            );
+            let options = ["--headless", "--no-sandbox", "--disable-gpu", "--dump-dom", &format!("file://{html}")];
+            let (_, shown, _) = ended(Command::new(browser).args(options));
+            assert!(["peak pressure", "</svg>", "</html>"].iter().all(|part| shown.contains(part)), "{shown:.500}");
         }
     }
 }

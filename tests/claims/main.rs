@@ -77,6 +77,7 @@ mod pages;
 mod photoelastic;
 mod pictures;
 mod plausible;
+mod program;
 mod reactions;
 mod referee;
 mod referee_calculix;

@@ -2,13 +2,14 @@
 
 use contact_vv::checkout::root;
 use std::path::Path;
-use std::process::Command;
+
+use crate::program::{Folder, ended, program};
 
 #[test]
 fn one_page_of_a_case_is_that_of_the_report_and_a_mistyped_name_is_told_with_its_like() {
-    let folder = tempfile::tempdir().expect("a folder");
+    let folder = Folder::made();
     // A checkout with what pages are made from, and none of them.
-    std::fs::write(folder.path().join("Cargo.toml"), "").expect("written");
+    folder.with("Cargo.toml", "");
     let own = root();
     for (inside, of) in
         [("tests/cases", "toml"), ("tests/cases/meshes", "msh"), ("snapshots", "csv"), ("snapshots", "json")]
@@ -24,12 +25,7 @@ fn one_page_of_a_case_is_that_of_the_report_and_a_mistyped_name_is_told_with_its
     for inside in ["pages", "charts", "sheets"] {
         std::fs::create_dir_all(folder.path().join("snapshots").join(inside)).expect("made");
     }
-    let report = |name: &str| {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_contact-vv-tested"));
-        let output = command.args(["report", "--only", name]).current_dir(&folder).output().expect("started");
-        let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
-        (output.status.code(), text(&output.stdout), text(&output.stderr))
-    };
+    let report = |name: &str| ended(program(&["report", "--only", name]).current_dir(folder.path()));
     for (name, page) in [
         ("blocks.toml", "case-blocks-toml"),
         ("tests/cases/moment.toml", "case-moment-toml"),

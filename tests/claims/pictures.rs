@@ -1,8 +1,5 @@
 //! The picture of a run: it draws what was solved, whatever came out.
 
-use std::path::Path;
-use std::process::Command;
-
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use contact_vv::case::Case;
 use contact_vv::clock::{Clock, Stage};
@@ -11,8 +8,10 @@ use contact_vv::report::pictures::{deformed, solve};
 use contact_vv::solve::{Discretisation, Run};
 
 use crate::balance::solved_as_it_says;
-use crate::outputs::scene;
-use crate::scene_file::text_of;
+use crate::html::ill_formed;
+use crate::outputs::contact_vv;
+use crate::program::Folder;
+use crate::scene_file::{self, text_of};
 
 struct Solved {
     problem: Case,
@@ -21,7 +20,7 @@ struct Solved {
 }
 
 fn solved(name: &str) -> Solved {
-    let problem = Case::read(Path::new(&scene(name))).expect("sound");
+    let problem = scene_file::case(name);
     let (discretisation, run) = solved_as_it_says(&problem);
     Solved { problem, discretisation, run }
 }
@@ -31,28 +30,6 @@ impl Solved {
         let sheet = solve::sheet(&self.problem, &self.discretisation, &self.run).expect("composed");
         sheet.drawing().svg().expect("drawn")
     }
-}
-
-/// Elements of an SVG by their names; every one closed, in order, and every `&` an entity.
-fn elements(svg: &str) -> Vec<String> {
-    let (mut open, mut all) = (Vec::new(), Vec::new());
-    for part in svg.split('<').skip(1) {
-        let (tag, text) = part.split_once('>').expect("a tag ends");
-        assert!(!text.contains('>'), "text after <{tag}: {text}");
-        let entity = |rest: &str| ["amp;", "lt;", "gt;", "quot;", "apos;", "#"].iter().any(|e| rest.starts_with(e));
-        assert!(part.split('&').skip(1).all(entity), "an entity in {part}");
-        let name = tag.trim_start_matches('/').split([' ', '/', '\n']).next().unwrap_or_default().to_string();
-        if tag.starts_with('/') {
-            assert_eq!(open.pop().as_ref(), Some(&name));
-        } else {
-            all.push(name.clone());
-            if !tag.ends_with('/') {
-                open.push(name);
-            }
-        }
-    }
-    assert!(open.is_empty(), "{open:?} left open");
-    all
 }
 
 /// Closed outlines in all paths of an SVG.
@@ -65,10 +42,12 @@ fn areas(svg: &str) -> usize {
 fn picture_has_shape_pressure_and_iteration_error_and_is_valid() {
     for name in ["blocks", "press-fit", "cylinder-on-block", "flat-punch"] {
         let svg = solved(name).svg();
-        let elements = elements(&svg);
-        assert_eq!(elements.iter().filter(|element| *element == "svg").count(), 1, "{name}");
+        assert_eq!((ill_formed(&svg), svg.matches("<svg").count()), (None, 1), "{name}");
         assert!(areas(&svg) > 20, "{name}: no bands");
-        assert!(svg.contains("role=\"img\"") && elements[1] == "title", "{name}: no name for those who hear it");
+        assert!(
+            svg.contains("role=\"img\"") && svg.split('<').nth(2).is_some_and(|tag| tag.starts_with("title")),
+            "{name}: no name for those who hear it"
+        );
         for text in ["von Mises stress", "Contact pressure", "Iteration error", "tolerance", "Displacements ×"] {
             assert!(svg.contains(text), "{name}: no `{text}`");
         }
@@ -191,7 +170,7 @@ fn charts_hold_the_pressures_and_the_iteration_error_of_every_step() {
     let [guide] = chart.guides.as_slice() else { panic!("one guide") };
     assert_eq!(guide.direction, Direction::Horizontal);
     assert_abs_diff_eq!(guide.at, run.formulation.settings.tolerance, epsilon = 0.0);
-    elements(&chart.drawing().svg().expect("drawn"));
+    assert_eq!(ill_formed(&chart.drawing().svg().expect("drawn")), None);
 }
 
 #[test]
@@ -201,36 +180,30 @@ fn run_without_numbers_without_steps_or_without_contact_is_drawn() {
     broken.run.solution.displacement.fill(f64::NAN);
     broken.run.solution.points.iter_mut().for_each(|point| point.pressure = f64::NAN);
     let svg = broken.svg();
-    elements(&svg);
+    assert_eq!(ill_formed(&svg), None);
     assert!(svg.contains("no finite displacements") && !svg.contains("von Mises"), "nothing to draw is said");
     broken.run.solution.history.clear();
-    elements(&broken.svg());
+    assert_eq!(ill_formed(&broken.svg()), None);
 
     let mut open = solved("blocks");
     open.run.solution.points.iter_mut().for_each(|point| point.pressure = 0.0);
     open.run.contacts[0].measures.active = 0;
     open.run.contacts[0].open = Some(true);
     let svg = open.svg();
-    elements(&svg);
+    assert_eq!(ill_formed(&svg), None);
     assert!(svg.contains("No contact: every candidate is open."), "no contact is said");
 }
 
 #[test]
 fn command_draws_what_did_not_converge_and_shows_no_progress_where_there_is_no_terminal() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let (file, picture) = (folder.path().join("few.toml"), folder.path().join("few.svg"));
+    let folder = Folder::made();
     let text = text_of("cylinder-in-metres.toml");
-    let solve = |text: &str| {
-        std::fs::write(&file, text).expect("written");
-        let mut command = Command::new(env!("CARGO_BIN_EXE_contact-vv-tested"));
-        command.arg("solve").arg(&file).arg("--plot").arg(&picture).output().expect("started")
-    };
-    let output = solve(&text);
-    assert!(output.status.success() && output.stderr.is_empty(), "{}", String::from_utf8_lossy(&output.stderr));
-    let output = solve(&text.replace("[solve]", "[solve]\nmax-iterations = 2"));
-    assert!(!output.status.success());
-    let svg = std::fs::read_to_string(&picture).expect("a picture");
-    elements(&svg);
+    let solve = |text: &str| contact_vv(&["solve", &folder.with("few.toml", text), "--plot", &folder.at("few.svg")]);
+    let (sound, _, error) = solve(&text);
+    assert!(sound && error.is_empty(), "{error}");
+    assert!(!solve(&text.replace("[solve]", "[solve]\nmax-iterations = 2")).0);
+    let svg = folder.read("few.svg");
+    assert_eq!(ill_formed(&svg), None);
     assert!(svg.contains("not converged after 2 iterations"));
 }
 

@@ -1,7 +1,6 @@
 //! What is told of a run: the peak where it is, edges, quantities beside references of the same, and how a command ended.
 
 use std::f64::consts::PI;
-use std::process::Command;
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use contact_vv::case::{Scope, Verdict};
@@ -9,6 +8,7 @@ use contact_vv::oracle::analytic::even_gap::EvenGap;
 use contact_vv::solve::Run;
 
 use crate::outputs::{contact_vv, json, scene};
+use crate::program::{Folder, ended, program};
 use crate::scene_file::{scene_alone, text_of};
 use crate::workbench::{block_text, parsed};
 
@@ -98,24 +98,15 @@ fn checks_of_every_run_scale_with_the_digits_of_the_scene() {
     }
 }
 
-/// Exit code of a command.
-fn code(arguments: &[&str]) -> Option<i32> {
-    Command::new(env!("CARGO_BIN_EXE_contact-vv-tested")).args(arguments).output().expect("started").status.code()
-}
-
 #[test]
 fn exit_codes_tell_how_a_command_ended() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let add = |name: &str, text: String| {
-        let path = folder.path().join(name);
-        std::fs::write(&path, text).expect("written");
-        path.display().to_string()
-    };
+    let folder = Folder::made();
     let blocks = text_of("blocks.toml");
-    let failing = add("failing.toml", blocks.replace("value = 4000", "value = 4100"));
-    let broken = add("broken.toml", blocks.replace("young = 70e3", "young = 0"));
-    let slow = add("slow.toml", text_of("cylinder-in-metres.toml"));
-    let open = add("open.toml", scene_alone(&text_of("press-fit.toml")).replace("uniform = -0.02", "uniform = 0.02"));
+    let failing = folder.with("failing.toml", blocks.replace("value = 4000", "value = 4100"));
+    let broken = folder.with("broken.toml", blocks.replace("young = 70e3", "young = 0"));
+    let slow = folder.with("slow.toml", text_of("cylinder-in-metres.toml"));
+    let open =
+        folder.with("open.toml", scene_alone(&text_of("press-fit.toml")).replace("uniform = -0.02", "uniform = 0.02"));
     for (arguments, wanted) in [
         (vec!["solve", &scene("blocks")], 0),
         (vec!["verify", &scene("blocks")], 0),
@@ -129,6 +120,6 @@ fn exit_codes_tell_how_a_command_ended() {
         (vec!["solve", &slow, "--max-iterations", "2"], 3),
         (vec!["solve", &open], 3),
     ] {
-        assert_eq!(code(&arguments), Some(wanted), "{arguments:?}");
+        assert_eq!(ended(&mut program(&arguments)).0, Some(wanted), "{arguments:?}");
     }
 }
