@@ -11,6 +11,7 @@ use contact_vv::study::random::{Family, Site};
 
 use crate::accuracy::error;
 use crate::outputs::{contact_vv, json};
+use crate::workbench::kinematic;
 
 /// The answer to an accuracy with so many dofs at most, and the dofs of all meshes that were told of.
 fn bounded(scene: &Scene, formulation: &Formulation, relative: f64, most: usize) -> (Answer, Vec<usize>) {
@@ -55,7 +56,7 @@ fn search_solves_no_mesh_of_more_dofs_than_are_allowed_and_says_what_is_met_unti
 #[test]
 fn bound_that_is_not_reached_changes_nothing() {
     let hertz = TruncatedHertz::default().case().scene;
-    let node = Formulation::new(Element::Node, Iteration::Kinematic);
+    let node = kinematic();
     let free = accuracy::solve(&hertz, &node, &Asked::new(1e-3)).expect("solved");
     let (bounded, told) = bounded(&hertz, &node, 1e-3, 1_000_000);
     assert!(bounded.next.is_none() && bounded.unmet.is_none());
@@ -78,7 +79,7 @@ fn bound_that_is_not_reached_changes_nothing() {
 fn first_mesh_above_the_dofs_allowed_is_refused() {
     let hertz = TruncatedHertz::default().case().scene;
     let asked = Asked { most_dofs: Some(10), ..Asked::new(1e-2) };
-    let formulation = Formulation::new(Element::Node, Iteration::Kinematic);
+    let formulation = kinematic();
     let refused = accuracy::solve(&hertz, &formulation, &asked).expect_err("too few");
     assert!(matches!(refused.kind, Kind::TooManyDofs { dofs } if dofs > 10), "{refused:?}");
     assert!(refused.message.contains("more than the 10 allowed"), "{}", refused.message);

@@ -5,16 +5,12 @@ use contact_vv::algorithm::StiffnessRule;
 use contact_vv::case::library::Cylinder;
 use contact_vv::mesh::Order;
 use contact_vv::solution::Outcome;
-use contact_vv::solve::{Discretisation, Element, Formulation, Iteration, Run};
+use contact_vv::solve::{Element, Formulation, Iteration, Run};
 
+use crate::balance::solved;
 use crate::outputs::{contact_vv, scene};
-use crate::scene_file::text_of;
-use crate::workbench::{meshed, parsed};
-
-fn drawn(text: &str) -> Discretisation {
-    let file = parsed(text);
-    Discretisation::of(file.scene, file.resolution).expect("meshed")
-}
+use crate::scene_file::case;
+use crate::workbench::meshed;
 
 #[test]
 fn penalty_tells_what_its_springs_cost() {
@@ -48,9 +44,8 @@ fn penalty_tells_what_its_springs_cost() {
 #[test]
 fn round_off_is_named_where_it_is_the_limit_and_not_the_iterations() {
     // Pressures of line elements on meshes that do not match hang on penetrations of the size of rounding.
-    let discretisation = drawn(&text_of("three-rings.toml"));
     let formulation = Formulation::new(Element::Line, Iteration::Kinematic).tolerance(1e-12);
-    let run = Run::of(&discretisation, &formulation).expect("solved");
+    let (_, run) = solved(&case("three-rings"), &formulation);
     assert_eq!(run.solution.outcome, Outcome::Stalled);
     assert!(run.solution.work.iterations < 500 && run.iteration_error() < 1e-4, "{:e}", run.iteration_error());
     let line = ["--element", "line", "--algorithm", "kinematic", "--tolerance", "1e-12"];

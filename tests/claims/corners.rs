@@ -6,15 +6,11 @@ use approx::assert_abs_diff_eq;
 use contact_vv::accuracy::{self, Asked};
 use contact_vv::case::{Case, notes};
 use contact_vv::solve::wedge::{Wedge, exponent};
-use contact_vv::solve::{Element, Formulation, Iteration};
 
 use crate::balance::{scene, solved};
+use crate::workbench::kinematic;
 
 const FREE: Wedge = Wedge { angle: FRAC_PI_2, modulus: 1.0, held: None };
-
-fn kinematic() -> Formulation {
-    Formulation::new(Element::Node, Iteration::Kinematic)
-}
 
 #[test]
 fn compliance_of_wedges_is_the_closed_form() {
@@ -118,4 +114,33 @@ fn corner_that_is_not_pressed_leaves_a_peak_its_limit() {
         let run = run.with_limits(&discretisation).expect("told");
         assert!(run.contacts[0].unbounded.is_none());
     }
+}
+
+#[test]
+fn peak_under_a_corner_has_no_limit_whatever_meshes_the_bodies() {
+    let blocks = [
+        r#"{ blocks = [{ corners = [[0, 0], [10, 0], [10, 10], [0, 10]], elements = [8, 8], bottom = "contact", top = "load", left = "sym-u" }] }"#,
+        r#"{ blocks = [{ corners = [[0, -10], [10, -10], [10, 0], [0, 0]], elements = [8, 8], bottom = "fix", top = "contact", left = "sym-l" }, { corners = [[10, -10], [20, -10], [20, 0], [10, 0]], elements = [8, 8], bottom = "fix", top = "contact" }] }"#,
+    ];
+    let as_blocks = [[UPPER, blocks[0]], [LOWER, blocks[1]]];
+    let as_rectangles = rectangles("stretch = 10\n[mesh]\nelements = 16\nper = 10");
+    for case in [scene("corner", &[]), scene("corner", &as_blocks), scene("corner", &as_rectangles)] {
+        let (discretisation, run) = solved(&case, &kinematic());
+        let run = run.with_limits(&discretisation).expect("finer meshes");
+        let corner = run.contacts[0].unbounded.expect("no limit");
+        assert!((corner.position.value() - 10.0).abs() < 1e-9 && corner.growth > 0.05, "{corner:?}");
+        let answer = accuracy::solve(&case.scene, &kinematic(), &Asked::new(1e-2)).expect("solved");
+        assert!(answer.run.contacts[0].unbounded.is_some());
+        // Known after a few cheap meshes, one of which meets what is asked of the half-width.
+        assert!(answer.dofs_in_all() < 15_000, "{} dofs", answer.dofs_in_all());
+        assert!(answer.estimates.iter().all(|one| one.relative() <= 1e-2 || one.value.is_nan()));
+        assert!(answer.unmet.is_some_and(|why| why.contains("no limit")));
+    }
+    // With the blocks as wide as one another the pressure is the load, and has one.
+    let narrow = [
+        r#"{ blocks = [{ corners = [[0, -10], [10, -10], [10, 0], [0, 0]], elements = [8, 8], bottom = "fix", top = "contact", left = "sym-l" }] }"#,
+    ];
+    let case = scene("corner", &[[UPPER, blocks[0]], [LOWER, narrow[0]]]);
+    let (discretisation, run) = solved(&case, &kinematic());
+    assert!(run.with_limits(&discretisation).expect("finer meshes").contacts[0].unbounded.is_none());
 }

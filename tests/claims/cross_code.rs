@@ -7,9 +7,7 @@ use contact_vv::oracle::cross_code::frozen::{Digest, Frozen, changed_versions, s
 use contact_vv::study::cross_code::{Twin, differences};
 use contact_vv::study::differences::{changes, largest_change, relative_difference, reproduced};
 
-fn all_pass(checks: &[Judged]) -> bool {
-    !checks.is_empty() && checks.iter().all(|check| check.verdict == Verdict::Pass)
-}
+use crate::workbench::all_pass;
 
 fn against(code: Code, ours: &Digest, theirs: &Digest) -> Vec<Judged> {
     differences(code, ours, theirs)

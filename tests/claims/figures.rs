@@ -259,7 +259,7 @@ fn signs(svg: &str) -> Vec<Bounds> {
         }
         let outline = attribute(tag, "d")
             .filter(|d| tag.starts_with("path") && d.ends_with('Z') && d.matches('M').count() == 1)?;
-        let places = outline_of(outline);
+        let places = outlines(outline).concat();
         let ends = |k: usize| {
             let all = || places.iter().map(|at| at[k]);
             [all().fold(f64::INFINITY, f64::min), all().fold(f64::NEG_INFINITY, f64::max)]
@@ -285,26 +285,6 @@ fn signs(svg: &str) -> Vec<Bounds> {
         }
     }
     all
-}
-
-/// The corners of an outline: absolute first, then steps.
-fn outline_of(d: &str) -> Vec<[f64; 2]> {
-    let mut spaced = String::new();
-    for c in d.chars() {
-        if c == '-' || c.is_alphabetic() {
-            spaced.push(' ');
-        }
-        spaced.push(if c.is_alphabetic() || c == ',' { ' ' } else { c });
-    }
-    let numbers: Vec<f64> = spaced.split_whitespace().filter_map(|number| number.parse().ok()).collect();
-    let mut at = [0.0, 0.0];
-    let steps = numbers.chunks_exact(2).enumerate();
-    steps
-        .map(|(n, step)| {
-            at = if n == 0 { [step[0], step[1]] } else { [at[0] + step[0], at[1] + step[1]] };
-            at
-        })
-        .collect()
 }
 
 /// The boxes of the texts of a drawing, narrower than any font sets them, with the texts.

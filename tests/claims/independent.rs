@@ -3,17 +3,14 @@
 use std::fs;
 use std::path::PathBuf;
 
-use contact_vv::case::{Judged, Verdict};
+use contact_vv::case::Judged;
 use contact_vv::oracle::cross_code::independent::{Folder, Independent, Script};
 use contact_vv::oracle::cross_code::{PhysicalAnswer, PhysicalScene};
 use contact_vv::study::Study;
 use contact_vv::study::differences::Answers;
 use contact_vv::study::independent::run::{Compared, Found, STATIONS, Scene, asked, compare};
 
-/// Whether there is a check, and all pass.
-fn all_pass(checks: &[Judged]) -> bool {
-    !checks.is_empty() && checks.iter().all(|check| check.verdict == Verdict::Pass)
-}
+use crate::workbench::all_pass;
 
 fn judged(compared: &Compared) -> Vec<Judged> {
     compared.judge().expect("judged")

@@ -3,12 +3,12 @@
 use std::path::{Path, PathBuf};
 
 use approx::assert_relative_eq;
-use contact_vv::case::{Case, Meshed, Verdict};
+use contact_vv::case::{Case, Meshed};
 use contact_vv::checkout::root;
 use contact_vv::scene::{Load, Profile};
 use contact_vv::solve::Run;
 
-use crate::workbench::parsed;
+use crate::workbench::{fails, parsed};
 
 pub fn folder() -> PathBuf {
     root().join("tests/cases")
@@ -82,8 +82,7 @@ fn checks_of_another_value_sign_or_place_fail_and_so_does_a_run_that_does_not_co
 pub fn failures(text: &str) -> usize {
     let file = parsed(text);
     let (meshed, run) = solved(&file);
-    let judged = file.own(&meshed.discretisation, &run).expect("judged");
-    judged.iter().filter(|one| one.verdict == Verdict::Fail).count()
+    fails(&file.own(&meshed.discretisation, &run).expect("judged"))
 }
 
 #[test]

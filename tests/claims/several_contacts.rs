@@ -13,7 +13,8 @@ use contact_vv::mesh::size::{cells_of, expected};
 use contact_vv::solution::Work;
 use contact_vv::solve::{Change, Discretisation, Element, Formulation, Iteration, Origin, Run};
 
-use crate::scene_file::{self};
+use crate::balance::{scene, solved_as_it_says};
+use crate::scene_file;
 use crate::shared_mesh::between_punches;
 use crate::workbench::parsed;
 
@@ -101,8 +102,7 @@ fn scene_moved_with_its_origin_has_the_same_pressures() {
             x + 20.0,
             y + 20.0
         );
-        let file = parsed(&text);
-        Run::of(&discretised(&file), file.formulation()).expect("run")
+        solved_as_it_says(&parsed(&text)).1
     };
     for both in [false, true] {
         for gap in ["{ parabola = 300 }", "{ wedge = 0.02 }"] {
@@ -215,14 +215,7 @@ fn slab_wedged_between_walls_carries_its_compression_however_the_interference_is
 #[test]
 fn what_another_contact_holds_is_no_contact_beyond_the_candidates() {
     // A floor with a step of 0.005 between two neighbouring nodes: either level goes on below the candidates of the other.
-    let text = "plane = \"strain\"\nthickness = 1.0\n[[body]]\nname = \"block\"\nyoung = 210e3\npoisson = 0.3\n\
-        shape = { rectangle = { x = [0, 10], y = [0, 10], contact = \"bottom\" } }\n\
-        supports = [{ at = \"left\", component = \"x\" }]\n\
-        loads = [{ rigid-face = { at = \"far\", component = \"y\", force = -20000 } }]\n\
-        [[contact]]\nname = \"high\"\nfirst = \"block\"\ngap = { uniform = 0 }\nstretch = 5\n\
-        [[contact]]\nname = \"low\"\nfirst = \"block\"\norigin = [7.6, 0]\nboth-sides = true\nsymmetric = true\n\
-        gap = { uniform = 0.005 }\nstretch = 2.4\n[mesh]\nelements = 4\nper = 1\norder = 1\n[reference]\npressure = 2000\n";
-    let (_, run) = parsed(text).solve().unwrap_or_else(|error| panic!("{error}"));
+    let (_, run) = scene("step-below", &[]).solve().unwrap_or_else(|error| panic!("{error}"));
     let [high, low] = [run.contacts[0].transmitted, run.contacts[1].transmitted];
     assert!(low > 0.0 && high > low, "{high}, {low}");
     assert_relative_eq!(high + low, 40000.0, max_relative = 1e-3);

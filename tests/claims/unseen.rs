@@ -1,15 +1,12 @@
 //! What no contact point and no coarser mesh sees: surfaces that meet elsewhere, sharp tops, places on large cells, widths.
 
-use contact_vv::accuracy::{self, Asked, Quantity};
+use contact_vv::accuracy::Quantity;
 use contact_vv::case::notes;
 use contact_vv::error::Kind;
-use contact_vv::solve::{Discretisation, Element, Formulation, Iteration, Run};
+use contact_vv::solve::{Discretisation, Run};
 
 use crate::balance::{barred, scene, solved};
-
-fn kinematic() -> Formulation {
-    Formulation::new(Element::Node, Iteration::Kinematic)
-}
+use crate::workbench::kinematic;
 
 #[test]
 fn second_place_that_touches_between_nodes_beyond_the_candidates_is_refused() {
@@ -85,47 +82,4 @@ fn peak_on_one_point_is_unresolved_and_not_without_limit() {
     let run = run.with_limits(&discretisation).expect("coarser meshes");
     assert!(run.contacts[0].unbounded.is_none());
     assert!(notes::of(&run, 0).iter().any(|note| note.contains("rests on 1 of")), "{:?}", notes::of(&run, 0));
-}
-
-/// The block of `corner.toml` and the longer one below it, as Gmsh has them.
-const FROM_GMSH: [&str; 2] = [
-    r#"{ gmsh = { file = "corner.msh", group = "upper", contact = "cu" } }"#,
-    r#"{ gmsh = { file = "corner.msh", group = "lower", contact = "cl" } }"#,
-];
-
-#[test]
-fn peak_under_a_corner_has_no_limit_whatever_meshes_the_bodies() {
-    let blocks = [
-        r#"{ blocks = [{ corners = [[0, 0], [10, 0], [10, 10], [0, 10]], elements = [8, 8], bottom = "contact", top = "load", left = "sym-u" }] }"#,
-        r#"{ blocks = [{ corners = [[0, -10], [10, -10], [10, 0], [0, 0]], elements = [8, 8], bottom = "fix", top = "contact", left = "sym-l" }, { corners = [[10, -10], [20, -10], [20, 0], [10, 0]], elements = [8, 8], bottom = "fix", top = "contact" }] }"#,
-    ];
-    let as_blocks = [[FROM_GMSH[0], blocks[0]], [FROM_GMSH[1], blocks[1]]];
-    let as_rectangles = [
-        [FROM_GMSH[0], r#"{ rectangle = { x = [0, 10], y = [0, 10], contact = "bottom" } }"#],
-        [FROM_GMSH[1], r#"{ rectangle = { x = [0, 20], y = [-10, 0], contact = "top" } }"#],
-        ["\"sym-u\"", "\"left\""],
-        ["\"load\"", "\"far\""],
-        ["\"sym-l\"", "\"left\""],
-        ["\"fix\"", "\"far\""],
-        ["stretch = 10", "stretch = 10\n[mesh]\nelements = 16\nper = 10"],
-    ];
-    for case in [scene("corner", &[]), scene("corner", &as_blocks), scene("corner", &as_rectangles)] {
-        let (discretisation, run) = solved(&case, &kinematic());
-        let run = run.with_limits(&discretisation).expect("finer meshes");
-        let corner = run.contacts[0].unbounded.expect("no limit");
-        assert!((corner.position.value() - 10.0).abs() < 1e-9 && corner.growth > 0.05, "{corner:?}");
-        let answer = accuracy::solve(&case.scene, &kinematic(), &Asked::new(1e-2)).expect("solved");
-        assert!(answer.run.contacts[0].unbounded.is_some());
-        // Known after a few cheap meshes, one of which meets what is asked of the half-width.
-        assert!(answer.dofs_in_all() < 15_000, "{} dofs", answer.dofs_in_all());
-        assert!(answer.estimates.iter().all(|one| one.relative() <= 1e-2 || one.value.is_nan()));
-        assert!(answer.unmet.is_some_and(|why| why.contains("no limit")));
-    }
-    // With the blocks as wide as one another the pressure is the load, and has one.
-    let narrow = [
-        r#"{ blocks = [{ corners = [[0, -10], [10, -10], [10, 0], [0, 0]], elements = [8, 8], bottom = "fix", top = "contact", left = "sym-l" }] }"#,
-    ];
-    let case = scene("corner", &[[FROM_GMSH[0], blocks[0]], [FROM_GMSH[1], narrow[0]]]);
-    let (discretisation, run) = solved(&case, &kinematic());
-    assert!(run.with_limits(&discretisation).expect("finer meshes").contacts[0].unbounded.is_none());
 }

@@ -5,10 +5,10 @@ use std::f64::consts::FRAC_PI_2;
 use std::path::Path;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
-use contact_vv::case::Case;
 use contact_vv::case::library::{
     Bars, Cylinder, CylinderModel, FlatPunch, Patch, PinPlate, PinRod, PressFit, TruncatedHertz, find, own_weight,
 };
+use contact_vv::case::{Case, Judged, Verdict};
 use contact_vv::elasticity::{BodySystem, ElasticSystem, element, quadrature};
 use contact_vv::mesh::{BodyMesh, Edge, Mesh, Order, Resolution};
 use contact_vv::oracle::{Quantity, Reading};
@@ -17,7 +17,7 @@ use contact_vv::scene::{
     self, Body, Circle, Component, ContactPair, Face, Grading, Load, Material, Place, PlaneHypothesis, Profile,
     ReferenceValues, Scene, Shape, StressField, Support,
 };
-use contact_vv::solve::Discretisation;
+use contact_vv::solve::{Discretisation, Element, Formulation, Iteration};
 use nalgebra::{DMatrix, DVector};
 
 pub const STEEL: Material = Material { young: 210e3, poisson: 0.3 };
@@ -203,6 +203,11 @@ pub fn block_text([left, right]: [f64; 2], height: f64, load: &str, contact: &st
     )
 }
 
+/// Node elements under kinematic load, by their default tolerance.
+pub fn kinematic() -> Formulation {
+    Formulation::new(Element::Node, Iteration::Kinematic)
+}
+
 /// A scene on a mesh of so many elements.
 pub fn meshed(scene: Scene, elements: usize, order: Order) -> Discretisation {
     Discretisation::of(scene, resolution(elements, 0, order)).expect("meshed")
@@ -215,6 +220,16 @@ pub fn distance(a: &[f64], b: &[f64]) -> f64 {
     }
     let worse = |worst: f64, d: f64| if d.is_nan() || worst.is_nan() { f64::NAN } else { worst.max(d) };
     a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, worse)
+}
+
+/// How many checks fail.
+pub fn fails(judged: &[Judged]) -> usize {
+    judged.iter().filter(|one| one.verdict == Verdict::Fail).count()
+}
+
+/// Whether there is a check, and all pass.
+pub fn all_pass(checks: &[Judged]) -> bool {
+    !checks.is_empty() && checks.iter().all(|check| check.verdict == Verdict::Pass)
 }
 
 /// Numbers in −1 … 1 that look random and are always the same (SplitMix64; Steele, Lea & Flood 2014).
