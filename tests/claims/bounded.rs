@@ -11,6 +11,7 @@ use contact_vv::study::random::{Family, Site};
 
 use crate::accuracy::error;
 use crate::outputs::{contact_vv, json};
+use crate::program::Folder;
 use crate::workbench::kinematic;
 
 /// The answer to an accuracy with so many dofs at most, and the dofs of all meshes that were told of.
@@ -95,11 +96,9 @@ fn meshes_above_200_000_dofs_or_ten_seconds_are_long() {
 #[test]
 fn bound_is_an_option_and_its_outcome_is_in_the_document() {
     let bounded = ["solve", "truncated-hertz", "--accuracy", "0.0001%", "--max-dofs", "1500"];
-    let folder = tempfile::tempdir().expect("a folder");
-    let file = folder.path().join("run.json").display().to_string();
-    let (met, table, error) = contact_vv(&[&bounded[..], &["--json", &file]].concat());
-    let document = std::fs::read_to_string(&file).expect("written");
-    let document = &serde_json::from_str::<serde_json::Value>(&document).expect("JSON")["accuracy"];
+    let folder = Folder::made();
+    let (met, table, error) = contact_vv(&[&bounded[..], &["--json", &folder.at("run.json")]].concat());
+    let document = &serde_json::from_str::<serde_json::Value>(&folder.read("run.json")).expect("JSON")["accuracy"];
     assert_eq!(document["freedoms_at_most"], 1500);
     assert!(document["freedoms_of_next"].as_u64().is_some_and(|next| next > 1500), "{document}");
     assert_eq!(document["met"], false);

@@ -9,7 +9,7 @@ use contact_vv::study::sheet::BUILT_IN;
 use nalgebra::{DMatrix, DVector};
 use serde_json::Value;
 
-use crate::outputs::contact_vv;
+use crate::outputs::json;
 
 /// An array of the file.
 fn array(bytes: &[u8], name: &str) -> Vec<f64> {
@@ -58,8 +58,7 @@ fn condensed_matrices_solved_by_a_few_lines_give_the_pressures_and_the_peak_that
         let [s, f, b, g, area, pressure] = ["S", "f", "B", "g", "A", "p"].map(|name| array(bytes, name));
         let found = solved(&s, &f, &b, &g, &area);
         let largest = |of: &[f64]| of.iter().copied().fold(0.0, f64::max);
-        let (_, told, error) = contact_vv(&["solve", name, "--no-error-bar", "--tolerance", "1e-10", "--json", "-"]);
-        let told: Value = serde_json::from_str(&told).unwrap_or_else(|_| panic!("{error}"));
+        let told = json(&["solve", name, "--no-error-bar", "--tolerance", "1e-10"]);
         let peak = told["contacts"][0]["largest_point_pressure"].as_f64().expect("a peak");
         assert!((largest(&found) - peak).abs() <= 1e-8 * peak, "{name}: {} instead of {peak}", largest(&found));
         // The report's peak, of cells of high order; that of a punch has no limit.

@@ -1,4 +1,5 @@
-//! Rings on flats, closed boundaries of Gmsh meshes, clearances beside profiles, and waves that are pressed flat.
+//! Rings on flats, closed boundaries of Gmsh meshes, clearances beside profiles, waves that are pressed flat, and rigid pins in plates: these have no
+//! closed form but that of small angles, and are held by geometry, equilibrium, that limit, and a very stiff pin.
 
 use std::f64::consts::{FRAC_2_PI, FRAC_PI_2, FRAC_PI_4, PI};
 
@@ -7,12 +8,14 @@ use contact_vv::case::{Case, Meshed, Verdict};
 use contact_vv::error::Error;
 use contact_vv::oracle::analytic::hertz::Hertz;
 use contact_vv::oracle::analytic::waves::Waves;
+use contact_vv::scene::{Circle, Profile};
 use contact_vv::solve::Run;
 
 use crate::balance;
 use crate::mesh_files::{Body, Coding, msh};
 use crate::outputs::contact_vv;
-use crate::scene_file::{text_of, with_key};
+use crate::program::Folder;
+use crate::scene_file::{changed, text_of, with_key};
 use crate::workbench::parsed;
 
 const BLOCK: &str = "[[body]]\nname = \"block\"\nyoung = 70e3\npoisson = 0.3\n\
@@ -125,23 +128,22 @@ fn ring_on_a_flat_is_the_same_however_it_is_modelled() {
 
 #[test]
 fn ring_on_a_flat_takes_every_option_and_its_own_answer_is_met() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let at = |name: &str| folder.path().join(name).to_string_lossy().into_owned();
-    std::fs::write(folder.path().join("ring.toml"), ring(&[])).expect("written");
+    let folder = Folder::made();
+    let (at, file) = (|name: &str| folder.at(name), folder.with("ring.toml", ring(&[])));
     for option in [["--fitted", "--force"], ["--accuracy", "0.5 %"], ["--order", "5"]] {
-        let (passed, text, error) = contact_vv(&[&["solve", &at("ring.toml"), "--all"][..], &option[..]].concat());
+        let (passed, text, error) = contact_vv(&[&["solve", &file, "--all"][..], &option[..]].concat());
         assert!(passed && text.contains("resultant 2000.0"), "{option:?}: {text}{error}");
         let peak = text.lines().find(|line| line.contains("peak-pressure ")).expect("a bar").to_owned();
         assert!(!peak.contains("unknown"), "{option:?}: {peak}");
     }
     let (vtu, exported) = (at("ring.vtu"), at("exported"));
-    assert!(contact_vv(&["solve", &at("ring.toml"), "--vtu", &vtu, "--plot", &at("ring.svg")]).0);
-    assert!(contact_vv(&["export", &at("ring.toml"), &exported]).0);
+    assert!(contact_vv(&["solve", &file, "--vtu", &vtu, "--plot", &at("ring.svg")]).0);
+    assert!(contact_vv(&["export", &file, &exported]).0);
     let units = ["position", "pressure", "gap", "displacement"]
         .map(|role| format!("{role}={}", if role == "pressure" { "MPa" } else { "mm" }));
     let units: Vec<&str> = units.iter().flat_map(|unit| ["--unit", unit]).collect();
     for (answer, options) in [(vtu, &units[..]), (format!("{exported}/ours.csv"), &[])] {
-        let (met, text, error) = contact_vv(&[&["judge", &at("ring.toml"), &answer][..], options].concat());
+        let (met, text, error) = contact_vv(&[&["judge", &file, &answer][..], options].concat());
         assert!(met, "{answer}: {text}{error}");
     }
 }
@@ -195,8 +197,8 @@ fn closed() -> String {
 
 /// A scene beside a mesh.
 fn beside(mesh: Vec<u8>, text: &str) -> Result<Case, Error> {
-    let folder = tempfile::tempdir().expect("a folder");
-    std::fs::write(folder.path().join("ring.msh"), mesh).expect("written");
+    let folder = Folder::made();
+    folder.with("ring.msh", mesh);
     Case::parse(&folder.path().join("scene.toml"), text)
 }
 
@@ -298,15 +300,12 @@ fn clearance_is_told_wherever_a_gap_is_told() {
     assert_relative_eq!(case.scene.in_metres().contact().gap(1e-3), 1e-3 * pair.gap(1.0), max_relative = 1e-12);
     assert!(meshed.discretisation.interfaces[0].nodes.iter().all(|node| node.gap >= 0.02));
 
-    let folder = tempfile::tempdir().expect("a folder");
-    let file = folder.path().join("scene.toml").to_string_lossy().into_owned();
-    let exported = folder.path().join("exported").to_string_lossy().into_owned();
-    std::fs::write(&file, text).expect("written");
+    let folder = Folder::made();
+    let (file, exported) = (folder.with("scene.toml", text), folder.at("exported"));
     assert!(contact_vv(&["export", &file, &exported]).0);
-    let sheet = std::fs::read_to_string(folder.path().join("exported/scene.md")).expect("a sheet");
+    let sheet = folder.read("exported/scene.md");
     assert!(sheet.contains("R = 50, and 0.02 more everywhere"), "{sheet}");
-    let problem = std::fs::read_to_string(folder.path().join("exported/problem.json")).expect("a problem");
-    let problem: serde_json::Value = serde_json::from_str(&problem).expect("JSON");
+    let problem: serde_json::Value = serde_json::from_str(&folder.read("exported/problem.json")).expect("JSON");
     assert_relative_eq!(problem["contacts"][0]["nodes"][0]["gap"].as_f64().expect("a gap"), 0.02, max_relative = 1e-12);
     assert!(contact_vv(&["judge", &file, &format!("{exported}/ours.csv")]).0);
 }
@@ -375,4 +374,69 @@ fn half_a_tube_is_in_contact_where_it_faces_the_other_body_alone() {
     });
     assert_alike(half, most, 2e-3, "three quarters of it");
     assert!((half[0] / 700.86 - 1.0).abs() < 2e-3, "{half:?}");
+}
+
+/// The file with the force on a half, and mesh and stretch for the contact that Hertz gives there, times `times` its own.
+fn under(times: f64) -> String {
+    let root = times.sqrt();
+    let [force, stretch, per] = [
+        format!("force = [0, {}]", 0.32955 * times),
+        format!("stretch = {}", 2.0 * root),
+        format!("per = {}", 0.2 * root),
+    ];
+    changed(
+        &text_of("rigid-pin.toml"),
+        &[("force = [0, 0.32955]", &force), ("stretch = 2", &stretch), ("per = 0.2", &per)],
+    )
+}
+
+#[test]
+fn gap_of_a_pin_is_the_distance_along_the_radius_of_the_hole() {
+    for (radius, clearance) in [(10.0, 0.01), (10.0, 3.0), (7.0, 1e-7)] {
+        let pin = Circle { centre: [0.0, -clearance], radius };
+        for angle in [0.0, 1e-3, 0.3, 1.0, 1.5] {
+            let gap = Profile::Pin { radius, clearance }.gap(angle);
+            assert_relative_eq!(gap, radius + clearance - pin.along_ray([0.0, 0.0], angle), epsilon = 1e-14);
+        }
+    }
+}
+
+#[test]
+fn rigid_pin_comes_to_hertz_as_its_angle_falls() {
+    let (load, radius) = (0.6591, 10.0 * 10.01 / 0.01);
+    let errors = [0.25, 1.0, 4.0].map(|times: f64| {
+        let run = solved(&under(times)).2;
+        assert_relative_eq!(run.transmitted(), times * load, max_relative = 1e-8);
+        // p0 = √(P E*/(π R)), E* that of the plate alone: E in plane stress.
+        let hertz = (times * load * 210e3 / (PI * radius)).sqrt();
+        1.0 - run.measures().peak.pressure / hertz
+    });
+    let [quarter, whole, fourfold] = errors;
+    assert!(fourfold.abs() <= 0.007 && whole.abs() <= 0.004 && quarter.abs() <= 0.002, "{errors:?}");
+    // What Hertz leaves out goes with the angle, and that with the root of the load.
+    for ratio in [fourfold / whole, whole / quarter] {
+        assert!((1.6..=2.4).contains(&ratio), "{errors:?}");
+    }
+}
+
+#[test]
+fn very_stiff_pin_is_a_rigid_one() {
+    let pin = "[[body]]\nname = \"pin\"\nyoung = 210e8\npoisson = 0.3\n\
+               shape = { disc = { centre = [0, -0.01], radius = 10, half = true } }\n\
+               supports = [{ at = \"axis\", component = \"x\" }, { at = \"middle\", component = \"y\" }]\n\n[contact]\n";
+    let rigid = solved(&text_of("rigid-pin.toml")).2;
+    let stiff = |young: &str| {
+        let second = "first = \"plate\"\nsecond = \"pin\"";
+        solved(&changed(
+            &text_of("rigid-pin.toml"),
+            &[("[contact]\n", &pin.replace("210e8", young)), ("first = \"plate\"", second)],
+        ))
+        .2
+    };
+    let (near, far) = (stiff("210e8"), stiff("210e3"));
+    let [wanted, found] = [&rigid, &near].map(|run| run.measures());
+    assert_relative_eq!(found.peak.pressure, wanted.peak.pressure, max_relative = 1e-4);
+    assert_relative_eq!(found.second_moment_width, wanted.second_moment_width, max_relative = 1e-4);
+    // And one of the plate's own material is not: about √2 wider.
+    assert!(far.measures().second_moment_width > 1.3 * wanted.second_moment_width);
 }

@@ -10,6 +10,7 @@ use contact_vv::mesh::Mesh;
 use contact_vv::scene::{GivenMesh, Shape};
 
 use crate::balance::{scene, solved_as_it_says as solved};
+use crate::program::Folder;
 use crate::scene_mistakes::assert_told;
 
 /// Two 4-node cells on 0 … 2 × 0 … 1, with tags neither dense nor in order.
@@ -20,8 +21,8 @@ const SCENE: &str = include_str!("../data/scenes/two-cells.toml");
 
 /// A scene beside a mesh.
 fn read_as(scene: &str, mesh: &str) -> Result<Case, Error> {
-    let folder = tempfile::tempdir().expect("a folder");
-    std::fs::write(folder.path().join("mesh.msh"), mesh).expect("written");
+    let folder = Folder::made();
+    folder.with("mesh.msh", mesh);
     Case::parse(&folder.path().join("scene.toml"), scene)
 }
 

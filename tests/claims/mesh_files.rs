@@ -10,6 +10,7 @@ use contact_vv::scene::Shape;
 use contact_vv::solve::Discretisation;
 
 use crate::balance::solved_as_it_says;
+use crate::program::Folder;
 use crate::scene_fuzz::mutated;
 use crate::scene_mistakes::assert_told;
 use crate::workbench::noise;
@@ -265,8 +266,8 @@ const LINEAR: &str = "{ polynomial = { along = \"x\", coefficients = [5, 1] } }"
 
 /// A scene beside a file.
 fn beside(file: &str, bytes: &[u8], scene: &str) -> Result<Case, Error> {
-    let folder = tempfile::tempdir().expect("a folder");
-    std::fs::write(folder.path().join(file), bytes).expect("written");
+    let folder = Folder::made();
+    folder.with(file, bytes);
     Case::parse(&folder.path().join("scene.toml"), scene)
 }
 

@@ -7,6 +7,7 @@ use contact_vv::cli::new::Template;
 use serde_json::Value as Schema;
 
 use crate::outputs::contact_vv;
+use crate::program::Folder;
 use crate::scene_file::{files, text_of};
 
 /// Those that are scenes.
@@ -50,27 +51,22 @@ fn comments_of_a_new_scene_explain_every_key_it_uses() {
 
 #[test]
 fn every_new_scene_is_solved_and_its_checks_hold() {
-    let folder = tempfile::tempdir().expect("a folder");
+    let folder = Folder::made();
     // The mesh of a scene file, once more, since a package holds no file of another one.
     let of_cases = std::fs::read_to_string(crate::scene_file::folder().join("meshes/rings-coarse.msh"));
     assert_eq!(Template::Mesh.text(), of_cases.expect("a mesh"));
-    std::fs::write(folder.path().join("rings.msh"), Template::Mesh.text()).expect("written");
+    folder.with("rings.msh", Template::Mesh.text());
     for template in scenes() {
         let name = template.name();
         let (_, text, _) = contact_vv(&["new", name]);
         assert!(text.starts_with("#:schema ./scene.schema.json\n"), "{name}");
         assert!(text.trim_end().ends_with(template.text().trim_end()), "{name}");
-        let file = folder.path().join(name).with_extension("toml");
-        std::fs::write(&file, text).expect("written");
-        let case = Case::read(&file).unwrap_or_else(|error| panic!("{name}: {error}"));
+        let file = folder.with(&format!("{name}.toml"), text);
+        let case = Case::read(file.as_ref()).unwrap_or_else(|error| panic!("{name}: {error}"));
         let (meshed, run) = case.solve().unwrap_or_else(|error| panic!("{name}: {error}"));
         assert!(run.solution.converged(), "{name}: {}", run.solution.outcome);
         let judged = case.judge(&meshed, &run).expect("judged");
-        let (exported, _, error) = contact_vv(&[
-            "export",
-            &file.display().to_string(),
-            &folder.path().join("out").join(name).display().to_string(),
-        ]);
+        let (exported, _, error) = contact_vv(&["export", &file, &folder.at(&format!("out/{name}"))]);
         assert!(exported, "{name}: {error}");
         assert!(!case.checks.is_empty() && judged.iter().all(|one| one.verdict == Verdict::Pass), "{name}: {judged:?}");
     }

@@ -6,6 +6,8 @@ use contact_vv::case::Verdict;
 use contact_vv::oracle::digitised::fringes::{End, Fringe, file, read};
 use contact_vv::study::measured::photograph::{Photograph, compare, judge};
 
+use crate::program::Folder;
+
 /// Which of the checks do not pass.
 fn red(photograph: &Photograph) -> Vec<usize> {
     let judged = judge(photograph);
@@ -56,12 +58,8 @@ fn readings_that_are_moved_turn_red() {
 #[test]
 fn bad_rows_of_the_file_are_refused_with_their_line() {
     let text = fs::read_to_string(file()).expect("readable");
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("fringes.csv");
-    let refused = |text: &str| {
-        fs::write(&path, text).expect("written");
-        read(&path).expect_err("refused").to_string()
-    };
+    let folder = Folder::made();
+    let refused = |text: &str| read(folder.with("fringes.csv", text).as_ref()).expect_err("refused").to_string();
     let second = |replace: &[(usize, &str)]| {
         let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
         let mut fields: Vec<&str> = lines[1].split(',').collect();
