@@ -18,7 +18,7 @@ use contact_vv::study::records::Millionths;
 
 use crate::balance::{scene, solved};
 use crate::scene_file::{self, text_of};
-use crate::workbench::{kinematic, meshed, parsed};
+use crate::workbench::{kinematic, meshed, parsed, spoiled};
 
 /// The run on a mesh, and its bars.
 fn run_on(discretisation: &Discretisation, formulation: &Formulation) -> (Run, Bars) {
@@ -47,8 +47,7 @@ fn widened(record: &Record, factor: f64) -> Record {
 fn judges_of_bars_turn_red_on_spoiled_ones_and_on_what_is_not_a_number() {
     let all = SURVEY.read().expect("recorded");
     let verdicts = |spoil: &dyn Fn(&mut Record)| {
-        let mut spoiled = all.clone();
-        spoiled.iter_mut().for_each(spoil);
+        let spoiled = spoiled(&all, |all| all.iter_mut().for_each(spoil));
         [within(&spoiled), beyond(&spoiled), narrow(&spoiled)].map(|judged| judged.verdict)
     };
     let (pass, fail) = (Verdict::Pass, Verdict::Fail);
@@ -56,8 +55,8 @@ fn judges_of_bars_turn_red_on_spoiled_ones_and_on_what_is_not_a_number() {
     assert_eq!(verdicts(&|record| *record = widened(record, 0.2)), [fail.clone(), fail.clone(), pass.clone()]);
     assert_eq!(verdicts(&|record| *record = widened(record, 3.0)), [pass.clone(), pass.clone(), fail.clone()]);
     for (factor, verdict) in [(1.0, &pass), (0.5, &fail), (f64::NAN, &fail)] {
-        let spoiled: Vec<Record> = all.iter().map(|one| widened(one, factor)).collect();
-        assert_eq!(told(&spoiled).verdict, *verdict, "{factor}");
+        let widened: Vec<Record> = all.iter().map(|one| widened(one, factor)).collect();
+        assert_eq!(told(&widened).verdict, *verdict, "{factor}");
     }
     let mut none_told = all.clone();
     for record in none_told.iter_mut().filter(|record| record.family == Family::Power) {
@@ -89,9 +88,7 @@ fn judges_of_bars_turn_red_on_spoiled_ones_and_on_what_is_not_a_number() {
         SURVEY.compared(all.clone(), &fresh).as_recorded().verdict
     };
     assert_eq!(as_recorded(&all[..1]), pass);
-    let mut moved = all[0].clone();
-    moved.errors[3] = Some(Millionths(f64::NAN));
-    for moved in [moved, widened(&all[0], 1.01)] {
+    for moved in [spoiled(&all[0], |one| one.errors[3] = Some(Millionths(f64::NAN))), widened(&all[0], 1.01)] {
         assert_eq!(as_recorded(&[moved]), fail);
     }
     assert_eq!(as_recorded(&[]), fail, "a scene less");

@@ -24,7 +24,7 @@ use contact_vv::study::measured::{against, judge_curves};
 use contact_vv::uncertainty::COVERAGE;
 
 use crate::program::Folder;
-use crate::workbench::meshed;
+use crate::workbench::{meshed, spoiled};
 
 const FILES: [&str; 3] = ["scene.toml", "provenance.toml", "semi-ellipse.csv"];
 
@@ -37,7 +37,7 @@ fn text(file: &str) -> String {
 }
 
 /// The synthetic folder with one file rewritten, or left out.
-fn spoiled(file: &str, content: Option<&str>) -> Folder {
+fn folder_with(file: &str, content: Option<&str>) -> Folder {
     let folder = Folder::made();
     for name in FILES {
         let content = if name == file { content.map(str::to_owned) } else { Some(text(name)) };
@@ -47,7 +47,7 @@ fn spoiled(file: &str, content: Option<&str>) -> Folder {
 }
 
 fn refusal(file: &str, content: Option<&str>) -> Error {
-    let folder = spoiled(file, content);
+    let folder = folder_with(file, content);
     let error = load(folder.path()).expect_err("spoiled folders are refused");
     assert!(error.to_string().contains(file), "does not name {file}: {error}");
     error
@@ -134,7 +134,7 @@ fn what_is_missing_broken_or_of_another_scene_is_refused_by_its_file() {
     refusal("scene.toml", Some("pin_radius = "));
     refusal("provenance.toml", Some("curves = [\"semi-ellipse.csv\"]"));
     // A file that the provenance does not list.
-    let folder = spoiled("", None);
+    let folder = folder_with("", None);
     folder.with("stray.csv", text("semi-ellipse.csv"));
     let error = load(folder.path()).expect_err("an unlisted file is refused");
     assert!(error.to_string().contains("stray.csv"), "{error}");
@@ -146,7 +146,7 @@ fn complete_folder_is_admitted_with_its_scene_and_provenance() {
 
     assert!(curve.provenance["figure"].contains("synthetic"));
     assert_eq!(curve.kind(), ReferenceKind::Measured);
-    let fem = spoiled("provenance.toml", Some(&text("provenance.toml").replace("\"measured\"", "\"fem\"")));
+    let fem = folder_with("provenance.toml", Some(&text("provenance.toml").replace("\"measured\"", "\"fem\"")));
     assert_eq!(curve_of(fem.path()).kind(), ReferenceKind::CrossCode);
     assert_eq!((curve.abscissa, curve.ordinate), (Abscissa::Angle, Ordinate::Pressure));
     assert_eq!(curve.points.len(), 6);
@@ -352,8 +352,7 @@ fn the_photograph_agrees_and_every_spoiled_number_turns_red() {
         (4, |n| n.mesh[0] = f64::NAN),
     ];
     for (check, spoil) in spoils {
-        let mut spoiled = sound.clone();
-        spoil(&mut spoiled);
+        let spoiled = spoiled(&sound, spoil);
         assert!(red(&spoiled).contains(&check), "check {check}: {:?}", red(&spoiled));
     }
 }
@@ -362,9 +361,8 @@ fn the_photograph_agrees_and_every_spoiled_number_turns_red() {
 fn readings_that_are_moved_turn_red() {
     let fringes = read(&file()).expect("fringes");
     let moved = |spoil: fn(&mut Fringe)| {
-        let mut all = fringes.clone();
-        all.iter_mut().for_each(spoil);
-        red(&photograph::compare(&all).expect("compared"))
+        red(&photograph::compare(&spoiled(&fringes, |all: &mut Vec<Fringe>| all.iter_mut().for_each(spoil)))
+            .expect("compared"))
     };
     // Each end has a check of its own, the bottom first.
     let places = moved(|fringe| match fringe.end {

@@ -13,7 +13,7 @@ use contact_vv::study::cross_code::{Twin, differences};
 use contact_vv::study::differences::{Answers, changes, largest_change, relative_difference, reproduced};
 use contact_vv::study::independent::run::{Compared, Found, STATIONS, Scene, asked, compare};
 
-use crate::workbench::all_pass;
+use crate::workbench::{all_pass, spoiled};
 
 fn judged(compared: &Compared) -> Vec<Judged> {
     compared.judge().expect("judged")
@@ -21,13 +21,11 @@ fn judged(compared: &Compared) -> Vec<Judged> {
 
 /// The same with the refinement series of a script replaced.
 fn with(compared: &Compared, script: Script, series: &[PhysicalAnswer]) -> Compared {
-    let mut other = compared.clone();
-    for one in &mut other.others {
-        if one.script == script {
+    spoiled(compared, |other| {
+        for one in other.others.iter_mut().filter(|one| one.script == script) {
             one.found = Found::of(script.title(), series).expect("three meshes");
         }
-    }
-    other
+    })
 }
 
 #[test]
@@ -50,8 +48,7 @@ fn an_answer_that_is_spoiled_anywhere_turns_red() {
         assert!(all_pass(&judged(&sound)), "{}", scene.name());
         for (script, series) in &frozen.scenes[scene.name()].series {
             for (what, spoil) in spoils {
-                let mut spoiled = series.clone();
-                spoil(&mut spoiled[2]);
+                let spoiled = spoiled(series, |series| spoil(&mut series[2]));
                 assert!(!all_pass(&judged(&with(&sound, *script, &spoiled))), "{}, {script}: {what}", scene.name());
             }
         }
@@ -155,8 +152,7 @@ fn a_spoiled_number_anywhere_in_an_answer_turns_red() {
         ("a missing κ", |d| d.moved.truncate(1)),
     ];
     for (name, spoil) in spoils {
-        let mut spoiled = sound.clone();
-        spoil(&mut spoiled);
+        let spoiled = spoiled(&sound, spoil);
         assert!(!all_pass(&against(Code::Dolfinx, &spoiled, &sound)), "{name} in ours");
         assert!(!all_pass(&against(Code::Dolfinx, &sound, &spoiled)), "{name} in theirs");
     }
@@ -213,15 +209,12 @@ fn the_fixed_vectors_are_independent() {
 fn a_live_answer_that_is_not_what_was_frozen_turns_red_and_names_the_version() {
     let old = Frozen::read(Code::ScikitFem).expect("frozen results");
     let kept = old.discrete["truncated-hertz, 8-node"].numbers();
-    let mut versions = old.versions.clone();
-    versions.insert("scipy".into(), "9.9".into());
+    let versions = spoiled(&old.versions, |versions| drop(versions.insert("scipy".into(), "9.9".into())));
     let judged =
         |now: &[(String, Vec<f64>)]| reproduced("scikit-fem", now, &kept, &changed_versions(&old.versions, &versions));
     assert!(all_pass(&[judged(&kept)]));
-    for spoiled in [1.0 + 1e-5, f64::NAN] {
-        let mut now = kept.clone();
-        now[1].1[0] *= spoiled;
-        let check = judged(&now);
+    for factor in [1.0 + 1e-5, f64::NAN] {
+        let check = judged(&spoiled(&kept, |now| now[1].1[0] *= factor));
         assert!(check.verdict == Verdict::Fail && check.check.because.contains("scipy"), "{}", check.check.because);
     }
     assert_eq!(judged(&kept[1..]).verdict, Verdict::Fail);

@@ -14,6 +14,7 @@ use contact_vv::study::sheet::SHEETS;
 use contact_vv::study::{Files, Finding, Room, Study, cases};
 
 use crate::program::{Folder, ended, program};
+use crate::workbench::spoiled;
 
 /// Most lines of the front page.
 const LINES: usize = 220;
@@ -120,9 +121,8 @@ fn every_check_of_any_study_is_on_its_page() {
         Judged { check: one.check.clone().universal(), ..one }
     }];
     for room in Room::ALL {
-        let mut finding = sound.clone();
-        (finding.study, finding.judged) = (room.name, judged.clone());
-        let findings = [finding];
+        let own = |finding: &mut Finding| (finding.study, finding.judged) = (room.name, judged.clone());
+        let findings = [spoiled(&sound, own)];
         let text = match room.name {
             cases::Numbers::NAME => case_page::page(&case_page::shared(&findings)[0], false),
             _ => study_page::tables(room.name, &findings),
@@ -138,15 +138,13 @@ fn every_check_of_any_study_is_on_its_page() {
 fn first_sentence_follows_the_verdicts() {
     let sound = small();
     assert!(right(std::slice::from_ref(&sound)).starts_with("**No check fails**"));
-    let mut spoiled = sound.clone();
-    spoiled.judged[0].verdict = Verdict::Fail;
-    let asked = told::once(sound.judged.iter().chain(&spoiled.judged)).len();
-    let said = right(&[sound.clone(), spoiled]);
+    let failed = spoiled(&sound, |finding| finding.judged[0].verdict = Verdict::Fail);
+    let asked = told::once(sound.judged.iter().chain(&failed.judged)).len();
+    let said = right(&[sound.clone(), failed]);
     assert!(said.starts_with(&format!("**✗ 1 of {asked} checks fail**")), "{said}");
     assert!(said.contains(&sound.judged[0].requirement()), "{said}");
-    let mut absent = sound.clone();
-    absent.judged[0].verdict = Verdict::NotRun("no figures".into());
-    assert!(right(&[absent]).contains("1 could not be run"));
+    let absent = |finding: &mut Finding| finding.judged[0].verdict = Verdict::NotRun("no figures".into());
+    assert!(right(&[spoiled(&sound, absent)]).contains("1 could not be run"));
     assert!(right(&[]).starts_with("**Nothing was checked.**"));
 }
 

@@ -18,6 +18,7 @@ use contact_vv::study::sheet::{BUILT_IN, FoundBy, Other, Sheet, schema};
 use serde_json::Value;
 
 use crate::outputs::contact_vv;
+use crate::workbench::spoiled;
 
 fn of(known: &[Known], quantity: Quantity) -> &Known {
     known.iter().find(|one| one.quantity == quantity).expect("known")
@@ -68,34 +69,26 @@ fn a_number_that_another_mesh_or_8_node_cells_contradict_turns_its_check_red() {
         judged.filter(|one| one.verdict != Verdict::Pass).map(|one| one.check.quantity.to_string()).collect::<Vec<_>>()
     };
     assert_eq!(failed(&sound), Vec::<String>::new());
-    let spoiled = |spoil: fn(&mut Answered)| {
-        let mut other = sound.clone();
-        let own = other.iter_mut().find(|one| one.known.quantity == Quantity::SecondMomentWidth);
-        spoil(own.expect("measured"));
-        failed(&other)
+    let with = |spoil: &dyn Fn(&mut Answered)| {
+        let own = |one: &&mut Answered| one.known.quantity == Quantity::SecondMomentWidth;
+        failed(&spoiled(&sound, |all| spoil(all.iter_mut().find(own).expect("measured"))))
     };
-    assert_eq!(
-        spoiled(|one| one.known.bound = 2e-5 * one.known.scale),
-        ["relative error bar of a reference answer, second-moment-width"]
-    );
-    assert_eq!(
-        spoiled(|one| one.known.bound = f64::NAN),
-        ["relative error bar of a reference answer, second-moment-width"]
-    );
+    let wide = "relative error bar of a reference answer, second-moment-width";
+    assert_eq!(with(&|one| one.known.bound = 2e-5 * one.known.scale), [wide]);
+    assert_eq!(with(&|one| one.known.bound = f64::NAN), [wide]);
     let off = "difference of 8-node cells over what both may be off, second-moment-width";
-    assert_eq!(spoiled(|one| one.eight = Some([1.01 * one.known.value, 1e-3 * one.known.value])), [off]);
-    assert_eq!(spoiled(|one| one.eight = Some([f64::NAN; 2])), [off]);
+    assert_eq!(with(&|one| one.eight = Some([1.01 * one.known.value, 1e-3 * one.known.value])), [off]);
+    assert_eq!(with(&|one| one.eight = Some([f64::NAN; 2])), [off]);
     let (differs, rough) = (
         "difference over what both may be off, second-moment-width",
         "difference and error bar of theirs, relative, second-moment-width",
     );
     // What another found beside it: sound, out of both bounds, within its own wide bound, and no number.
     let other = |off: f64, bound: f64| {
-        let mut other = sound.clone();
-        let own = other.iter_mut().find(|one| one.known.quantity == Quantity::SecondMomentWidth).expect("measured");
-        let value = (1.0 + off) * own.known.value;
-        own.others = vec![Other { by: "another", value, uncertainty: 0.5 * bound, bound }];
-        failed(&other)
+        with(&|own| {
+            let value = (1.0 + off) * own.known.value;
+            own.others = vec![Other { by: "another", value, uncertainty: 0.5 * bound, bound }];
+        })
     };
     assert_eq!(other(1e-9, 1e-9), Vec::<String>::new());
     assert_eq!(other(5e-7, 1e-9), [differs]);
@@ -117,17 +110,13 @@ fn a_value_that_another_code_does_not_meet_turns_red() {
     assert_eq!(asked.len(), 7, "peak, its place, second-moment width, end, p(0), force across, approach");
     for k in asked {
         for times in [0.996, 1.004, f64::NAN] {
-            let mut spoiled = sound.clone();
-            spoiled.values[k].value *= times;
-            assert!(!green(&spoiled), "{} times {times}", sound.values[k].quantity);
-            let mut spoiled = sound.clone();
-            spoiled.values[k].others[0].value *= times;
-            assert!(!green(&spoiled), "theirs of {} times {times}", sound.values[k].quantity);
+            let ours = spoiled(&sound, |sheet| sheet.values[k].value *= times);
+            let theirs = spoiled(&sound, |sheet| sheet.values[k].others[0].value *= times);
+            assert!(!green(&ours) && !green(&theirs), "{} times {times}", sound.values[k].quantity);
         }
     }
-    let mut unknown = sound.clone();
-    unknown.values.iter_mut().for_each(|value| value.bound = f64::NAN);
-    assert!(!green(&unknown));
+    let unbounded = |sheet: &mut Sheet| sheet.values.iter_mut().for_each(|value| value.bound = f64::NAN);
+    assert!(!green(&spoiled(&sound, unbounded)));
 }
 
 #[test]

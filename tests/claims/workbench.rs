@@ -222,6 +222,13 @@ pub fn distance(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, worse)
 }
 
+/// A copy that is spoiled.
+pub fn spoiled<T: Clone>(sound: &T, spoil: impl FnOnce(&mut T)) -> T {
+    let mut other = sound.clone();
+    spoil(&mut other);
+    other
+}
+
 /// How many checks fail.
 pub fn fails(judged: &[Judged]) -> usize {
     judged.iter().filter(|one| one.verdict == Verdict::Fail).count()
