@@ -3,7 +3,6 @@
 use std::sync::Arc;
 
 use contact_vv::case::library::{self, Cylinder, FlatPunch, Patch, PinRod};
-use contact_vv::case::notes::{self, RESOLVED};
 use contact_vv::elasticity::ElasticSystem;
 use contact_vv::error::{Error, Kind};
 use contact_vv::mesh::{Mesh, Order, Resolution};
@@ -205,20 +204,6 @@ fn contact_beyond_the_candidates_is_refused_by_every_formulation_with_place_dept
             assert!(text.contains(part), "`{part}` is missing in: {text}");
         }
     }
-}
-
-#[test]
-fn contact_on_too_few_points_is_noted_and_contact_on_enough_is_not() {
-    let verification = Formulation::verification();
-    let coarse = run(Cylinder::default().scene(), 1, Order::Linear, &verification).expect("solvable");
-    assert!(coarse.solution.converged() && coarse.measures().active < RESOLVED[0]);
-    let note = notes::of(&coarse, 0).join("; ");
-    assert!(note.contains(&format!("rests on {} of", coarse.measures().active)), "{note}");
-    let fine = run(Cylinder::default().scene(), 8, Order::Quadratic, &verification).expect("solvable");
-    assert!(fine.measures().active >= RESOLVED[0] && notes::of(&fine, 0).is_empty(), "{:?}", notes::of(&fine, 0));
-    // A patch of two edges rests on all it has.
-    let patch = run(Patch::default().scene(), 2, Order::Linear, &verification).expect("solvable");
-    assert!(patch.measures().active < RESOLVED[0] && notes::of(&patch, 0).is_empty(), "{:?}", notes::of(&patch, 0));
 }
 
 #[test]

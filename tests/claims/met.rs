@@ -26,13 +26,6 @@ fn closed_forms_of_cylinder_and_pin_leave_out_little() {
 }
 
 #[test]
-fn waves_that_three_coarse_meshes_agree_on_by_accident_are_not_called_met() {
-    let sample = site(Family::Cosine, 41).sample().expect("a scene");
-    let found = record(&site(Family::Cosine, 41), 1e-3, &sample).expect("solved");
-    assert!(found.met && !found.is_falsely_met(), "{found:?}");
-}
-
-#[test]
 fn slow_algorithms_are_run_on_the_mesh_that_kinematic_load_chose() {
     let sample = site(Family::Polynomial, 0).sample().expect("a scene");
     let mut met = 0;

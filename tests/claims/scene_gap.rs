@@ -7,8 +7,8 @@ use contact_vv::accuracy;
 use contact_vv::case::{Case, library};
 use contact_vv::mesh::{Mesh, Resolution, candidates};
 use contact_vv::scene::{MonotoneCubic, Profile, Scene};
-use contact_vv::solve::{Discretisation, Run};
 
+use crate::balance::solved_as_it_says;
 use crate::scene_file::{changed, folder, scene_alone, text_of, with_key};
 use crate::workbench::parsed;
 
@@ -127,28 +127,32 @@ fn gap_from_the_bodies_needs_no_reference_and_gives_hertz() {
     let file = parsed(&without);
     assert!(file.scene.reference.gap < scene.reference.gap);
     for scene in [file.scene.clone(), file.scene.mirrored()] {
-        let discretisation = Discretisation::of(scene, file.resolution).expect("meshed");
-        let run = Run::of(&discretisation, file.formulation()).expect("solved");
+        let (_, run) = solved_as_it_says(&Case { scene, ..file.clone() });
         assert_relative_eq!(run.measures().peak.pressure, 1562.80524, max_relative = 2e-3);
         assert_relative_eq!(run.measures().second_moment_width, 1.0, max_relative = 2e-3);
     }
 }
 
 #[test]
-fn gap_from_the_bodies_is_the_same_in_metres_and_mirrored() {
-    let tilted = ("gap = { uniform = -0.01 }", "gap = { from = \"bodies\" }");
-    for (name, change) in [("whole-disc", ("{ circle = 50 }", "{ from = \"bodies\" }")), ("press-fit", tilted)] {
+fn gaps_are_the_same_in_metres_and_mirrored() {
+    let bodies = |name: &str, gap: &str| {
         let text = scene_alone(&text_of(&format!("{name}.toml"))).replace("uniform = -0.02", "uniform = -0.01");
-        let text = text.replace("inner = 40, outer = 70", "inner = 39.99, outer = 70").replacen(change.0, change.1, 1);
-        let scene = parsed(&text).scene;
-        let (metres, mirrored) = (scene.in_metres(), scene.mirrored());
-        let unit = if scene.contact().path.is_straight() { 1e-3 } else { 1.0 };
-        let sides: &[f64] = if scene.contact().path.has_both_sides() { &[1.0, -1.0] } else { &[1.0] };
-        for s in [0.1, 0.7, 1.3].iter().flat_map(|s| sides.iter().map(move |side| side * s)) {
+        let text = text.replace("inner = 40, outer = 70", "inner = 39.99, outer = 70");
+        parsed(&text.replacen(gap, "{ from = \"bodies\" }", 1)).scene
+    };
+    let smooth = "{ table = [[-10, 1], [-3, 0.1], [1, 0], [12, 1]], smooth = true }";
+    for (scene, places) in [
+        (bodies("whole-disc", "{ circle = 50 }"), &[-1.3, -0.7, -0.1, 0.1, 0.7, 1.3][..]),
+        (bodies("press-fit", "{ uniform = -0.01 }"), &[0.1, 0.7, 1.3]),
+        (gapped("eccentric-load", smooth, &[]).scene, &[-9.5, -2.0, 0.3, 8.0]),
+    ] {
+        let (metres, mirrored, path) = (scene.in_metres(), scene.mirrored(), &scene.contact().path);
+        let unit = if path.is_straight() { 1e-3 } else { 1.0 };
+        for &s in places {
             let gap = scene.contact().profile.gap(s);
-            assert!(gap.abs() > 0.0 && gap.is_finite(), "{name}: {gap}");
+            assert!(gap.abs() > 0.0 && gap.is_finite(), "{}: {gap}", scene.name);
             assert_relative_eq!(metres.contact().profile.gap(unit * s), 1e-3 * gap, epsilon = 1e-15);
-            let image = if sides.len() > 1 { -s } else { s };
+            let image = if path.has_both_sides() { -s } else { s };
             assert_relative_eq!(mirrored.contact().profile.gap(image), gap, epsilon = 1e-13);
         }
     }
@@ -250,8 +254,7 @@ fn parabola(radius: f64, step: f64, count: u32) -> String {
 
 fn peak(file: &Case, elements: usize) -> f64 {
     let resolution = Resolution { elements, ..file.resolution };
-    let discretisation = Discretisation::of(file.scene.clone(), resolution).expect("meshed");
-    Run::of(&discretisation, file.formulation()).expect("solved").measures().peak.pressure
+    solved_as_it_says(&Case { resolution, ..file.clone() }).1.measures().peak.pressure
 }
 
 #[test]
@@ -313,18 +316,6 @@ fn smooth_table_that_begins_at_0_is_even_and_flat_there() {
     let cubic = Profile::Smooth(std::sync::Arc::new(MonotoneCubic::through(&[[0.0, 0.0], [1.0, 0.3], [2.0, 0.7]])));
     assert_relative_eq!(cubic.gap(-0.6), cubic.gap(0.6));
     assert_abs_diff_eq!(cubic.gap(1e-4), 0.0, epsilon = 1e-7);
-}
-
-#[test]
-fn smooth_table_is_the_same_in_metres_and_mirrored() {
-    let file = gapped("eccentric-load", "{ table = [[-10, 1], [-3, 0.1], [1, 0], [12, 1]], smooth = true }", &[]);
-    let scene = &file.scene;
-    let (metres, mirrored) = (scene.in_metres(), scene.mirrored());
-    for s in [-9.5, -2.0, 0.3, 8.0] {
-        let gap = scene.contact().profile.gap(s);
-        assert_relative_eq!(metres.contact().profile.gap(1e-3 * s), 1e-3 * gap, max_relative = 1e-12);
-        assert_relative_eq!(mirrored.contact().profile.gap(-s), gap, max_relative = 1e-12);
-    }
 }
 
 #[test]

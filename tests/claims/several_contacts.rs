@@ -137,20 +137,8 @@ fn carried_sets_and_another_load_keep_the_contacts_apart() {
 #[test]
 fn contact_off_the_symmetry_line_counts_twice_where_it_is_said() {
     // A half plate on a support in the middle and on one of two beside it; 1000 on the half.
-    let text = |symmetric: &str| {
-        format!(
-            "plane = \"strain\"\nthickness = 1.0\n[[body]]\nname = \"plate\"\nyoung = 70e3\npoisson = 0.33\n\
-             shape = {{ rectangle = {{ x = [0, 30], y = [0, 20], contact = \"bottom\" }} }}\n\
-             supports = [{{ at = \"left\", component = \"x\" }}]\n\
-             loads = [{{ rigid-face = {{ at = \"far\", component = \"y\", force = -1000 }} }}]\n\
-             [[contact]]\nname = \"middle\"\nfirst = \"plate\"\ngap = {{ parabola = 50 }}\nstretch = 2\n\
-             [[contact]]\nname = \"beside\"\nfirst = \"plate\"\norigin = [15, 0]\nboth-sides = true\n{symmetric}\
-             gap = {{ parabola = 50 }}\nstretch = 2\n[mesh]\nelements = 8\nper = 1\n[reference]\npressure = 600\n\
-             [solve]\ntolerance = 1e-8\n"
-        )
-    };
     let forces = |symmetric: &str| {
-        let file = parsed(&text(symmetric));
+        let file = scene("plate-on-three", &[["symmetric = true\n", symmetric]]);
         let (meshed, run) = file.solve().expect("solved");
         let checks = file.judge(&meshed, &run).expect("judged");
         assert!(checks.iter().all(|check| check.verdict == Verdict::Pass));
