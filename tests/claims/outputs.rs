@@ -171,7 +171,7 @@ fn a_folder_is_verified_file_by_file_and_fails_with_its_worst() {
     folder.with("a.toml", &text);
     let (sound, table, error) = verify();
     assert!(sound && table.contains("2 passed") && !table.contains("FAILED"), "{table}{error}");
-    folder.with("b.toml", &text.replace("value = 4000", "value = 4100"));
+    folder.with("b.toml", text.replace("value = 4000", "value = 4100"));
     let (sound, table, _) = verify();
     assert!(!sound && table.contains("1 of 2 FAILED"), "{table}");
     assert!(table.contains("contact resultant [N] is 4000"), "{table}");
@@ -179,7 +179,7 @@ fn a_folder_is_verified_file_by_file_and_fails_with_its_worst() {
     let lines: Vec<serde_json::Value> = lines.lines().map(|line| serde_json::from_str(line).expect("JSON")).collect();
     let failed: Vec<_> = lines.iter().filter(|line| line["verdict"] == "fail").collect();
     assert!(!sound && failed.len() == 1 && failed[0]["quantity"] == "contact resultant [N]", "{lines:?}{error}");
-    folder.with("b.toml", &text.replace("young = 70e3", "young = 0"));
+    folder.with("b.toml", text.replace("young = 70e3", "young = 0"));
     let (sound, table, error) = verify();
     assert!(!sound && table.contains("1 of 2 files not solved") && !table.contains("FAILED"), "{table}");
     assert!(error.contains("b.toml:16") && error.contains("above 0"), "{error}");
