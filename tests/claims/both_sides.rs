@@ -48,8 +48,11 @@ fn twins() -> Vec<Twin> {
     );
     let turned =
         disc.replace("[0, 50]", "[0, -50]").replace("= true }", "= true, contact = \"top\" }").replace("-40", "40");
-    for halved in [&[(", whole = true", ""), ("\"middle\"", "\"cut\"")][..], &[("whole = true", "half = true")]] {
-        all.extend([&disc, &turned].map(|whole| twin("disc", whole.clone(), "axis", halved)));
+    for whole in [disc.clone(), turned] {
+        // Cut off at the height of its centre.
+        let below = changed(&whole, &[(", whole = true", ""), ("\"middle\"", "\"cut\"")]);
+        all.push(twin("disc", below, "axis", &[]));
+        all.push(twin("disc", whole, "axis", &[("whole = true", "half = true")]));
     }
     // A disc on a block whose nodes do not face its own, drawn.
     let block = "[[body]]\nname = \"block\"\nyoung = 210e3\npoisson = 0.3\ndensity = 0.7\n\
