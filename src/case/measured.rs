@@ -1,5 +1,6 @@
 //! Quantities of a run.
 
+use crate::case::check::Check;
 use crate::case::definition::Case;
 use crate::case::quantity::Quantity;
 use crate::error::Error;
@@ -9,45 +10,45 @@ use crate::solve::{Discretisation, Run};
 /// Half-widths over which profiles are compared.
 const COMPARED: f64 = 1.5;
 
-/// A case solved: the mesh, the run, and the verification run of the same mesh where a check asks for it.
-pub(super) struct Solved<'a> {
-    pub(super) case: &'a Case,
-    pub(super) discretisation: &'a Discretisation,
-    pub(super) run: &'a Run,
-    pub(super) verification: Option<&'a Run>,
-}
-
-impl Solved<'_> {
-    /// The value of a quantity in a contact; NaN, which no check passes, where the run did not converge.
-    pub(super) fn value(&self, quantity: &Quantity, contact: usize) -> Result<f64, Error> {
-        if !self.run.solution.converged() {
+impl Case {
+    /// The value of what a check asks for; NaN, which no check passes, where the run did not converge. Where it is held against the
+    /// verification run of the same mesh, that is given.
+    pub(super) fn value(
+        &self,
+        check: &Check,
+        discretisation: &Discretisation,
+        run: &Run,
+        verification: Option<&Run>,
+    ) -> Result<f64, Error> {
+        if !run.solution.converged() {
             return Ok(f64::NAN);
         }
-        let points = self.run.solution.points_of(contact);
-        let pressure = |at: f64| self.case.reference_pressure(contact, at);
+        let (quantity, contact) = (&check.quantity, check.contact);
+        let points = run.solution.points_of(contact);
+        let pressure = |at: f64| self.reference_pressure(contact, at);
         Ok(match quantity {
-            Quantity::Number { of, .. } => quantity.factor() * self.discretisation.number(self.run, contact, of)?,
+            Quantity::Number { of, .. } => quantity.factor() * discretisation.number(run, contact, of)?,
             Quantity::Profile => {
-                let half_width = self.case.reading(contact, &Number::HalfWidth).value;
+                let half_width = self.reading(contact, &Number::HalfWidth).value;
                 profile::relative_l2(points, pressure, COMPARED * half_width)
             }
-            Quantity::EdgeMeans => self
-                .verification
-                .map_or(f64::NAN, |other| profile::misplaced(&self.run.solution.edges, &other.solution.edges)),
+            Quantity::EdgeMeans => {
+                verification.map_or(f64::NAN, |other| profile::misplaced(&run.solution.edges, &other.solution.edges))
+            }
             Quantity::Departure => {
                 let departures = points.iter().map(|point| (point.pressure - pressure(point.position)).abs());
                 departures.fold(0.0, larger) / self.scale(contact)
             }
-            Quantity::Dofs => self.run.dofs as f64,
+            Quantity::Dofs => run.dofs as f64,
             Quantity::Named { .. } => f64::NAN,
         })
     }
 
     /// The largest pressure of the oracle of a contact \[MPa\]; the scene's reference pressure where nothing presses.
     fn scale(&self, contact: usize) -> f64 {
-        match self.case.reading(contact, &Number::PeakPressure).value {
+        match self.reading(contact, &Number::PeakPressure).value {
             peak if peak > 0.0 => peak,
-            _ => self.case.scene.reference.pressure,
+            _ => self.scene.reference.pressure,
         }
     }
 }

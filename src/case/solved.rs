@@ -6,7 +6,6 @@ use crate::accuracy::{self, Answer, Asked, Family};
 use crate::case::check::{Against, Check, Reference};
 use crate::case::definition::Case;
 use crate::case::judged::Judged;
-use crate::case::measured::Solved;
 use crate::case::quantity::Quantity;
 use crate::case::universal;
 use crate::error::Error;
@@ -110,9 +109,19 @@ impl Case {
     pub fn own(&self, discretisation: &Discretisation, run: &Run) -> Result<Vec<Judged>, Error> {
         let needed = self.checks.iter().any(|check| check.against == Against::Verification);
         let verification = needed.then(|| Run::of(discretisation, &Formulation::verification())).transpose()?;
-        let solved = Solved { case: self, discretisation, run, verification: verification.as_ref() };
-        let judged = self.checks.iter().map(|check| judged(check, &solved)).collect::<Result<_, Error>>();
-        judged.map_err(|error| self.located(error))
+        let verification = verification.as_ref();
+        let judged = |check: &Check| {
+            let of = |run: &Run| self.value(check, discretisation, run, verification);
+            let reference = match &check.against {
+                Against::Value(reference) => reference.clone(),
+                Against::Oracle => self.reference(check.contact, &check.quantity),
+                Against::Verification => {
+                    Reference::own("node.kinematic at 1e-8", verification.map_or(Ok(f64::NAN), of)?)
+                }
+            };
+            Ok(check.clone().judge_by(of(run)?, reference))
+        };
+        self.checks.iter().map(judged).collect::<Result<_, Error>>().map_err(|error| self.located(error))
     }
 
     /// The error with its line, where the case is of a file and the error of something in it.
@@ -122,21 +131,6 @@ impl Case {
             None => error,
         }
     }
-}
-
-/// A declared check held against what a run found.
-fn judged(check: &Check, solved: &Solved) -> Result<Judged, Error> {
-    let value = solved.value(&check.quantity, check.contact)?;
-    let reference = match (&check.against, solved.verification) {
-        (Against::Value(reference), _) => reference.clone(),
-        (Against::Oracle, _) => solved.case.reference(check.contact, &check.quantity),
-        (Against::Verification, Some(other)) => {
-            let of_other = Solved { run: other, ..*solved };
-            Reference::own("node.kinematic at 1e-8", of_other.value(&check.quantity, check.contact)?)
-        }
-        (Against::Verification, None) => Reference::own("node.kinematic at 1e-8", f64::NAN),
-    };
-    Ok(check.clone().judge_by(value, reference))
 }
 
 /// That a run converged.

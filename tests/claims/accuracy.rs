@@ -14,8 +14,9 @@ use contact_vv::scene::{Material, PlaneHypothesis, Scene};
 use contact_vv::solve::{Discretisation, Element, Formulation, Iteration, Run};
 use contact_vv::study::random::{Family, Site};
 
-use crate::scene_file::files;
-use crate::workbench::{self, block_text, parsed};
+use crate::balance::scene;
+use crate::scene_file::{self, text_of};
+use crate::workbench::{self, block_text, kinematic, parsed};
 
 /// Relative errors asked for.
 pub const ASKED: [f64; 3] = [1e-2, 3e-3, 1e-3];
@@ -48,12 +49,8 @@ pub fn error(run: &Run, truth: [f64; 2]) -> f64 {
     if run.solution.converged() { larger(peak, width) } else { f64::NAN }
 }
 
-fn plain() -> Formulation {
-    Formulation::new(Element::Node, Iteration::Kinematic)
-}
-
 fn answered(scene: &Scene, asked: f64) -> Answer {
-    accuracy::solve(scene, &plain(), &by_moment(asked)).expect("solved")
+    accuracy::solve(scene, &kinematic(), &by_moment(asked)).expect("solved")
 }
 
 /// An accuracy of peak and second-moment width.
@@ -65,7 +62,7 @@ fn by_moment(relative: f64) -> Asked {
 fn every_later_mesh_starts_from_the_contact_set_of_the_one_before() {
     let scene = cylinder(1.0).scene;
     let asked = Asked { high_order: false, ..by_moment(3e-3) };
-    let answer = accuracy::solve(&scene, &plain().tolerance(1e-9), &asked).expect("solved");
+    let answer = accuracy::solve(&scene, &kinematic().tolerance(1e-9), &asked).expect("solved");
     assert!(answer.tried.len() > 2);
     for tried in &answer.tried[2..] {
         assert!(tried.iterations <= 3, "{} elements took {} iterations", tried.elements, tried.iterations);
@@ -89,8 +86,7 @@ fn pin_and_rod_press_fits_and_scene_files_meet_what_they_are_asked() {
             assert!(error(&answer.run, fine) <= asked, "{name}, {asked}");
         }
     }
-    let (path, text) = files().into_iter().find(|(path, _)| path.ends_with("rigid-cosine.toml")).expect("the file");
-    let file = Case::parse(&path, &text).expect("sound");
+    let file = scene_file::case("rigid-cosine");
     // Westergaard, as the file's own checks have it.
     let answer = answered(&file.scene, 3e-3);
     assert!(answer.unmet.is_none());
@@ -99,12 +95,10 @@ fn pin_and_rod_press_fits_and_scene_files_meet_what_they_are_asked() {
 
 #[test]
 fn disc_on_a_block_is_solved_with_8_node_cells_whose_middles_do_not_face() {
-    let (path, text) =
-        files().into_iter().find(|(path, _)| path.ends_with("cylinder-on-block.toml")).expect("the file");
-    let file = Case::parse(&path, &text).expect("sound");
+    let file = scene_file::case("cylinder-on-block");
     for asked in [1e-2, 3e-3, 2e-3] {
         let by_moment = Asked { high_order: false, ..by_moment(asked) };
-        let answer = accuracy::solve(&file.scene, &plain(), &by_moment).expect("solved");
+        let answer = accuracy::solve(&file.scene, &kinematic(), &by_moment).expect("solved");
         assert!(answer.unmet.is_none());
         assert_eq!(answer.resolution.order, Order::Quadratic);
         // Hertz leaves out 0.1 % at a/R = 0.05 and a block of 32 half-widths.
@@ -129,18 +123,12 @@ fn from_a_thousandth_on_cells_of_high_order_meet_up_to_a_millionth_with_few_free
     }
 }
 
-/// A block on a gap whose pressure has its peak beside the middle: the first mesh ends the contact a sixth too early.
-const BESIDE_THE_MIDDLE: &str = "plane = \"strain\"\nthickness = 1\n[[body]]\nname = \"block\"\nyoung = 70e3\npoisson = 0.3\n\
-    shape = { rectangle = { x = [0, 200], y = [0, 200], contact = \"bottom\" } }\n\
-    supports = [{ at = \"left\", component = \"x\" }]\nloads = [{ traction = { at = \"far\", value = [0, -0.5] } }]\n\
-    [contact]\nfirst = \"block\"\ngap = { even = [0.00005, 0.0001] }\nstretch = 4\nsymmetric = true\n\
-    [mesh]\nelements = 12\nper = 1\n";
-
 #[test]
 fn cells_end_with_a_contact_whose_end_the_first_mesh_misses() {
-    let scene = parsed(BESIDE_THE_MIDDLE).scene;
+    // The pressure has its peak beside the middle: the first mesh ends the contact a sixth too early.
+    let scene = scene("beside-the-middle", &[]).scene;
     for asked in [1e-2, 1e-4] {
-        let answer = accuracy::solve(&scene, &plain(), &Asked::new(asked)).expect("solved");
+        let answer = accuracy::solve(&scene, &kinematic(), &Asked::new(asked)).expect("solved");
         assert!(answer.unmet.is_none() && answer.resolution.order > Order::Quartic, "{asked}: {:?}", answer.unmet);
     }
 }
@@ -163,22 +151,12 @@ fn other_algorithms_leave_what_the_mesh_of_kinematic_load_does() {
     }
 }
 
-/// A ring of a fiftieth of its radius on a block: its stiffness leaves forces no better than 1e-7.
-const THIN_ON_BLOCK: &str = "plane = \"stress\"\nthickness = 1\n[[body]]\nname = \"ring\"\nyoung = 210e3\npoisson = 0.3\n\
-    shape = { ring = { centre = [0, 50], inner = 49, outer = 50, sweep = 90, contact = \"outer\" } }\n\
-    supports = [{ at = \"start\", component = \"x\" }]\n\
-    loads = [{ rigid-face = { at = \"end\", component = \"y\", force = -1 } }]\n\
-    [[body]]\nname = \"block\"\nyoung = 210e3\npoisson = 0.3\n\
-    shape = { rectangle = { x = [0, 20], y = [-20, 0], contact = \"top\" } }\n\
-    supports = [{ at = \"left\", component = \"x\" }, { at = \"far\", component = \"y\" }]\n\
-    [contact]\nfirst = \"ring\"\nsecond = \"block\"\ngap = { circle = 50 }\nstretch = 0.3\nsymmetric = true\n\
-    [mesh]\nelements = 12\nper = 0.1\n";
-
 #[test]
 fn asked_for_more_than_round_off_leaves_the_answer_is_no_worse() {
-    let scene = parsed(THIN_ON_BLOCK).scene;
+    // A ring of a fiftieth of its radius: its stiffness leaves forces no better than 1e-7.
+    let scene = scene("thin-on-block", &[]).scene;
     let [met, beyond] =
-        [1e-3, 1e-4].map(|asked| accuracy::solve(&scene, &plain(), &Asked::new(asked)).expect("solved"));
+        [1e-3, 1e-4].map(|asked| accuracy::solve(&scene, &kinematic(), &Asked::new(asked)).expect("solved"));
     let [within, left] = [met.estimate(), beyond.estimate()];
     assert!(met.unmet.is_none() && left <= within, "{left:.1e} of 1e-4, {within:.1e} of 1e-3");
 }
@@ -191,7 +169,7 @@ fn fit_of_a_ring_with_a_narrow_bore_is_within_its_bar() {
         let case = PressFit { inner: fit.interface / part, ..fit }.case();
         let truth = case.reading(0, &Quantity::PeakPressure).value;
         for asked in [1e-2, 1e-3, 1e-4, 1e-5] {
-            let answer = accuracy::solve(&case.scene, &plain(), &Asked::new(asked)).expect("solved");
+            let answer = accuracy::solve(&case.scene, &kinematic(), &Asked::new(asked)).expect("solved");
             let peak = answer.estimates.iter().find(|one| one.quantity == Quantity::PeakPressure).expect("a bar");
             let [error, bar] = [(peak.value / truth - 1.0).abs(), peak.relative()];
             assert!(error <= bar, "bore of 1/{part}, {asked}: {error:.1e} of {bar:.1e}");
@@ -212,7 +190,7 @@ fn a_bar_of_elements_too_wide_for_the_top_is_no_best() {
     let scene = parsed(&block_text([0.0, 60.0], 60.0, load, &gap)).scene;
     let answer = answered(&scene, 1e-2);
     let fine = Discretisation::of(scene, workbench::resolution(100, 0, Order::Quadratic)).expect("meshed");
-    let truth = Run::of(&fine, &plain()).expect("solved").measures().peak.pressure;
+    let truth = Run::of(&fine, &kinematic()).expect("solved").measures().peak.pressure;
     let bar = answer.estimates[0].bar.total();
     let off = (answer.run.measures().peak.pressure - truth).abs();
     assert!(bar.is_nan() || off <= bar + 2e-3 * truth, "{off} beyond {bar}");
@@ -222,19 +200,19 @@ fn a_bar_of_elements_too_wide_for_the_top_is_no_best() {
 fn what_cannot_be_met_is_said_with_the_best_that_was_found() {
     // The pressure under the corner of a flat punch has no limit, on however many cells; the half-width is met all the same.
     let punch = library::find("flat-punch", None).expect("known");
-    let answer = accuracy::solve(&punch.scene, &plain(), &by_moment(1e-2)).expect("solved");
+    let answer = accuracy::solve(&punch.scene, &kinematic(), &by_moment(1e-2)).expect("solved");
     assert!(answer.unmet.as_ref().is_some_and(|why| why.contains("no limit")) && answer.run.solution.converged());
     assert!(met(&Asked::new(1e-2), &answer).verdict == Verdict::Fail);
     assert!(answer.dofs_in_all() < 60_000, "{} dofs", answer.dofs_in_all());
     assert!(answer.estimates[1].relative() <= 1e-2, "{:?}", answer.estimates);
     // Its half-width alone is no matter of the corner.
     let asked = Asked { quantities: vec![Quantity::SecondMomentWidth], ..Asked::new(1e-2) };
-    let answer = accuracy::solve(&punch.scene, &plain(), &asked).expect("solved");
+    let answer = accuracy::solve(&punch.scene, &kinematic(), &asked).expect("solved");
     assert!(answer.unmet.is_none() && answer.estimates.len() == 1);
     // Too few cells, and too few iterations.
     let cylinder = cylinder(1.0).scene;
     let few = Asked { most_cells: 30.0, ..Asked::new(1e-3) };
-    let answer = accuracy::solve(&cylinder, &plain(), &few).expect("solved");
+    let answer = accuracy::solve(&cylinder, &kinematic(), &few).expect("solved");
     assert!(answer.unmet.is_some_and(|why| why.contains("more than 3e1")));
     // The estimate of the best that was found is one all the same.
     let problem = truncated(1.0);
@@ -244,7 +222,7 @@ fn what_cannot_be_met_is_said_with_the_best_that_was_found() {
     assert!(answer.unmet.is_some());
     let (error, bar) = (error(&answer.run, closed_form(&problem)), answer.estimate());
     assert!(error <= bar, "{error:e} beyond {bar:e}");
-    let mut hasty = plain();
+    let mut hasty = kinematic();
     hasty.settings.max_iterations = 1;
     let answer = accuracy::solve(&cylinder, &hasty, &Asked::new(1e-2)).expect("a result, not an error");
     assert!(answer.unmet.is_some_and(|why| why.contains("not converged")));
@@ -306,9 +284,7 @@ fn candidates_may_go_as_far_as_the_sides_of_the_bodies_and_the_gap_do() {
         assert_relative_eq!(longest(&scene, scene.contact()), wanted, max_relative = 1e-9);
     }
     // A little less than halfway to the next contact of the same side.
-    let (path, text) =
-        files().into_iter().find(|(path, _)| path.ends_with("plate-on-two-supports.toml")).expect("the file");
-    let scene = Case::parse(&path, &text).expect("sound").scene;
+    let scene = scene_file::case("plate-on-two-supports").scene;
     let [left, right] = [0, 1].map(|contact: usize| scene.contacts[contact].path.origin()[0]);
     for pair in &scene.contacts {
         let side = (50.0 - pair.path.origin()[0]).min(pair.path.origin()[0] + 50.0);
@@ -328,9 +304,7 @@ fn percentages_are_read_and_nothing_else_is() {
 
 #[test]
 fn accuracy_in_a_file_is_the_engines_and_its_first_mesh_is_within_limits() {
-    let (path, text) =
-        files().into_iter().find(|(path, _)| path.ends_with("cylinder-to-accuracy.toml")).expect("the file");
-    let file = Case::parse(&path, &text).expect("sound");
+    let file = scene_file::case("cylinder-to-accuracy");
     let asked = file.accuracy.clone().expect("asked");
     assert_relative_eq!(asked.relative, 1e-3, max_relative = 1e-12);
     assert_eq!(asked.quantities, Quantity::ASKED);
@@ -340,7 +314,8 @@ fn accuracy_in_a_file_is_the_engines_and_its_first_mesh_is_within_limits() {
     assert!(met(&asked, &answer).verdict == Verdict::Pass);
     assert!(error(&run, [576.923077, 0.25]) <= 1e-3);
     assert_eq!(file.resolution, Resolution { elements: 8, refinement: 0, order: Order::Quadratic });
-    let one = text.replace("accuracy = \"0.1 %\"", "accuracy = \"1 %\"\nquantity = [\"second-moment-width\"]");
-    let asked = Case::parse(&path, &one).expect("sound").accuracy.expect("asked");
+    let one = "accuracy = \"1 %\"\nquantity = [\"second-moment-width\"]";
+    let one = text_of("cylinder-to-accuracy.toml").replace("accuracy = \"0.1 %\"", one);
+    let asked = parsed(&one).accuracy.expect("asked");
     assert_eq!(asked.quantities, [Quantity::SecondMomentWidth]);
 }

@@ -3,30 +3,28 @@
 use std::fs;
 use std::os::unix::fs::PermissionsExt;
 use std::path::Path;
-use std::process::{Command, Output};
+use std::process::Command;
 use std::sync::LazyLock;
 
 use contact_vv::case::library::NAMES;
 use contact_vv::checkout::root;
 use quick_junit::{Report, TestCaseStatus};
 use serde_json::json;
-use tempfile::TempDir;
 
 use crate::outputs::contact_vv;
+use crate::program::{Folder, ended, program};
 
 /// Our own answer to a case.
 static OURS: LazyLock<String> = LazyLock::new(|| {
-    let folder = tempfile::tempdir().expect("a folder");
-    let to = folder.path().join("to");
-    let (exported, _, error) = contact_vv(&["export", "truncated-hertz", &to.display().to_string()]);
+    let folder = Folder::made();
+    let (exported, _, error) = contact_vv(&["export", "truncated-hertz", &folder.at("to")]);
     assert!(exported, "{error}");
-    fs::read_to_string(to.join("ours.csv")).expect("an answer")
+    folder.read("to/ours.csv")
 });
 
 /// The same, and with pressures 3 % too large, in files whose names have blanks.
-fn answers() -> TempDir {
-    let folder = tempfile::tempdir().expect("a folder");
-    let at = |name: &str| folder.path().join(name);
+fn answers() -> Folder {
+    let folder = Folder::made();
     let wrong = OURS.lines().enumerate().map(|(line, text)| {
         let mut cells: Vec<String> = text.split(',').map(String::from).collect();
         if line > 0 {
@@ -34,8 +32,8 @@ fn answers() -> TempDir {
         }
         cells.join(",") + "\n"
     });
-    fs::write(at("right one.csv"), &*OURS).expect("written");
-    fs::write(at("wrong one.csv"), wrong.collect::<String>()).expect("written");
+    folder.with("right one.csv", &*OURS);
+    folder.with("wrong one.csv", wrong.collect::<String>());
     folder
 }
 
@@ -45,21 +43,20 @@ fn script(name: &str, folder: &Path, told: &[(&str, String)], file: &str) -> (Op
     let mut command = Command::new("bash");
     command.arg(root().join(".github/actions/judge").join(name)).current_dir(folder).envs(told.iter().cloned());
     let command = command.env("PATH", path).env("GITHUB_OUTPUT", "output").env("GITHUB_STEP_SUMMARY", "summary");
-    let Output { status, stdout, stderr } = command.output().expect("started");
-    let log = String::from_utf8_lossy(&[stdout, stderr].concat()).into_owned();
-    (status.code(), log, fs::read_to_string(folder.join(file)).unwrap_or_default())
+    let (code, text, error) = ended(command);
+    (code, text + &error, fs::read_to_string(folder.join(file)).unwrap_or_default())
 }
 
 #[test]
 fn junit_has_a_test_case_for_every_verdict() {
     let folder = answers();
-    let at = |name: &str| folder.path().join(name).display().to_string();
-    let (files, xml) = ([at("right one.csv"), at("wrong one.csv")], at("verdicts.xml"));
+    let files = ["right one.csv", "wrong one.csv"].map(|name| folder.at(name));
+    let xml = folder.at("verdicts.xml");
     let judge = |option: &str| contact_vv(&["judge", "truncated-hertz", &files[0], &files[1], "--json", option, &xml]);
     for met in [judge("--junit"), judge("--junit")].map(|(met, ..)| met) {
         assert!(!met, "an earlier report is replaced");
     }
-    let report = Report::deserialize_from_str(&fs::read_to_string(&xml).expect("a report")).expect("JUnit XML");
+    let report = Report::deserialize_from_str(&folder.read("verdicts.xml")).expect("JUnit XML");
     let (_, lines, _) = judge("--junit");
     for (suite, line) in report.test_suites.iter().zip(lines.lines()) {
         let line: serde_json::Value = serde_json::from_str(line).expect("JSON");
@@ -77,7 +74,7 @@ fn junit_has_a_test_case_for_every_verdict() {
         }
     }
     assert_eq!([0, 1].map(|k| report.test_suites[k].failures > 0), [false, true]);
-    fs::write(&xml, "<testsuites name=\"another\"/>").expect("written");
+    folder.with("verdicts.xml", "<testsuites name=\"another\"/>");
     let (_, _, error) = judge("--junit");
     assert!(error.contains("not an earlier output"), "{error}");
 }
@@ -85,21 +82,14 @@ fn junit_has_a_test_case_for_every_verdict() {
 #[test]
 fn an_answer_that_cannot_be_read_is_an_error_beside_the_verdicts_of_the_others() {
     let folder = answers();
-    let at = |name: &str| folder.path().join(name).display().to_string();
-    fs::write(at("cut.csv"), "position [mm],pressure [MPa]\n0,3\n1\n").expect("written");
-    let (cut, right, xml) = (at("cut.csv"), at("right one.csv"), at("verdicts.xml"));
-    let wrong = at("wrong one.csv");
-    for (options, told) in [(&["--json"][..], 2), (&["--json", "--series"][..], 2)] {
+    let cut = folder.with("cut.csv", "position [mm],pressure [MPa]\n0,3\n1\n");
+    let [right, wrong, xml] = ["right one.csv", "wrong one.csv", "verdicts.xml"].map(|name| folder.at(name));
+    for options in [&["--json"][..], &["--json", "--series"]] {
         let arguments = ["judge", "truncated-hertz", &cut, &right, &wrong, "--junit", &xml, "--force"];
-        let run = Command::new(env!("CARGO_BIN_EXE_contact-vv-tested"))
-            .args(arguments)
-            .args(options)
-            .output()
-            .expect("started");
-        let [said, error] = [run.stdout, run.stderr].map(|text| String::from_utf8_lossy(&text).into_owned());
-        assert_eq!((run.status.code(), said.lines().count()), (Some(2), told), "{said}{error}");
+        let (code, said, error) = ended(program(&arguments).args(options));
+        assert_eq!((code, said.lines().count()), (Some(2), 2), "{said}{error}");
         assert!(error.contains("cut.csv:3") && error.contains("the file is cut"), "{error}");
-        let report = Report::deserialize_from_str(&fs::read_to_string(&xml).expect("a report")).expect("JUnit XML");
+        let report = Report::deserialize_from_str(&folder.read("verdicts.xml")).expect("JUnit XML");
         let suite = |file: &str| report.test_suites.iter().find(|suite| suite.name.as_str() == file).expect("a suite");
         assert_eq!((suite(&cut).errors, suite(&cut).tests), (1, 1));
         assert!(suite(&right).errors == 0 && suite(&right).failures == 0 && suite(&wrong).failures > 0);
@@ -108,7 +98,7 @@ fn an_answer_that_cannot_be_read_is_an_error_beside_the_verdicts_of_the_others()
     }
     // Of answers of which none is read there is a report too.
     let (_, _, error) = contact_vv(&["judge", "truncated-hertz", &cut, "--junit", &xml]);
-    let report = fs::read_to_string(&xml).expect("a report");
+    let report = folder.read("verdicts.xml");
     assert!(
         error.contains("the file is cut") && report.contains("<error") && !report.contains("right one"),
         "{report}"
@@ -127,7 +117,7 @@ fn the_action_writes_summary_and_junit_and_ends_as_the_program_does() {
         ("right one.csv", "--unit=furlong", 2, ["furlong", "```text"]),
     ] {
         let folder = answers();
-        fs::write(folder.path().join("bare.csv"), "position,pressure\n::set-env::```,1\n").expect("written");
+        folder.with("bare.csv", "position,pressure\n::set-env::```,1\n");
         let program = env!("CARGO_BIN_EXE_contact-vv-tested");
         let inputs = json!({ "case": "truncated-hertz", "files": files, "units": "position=mm\npressure=MPa", "columns": "",
             "options": options, "junit": "a b.xml", "program": program });
@@ -150,10 +140,9 @@ fn the_form_of_an_issue_is_read_and_nothing_else_of_it() {
     let link = "https://github.com/user-attachments/files/1/theirs.csv";
     let read = |case: &str, units: &str, answer: &str| {
         let folder = answers();
-        let curl = folder.path().join("bin/curl");
         fs::create_dir(folder.path().join("bin")).expect("a folder");
         let copy = "#!/bin/sh\nwhile [ \"$1\" != --output ]; do shift; done\ncp 'right one.csv' \"$2\"\n";
-        fs::write(&curl, copy).expect("written");
+        let curl = folder.with("bin/curl", copy);
         fs::set_permissions(&curl, fs::Permissions::from_mode(0o755)).expect("set");
         let body =
             format!("### Case\r\n\r\n{case}\r\n\r\n### Units\r\n\r\n{units}\r\n\r\n### Answer\r\n\r\n{answer}\r\n");

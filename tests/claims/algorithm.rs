@@ -298,32 +298,21 @@ fn points_of_an_element_change_by_their_mean_approach_over_their_mean_gap() {
 }
 
 #[test]
-fn first_steps_of_constant_stiffness_are_equation_three_six() {
+fn second_steps_of_constant_stiffness_are_equation_three_six_and_its_literal_reading() {
     let sample = one(90.0);
-    let mut constant = Constant::new(StiffnessRule::Correction);
-    let mut springs = sample.problem().initial_springs();
-    let first = next(&mut constant, &sample, &mut springs);
-    // As above: p⁺ − p = 26 − 18.
-    assert_relative_eq!(first.pressure[0], 18.0, max_relative = 1e-14);
-    assert_relative_eq!(springs.force[0], 8.0, max_relative = 1e-13);
-    let second = next(&mut constant, &sample, &mut springs);
+    let second = |rule| {
+        let (mut constant, mut springs) = (Constant::new(rule), sample.problem().initial_springs());
+        next(&mut constant, &sample, &mut springs);
+        (next(&mut constant, &sample, &mut springs), springs)
+    };
     // (300 + 200) u = 90 − 2·8, p = 100 u + 8.
-    assert_relative_eq!(second.displacement[0], 74.0 / 500.0, max_relative = 1e-14);
-    assert_relative_eq!(second.pressure[0], 100.0 * 74.0 / 500.0 + 8.0, max_relative = 1e-14);
+    let (found, springs) = second(StiffnessRule::Correction);
+    assert_relative_eq!(found.displacement[0], 74.0 / 500.0, max_relative = 1e-14);
+    assert_relative_eq!(found.pressure[0], 100.0 * 74.0 / 500.0 + 8.0, max_relative = 1e-14);
     assert_relative_eq!(springs.stiffness[0], 100.0);
-}
-
-#[test]
-fn literal_reading_adds_the_change_of_stored_stiffnesses_times_the_approach() {
-    let sample = one(90.0);
-    let mut literal = Constant::new(StiffnessRule::Literal);
-    let mut springs = sample.problem().initial_springs();
-    next(&mut literal, &sample, &mut springs);
-    // k: 100 → 180; r = 80·0.18.
-    assert_relative_eq!(springs.force[0], 14.4, max_relative = 1e-12);
-    let second = next(&mut literal, &sample, &mut springs);
+    let (found, springs) = second(StiffnessRule::Literal);
     let w = (90.0 - 2.0 * 14.4) / 500.0;
-    assert_relative_eq!(second.approach[0], w, max_relative = 1e-13);
+    assert_relative_eq!(found.approach[0], w, max_relative = 1e-13);
     // k: 180 → 180 w/g, whose product with w is not the spring's force k₀ w + r.
     assert_relative_eq!(springs.force[0], 14.4 + 180.0 * (w / 0.1 - 1.0) * w, max_relative = 1e-12);
 }

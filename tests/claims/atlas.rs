@@ -10,6 +10,8 @@ use contact_vv::study::atlas::{Chart, Numbers, Plane, Record, plane, run};
 use contact_vv::study::method::Method;
 use contact_vv::study::records;
 
+use crate::workbench::spoiled;
+
 fn point(method: Method, ordinate: f64, stiffness: f64, class: Ended, iterations: usize) -> Record {
     Record {
         method,
@@ -39,9 +41,7 @@ fn an_incomplete_or_foreign_record_is_refused_with_the_command_that_renews_it() 
         std::fs::read_to_string(&file).expect("written")
     };
     let whole = flat(plane);
-    let mut moved = whole.clone();
-    moved[3].stiffness *= 2.0;
-    for records in [&whole[1..], &moved] {
+    for records in [&whole[1..], &spoiled(&whole, |records| records[3].stiffness *= 2.0)] {
         write(records);
         assert!(refused().contains("mesh.csv") && refused().contains("-- atlas"), "{}", refused());
     }
@@ -80,9 +80,7 @@ fn atlas_turns_red_where_a_point_moved_a_prediction_failed_or_an_answer_is_wrong
     assert_eq!(verdicts(&records, 0), [true; 7]);
     assert_eq!(verdicts(&records, 1), [false, true, true, true, true, true, true]);
     let spoiled = |place: usize, change: &dyn Fn(&mut Record)| {
-        let mut spoiled = records.clone();
-        change(&mut spoiled[place]);
-        verdicts(&spoiled, 0).iter().position(|passed| !passed)
+        verdicts(&spoiled(&records, |all| change(&mut all[place])), 0).iter().position(|passed| !passed)
     };
     assert_eq!(spoiled(constant, &|r| r.class = Ended::Converged), Some(1));
     assert_eq!(spoiled(constant + 1, &|r| r.class = Ended::Capped), Some(2));
@@ -136,9 +134,7 @@ fn a_point_is_as_recorded_only_if_class_counts_measures_and_predictions_are() {
     records[5].class = Ended::Diverged;
     let chart = Chart::of(plane, &records);
     let spoiled = |change: &dyn Fn(&mut Record), column: usize| {
-        let mut fresh = records[column].clone();
-        change(&mut fresh);
-        run::is_as_recorded(&chart, 0, column, &fresh)
+        run::is_as_recorded(&chart, 0, column, &spoiled(&records[column], change))
     };
     assert!(spoiled(&|_| (), 0) && spoiled(&|_| (), 4) && spoiled(&|_| (), 5));
     let changes: [&dyn Fn(&mut Record); 8] = [

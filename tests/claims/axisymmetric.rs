@@ -1,52 +1,28 @@
-//! Bodies of revolution: uniform stresses exact to round-off, refusals.
+//! Bodies of revolution: uniform stresses exact to round-off, Lamé's cylinder, means over rings.
 
 use std::f64::consts::{PI, TAU};
-use std::path::Path;
-use std::sync::Arc;
 
 use approx::assert_relative_eq;
 use contact_vv::algorithm::Iteration;
-use contact_vv::case::Case;
 use contact_vv::case::library::Indented;
-use contact_vv::cli::new::Template;
 use contact_vv::contact::Element;
 use contact_vv::elasticity::element::{CellStiffness, Tabulated};
 use contact_vv::measure::{Measures, larger};
 use contact_vv::mesh::{Order, Resolution};
 use contact_vv::scene::{
-    Action, BlockShape, Body, Component, ContactPair, Face, Grading, Load, Material, Path as Way, Place,
-    PlaneHypothesis, Profile, ReferenceValues, Scene, Shape, StressField, Support,
+    Action, BlockShape, Component, Face, Load, Material, Path as Way, PlaneHypothesis, Profile, Scene, Shape,
 };
 use contact_vv::solution::{EdgeState, Part, PointState};
 use contact_vv::solve::{Discretisation, Formulation, Run};
+
+use crate::workbench::{held, meshed, turned};
 
 const ORDERS: [Order; 7] =
     [Order::Linear, Order::Quadratic, Order::Quartic, Order::Quintic, Order::Sextic, Order::Septic, Order::Octic];
 
 /// A body from x to 3 mm, 0 to 2 mm high, of the given shape, on a rigid plane under the traction of a stress.
-fn block(shape: Shape, poisson: f64, stress: [f64; 3], loaded: &[&'static str]) -> Scene {
-    let load =
-        |name: &&'static str| Load::Stress { boundary: (*name).into(), field: StressField(Arc::new(move |_| stress)) };
-    let material = Material { young: 1000.0, poisson };
-    let body = Body {
-        name: "block".into(),
-        shape,
-        material,
-        density: 1.0,
-        supports: vec![],
-        loads: loaded.iter().map(load).collect(),
-    };
-    let mut pair = ContactPair::new(None, Way::HORIZONTAL, Profile::Uniform(0.0), 3.0);
-    pair.symmetric = false;
-    Scene {
-        name: "block".into(),
-        plane: PlaneHypothesis::Axisymmetric,
-        thickness: 1.0,
-        bodies: vec![body],
-        contacts: vec![pair],
-        reference: ReferenceValues { length: 1.0, pressure: 1.0, gap: 1e-3 },
-        grading: Grading { unit: 3.0, along: 1.0, depth: 1.0, first: 1.0, coarsest: 1.0, end: 1.0 },
-    }
+fn block(shape: Shape, stress: [f64; 3], loaded: &[&'static str]) -> Scene {
+    turned(PlaneHypothesis::Axisymmetric, shape, Way::HORIZONTAL, 3.0, stress, loaded)
 }
 
 fn rectangle(inner: f64) -> Shape {
@@ -79,9 +55,9 @@ fn uniform_stresses_of_bodies_of_revolution_are_exact() {
     {
         for (poisson, order) in ORDERS.into_iter().flat_map(|order| [(0.3, order), (0.499, order)]) {
             for shape in [rectangle(0.0), skewed()] {
-                let scene = block(shape, poisson, stress, loaded);
-                let resolution = Resolution { elements: 2, refinement: 0, order };
-                let discretisation = Discretisation::of(scene, resolution).expect("meshed");
+                let mut scene = block(shape, stress, loaded);
+                scene.bodies[0].material.poisson = poisson;
+                let discretisation = meshed(scene, 2, order);
                 let run =
                     Run::of(&discretisation, &Formulation::new(Element::Line, Iteration::Kinematic)).expect("solved");
                 let fields = discretisation.recover(&run.solution).expect("recovered");
@@ -111,11 +87,10 @@ fn a_whole_force_is_spread_evenly_over_the_area_of_its_side() {
     let (radius, pressure) = (3.0, 7.0);
     let area = PI * radius * radius;
     for (order, element) in ORDERS.into_iter().flat_map(|order| Element::ALL.map(|element| (order, element))) {
-        let mut scene = block(skewed(), 0.3, [0.0; 3], &[]);
+        let mut scene = block(skewed(), [0.0; 3], &[]);
         let action = Action::Total([0.0, -pressure * area]);
         scene.bodies[0].loads = vec![Load::OnSide { boundary: "far".into(), part: None, action }];
-        let resolution = Resolution { elements: 2, refinement: 0, order };
-        let discretisation = Discretisation::of(scene, resolution).expect("meshed");
+        let discretisation = meshed(scene, 2, order);
         // The springs of layers differ from edge to edge, and are iterated.
         let formulation = Formulation::new(element, Iteration::Kinematic).tolerance(1e-11);
         let run = Run::of(&discretisation, &formulation).expect("solved");
@@ -151,8 +126,7 @@ fn hoop_strain_on_the_axis_is_the_radial_one() {
 fn the_axis_exerts_nothing_on_a_body_of_revolution() {
     // Hoop stresses press on the axis from all sides, which cancel.
     for order in ORDERS {
-        let resolution = Resolution { elements: 2, refinement: 0, order };
-        let discretisation = Discretisation::of(Indented::by_sphere(0.05).scene(), resolution).expect("meshed");
+        let discretisation = meshed(Indented::by_sphere(0.05).scene(), 2, order);
         let run = Run::of(&discretisation, &Formulation::new(Element::Node, Iteration::Kinematic)).expect("solved");
         let reactions = discretisation.reactions(&run.solution).expect("reactions");
         assert_eq!(reactions.len(), 1, "the support of the axis");
@@ -176,7 +150,7 @@ fn of_rings(count: usize, radius: f64, force: impl Fn(f64) -> f64) -> Measures {
         gap: 0.0,
     };
     let points: Vec<PointState> = edges.iter().map(point).collect();
-    Measures::of(&block(rectangle(0.0), 0.3, [0.0; 3], &[]), 0, Part { points: &points, edges: &edges, nodes: 3 })
+    Measures::of(&block(rectangle(0.0), [0.0; 3], &[]), 0, Part { points: &points, edges: &edges, nodes: 3 })
 }
 
 #[test]
@@ -208,10 +182,10 @@ fn errors_of_lame(cells: usize, order: Order) -> [f64; 3] {
         elements: [cells, 1],
         growth: [1.0; 2],
     }]);
-    let mut scene = block(ring, 0.3, [-pressure, 0.0, 0.0], &["left"]);
-    scene.bodies[0].supports = vec![Support { at: Place::Boundary("far".into()), component: Component::Y, value: 0.0 }];
+    let mut scene = block(ring, [-pressure, 0.0, 0.0], &["left"]);
+    scene.bodies[0].supports = vec![held("far", Component::Y, 0.0)];
     scene.contacts[0].profile = Profile::Uniform(1.0);
-    let discretisation = Discretisation::of(scene, Resolution { elements: 2, refinement: 0, order }).expect("meshed");
+    let discretisation = meshed(scene, 2, order);
     let run = Run::of(&discretisation, &Formulation::new(Element::Line, Iteration::Kinematic)).expect("solved");
     let fields = discretisation.recover(&run.solution).expect("recovered");
     let hoop = discretisation.stress_across(&fields);
@@ -254,37 +228,4 @@ fn a_sphere_costs_what_a_cylinder_does() {
     assert_eq!(turned.0, plane.0);
     assert_relative_eq!(turned.1, plane.1, max_relative = 1e-12);
     assert!(turned.2 <= plane.2 + 2, "{} iterations for {}", turned.2, plane.2);
-}
-
-/// What is said of a scene file of a sphere in which something is replaced.
-fn refused(what: &str, by: &str) -> String {
-    let text = Template::Sphere.text();
-    assert!(text.contains(what), "{what}");
-    let case = Case::parse(Path::new("sphere.toml"), &text.replacen(what, by, 1));
-    match case.and_then(|case| case.solve().map(|_| ())) {
-        Ok(()) => String::new(),
-        Err(error) => error.to_string(),
-    }
-}
-
-#[test]
-fn what_bodies_of_revolution_cannot_have_is_refused() {
-    let loads = "loads = [{ traction = { at = \"cut\", force = [0, -750] } }]";
-    let plane = "plane = \"axisymmetric\"";
-    for (what, by, said) in [
-        (plane, "plane = \"axisymmetric\"\nthickness = 1.0", "have no thickness"),
-        (plane, "plane = \"strain\"", "missing field `thickness`"),
-        ("stretch = 1.0", "stretch = 1.0\nboth-sides = true", "one side of their axis"),
-        ("stretch = 1.0", "stretch = 1.0\nsymmetric = true", "modelled whole"),
-        ("stretch = 1.0", "stretch = 1.0\norigin = [1, 0]", "is a ring, and has both sides"),
-        ("centre = [0, 50]", "centre = [-1, 50]", "begins on the axis x = 0"),
-        ("force = [0, -750]", "force = [1, -750]", "radial forces"),
-        (loads, "loads = [{ moment = { at = \"cut\", value = 5 } }]", "moment"),
-        (loads, "loads = [{ pressure = { at = \"axis\", law = { uniform = 5 } } }]", "no area"),
-        (loads, "supports = [{ at = \"axis\", component = \"x\", value = 0.1 }]", "stays there"),
-        ("{ hertz = { load = 750, radius = 50 } }", "{ uniform = { pressure = 750, width = 1 } }", "plane scenes"),
-    ] {
-        let found = refused(what, by);
-        assert!(found.contains(said), "{by}: {found}");
-    }
 }

@@ -1,23 +1,24 @@
-//! Error bars against scenes of closed form, and that narrower ones would be seen.
+//! Error bars against scenes of closed form, beside the checks that carry them, and that narrower ones would be seen.
 
 use std::f64::consts::PI;
-use std::path::Path;
 
 use contact_vv::accuracy::{self, Asked, Barred, Bars, Quantity, bars};
 use contact_vv::algorithm::StiffnessRule;
 use contact_vv::case::library::{self, Cylinder};
-use contact_vv::case::{Case, Verdict};
-use contact_vv::checkout::root;
+use contact_vv::case::{Case, Judged, Scope, Verdict};
 use contact_vv::mesh::{Order, Resolution};
+use contact_vv::oracle::ReferenceKind;
 use contact_vv::scene::{Component, Place, Scene, Support};
 use contact_vv::solve::{Discretisation, Displaced, Element, Fitted, Formulation, Iteration, Run};
+use contact_vv::study::Study;
 use contact_vv::study::promised::bars::{Record, SURVEY, beyond, narrow, setup, told, within};
-use contact_vv::study::promised::counted;
+use contact_vv::study::promised::{Numbers, counted};
 use contact_vv::study::random::{Family, Site};
 use contact_vv::study::records::Millionths;
 
 use crate::balance::{scene, solved};
-use crate::workbench::{meshed, parsed};
+use crate::scene_file::{self, text_of};
+use crate::workbench::{kinematic, meshed, parsed, spoiled};
 
 /// The run on a mesh, and its bars.
 fn run_on(discretisation: &Discretisation, formulation: &Formulation) -> (Run, Bars) {
@@ -46,8 +47,7 @@ fn widened(record: &Record, factor: f64) -> Record {
 fn judges_of_bars_turn_red_on_spoiled_ones_and_on_what_is_not_a_number() {
     let all = SURVEY.read().expect("recorded");
     let verdicts = |spoil: &dyn Fn(&mut Record)| {
-        let mut spoiled = all.clone();
-        spoiled.iter_mut().for_each(spoil);
+        let spoiled = spoiled(&all, |all| all.iter_mut().for_each(spoil));
         [within(&spoiled), beyond(&spoiled), narrow(&spoiled)].map(|judged| judged.verdict)
     };
     let (pass, fail) = (Verdict::Pass, Verdict::Fail);
@@ -55,8 +55,8 @@ fn judges_of_bars_turn_red_on_spoiled_ones_and_on_what_is_not_a_number() {
     assert_eq!(verdicts(&|record| *record = widened(record, 0.2)), [fail.clone(), fail.clone(), pass.clone()]);
     assert_eq!(verdicts(&|record| *record = widened(record, 3.0)), [pass.clone(), pass.clone(), fail.clone()]);
     for (factor, verdict) in [(1.0, &pass), (0.5, &fail), (f64::NAN, &fail)] {
-        let spoiled: Vec<Record> = all.iter().map(|one| widened(one, factor)).collect();
-        assert_eq!(told(&spoiled).verdict, *verdict, "{factor}");
+        let widened: Vec<Record> = all.iter().map(|one| widened(one, factor)).collect();
+        assert_eq!(told(&widened).verdict, *verdict, "{factor}");
     }
     let mut none_told = all.clone();
     for record in none_told.iter_mut().filter(|record| record.family == Family::Power) {
@@ -88,9 +88,7 @@ fn judges_of_bars_turn_red_on_spoiled_ones_and_on_what_is_not_a_number() {
         SURVEY.compared(all.clone(), &fresh).as_recorded().verdict
     };
     assert_eq!(as_recorded(&all[..1]), pass);
-    let mut moved = all[0].clone();
-    moved.errors[3] = Some(Millionths(f64::NAN));
-    for moved in [moved, widened(&all[0], 1.01)] {
+    for moved in [spoiled(&all[0], |one| one.errors[3] = Some(Millionths(f64::NAN))), widened(&all[0], 1.01)] {
         assert_eq!(as_recorded(&[moved]), fail);
     }
     assert_eq!(as_recorded(&[]), fail, "a scene less");
@@ -132,14 +130,10 @@ fn cylinder(formulation: &Formulation, elements: usize) -> (Run, Bars) {
 
 #[test]
 fn parts_of_iteration_and_penalty_are_distances_to_the_discrete_solution() {
-    let exact = Formulation::new(Element::Node, Iteration::Kinematic).tolerance(1e-10);
+    let exact = kinematic().tolerance(1e-10);
     let (wanted, narrow) = cylinder(&exact, 12);
     let hasty = Formulation::new(Element::Node, Iteration::Constant).tolerance(1e-2);
-    let soft = Formulation {
-        rule: StiffnessRule::Penalty,
-        stiffness: 30.0,
-        ..Formulation::new(Element::Node, Iteration::Kinematic).tolerance(1e-8)
-    };
+    let soft = Formulation { rule: StiffnessRule::Penalty, stiffness: 30.0, ..kinematic().tolerance(1e-8) };
     for quantity in [Quantity::PeakPressure, Quantity::SecondMomentWidth, Quantity::End(0)] {
         let (run, bars) = cylinder(&hasty, 12);
         let apart = (quantity.of(run.measures()) - quantity.of(wanted.measures())).abs();
@@ -164,18 +158,18 @@ fn parts_of_iteration_and_penalty_are_distances_to_the_discrete_solution() {
 #[test]
 fn unknown_is_unknown_and_no_zero() {
     // Nothing coarser holds the contact on one element.
-    let (_, bars) = cylinder(&Formulation::new(Element::Node, Iteration::Kinematic), 1);
+    let (_, bars) = cylinder(&kinematic(), 1);
     let peak = bars.of(0, &Quantity::PeakPressure).expect("a bar");
     assert!(peak.total().is_nan() || peak.mesh > 0.0, "{peak:?}");
     // What the mesh leaves exact keeps its round-off.
-    let (_, bars) = cylinder(&Formulation::new(Element::Node, Iteration::Kinematic), 12);
+    let (_, bars) = cylinder(&kinematic(), 12);
     assert!(bars.of(0, &Quantity::Reaction { body: 0, support: 0 }).expect("a bar").total() > 0.0);
 }
 
 #[test]
 fn numbers_without_a_limit_or_a_meaning_are_not_quoted() {
     let subjects = |file: &str| {
-        let case = Case::read(Path::new(&crate::outputs::scene(file))).expect("a case");
+        let case = scene_file::case(file);
         let (meshed, run) = case.solve().expect("a run");
         let bars = bars(&meshed.discretisation, &run, &[]).expect("bars");
         bars.all.into_iter().map(|one| one.quantity).collect::<Vec<_>>()
@@ -195,7 +189,7 @@ fn numbers_without_a_limit_or_a_meaning_are_not_quoted() {
 fn approach_and_displacement_that_are_prescribed_are_exact() {
     let far = |component| Displaced { body: 0, at: Place::Boundary("far".into()), component };
     let pushed = [["loads = [{ traction = { at = \"far\", value = [60, -100] } }]", ""], ["supports = [", PUSHED]];
-    let all = barred(CORNER, &pushed, &[far(Component::X), far(Component::Y)]);
+    let all = barred(&scene("pressed-corner", &pushed), &[far(Component::X), far(Component::Y)]);
     for (quantity, value) in [(Quantity::Approach, 0.01), (Quantity::Displacement(far(Component::Y)), -0.01)] {
         let one = of(&all, &quantity);
         assert!((one.value - value).abs() <= 1e-15 && one.bar.total() <= 0.0, "{one:?}");
@@ -208,12 +202,7 @@ const PUSHED: &str = "supports = [{ at = \"far\", component = \"y\", value = -0.
 
 #[test]
 fn a_thin_ring_whose_forces_round_off_takes_has_bars_that_hold() {
-    let ring = "plane = \"strain\"\nthickness = 1\n[[body]]\nname = \"wheel\"\nyoung = 210e3\npoisson = 0.3\n\
-        shape = { ring = { centre = [0, 50], inner = 49.5, outer = 50, sweep = 180, contact = \"outer\" } }\n\
-        supports = [{ at = \"start\", component = \"x\" }, { at = \"end\", component = \"x\" }]\n\
-        loads = [{ pressure = { at = \"inner\", part = { centre = [0, 50], from = 0, to = 30 }, law = { uniform = 0.01 } } }]\n\
-        [contact]\nfirst = \"wheel\"\ngap = { circle = 50 }\nstretch = 1\n[mesh]\nelements = 12\nper = 0.3\n";
-    let scene = parsed(ring).scene;
+    let scene = scene("thin-wheel", &[]).scene;
     let [coarse, fine] = [4, 6].map(|digits| {
         let fitted = Fitted::of_digits(digits);
         let formulation = Formulation::verification().tolerance(Fitted::misfit(fitted.order));
@@ -232,7 +221,7 @@ fn a_thin_ring_whose_forces_round_off_takes_has_bars_that_hold() {
 fn displacements_of_a_body_that_a_point_carries_have_no_limit() {
     let mut scene = Cylinder::default().scene();
     let moved = |scene: Scene| {
-        let formulation = Formulation::new(Element::Node, Iteration::Kinematic);
+        let formulation = kinematic();
         let (_, bars) = run_on(&meshed(scene, 6, Order::Quadratic), &formulation);
         bars.all.iter().any(|one| matches!(one.quantity, Quantity::Displacement(_) | Quantity::Approach))
     };
@@ -247,7 +236,7 @@ fn displacements_of_a_body_that_a_point_carries_have_no_limit() {
 fn springs_of_a_penalty_are_told_apart_in_reactions_too() {
     let case = library::find("pin-rod", None).expect("a case");
     let discretisation = meshed(case.scene, 8, Order::Quadratic);
-    let rigid = Formulation::new(Element::Node, Iteration::Kinematic).tolerance(1e-9);
+    let rigid = kinematic().tolerance(1e-9);
     let soft = Formulation { rule: StiffnessRule::Penalty, stiffness: 100.0, ..rigid.clone() };
     let [rigid, soft] = [rigid, soft].map(|formulation| Run::of(&discretisation, &formulation).expect("a run"));
     let bars = bars(&discretisation, &soft, &[]).expect("bars");
@@ -261,7 +250,7 @@ fn springs_of_a_penalty_are_told_apart_in_reactions_too() {
 
 #[test]
 fn accuracy_that_is_met_and_the_bar_are_one_number() {
-    let formulation = Formulation::new(Element::Node, Iteration::Kinematic);
+    let formulation = kinematic();
     let answer = accuracy::solve(&Cylinder::default().scene(), &formulation, &Asked::new(1e-2)).expect("an answer");
     let discretisation = Discretisation::of(answer.scene.clone(), answer.resolution).expect("a mesh");
     let bars = bars(&discretisation, &answer.run, &[]).expect("bars");
@@ -298,7 +287,7 @@ fn peaks_contain_what_a_force_that_statics_do_not_give_leaves() {
     let fine = Fitted { order: Order::Octic, layers: 5 };
     let fine = fine.solve(&case.scene, &Formulation::verification()).expect("a mesh fitted to the contact").run;
     for asked in [3e-2, 1e-2, 3e-3] {
-        let formulation = Formulation::new(Element::Node, Iteration::Kinematic);
+        let formulation = kinematic();
         let answer = accuracy::solve(&case.scene, &formulation, &Asked::new(asked)).expect("an answer");
         for quoted in &answer.estimates {
             let [found, fine] = [&answer.run, &fine].map(|run| quoted.quantity.of(run.measures()));
@@ -308,20 +297,11 @@ fn peaks_contain_what_a_force_that_statics_do_not_give_leaves() {
     }
 }
 
-/// Values and bars of a scene file with some lines of it replaced, by subject.
-fn barred(text: &str, replaced: &[[&str; 2]], displaced: &[Displaced]) -> Vec<Barred> {
-    let text = replaced.iter().fold(text.to_owned(), |text, [from, to]| {
-        assert!(text.contains(from), "{from}");
-        text.replace(from, to)
-    });
-    let (discretisation, run) = solved(&parsed(&text), &Formulation::verification());
+/// Values and bars of a case, by subject.
+fn barred(case: &Case, displaced: &[Displaced]) -> Vec<Barred> {
+    let (discretisation, run) = solved(case, &Formulation::verification());
     bars(&discretisation, &run, displaced).expect("bars").all
 }
-
-const CORNER: &str = "plane = \"strain\"\nthickness = 1\n[[body]]\nname = \"block\"\nyoung = 1e5\npoisson = 0.3\n\
-    shape = { rectangle = { x = [0, 10], y = [0, 10], contact = \"bottom\" } }\n\
-    supports = [{ at = \"left\", component = \"x\" }]\nloads = [{ traction = { at = \"far\", value = [60, -100] } }]\n\
-    [contact]\nfirst = \"block\"\ngap = { parabola = 500 }\nstretch = 5\n[mesh]\nelements = 4\nper = 1\n";
 
 #[test]
 fn displacement_of_a_corner_beside_a_loaded_side_has_a_bar_of_the_order_that_is_seen() {
@@ -329,7 +309,7 @@ fn displacement_of_a_corner_beside_a_loaded_side_has_a_bar_of_the_order_that_is_
     let corner = corner.map(|component| Displaced { body: 0, at: Place::Point([10.0, 10.0]), component });
     for load in ["far\", value = [60, -100]", "right\", value = [0, -100]"] {
         let load = ["far\", value = [60, -100]", load];
-        let of = |elements| barred(CORNER, &[load, ["elements = 4", elements]], &corner);
+        let of = |elements| barred(&scene("pressed-corner", &[load, ["elements = 4", elements]]), &corner);
         let (coarse, fine) = (of("elements = 4"), of("elements = 48"));
         for displaced in &corner {
             let quantity = Quantity::Displacement(displaced.clone());
@@ -341,12 +321,11 @@ fn displacement_of_a_corner_beside_a_loaded_side_has_a_bar_of_the_order_that_is_
 
 #[test]
 fn elements_of_the_second_body_as_wide_as_the_contact_are_in_the_bars() {
-    let file = std::fs::read_to_string(root().join("tests/cases/two-cylinders.toml")).expect("read");
-    let text = &file[..file.find("[[check]]").expect("checks")];
-    let fine = barred(text, &[["elements = 12", "elements = 48"]], &[]);
+    let with = |was: &str, is: &str| barred(&parsed(&text_of("two-cylinders.toml").replace(was, is)), &[]);
+    let fine = with("elements = 12", "elements = 48");
     for density in ["0.0833", "0.167", "0.333"] {
         let second = format!("name = \"steel\"\ndensity = {density}");
-        let coarse = barred(text, &[["name = \"steel\"", &second]], &[]);
+        let coarse = with("name = \"steel\"", &second);
         for quantity in [Quantity::PeakPressure, Quantity::HalfWidth, Quantity::SecondMomentWidth] {
             let [error, bar] = off(&coarse, &fine, &quantity);
             assert!(
@@ -359,20 +338,12 @@ fn elements_of_the_second_body_as_wide_as_the_contact_are_in_the_bars() {
 
 #[test]
 fn swings_that_a_coarse_soft_second_body_leaves_are_in_the_bars() {
-    let text = "plane = \"strain\"\nthickness = 1\n[[body]]\nname = \"disc\"\nyoung = 210e3\npoisson = 0.3\n\
-        shape = { disc = { centre = [0, 50], radius = 50 } }\nsupports = [{ at = \"axis\", component = \"x\" }]\n\
-        loads = [{ traction = { at = \"cut\", value = [0, -40] } }]\n\
-        [[body]]\nname = \"block\"\nyoung = 20e3\npoisson = 0.3\ndensity = 1\n\
-        shape = { rectangle = { x = [0, 40], y = [-40, 0], contact = \"top\" } }\n\
-        supports = [{ at = \"left\", component = \"x\" }, { at = \"far\", component = \"y\" }]\n\
-        [contact]\nfirst = \"disc\"\nsecond = \"block\"\ngap = { circle = 50 }\nstretch = 8\n\
-        [mesh]\nelements = 16\nper = 2\norder = 2\n";
-    let truth = barred(text, &[["elements = 16", "elements = 32"]], &[]);
+    let truth = barred(&scene("coarse-second", &[["elements = 16", "elements = 32"]]), &[]);
     for (elements, density, order) in [(8, "0.2", 1), (16, "0.2", 1), (24, "0.2", 1), (8, "0.1", 2)] {
         let [elements, order] = [format!("elements = {elements}"), format!("order = {order}")];
         let density = format!("density = {density}");
-        let found =
-            barred(text, &[["elements = 16", &elements], ["density = 1", &density], ["order = 2", &order]], &[]);
+        let changes = [["elements = 16", &*elements], ["density = 1", &density], ["order = 2", &order]];
+        let found = barred(&scene("coarse-second", &changes), &[]);
         for quantity in [Quantity::PeakPressure, Quantity::HalfWidth] {
             let [error, bar] = off(&found, &truth, &quantity);
             assert!(
@@ -391,9 +362,8 @@ fn thin_ring_between_plates_is_pushed_together_as_a_curved_beam_is() {
     let bending = 210e3 * thickness.powi(3) / 12.0;
     let pushed = 0.5 * load * radius.powi(3) / bending * (PI / 4.0 - 2.0 / PI);
     for order in [Order::Linear, Order::Quadratic] {
-        let resolution = Resolution { order, ..case.resolution };
-        let made = Discretisation::of(case.scene.clone(), resolution).expect("meshed");
-        let (_, bars) = run_on(&made, &Formulation::verification());
+        let case = Case { resolution: Resolution { order, ..case.resolution }, ..case.clone() };
+        let (_, bars) = crate::balance::barred(&case, &Formulation::verification());
         let (value, bar) = (of(&bars.all, &Quantity::Approach).value, of(&bars.all, &Quantity::Approach).bar.total());
         assert!(
             (value - pushed).abs() <= bar + 2e-3 * pushed && bar <= 0.3 * pushed,
@@ -416,4 +386,65 @@ fn constants_of_the_bars_are_the_narrowest_that_hold_on_the_recorded_sample() {
     for (row, numbers, constants) in derived {
         assert_eq!(row.constants(), constants, "{row:?}, from {numbers} numbers");
     }
+}
+
+/// The judged checks of a scene file, with the bars of `solve`.
+fn judged(file: &str) -> (Vec<Judged>, Vec<(usize, Quantity, f64)>) {
+    let case = scene_file::case(file);
+    let (meshed, run) = case.solve().expect("a run");
+    let bars = bars(&meshed.discretisation, &run, &case.displaced()).expect("bars");
+    let bars = bars.all.into_iter().map(|one| (one.contact, one.quantity, one.bar.total())).collect();
+    (case.judge(&meshed, &run).expect("judged"), bars)
+}
+
+#[test]
+fn checks_carry_the_bars_that_solve_prints() {
+    for file in ["two-cylinders", "eccentric-load", "press-fit"] {
+        let (judged, bars) = judged(file);
+        let mut carried = 0;
+        for one in judged.iter().filter(|one| one.check.scope == Scope::Own) {
+            let Some(number) = one.barred() else {
+                assert!(one.bar.is_none(), "{file}: {}", one.check.quantity);
+                continue;
+            };
+            let bar = one.bar.expect("a bar");
+            let wanted = bars.iter().find(|(contact, other, _)| *contact == one.check.contact && other == number);
+            let wanted = one.check.quantity.factor() * wanted.expect("a bar of solve").2;
+            // The coarser meshes are iterated to another tolerance, of which round-off is left.
+            let size = one.value.abs();
+            assert!((bar - wanted).abs() <= 1e-6 * bar + 1e-7 * size, "{file}, {number:?}: {bar}, {wanted}");
+            carried += 1;
+        }
+        assert!(carried > 0, "{file}");
+    }
+}
+
+#[test]
+fn too_many_errors_beyond_their_bars_turn_the_claim_red_and_are_listed() {
+    let all: Vec<Judged> =
+        ["two-cylinders", "eccentric-load", "press-fit"].iter().flat_map(|file| judged(file).0).collect();
+    let of = |spoil: &dyn Fn(f64) -> f64| {
+        let spoiled: Vec<Judged> = all.iter().map(|one| Judged { bar: one.bar.map(spoil), ..one.clone() }).collect();
+        let numbers = Numbers::of_checks(spoiled.iter().map(|one| ("a trial".to_string(), one)));
+        let verdict = numbers.judge().expect("judged")[0].verdict.clone();
+        match numbers {
+            Numbers::Checks(all, outside) => (verdict, outside.len(), all),
+            other => panic!("{other:?}"),
+        }
+    };
+    // One shear stress is 1.04 bars off.
+    let (verdict, outside, counted) = of(&|bar| 1.1 * bar);
+    assert_eq!((verdict, outside), (Verdict::Pass, 0));
+    let analytic = |one: &&Judged| one.reference.kind == ReferenceKind::Analytic;
+    assert_eq!(counted, all.iter().filter(analytic).filter(|one| one.barred().is_some()).count());
+    let (verdict, outside, _) = of(&|bar| 1e-3 * bar);
+    assert!(verdict == Verdict::Fail && outside > 0, "{outside}");
+    assert_eq!(of(&|_| f64::NAN).1, counted, "what is not known is outside");
+    // What the closed form is off itself is no error of the number.
+    let one = all.iter().find(|one| one.bar.is_some()).expect("a bar").clone();
+    let narrow = Judged { bar: Some(0.0), error: 1e-3, ..one };
+    let excused = |model: f64| Judged { check: narrow.check.clone().leaving(model), ..narrow.clone() }.is_within_bar();
+    assert_eq!([excused(1e-4), excused(2e-3)], [Some(false), Some(true)]);
+    let none = Numbers::of_checks(std::iter::empty());
+    assert_eq!(none.judge().expect("judged")[0].verdict, Verdict::Fail);
 }

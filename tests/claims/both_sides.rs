@@ -1,15 +1,18 @@
 //! Contact on both sides of x = 0: a symmetric scene gives what its half gives, any other one what equilibrium asks.
 
 use approx::assert_relative_eq;
-use contact_vv::case::{Verdict, notes};
+use contact_vv::case::Verdict;
+use contact_vv::case::library::Patch;
+use contact_vv::case::notes::{self, RESOLVED};
 use contact_vv::error::Kind;
 use contact_vv::measure::profile;
 use contact_vv::mesh::Order;
 use contact_vv::solution::PointState;
 use contact_vv::solve::{Discretisation, Element, Formulation, Iteration, Run};
 
-use crate::scene_file::{changed, scene_alone, text_of};
-use crate::workbench::{block_text, parsed, resolution};
+use crate::balance;
+use crate::scene_file::{changed, scene_alone, text_of, with_key};
+use crate::workbench::{block_text, meshed, parsed, resolution};
 
 /// A symmetric scene told by its right half, and whole.
 struct Twin {
@@ -18,48 +21,19 @@ struct Twin {
     whole: String,
 }
 
-/// Bodies and contact of a file, told twice.
-fn twin(name: &'static str, bodies: [&str; 2], contact: &str, per: f64) -> Twin {
-    let file = |bodies: &str, both: &str| {
-        format!(
-            "plane = \"strain\"\nthickness = 1.0\n{bodies}\n[contact]\n{contact}\n{both}\n[reference]\nlength = 1.0\n\
-             pressure = 2000\n[mesh]\nelements = 6\nper = {per}\n[solve]\ntolerance = 1e-8\n"
-        )
-    };
-    Twin { name, half: file(bodies[0], ""), whole: file(bodies[1], "both-sides = true") }
-}
-
-fn body(name: &str, shape: &str, rest: &str) -> String {
-    format!("[[body]]\nname = \"{name}\"\nyoung = 210e3\npoisson = 0.3\nshape = {shape}\n{rest}\n")
-}
-
-/// A block on x from 0, or from −20, to 20, pressed on the side opposite to its contact.
-fn block(from: f64) -> String {
-    let held = if from < 0.0 { "[0, 20]" } else { "\"left\"" };
-    let shape = format!("{{ rectangle = {{ x = [{from}, 20], y = [0, 20], contact = \"bottom\" }} }}");
-    let rest = format!(
-        "supports = [{{ at = {held}, component = \"x\" }}]\nloads = [{{ traction = {{ at = \"far\", value = [0, -80] }} }}]"
-    );
-    body("block", &shape, &rest)
-}
-
-/// A disc on y = 0 or, turned over, below it.
-fn disc(key: &str, held: &str, loaded: &str, contact: &str) -> String {
-    let height = if contact == "top" { -50 } else { 50 };
-    let shape = format!("{{ disc = {{ centre = [0, {height}], radius = 50{key}, contact = \"{contact}\" }} }}");
-    let down = if contact == "top" { 40 } else { -40 };
-    let rest = format!(
-        "supports = [{{ at = {held}, component = \"x\" }}]\n\
-         loads = [{{ traction = {{ at = \"{loaded}\", value = [0, {down}] }} }}]"
-    );
-    body("disc", &shape, &rest)
+/// Its right half is the whole without what lies left of x = 0, held there by the first body's side.
+fn twin(name: &'static str, whole: String, held: &str, changes: &[(&str, &str)]) -> Twin {
+    let half = with_key(&whole, "supports", &format!("[{{ at = \"{held}\", component = \"x\" }}]"));
+    let half = changed(&changed(&half, &[("both-sides = true\n", "")]), changes);
+    Twin { name, half, whole }
 }
 
 fn twins() -> Vec<Twin> {
-    let blocks = [block(0.0), block(-20.0)];
     let on_block = |gap: &str, stretch: f64| {
-        let contact = format!("first = \"block\"\ngap = {gap}\nstretch = {stretch}");
-        twin("block", [&blocks[0], &blocks[1]], &contact, stretch)
+        let [stretch, per] = [format!("stretch = {stretch}"), format!("per = {stretch}")];
+        let given = [("{ punch = 4 }", gap), ("stretch = 4", &stretch), ("per = 4", &per)];
+        let whole = changed(&balance::text("block-on-punch"), &given);
+        twin("block", whole, "left", &[("x = [-20, 20]", "x = [0, 20]")])
     };
     let mut all = vec![
         on_block("{ punch = 4 }", 4.0),
@@ -68,27 +42,25 @@ fn twins() -> Vec<Twin> {
         on_block("{ table = [[0, 0], [2, 0.002], [6, 0.06]] }", 4.0),
         on_block("{ cosine = { amplitude = 0.004, wavelength = 9 } }", 20.0),
     ];
-    for (halves, wholes, loaded) in [("", "", "cut"), (", half = true", ", whole = true", "middle")] {
-        for contact in ["bottom", "top"] {
-            let [held, centre] = ["\"axis\"", if contact == "top" { "[0, -50]" } else { "[0, 50]" }];
-            let bodies = [disc(halves, held, loaded, contact), disc(wholes, centre, loaded, contact)];
-            let contact = "first = \"disc\"\ngap = { circle = 50 }\nstretch = 1.5";
-            all.push(twin("disc", [&bodies[0], &bodies[1]], contact, 1.0));
-        }
+    let disc = changed(
+        &scene_alone(&text_of("whole-disc.toml")),
+        &[("-36.2491511", "-40"), ("elements = 12", "elements = 6")],
+    );
+    let turned =
+        disc.replace("[0, 50]", "[0, -50]").replace("= true }", "= true, contact = \"top\" }").replace("-40", "40");
+    for whole in [disc.clone(), turned] {
+        // Cut off at the height of its centre.
+        let below = changed(&whole, &[(", whole = true", ""), ("\"middle\"", "\"cut\"")]);
+        all.push(twin("disc", below, "axis", &[]));
+        all.push(twin("disc", whole, "axis", &[("whole = true", "half = true")]));
     }
     // A disc on a block whose nodes do not face its own, drawn.
-    let below = |from: i32, held: &str| {
-        let shape = format!("{{ rectangle = {{ x = [{from}, 30], y = [-30, 0], contact = \"top\" }} }}");
-        let rest = format!(
-            "density = 0.7\nsupports = [{{ at = {held}, component = \"x\" }}, {{ at = \"far\", component = \"y\" }}]"
-        );
-        body("block", &shape, &rest)
-    };
-    let half = disc("", "\"axis\"", "cut", "bottom") + &below(0, "\"left\"");
-    let whole = disc(", whole = true", "[0, 50]", "middle", "bottom") + &below(-30, "[0, -30]");
-    let right = half.replace("radius = 50", "radius = 50, half = true").replace("at = \"cut\"", "at = \"middle\"");
-    let contact = "first = \"disc\"\nsecond = \"block\"\ngap = \"drawn\"\nstretch = 2";
-    all.push(twin("disc on block", [&right, &whole], contact, 1.0));
+    let block = "[[body]]\nname = \"block\"\nyoung = 210e3\npoisson = 0.3\ndensity = 0.7\n\
+        shape = { rectangle = { x = [-30, 30], y = [-30, 0], contact = \"top\" } }\n\
+        supports = [{ at = [0, -30], component = \"x\" }, { at = \"far\", component = \"y\" }]\n\n[contact]\nsecond = \"block\"\n";
+    let drawn = [("[contact]\n", block), ("{ circle = 50 }", "\"drawn\""), ("stretch = 1.5", "stretch = 2")];
+    let halves = [("whole = true", "half = true"), ("[-30, 30]", "[0, 30]"), ("[0, -30]", "\"left\"")];
+    all.push(twin("disc on block", changed(&disc, &drawn), "axis", &halves));
     all
 }
 
@@ -210,6 +182,10 @@ fn contact_on_few_points_is_noted_by_those_on_each_side() {
             assert_eq!(whole.1, 2 * half.1 - 1);
         }
     }
+    // A patch of two edges rests on all it has.
+    let patch = meshed(Patch::default().scene(), 2, Order::Linear);
+    let patch = Run::of(&patch, &Formulation::verification()).expect("solved");
+    assert!(patch.measures().active < RESOLVED[0] && notes::of(&patch, 0).is_empty(), "{:?}", notes::of(&patch, 0));
 }
 
 #[test]

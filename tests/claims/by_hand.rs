@@ -22,9 +22,10 @@ use contact_vv::solution::{EdgeState, PointState};
 use contact_vv::solve::{Discretisation, Formulation, Run};
 use vtkio::IOBuffer;
 
+use crate::balance;
 use crate::outputs::{contact_vv, json, piece, scene};
 use crate::referee_readers::Frd;
-use crate::scene_file::text_of;
+use crate::scene_file::{self, text_of};
 use crate::workbench::parsed;
 
 #[test]
@@ -40,11 +41,16 @@ fn smooth_table_of_uneven_points_on_a_parabola_has_its_slope_and_its_gap_between
 
 #[test]
 fn pressures_on_a_line_do_not_oscillate_however_unevenly_their_points_lie() {
-    let at = |position: f64| PointState { position, weight: 1.0, pressure: 7.0 - 2.0 * position, gap: 0.0 };
-    let mut points = [0.0, 0.1, 1.0, 1.2, 2.5].map(at);
-    assert!(profile::oscillation(&points, 3.0) <= 1e-15);
-    points[2].pressure += 0.5;
-    assert_relative_eq!(profile::oscillation(&points, 3.0), 0.5, max_relative = 1e-12);
+    let at = |position: f64| PointState { position, weight: 1.0, pressure: 10.0 - position, gap: 0.0 };
+    let mut points = [0.0, 1.0, 3.0, 4.0, 9.0].map(at);
+    assert!(profile::oscillation(&points, 9.0) <= 1e-14);
+    points[3].pressure += 6.0;
+    // Point 3 leaves the line through its neighbours by 6; point 2 is 4 from the line through (1, 9) and (4, 12). Beyond the limit none counts.
+    for (limit, departure) in [(9.0, 6.0), (4.0, 4.0), (3.0, 0.0)] {
+        assert_relative_eq!(profile::oscillation(&points, limit), departure, epsilon = 1e-12);
+    }
+    points[1].pressure = f64::NAN;
+    assert!(profile::oscillation(&points, 9.0).is_nan());
 }
 
 #[test]
@@ -65,7 +71,7 @@ fn blocks_approach_by_their_gap_and_their_strains_whichever_is_the_first() {
 
 #[test]
 fn stresses_that_are_linear_are_exact_at_the_nodes_of_8_node_cells() {
-    let case = parsed(&text_of("blocks.toml"));
+    let case = scene_file::case("blocks");
     let mesh = Mesh::of(&case.scene, Resolution { order: Order::Quadratic, ..case.resolution }).expect("meshed");
     let displacement: Vec<[f64; 2]> = mesh.points.iter().map(|[x, y]| [x * x + x * y, y * y - 0.5 * x * y]).collect();
     let found = stress::at_nodes(&case.scene, &mesh, &displacement).expect("stress");
@@ -297,12 +303,7 @@ fn weights_and_moments_in_kilonewtons_and_metres_are_in_newtons_and_millimetres(
 
 #[test]
 fn parts_of_an_arc_are_given_in_degrees() {
-    let ring = "plane = \"strain\"\nthickness = 1\n[[body]]\nname = \"wheel\"\nyoung = 210e3\npoisson = 0.3\n\
-        shape = { ring = { centre = [0, 50], inner = 40, outer = 50, sweep = 180, contact = \"outer\" } }\n\
-        supports = [{ at = \"start\", component = \"x\" }, { at = \"end\", component = \"x\" }]\n\
-        loads = [{ pressure = { at = \"inner\", part = { centre = [0, 50], from = 15, to = 30 }, law = { uniform = 1 } } }]\n\
-        [contact]\nfirst = \"wheel\"\ngap = { circle = 50 }\nstretch = 1\n[mesh]\nelements = 12\nper = 0.3\n";
-    let scene = parsed(ring).scene;
+    let scene = balance::scene("thin-wheel", &[["from = 0", "from = 15"]]).scene;
     let [Load::OnSide { part: Some(part), .. }] = &scene.bodies[0].loads[..] else {
         panic!("{:?}", scene.bodies[0].loads)
     };

@@ -1,27 +1,22 @@
-//! What the user types, and what a terminal, a shell and another program are shown.
+//! What the user types, and what a terminal, a shell and another program are shown; also without a checkout.
 
 use std::path::Path;
 use std::process::{Command, Stdio};
 
 use contact_vv::case::library::NAMES;
 use contact_vv::case::{Check, Reference};
-use contact_vv::checkout::CHECKOUT;
-use contact_vv::checkout::root;
+use contact_vv::checkout::{CHECKOUT, root};
 use contact_vv::cli::{self, summary, writable};
 use contact_vv::error::nearest::nearest;
 use contact_vv::oracle::ReferenceKind;
-use contact_vv::study::faults;
-use contact_vv::study::{Finding, Study};
+use contact_vv::study::{Finding, Study, faults};
 
 use crate::outputs::{contact_vv, scene};
-
-const PROGRAM: &str = env!("CARGO_BIN_EXE_contact-vv-tested");
+use crate::program::{Folder, ended, program};
 
 /// What the program prints on a terminal of so many columns.
 fn on_columns(columns: usize, arguments: &[&str]) -> String {
-    let mut command = Command::new(PROGRAM);
-    let output = command.env("COLUMNS", columns.to_string()).args(arguments).output().expect("started");
-    String::from_utf8_lossy(&output.stdout).into_owned()
+    ended(program(arguments).env("COLUMNS", columns.to_string())).1
 }
 
 fn widest(text: &str) -> usize {
@@ -109,14 +104,12 @@ fn completions_and_manual_pages_name_every_command() {
     let names: Vec<String> = commands().into_iter().map(|(name, _)| name).collect();
     let (sound, script, _) = contact_vv(&["completions", "bash"]);
     assert!(sound && names.iter().all(|name| script.contains(name.as_str())), "{script}");
-    let folder = tempfile::tempdir().expect("a folder");
-    let pages = folder.path().join("made/man1");
-    let (sound, _, error) = contact_vv(&["man", &pages.display().to_string()]);
+    let folder = Folder::made();
+    let (sound, _, error) = contact_vv(&["man", &folder.at("made/man1")]);
     assert!(sound, "{error}");
     for (name, _) in commands() {
         let file = if name == "contact-vv" { "contact-vv.1".into() } else { format!("contact-vv-{name}.1") };
-        let page = std::fs::read_to_string(pages.join(&file));
-        assert!(page.is_ok_and(|page| page.contains(".SH SYNOPSIS")), "{file}");
+        assert!(folder.read(&format!("made/man1/{file}")).contains(".SH SYNOPSIS"), "{file}");
     }
 }
 
@@ -161,27 +154,24 @@ fn output_that_a_full_disk_cuts_is_an_error() {
     #[cfg(target_os = "linux")]
     for arguments in [&["schema"][..], &["new", "cylinder"], &["list"]] {
         let full = std::fs::OpenOptions::new().write(true).open("/dev/full").expect("a device");
-        let output = Command::new(PROGRAM).args(arguments).stdout(full).output().expect("started");
-        let error = String::from_utf8_lossy(&output.stderr).into_owned();
-        assert!(output.status.code() == Some(2) && error.contains("standard output"), "{arguments:?}: {error}");
+        let (code, _, error) = ended(program(arguments).stdout(full));
+        assert!(code == Some(2) && error.contains("standard output"), "{arguments:?}: {error}");
     }
 }
 
 /// A checkout with nothing in it but what tells that it is one.
-fn bare_checkout() -> tempfile::TempDir {
-    let folder = tempfile::tempdir().expect("a folder");
+fn bare_checkout() -> Folder {
+    let folder = Folder::made();
     std::fs::create_dir_all(folder.path().join("snapshots/charts")).expect("made");
-    for file in ["Cargo.toml", "snapshots/checks.csv"] {
-        std::fs::write(folder.path().join(file), "").expect("written");
-    }
+    folder.with("Cargo.toml", "");
+    folder.with("snapshots/checks.csv", "");
     folder
 }
 
 /// How the program ends in a folder, and what it says there.
 fn run_in(folder: &Path, arguments: &[&str]) -> (Option<i32>, String) {
-    let mut command = Command::new(PROGRAM);
-    let output = command.env_remove(CHECKOUT).current_dir(folder).args(arguments).output().expect("started");
-    (output.status.code(), String::from_utf8_lossy(&output.stderr).into_owned())
+    let (code, _, error) = ended(program(arguments).env_remove(CHECKOUT).current_dir(folder));
+    (code, error)
 }
 
 #[test]
@@ -202,8 +192,8 @@ fn reports_and_surveys_outside_of_a_checkout_are_refused_wherever_the_program_wa
         assert_eq!(code, Some(2), "{arguments:?}: {error}");
         assert!(error.contains("is a checkout of the project") && error.contains(CHECKOUT), "{arguments:?}: {error}");
     }
-    let named = Command::new(PROGRAM).env(CHECKOUT, folder.path()).arg("verdicts").output().expect("started");
-    assert!(String::from_utf8_lossy(&named.stderr).contains("names this folder"), "{named:?}");
+    let (_, _, named) = ended(program(&["verdicts"]).env(CHECKOUT, folder.path()));
+    assert!(named.contains("names this folder"), "{named}");
 }
 
 /// Codes that are no package of the system are absent in a checkout that has not installed them; others may be there.
@@ -264,9 +254,8 @@ fn read_only_checkout_is_refused_before_the_suite_runs() {
     let folder = bare_checkout();
     std::fs::create_dir_all(folder.path().join("VALIDATION.md")).expect("made");
     let clock = std::time::Instant::now();
-    let output = Command::new(PROGRAM).current_dir(folder.path()).output().expect("started");
-    let error = String::from_utf8_lossy(&output.stderr).into_owned();
-    assert_eq!((output.status.code(), output.stdout.len()), (Some(2), 0), "{error}");
+    let (code, text, error) = ended(program(&[]).current_dir(folder.path()));
+    assert_eq!((code, text.as_str()), (Some(2), ""), "{error}");
     assert!(error.contains("VALIDATION.md") && error.contains("cannot be written"), "{error}");
     assert!(error.contains("report --check") && clock.elapsed().as_secs() < 5, "{error}");
 }
@@ -306,4 +295,80 @@ fn tables_are_no_wider_than_the_terminal() {
         let table = on_columns(columns, &["verify", &file]);
         assert!(table.contains("passed") && widest(&table) <= columns, "{table}");
     }
+}
+
+/// How the program ends in a folder, with its checkout out of reach, and what it says.
+fn apart(folder: &Path, arguments: &[&str]) -> (Option<i32>, String) {
+    let (code, text, error) = ended(program(arguments).current_dir(folder).env(CHECKOUT, folder.join("nowhere")));
+    (code, text + &error)
+}
+
+#[test]
+fn program_without_its_checkout_lists_solves_exports_judges_and_verifies() {
+    let folder = Folder::made();
+    let well = |arguments: &[&str]| {
+        let (code, told) = apart(folder.path(), arguments);
+        assert_eq!(code, Some(0), "{arguments:?}: {told}");
+        told
+    };
+    folder.with("mine.toml", well(&["new", "cylinder"]));
+    for arguments in [
+        &["list"][..],
+        &["list", "--references"],
+        &["schema"],
+        &["schema", "references"],
+        &["verify", "mine.toml"],
+        &["solve", "mine.toml", "--json", "mine.json", "--csv", "mine.csv", "--vtu", "mine.vtu", "--plot", "mine.svg"],
+        &["compare", "cylinder"],
+        &["export", "mine.toml", "to-mine", "--condensed"],
+        &["judge", "mine.toml", "to-mine/ours.csv"],
+    ] {
+        well(arguments);
+    }
+    well(&["export", "bars", "bars"]);
+    well(&["judge", "bars", "bars/ours.csv"]);
+    for (name, _) in NAMES {
+        // Into a folder of its own name, which does not hide the case.
+        well(&["export", name, name]);
+        let committed = std::fs::read_to_string(root().join(format!("snapshots/sheets/{name}.md"))).expect("a sheet");
+        assert_eq!(folder.read(&format!("{name}/{name}.md")), committed);
+    }
+}
+
+#[test]
+fn what_needs_the_checkout_says_so() {
+    let folder = Folder::made();
+    for command in ["report", "verdicts", "atlas", "converged", "met", "coverage", "counted", "timings", "scoreboard"] {
+        let (code, told) = apart(folder.path(), &[command]);
+        assert!(code == Some(2) && told.contains("checkout"), "{command}: {code:?}, {told}");
+    }
+}
+
+#[test]
+fn what_the_program_is_compiled_from_lies_in_its_package() {
+    let cargo = std::env::var("CARGO").unwrap_or_else(|_| "cargo".into());
+    let listed = Command::new(cargo)
+        .args(["package", "--list", "--allow-dirty", "--offline", "--package", "contact-vv"])
+        .current_dir(root())
+        .output()
+        .expect("cargo runs");
+    let listed = String::from_utf8(listed.stdout).expect("text");
+    let packed: Vec<_> = listed.lines().collect();
+    assert!(packed.len() > 300, "{listed}");
+    let sources = packed.iter().filter(|file| file.ends_with(".rs"));
+    let mut included = 0;
+    for source in sources {
+        let text = std::fs::read_to_string(root().join(source)).expect("readable");
+        for part in text.split("include_str!(\"").skip(1).filter_map(|rest| rest.split('"').next()) {
+            let file = root().join(source).parent().expect("a folder").join(part).canonicalize().expect("a file");
+            let name = file
+                .strip_prefix(root().canonicalize().expect("there"))
+                .expect("in the checkout")
+                .display()
+                .to_string();
+            assert!(packed.contains(&&*name), "{source} includes {name}");
+            included += 1;
+        }
+    }
+    assert!(included > 30, "{included}");
 }

@@ -1,12 +1,20 @@
-//! All nine formulations on one scene: a row for each, whatever becomes of it; and the command that converges where another does not.
+//! All nine formulations on one scene: a row for each, whatever becomes of it, and the command that converges where another does not; and one
+//! scene under many loads.
 
-use std::fs;
+use std::f64::consts::PI;
 
+use approx::assert_relative_eq;
 use contact_vv::cli;
+use contact_vv::solution::Outcome;
+use contact_vv::solve::Run;
+use contact_vv::solve::curve::CurvePoint;
 use serde_json::Value;
 
+use crate::balance::solved_as_it_says;
 use crate::outputs::{contact_vv, scene};
+use crate::program::Folder;
 use crate::scene_file::{scene_alone, text_of};
+use crate::workbench::parsed;
 
 /// Whether the command ended well, and its rows.
 fn rows(arguments: &[&str]) -> (bool, Vec<Value>) {
@@ -58,11 +66,9 @@ fn formulation_that_cannot_take_the_scene_is_a_row_with_its_reason_behind_the_ot
 
 #[test]
 fn open_contact_and_a_run_that_does_not_converge_are_rows_and_none_is_recommended() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("open.toml").display().to_string();
+    let folder = Folder::made();
     let open = scene_alone(&text_of("press-fit.toml")).replace("uniform = -0.02", "uniform = 0.02");
-    fs::write(&path, open).expect("written");
-    let (well, open) = rows(&[&path]);
+    let (well, open) = rows(&[&folder.with("open.toml", open)]);
     assert!(!well && open.len() == 9 && open.iter().all(|row| row["outcome"] == "no contact"), "{open:?}");
     let (well, slow) = rows(&["cylinder", "--formulations", "line.varying,line.varying+newton"]);
     assert!(well && slow[0]["formulation"] == "line.varying+newton" && slow[0]["reason"].is_null(), "{slow:?}");
@@ -73,18 +79,18 @@ fn open_contact_and_a_run_that_does_not_converge_are_rows_and_none_is_recommende
 
 #[test]
 fn outputs_of_a_comparison_are_its_own_and_a_name_that_is_none_is_refused_with_those_that_are() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let [json, plot] = ["all.json", "all.svg"].map(|name| folder.path().join(name).display().to_string());
+    let folder = Folder::made();
+    let [json, plot] = ["all.json", "all.svg"].map(|name| folder.at(name));
     for _ in 0..2 {
         let (well, text, told) = contact_vv(&["compare", "bars", "--json", &json, "--plot", &plot]);
         assert!(well && text.contains("recommended"), "{told}");
     }
-    let [json, drawn] = [&json, &plot].map(|path| fs::read_to_string(path).expect("written"));
+    let [json, drawn] = ["all.json", "all.svg"].map(|name| folder.read(name));
     assert!(cli::json::is_comparison(&json) && !cli::json::is_result(&json));
     assert!(drawn.contains("<svg") && drawn.contains("iteration error"), "a chart");
     let (well, _, told) = contact_vv(&["compare", "bars", "--formulations", "line.vary"]);
     assert!(!well && told.contains("did you mean `line.varying`") && told.contains("node.kinematic"), "{told}");
-    fs::write(&plot, "mine").expect("written");
+    folder.with("all.svg", "mine");
     let (well, _, told) = contact_vv(&["compare", "bars", "--plot", &plot]);
     assert!(!well && told.contains("--force"), "{told}");
 }
@@ -107,5 +113,68 @@ fn where_a_run_does_not_converge_the_command_that_is_told_does() {
         for kept in ["--a-over-r", "--resolution", "--tolerance"] {
             assert_eq!(asked.contains(kept), command.contains(kept), "{asked}: {command}");
         }
+    }
+}
+
+fn curve(text: &str) -> (Run, Vec<CurvePoint>) {
+    let (discretisation, run) = solved_as_it_says(&parsed(text));
+    let curve = discretisation.curve(&run).expect("recovered");
+    (run, curve)
+}
+
+#[test]
+fn half_width_and_peak_grow_as_the_square_root_of_the_load_and_the_approach_as_its_logarithm_says() {
+    let (run, curve) = curve(&text_of("load-approach.toml"));
+    assert_eq!(curve.len(), 8);
+    let (load, modulus) = (22656.0, 210e3 / 0.91);
+    let (a, p) = ((4.0 * load * 50.0 / (PI * modulus)).sqrt(), (load * modulus / (PI * 50.0)).sqrt());
+    let approach = |point: &CurvePoint| point.contacts[0].approach.expect("pressed at one side");
+    for (k, point) in (1..).zip(&curve) {
+        let found = &point.contacts[0];
+        assert_relative_eq!(point.share, f64::from(k) / 8.0);
+        assert_eq!(point.outcome, Outcome::Converged);
+        assert_relative_eq!(found.resultant, point.share * load, max_relative = 1e-8);
+        assert_relative_eq!(found.half_width, a * point.share.sqrt(), max_relative = 2e-3);
+        assert_relative_eq!(found.peak.expect("a limit"), p * point.share.sqrt(), max_relative = 2e-3);
+    }
+    // δ/P = C − ln P/(π E*), whatever the body at a distance makes of C.
+    for k in [1, 3] {
+        let falls = approach(&curve[k]) / curve[k].share - approach(&curve[2 * k + 1]) / curve[2 * k + 1].share;
+        assert_relative_eq!(falls, load * 2f64.ln() / (PI * modulus), max_relative = 0.01);
+    }
+    let last = curve[7].contacts[0];
+    assert!((last.half_width - run.measures().half_width()).abs() <= 0.0);
+    assert!((last.resultant - run.transmitted()).abs() <= 0.0);
+    assert_eq!(curve.iter().map(|point| point.iterations).sum::<usize>(), run.solution.work.iterations);
+}
+
+#[test]
+fn increment_that_does_not_converge_is_the_last_row_with_its_outcome() {
+    let text = text_of("load-approach.toml").replace("increments = 8\n", "increments = 8\nmax-iterations = 17\n");
+    let (run, curve) = curve(&text);
+    assert!(!run.solution.converged() && (2..8).contains(&curve.len()), "{} rows", curve.len());
+    let (last, before) = curve.split_last().expect("rows");
+    assert_eq!(last.outcome, Outcome::Capped);
+    assert!(before.iter().all(|point| point.outcome == Outcome::Converged));
+    assert_eq!(curve.iter().map(|point| point.iterations).sum::<usize>(), 17);
+    assert_relative_eq!(last.share, run.share());
+}
+
+#[test]
+fn curve_is_written_by_the_command_line() {
+    let folder = Folder::made();
+    let file = folder.at("curve.csv");
+    let (well, _, error) = contact_vv(&["solve", &scene("load-approach"), "--no-error-bar", "--curve", &file]);
+    assert!(well, "{error}");
+    let mut rows = csv::Reader::from_path(&file).expect("written");
+    let head = rows.headers().expect("a head").clone();
+    let column = |name: &str| head.iter().position(|title| title == name).expect("a column");
+    let (share, force) = (column("load_factor"), column("resultant_n"));
+    let rows: Vec<csv::StringRecord> = rows.records().collect::<Result<_, _>>().expect("rows");
+    assert_eq!(rows.len(), 8);
+    for row in &rows {
+        let number = |k: usize| row[k].parse::<f64>().expect("a number");
+        assert_relative_eq!(number(force), 22656.0 * number(share), max_relative = 1e-8);
+        assert_eq!((&row[column("outcome")], &row[column("half_width_deg")]), ("converged", ""));
     }
 }

@@ -1,18 +1,30 @@
-//! Digitised curves: admitted whole or refused by the name of what is missing.
+//! Digitised curves: admitted whole or refused by the name of what is missing; held against ours, what agrees passes and what does not turns red,
+//! whatever the quantity and its unit. So are readings of a photograph.
 
 use std::f64::consts::PI;
+use std::fmt::Write;
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use approx::assert_relative_eq;
+use contact_vv::case::Verdict;
+use contact_vv::case::library::PinRod;
 use contact_vv::checkout::root;
 use contact_vv::error::{Error, Kind};
+use contact_vv::mesh::Order;
 use contact_vv::oracle::ReferenceKind;
+use contact_vv::oracle::analytic::persson::PinInHole;
+use contact_vv::oracle::digitised::fringes::{End, Fringe, file, read};
 use contact_vv::oracle::digitised::{
     Abscissa, DigitisedCurve, NOT_AT_HAND, Ordinate, OurPoint, compare, load, model_form, worst,
 };
+use contact_vv::solve::{Formulation, Run};
+use contact_vv::study::measured::photograph::{self, Photograph, judge};
+use contact_vv::study::measured::{against, judge_curves};
 use contact_vv::uncertainty::COVERAGE;
-use tempfile::TempDir;
+
+use crate::program::Folder;
+use crate::workbench::{meshed, spoiled};
 
 const FILES: [&str; 3] = ["scene.toml", "provenance.toml", "semi-ellipse.csv"];
 
@@ -25,19 +37,17 @@ fn text(file: &str) -> String {
 }
 
 /// The synthetic folder with one file rewritten, or left out.
-fn spoiled(file: &str, content: Option<&str>) -> TempDir {
-    let folder = tempfile::tempdir().expect("a temporary folder");
+fn folder_with(file: &str, content: Option<&str>) -> Folder {
+    let folder = Folder::made();
     for name in FILES {
         let content = if name == file { content.map(str::to_owned) } else { Some(text(name)) };
-        if let Some(content) = content {
-            fs::write(folder.path().join(name), content).expect("the temporary folder is writable");
-        }
+        content.map(|content| folder.with(name, content));
     }
     folder
 }
 
 fn refusal(file: &str, content: Option<&str>) -> Error {
-    let folder = spoiled(file, content);
+    let folder = folder_with(file, content);
     let error = load(folder.path()).expect_err("spoiled folders are refused");
     assert!(error.to_string().contains(file), "does not name {file}: {error}");
     error
@@ -124,8 +134,8 @@ fn what_is_missing_broken_or_of_another_scene_is_refused_by_its_file() {
     refusal("scene.toml", Some("pin_radius = "));
     refusal("provenance.toml", Some("curves = [\"semi-ellipse.csv\"]"));
     // A file that the provenance does not list.
-    let folder = spoiled("", None);
-    fs::write(folder.path().join("stray.csv"), text("semi-ellipse.csv")).expect("the temporary folder is writable");
+    let folder = folder_with("", None);
+    folder.with("stray.csv", text("semi-ellipse.csv"));
     let error = load(folder.path()).expect_err("an unlisted file is refused");
     assert!(error.to_string().contains("stray.csv"), "{error}");
 }
@@ -136,7 +146,7 @@ fn complete_folder_is_admitted_with_its_scene_and_provenance() {
 
     assert!(curve.provenance["figure"].contains("synthetic"));
     assert_eq!(curve.kind(), ReferenceKind::Measured);
-    let fem = spoiled("provenance.toml", Some(&text("provenance.toml").replace("\"measured\"", "\"fem\"")));
+    let fem = folder_with("provenance.toml", Some(&text("provenance.toml").replace("\"measured\"", "\"fem\"")));
     assert_eq!(curve_of(fem.path()).kind(), ReferenceKind::CrossCode);
     assert_eq!((curve.abscissa, curve.ordinate), (Abscissa::Angle, Ordinate::Pressure));
     assert_eq!(curve.points.len(), 6);
@@ -261,4 +271,129 @@ fn friction_of_the_source_is_stated_as_a_difference_of_model() {
     assert!(model_form(&curve).is_some_and(|statement| statement.contains("0.15")));
     curve.scene.numbers.insert("friction", 0.0);
     assert_eq!(model_form(&curve), None);
+}
+
+const ROD: &str = "pin_radius = 10.0\nclearance = 0.05\neye_outer_radius = 20.0\nshank_width = 20.0\nshank_end = 60.0\n\
+    thickness = 1.0\nforce = 2000.0\nfriction = 0.0\n[pin]\nyoung = 210e3\npoisson = 0.3\n[rod]\nyoung = 210e3\npoisson = 0.3\n";
+const SHEET: &str = "pin_radius = 10.0\nclearance = 0.01\nrim_radius = 5000.0\nthickness = 1.0\nfriction = 0.0\n\
+    [pin]\nyoung = 210e3\npoisson = 0.3\n[sheet]\nyoung = 210e3\npoisson = 0.3\n";
+const PROVENANCE: &str = "citation = \"synthetic\"\ndigitised_by = \"nobody\"\nmethod = \"computed\"\n[[curves]]\nfile = \"curve.csv\"\n\
+    figure = \"none\"\naxis_calibration = \"none\"\nkind = \"measured\"\nhand = \"first hand\"\n";
+
+/// The verdict on a curve of two quantities: columns, relative errors of both, points.
+fn verdict(scene: &str, [across, up]: [&str; 2], error: f64, points: impl IntoIterator<Item = [f64; 2]>) -> Verdict {
+    let named = |column: &str| column.rsplit_once('_').map(|(name, unit)| format!("{name}_{unit},{name}_error_{unit}"));
+    let mut csv = format!("{},{}\n", named(across).expect("a unit"), named(up).expect("a unit"));
+    for [x, y] in points {
+        let _ = writeln!(csv, "{x},{},{y},{}", 1e-6 * (x.abs() + 1.0), error * (y.abs() + 1e-3));
+    }
+    let folder = Folder::made();
+    for (name, text) in [("scene.toml", scene), ("provenance.toml", PROVENANCE), ("curve.csv", &csv)] {
+        folder.with(name, text);
+    }
+    let found = against(folder.path()).expect("a complete folder");
+    assert!(found.as_ref().is_ok_and(|curves| curves.len() == 1));
+    judge_curves("synthetic", &found)[0].verdict.clone()
+}
+
+/// Half-angles of Persson's closed form over the force on a thickness of 1 mm.
+fn persson(times: f64, angles: &[f64]) -> Vec<[f64; 2]> {
+    let force = |degrees: f64| PinInHole::load_for(degrees.to_radians(), 0.01, 210e3);
+    angles.iter().map(|degrees| [force(*degrees), times * degrees]).collect()
+}
+
+#[test]
+fn loads_over_the_angle_of_contact_agree_with_the_closed_form_and_a_wrong_angle_turns_red() {
+    let columns = ["force_n", "half_angle_deg"];
+    assert_eq!(verdict(SHEET, columns, 5e-3, persson(1.0, &[30.0, 60.0, 75.0])), Verdict::Pass);
+    assert_eq!(verdict(SHEET, columns, 5e-3, persson(1.03, &[60.0])), Verdict::Fail);
+    assert_eq!(verdict(SHEET, columns, 5e-3, persson(0.97, &[30.0])), Verdict::Fail);
+}
+
+#[test]
+fn pressures_and_hoop_stresses_agree_over_degrees_and_over_millimetres() {
+    let discretisation = meshed(PinRod::default().scene(), 36, Order::Quadratic);
+    let run = Run::of(&discretisation, &Formulation::verification()).expect("solved");
+    let fields = discretisation.recover(&run.solution).expect("fields");
+    let inside = |[at, value]: [f64; 2]| ((0.2..0.8).contains(&at)).then_some([at, value]);
+    let edges = run.solution.edges.iter().map(|edge| [edge.position(), edge.pressure]);
+    let pressures: Vec<[f64; 2]> = edges.filter_map(inside).collect();
+    let hoops = discretisation.hoop_stresses(&fields, 0).expect("stresses");
+    let hoops: Vec<[f64; 2]> = hoops.into_iter().filter_map(inside).collect();
+
+    for (column, points, radius) in [("pressure_mpa", &pressures, 10.0), ("hoop_stress_mpa", &hoops, 10.05)] {
+        let angles = |times: f64| points.iter().map(move |&[at, value]| [at.to_degrees(), times * value]);
+        let lengths = |times: f64| points.iter().map(move |&[at, value]| [times * radius * at.sin(), value]);
+        assert_eq!(verdict(ROD, ["angle_deg", column], 1e-2, angles(1.0)), Verdict::Pass, "{column}");
+        assert_eq!(verdict(ROD, ["angle_deg", column], 1e-2, angles(1.1)), Verdict::Fail, "{column}");
+        assert_eq!(verdict(ROD, ["x_mm", column], 1e-2, lengths(1.0)), Verdict::Pass, "{column}");
+        assert_eq!(verdict(ROD, ["x_mm", column], 1e-2, lengths(0.7)), Verdict::Fail, "{column}");
+    }
+}
+
+/// Which of the checks do not pass.
+fn red(photograph: &Photograph) -> Vec<usize> {
+    let judged = judge(photograph);
+    (0..judged.len()).filter(|&k| judged[k].verdict != Verdict::Pass).collect()
+}
+
+#[test]
+fn the_photograph_agrees_and_every_spoiled_number_turns_red() {
+    let sound = photograph::compare(&read(&file()).expect("fringes")).expect("compared");
+    assert_eq!(red(&sound), Vec::<usize>::new());
+    type Spoil = (usize, fn(&mut Photograph));
+    let spoils: [Spoil; 7] = [
+        (0, |n| n.ends[0].2 = 0.036),
+        (1, |n| n.ends[1].2 = 0.036),
+        (1, |n| n.ends[1].2 = f64::NAN),
+        (2, |n| n.widths.iter_mut().for_each(|width| width[1] = 0.034)),
+        (3, |n| n.widths.retain(|width| width[0] < 0.053)),
+        (4, |n| n.mesh[0] = 0.011),
+        (4, |n| n.mesh[0] = f64::NAN),
+    ];
+    for (check, spoil) in spoils {
+        let spoiled = spoiled(&sound, spoil);
+        assert!(red(&spoiled).contains(&check), "check {check}: {:?}", red(&spoiled));
+    }
+}
+
+#[test]
+fn readings_that_are_moved_turn_red() {
+    let fringes = read(&file()).expect("fringes");
+    let moved = |spoil: fn(&mut Fringe)| {
+        red(&photograph::compare(&spoiled(&fringes, |all: &mut Vec<Fringe>| all.iter_mut().for_each(spoil)))
+            .expect("compared"))
+    };
+    // Each end has a check of its own, the bottom first.
+    let places = moved(|fringe| match fringe.end {
+        End::Top => fringe.half_spacing *= 1.08,
+        End::Bottom => fringe.depth *= 1.3,
+    });
+    let orders = moved(|fringe| match fringe.end {
+        End::Top => fringe.order *= 1.05,
+        End::Bottom => fringe.order = 2.0,
+    });
+    assert!([places, orders].iter().all(|red| red.contains(&0) && red.contains(&1)));
+}
+
+#[test]
+fn bad_rows_of_the_file_are_refused_with_their_line() {
+    let text = fs::read_to_string(file()).expect("readable");
+    let folder = Folder::made();
+    let refused = |text: &str| read(folder.with("fringes.csv", text).as_ref()).expect_err("refused").to_string();
+    let second = |replace: &[(usize, &str)]| {
+        let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
+        let mut fields: Vec<&str> = lines[1].split(',').collect();
+        replace.iter().for_each(|&(k, to)| fields[k] = to);
+        lines[1] = fields.join(",");
+        lines.join("\n")
+    };
+    for bad in [(1, "1.5"), (1, "nan"), (3, "0"), (4, "-0.1")] {
+        assert!(refused(&second(&[bad])).contains("line 2"), "{bad:?}");
+    }
+    for bad in [(0, "left"), (2, "X"), (3, "one")] {
+        assert!(refused(&second(&[bad])).contains("fringes.csv"), "{bad:?}");
+    }
+    assert!(refused(text.lines().next().expect("a header")).contains("no fringe"));
+    assert!(read(&folder.path().join("none.csv")).is_err());
 }

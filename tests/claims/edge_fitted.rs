@@ -1,14 +1,12 @@
-//! Meshes with lines on the ends of the contact: how many digits they give, and for how many dofs.
+//! Meshes with lines on the ends of the contact: how many digits they give, and for how many dofs; how far they are iterated, and what no mesh is
+//! fitted to.
 
 use std::sync::Arc;
 
 use contact_vv::accuracy;
-use contact_vv::case::Case;
-use contact_vv::case::library::{Patch, TruncatedHertz};
-use contact_vv::checkout::root;
-use contact_vv::measure::Quantity;
-use contact_vv::measure::{nodal, profile, relative_error};
-use contact_vv::mesh::{Mesh, Order};
+use contact_vv::case::library::{Bars, Patch, TruncatedHertz};
+use contact_vv::measure::{Quantity, nodal, profile, relative_error};
+use contact_vv::mesh::{Mesh, Order, Resolution};
 use contact_vv::oracle::analytic::hertz::Hertz;
 use contact_vv::scene::{
     Body, Component, Ends, Face, Line, Load, Material, Path, Place, Scene, Shape, StressField, Support,
@@ -17,6 +15,8 @@ use contact_vv::solve::edge_fitted::Answer;
 use contact_vv::solve::{Fitted, Formulation, Run};
 use contact_vv::study::fitted::{self, LOADS};
 
+use crate::outputs::json;
+use crate::scene_file::case;
 use crate::workbench::{self, area, block_text, held_at, meshed, parsed, resolution};
 
 /// The same block and candidates under another load.
@@ -266,8 +266,7 @@ fn columns_beyond_a_contact_on_both_sides_grow_from_its_last_cell_where_frames_h
 
 #[test]
 fn pressure_between_nodes_is_the_polynomial_of_the_cell_and_the_bar_of_a_force_of_statics_is_round_off() {
-    let file = root().join("tests/cases/rigid-cosine.toml");
-    let case = Case::read(&file).expect("sound");
+    let case = case("rigid-cosine");
     let answer = solved(Fitted { order: Order::Octic, layers: 3 }, &case.scene);
     let wanted = case.reading(0, &Quantity::Pressure { at: 4.0 }).value;
     let part = answer.run.solution.part(0);
@@ -299,4 +298,52 @@ fn chain_of_bodies_whose_contacts_end_alike_is_fitted() {
         let error = relative_error(contact.measures.peak.pressure, hertz.peak_pressure());
         assert!(error <= 1e-3, "{error}");
     }
+}
+
+/// What is said of a scene that no mesh can be fitted to.
+fn refusal(scene: &Scene) -> String {
+    let error = Fitted::of_digits(4).solve(scene, &Formulation::verification()).expect_err("refused");
+    format!("{} {}: {}", error.place, error.message, error.remedy)
+}
+
+/// A block held at a point of its right side, where the mesh of the scene has a node.
+fn held_on_a_side() -> Scene {
+    let mut scene = case("eccentric-to-accuracy").scene;
+    let mesh = Mesh::of(&scene, Resolution { elements: 3, refinement: 0, order: Order::Quadratic }).expect("mesh");
+    let right = mesh.boundary(&scene, 0, "right").expect("side");
+    scene.bodies[0].supports[0].at = Place::Point(mesh.points[right[1][0]]);
+    scene
+}
+
+#[test]
+fn what_no_mesh_is_fitted_to_is_refused_with_its_place_and_the_remedy() {
+    let open = Bars { push: 0.9, ..Bars::default() }.scene();
+    let refused = [
+        (open, "bar", "no candidate is closed"),
+        (Bars::default().scene(), "bar", "ends where its candidates end"),
+        (case("three-rings").scene, "inner fit", "ends where its candidates end"),
+        (case("rings-from-gmsh").scene, "inner", "the mesh of this body is given"),
+        (case("blocks").scene, "upper", "ends where its candidates end"),
+        (held_on_a_side(), "block", "there is no node at"),
+    ];
+    for (scene, place, message) in refused {
+        let told = refusal(&scene);
+        assert!(told.contains(place) && told.contains(message), "{}: {told}", scene.name);
+        assert!(told.contains("leave out --fitted"), "{}: {told}", scene.name);
+    }
+}
+
+#[test]
+fn fitted_meshes_are_iterated_to_their_last_digit_unless_a_tolerance_is_asked_for() {
+    let error = |order: &str, more: &[&str]| {
+        let asked = ["solve", "pin-plate", "--fitted", "--order", order, "--no-error-bar"];
+        let document = json(&[&asked, more].concat());
+        document["contacts"][0]["iteration_error"]["half_width"].as_f64().expect("a number")
+    };
+    for order in [Order::Sextic, Order::Octic] {
+        let own = error(&order.number().to_string(), &[]);
+        assert!(own <= Fitted::misfit(order), "{order:?}: {own}");
+    }
+    let loose = error("8", &["--tolerance", "1e-3"]);
+    assert!(loose > Fitted::misfit(Order::Octic), "{loose}");
 }

@@ -2,13 +2,13 @@
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
-use contact_vv::case::Case;
 use contact_vv::measure::relative_error;
 use contact_vv::mesh::{Mesh, Order, spacing};
 use contact_vv::scene::{Ends, Face, Line, Path, Scene, Sector, Shape};
 use contact_vv::solve::{Element, Fitted, Formulation, Iteration, Run};
 
 use crate::outputs::scene;
+use crate::scene_file::case;
 use crate::workbench::{area, length, of_shape, parsed, resolution, ring};
 
 /// A disc of radius 10 whose contact has ends that are known.
@@ -114,7 +114,7 @@ fn a_block_held_at_a_point_of_its_far_side_has_a_node_there() {
 }
 
 fn drawn(name: &str) -> Scene {
-    Case::read(std::path::Path::new(&scene(name))).expect("sound").scene
+    case(name).scene
 }
 
 /// Peak and second-moment width of all contacts.

@@ -13,6 +13,7 @@ use contact_vv::drawing::{
 use contact_vv::study::timings::precision::Point;
 use contact_vv::study::timings::record::{Record, cheapest, front, sound};
 use contact_vv::study::timings::{COMPARED_CODES, conclusion, front_of};
+use svg::node::element::path::{Command, Data};
 
 /// Linear red, green and blue (IEC 61966-2-1, as in WCAG 2.1).
 fn linear(Rgb(red, green, blue): Rgb) -> [f64; 3] {
@@ -259,7 +260,7 @@ fn signs(svg: &str) -> Vec<Bounds> {
         }
         let outline = attribute(tag, "d")
             .filter(|d| tag.starts_with("path") && d.ends_with('Z') && d.matches('M').count() == 1)?;
-        let places = outline_of(outline);
+        let places = outlines(outline).concat();
         let ends = |k: usize| {
             let all = || places.iter().map(|at| at[k]);
             [all().fold(f64::INFINITY, f64::min), all().fold(f64::NEG_INFINITY, f64::max)]
@@ -285,26 +286,6 @@ fn signs(svg: &str) -> Vec<Bounds> {
         }
     }
     all
-}
-
-/// The corners of an outline: absolute first, then steps.
-fn outline_of(d: &str) -> Vec<[f64; 2]> {
-    let mut spaced = String::new();
-    for c in d.chars() {
-        if c == '-' || c.is_alphabetic() {
-            spaced.push(' ');
-        }
-        spaced.push(if c.is_alphabetic() || c == ',' { ' ' } else { c });
-    }
-    let numbers: Vec<f64> = spaced.split_whitespace().filter_map(|number| number.parse().ok()).collect();
-    let mut at = [0.0, 0.0];
-    let steps = numbers.chunks_exact(2).enumerate();
-    steps
-        .map(|(n, step)| {
-            at = if n == 0 { [step[0], step[1]] } else { [at[0] + step[0], at[1] + step[1]] };
-            at
-        })
-        .collect()
 }
 
 /// The boxes of the texts of a drawing, narrower than any font sets them, with the texts.
@@ -373,38 +354,26 @@ fn words_beside_points_give_way_to_signs_and_to_one_another() {
     assert_eq!(covered(&spoiled), ["`some words` on a sign"]);
 }
 
-/// Numbers one after another as SVG allows them: a sign, or a second decimal point, begins one by itself.
-fn numbers(text: &str) -> Vec<f64> {
-    let mut words = vec![String::new()];
-    for sign in text.chars() {
-        if sign == ' ' || sign == '-' || sign == '.' && words[words.len() - 1].contains('.') {
-            words.push(String::new());
-        }
-        words.last_mut().expect("one").extend((sign != ' ').then_some(sign));
-    }
-    words.iter().filter(|word| !word.is_empty()).map(|word| word.parse().expect("a number")).collect()
-}
-
 /// The outlines of a path that moves from point to point.
 fn outlines(path: &str) -> Vec<Vec<[f64; 2]>> {
-    let begins: Vec<usize> = path.match_indices(char::is_alphabetic).map(|(at, _)| at).collect();
-    let ends = begins.iter().skip(1).copied().chain([path.len()]);
     let (mut all, mut at): (Vec<Vec<[f64; 2]>>, _) = (vec![], [0.0; 2]);
-    for (begin, end) in begins.iter().zip(ends) {
-        let (command, steps) = (&path[*begin..=*begin], numbers(&path[begin + 1..end]));
-        let steps: Vec<[f64; 2]> = match command {
-            "h" => steps.iter().map(|x| [*x, 0.0]).collect(),
-            "v" => steps.iter().map(|y| [0.0, *y]).collect(),
-            _ => steps.chunks(2).map(|step| [step[0], step[1]]).collect(),
+    for command in Data::parse(path).expect("a path").iter() {
+        let steps: Vec<[f32; 2]> = match command {
+            Command::Move(_, steps) | Command::Line(_, steps) => {
+                steps.chunks(2).map(|step| [step[0], step[1]]).collect()
+            }
+            Command::HorizontalLine(_, steps) => steps.iter().map(|x| [*x, 0.0]).collect(),
+            Command::VerticalLine(_, steps) => steps.iter().map(|y| [0.0, *y]).collect(),
+            _ => vec![],
         };
-        if ["M", "m"].contains(&command) {
+        if let Command::Move(..) = command {
             all.push(vec![]);
         }
-        for [x, y] in steps {
-            at = [at[0] + x, at[1] + y];
+        for step in steps {
+            at = [0, 1].map(|k| at[k] + f64::from(step[k]));
             all.last_mut().expect("a move").push(at);
         }
-        if command == "Z" {
+        if let Command::Close = command {
             at = all[all.len() - 1][0];
         }
     }

@@ -1,50 +1,37 @@
-//! Rings on flats, closed boundaries of Gmsh meshes, clearances beside profiles, and waves that are pressed flat.
+//! Rings on flats, closed boundaries of Gmsh meshes, clearances beside profiles, waves that are pressed flat, and rigid pins in plates: these have no
+//! closed form but that of small angles, and are held by geometry, equilibrium, that limit, and a very stiff pin.
 
 use std::f64::consts::{FRAC_2_PI, FRAC_PI_2, FRAC_PI_4, PI};
-use std::fmt::Write;
-use std::path::Path;
 
 use approx::assert_relative_eq;
 use contact_vv::case::{Case, Meshed, Verdict};
+use contact_vv::error::Error;
 use contact_vv::oracle::analytic::hertz::Hertz;
 use contact_vv::oracle::analytic::waves::Waves;
-use contact_vv::oracle::{Oracle, Quantity, Reading};
+use contact_vv::scene::{Circle, Profile};
 use contact_vv::solve::Run;
 
+use crate::balance;
+use crate::mesh_files::{Body, Coding, msh};
 use crate::outputs::contact_vv;
-use crate::scene_file::text_of;
-
-/// A body on y = 0 under vertical forces, and what is changed of it.
-fn scene(shape: &str, supports: &str, loads: &str, contact: &str, mesh: &str) -> String {
-    format!(
-        "plane = \"strain\"\nthickness = 1\n[[body]]\nname = \"body\"\nyoung = 210e3\npoisson = 0.3\nshape = {{ {shape} }}\n\
-         supports = [{supports}]\nloads = [{loads}]\n[contact]\nfirst = \"body\"\n{contact}\n[mesh]\n{mesh}\n"
-    )
-}
+use crate::program::Folder;
+use crate::scene_file::{changed, text_of, with_key};
+use crate::workbench::parsed;
 
 const BLOCK: &str = "[[body]]\nname = \"block\"\nyoung = 70e3\npoisson = 0.3\n\
     shape = { rectangle = { x = [0, 60], y = [-60, 0], contact = \"top\" } }\n\
     supports = [{ at = \"left\", component = \"x\" }, { at = \"far\", component = \"y\" }]\n[contact]\n";
-const RING: &str = "ring = { centre = [0, 50], inner = 30, outer = 50, sweep = 90, contact = \"outer\" }";
+const START: &str = "[{ at = \"start\", component = \"x\" }]";
 const ON_START: &str = "{ at = \"start\", component = \"x\" }, { at = \"end\", component = \"x\" }";
-const PRESSED: &str = "{ traction = { at = \"end\", value = [0, -50] } }";
-const FLAT: &str = "gap = { circle = 50 }\nstretch = 3";
-const FINE: &str = "elements = 8\nper = 1";
+const TWO_POINTS: &str = "{ at = [0, 20], component = \"x\" }, { at = [0, 80], component = \"x\" }";
 
-fn ring() -> String {
-    scene(RING, ON_START, PRESSED, FLAT, FINE)
-}
-
-fn read(text: &str) -> Result<Case, String> {
-    read_in(Path::new(""), text)
-}
-
-fn read_in(folder: &Path, text: &str) -> Result<Case, String> {
-    Case::parse(&folder.join("scene.toml"), text).map_err(|error| error.to_string())
+/// The ring on a flat, with other values of some keys.
+fn ring(keys: &[(&str, &str)]) -> String {
+    keys.iter().fold(balance::text("ring-on-flat"), |text, (key, value)| with_key(&text, key, value))
 }
 
 fn solved(text: &str) -> (Case, Meshed, Run) {
-    let case = read(text).unwrap_or_else(|error| panic!("{error}"));
+    let case = parsed(text);
     let (meshed, run) = case.solve().unwrap_or_else(|error| panic!("{error}\n{text}"));
     (case, meshed, run)
 }
@@ -72,20 +59,17 @@ fn assert_alike(found: [f64; 3], wanted: [f64; 3], within: f64, what: &str) {
 
 #[test]
 fn thick_ring_on_a_flat_has_the_contact_of_hertz_and_of_a_disc() {
-    let (mesh, contact) = ("elements = 16\nper = 0.9", "gap = { circle = 50 }\nstretch = 1.8");
-    let thick = RING.replace("inner = 30", "inner = 2");
-    let start = "{ at = \"start\", component = \"x\" }";
-    let load = |at: &str, traction: f64| format!("{{ traction = {{ at = \"{at}\", value = [0, {traction}] }} }}");
-    let ring = numbers(&scene(&thick, start, &load("end", -30.0 * 50.0 / 48.0), contact, mesh));
-    let axis = "{ at = \"axis\", component = \"x\" }";
-    let disc = numbers(&scene("disc = { centre = [0, 50], radius = 50 }", axis, &load("cut", -30.0), contact, mesh));
-    let hertz = Hertz { load: 3000.0, radius: 50.0, modulus: 210e3 / 0.91 };
-    let of = |quantity| match hertz.read(&quantity) {
-        Reading::Value { value, .. } => value,
-        other => panic!("{other:?}"),
+    let pressed = |shape: &str, supports: &str, side: &str, traction: f64| {
+        let loads = format!("[{{ traction = {{ at = \"{side}\", value = [0, {traction}] }} }}]");
+        let keys = [("shape", shape), ("supports", supports), ("loads", &loads)];
+        numbers(&ring(&[&keys[..], &[("stretch", "1.8"), ("elements", "16"), ("per", "0.9")]].concat()))
     };
-    let wanted = [of(Quantity::PeakPressure), of(Quantity::HalfWidth), 3000.0];
-    assert_alike(ring, wanted, 1.5e-3, "Hertz");
+    let thick = "{ ring = { centre = [0, 50], inner = 2, outer = 50, sweep = 90, contact = \"outer\" } }";
+    let ring = pressed(thick, START, "end", -30.0 * 50.0 / 48.0);
+    let axis = "[{ at = \"axis\", component = \"x\" }]";
+    let disc = pressed("{ disc = { centre = [0, 50], radius = 50 } }", axis, "cut", -30.0);
+    let hertz = Hertz { load: 3000.0, radius: 50.0, modulus: 210e3 / 0.91 };
+    assert_alike(ring, [hertz.peak_pressure(), hertz.half_width(), 3000.0], 1.5e-3, "Hertz");
     assert_alike(ring, disc, 2e-4, "a disc");
 }
 
@@ -97,13 +81,13 @@ fn thin_ring_on_a_flat_gives_way_as_a_curved_beam() {
     for height in [2.0_f64, 4.0] {
         let [inner, outer] = [radius - 0.5 * height, radius + 0.5 * height];
         let shape = format!(
-            "ring = {{ centre = [0, {outer}], inner = {inner}, outer = {outer}, sweep = 90, contact = \"outer\" }}"
+            "{{ ring = {{ centre = [0, {outer}], inner = {inner}, outer = {outer}, sweep = 90, contact = \"outer\" }} }}"
         );
-        let face = format!("{{ rigid-face = {{ at = \"end\", component = \"y\", force = {} }} }}", -0.5 * force);
-        let mesh = "elements = 8\nper = 0.1\ngrowth = { along = 1.4, depth = 1.4, coarsest = 0.05 }";
-        let contact = format!("gap = {{ circle = {outer} }}\nstretch = 0.3");
-        let text = scene(&shape, "{ at = \"start\", component = \"x\" }", &face, &contact, mesh);
-        let (_, meshed, run) = solved(&text.replace("strain", "stress"));
+        let face = format!("[{{ rigid-face = {{ at = \"end\", component = \"y\", force = {} }} }}]", -0.5 * force);
+        let gap = format!("{{ circle = {outer} }}");
+        let per = "0.1\ngrowth = { along = 1.4, depth = 1.4, coarsest = 0.05 }";
+        let keys = [("plane", "\"stress\""), ("shape", &shape), ("supports", START), ("loads", &face)];
+        let (_, meshed, run) = solved(&ring(&[&keys[..], &[("gap", &gap), ("stretch", "0.3"), ("per", per)]].concat()));
         let bending = 210e3 * height.powi(3) / 12.0;
         let wanted = 0.5 * force * radius.powi(3) * (FRAC_PI_4 - FRAC_2_PI) / bending;
         let found = approach(&meshed, &run);
@@ -115,7 +99,7 @@ fn thin_ring_on_a_flat_gives_way_as_a_curved_beam() {
 #[test]
 fn ring_on_a_flat_is_the_same_however_it_is_modelled() {
     let on_block =
-        ring().replace("[contact]\n", BLOCK).replace("first = \"body\"\n", "first = \"body\"\nsecond = \"block\"\n");
+        ring(&[]).replace("[contact]\n", BLOCK).replace("first = \"body\"\n", "first = \"body\"\nsecond = \"block\"\n");
     let wanted = numbers(&on_block);
     let both = on_block
         .replace(ON_START, "{ at = \"end\", component = \"x\" }")
@@ -129,13 +113,13 @@ fn ring_on_a_flat_is_the_same_however_it_is_modelled() {
     }
 
     // Half a tube, all of it, and its pressure over the bore: statics give the resultant.
-    let half = RING.replace("sweep = 90", "sweep = 180");
-    let load = "{ traction = { at = \"inner\", part = { centre = [0, 50], from = 0, to = 20 }, force = [0, -1000] } }";
-    let right = scene(&half, ON_START, load, FLAT, FINE);
+    let load =
+        "[{ traction = { at = \"inner\", part = { centre = [0, 50], from = 0, to = 20 }, force = [0, -1000] } }]";
+    let right = ring(&[("loads", load)]).replace("sweep = 90", "sweep = 180");
     let whole = right
         .replace("from = 0", "from = -20")
         .replace("-1000", "-2000")
-        .replace(ON_START, "{ at = [0, 20], component = \"x\" }, { at = [0, 80], component = \"x\" }")
+        .replace(ON_START, TWO_POINTS)
         .replace("stretch = 3", "stretch = 3\nboth-sides = true");
     let wanted = numbers(&right);
     assert_relative_eq!(wanted[2], 2000.0, max_relative = 1e-8);
@@ -144,23 +128,22 @@ fn ring_on_a_flat_is_the_same_however_it_is_modelled() {
 
 #[test]
 fn ring_on_a_flat_takes_every_option_and_its_own_answer_is_met() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let at = |name: &str| folder.path().join(name).to_string_lossy().into_owned();
-    std::fs::write(folder.path().join("ring.toml"), ring()).expect("written");
+    let folder = Folder::made();
+    let (at, file) = (|name: &str| folder.at(name), folder.with("ring.toml", ring(&[])));
     for option in [["--fitted", "--force"], ["--accuracy", "0.5 %"], ["--order", "5"]] {
-        let (passed, text, error) = contact_vv(&[&["solve", &at("ring.toml"), "--all"][..], &option[..]].concat());
+        let (passed, text, error) = contact_vv(&[&["solve", &file, "--all"][..], &option[..]].concat());
         assert!(passed && text.contains("resultant 2000.0"), "{option:?}: {text}{error}");
         let peak = text.lines().find(|line| line.contains("peak-pressure ")).expect("a bar").to_owned();
         assert!(!peak.contains("unknown"), "{option:?}: {peak}");
     }
     let (vtu, exported) = (at("ring.vtu"), at("exported"));
-    assert!(contact_vv(&["solve", &at("ring.toml"), "--vtu", &vtu, "--plot", &at("ring.svg")]).0);
-    assert!(contact_vv(&["export", &at("ring.toml"), &exported]).0);
+    assert!(contact_vv(&["solve", &file, "--vtu", &vtu, "--plot", &at("ring.svg")]).0);
+    assert!(contact_vv(&["export", &file, &exported]).0);
     let units = ["position", "pressure", "gap", "displacement"]
         .map(|role| format!("{role}={}", if role == "pressure" { "MPa" } else { "mm" }));
     let units: Vec<&str> = units.iter().flat_map(|unit| ["--unit", unit]).collect();
     for (answer, options) in [(vtu, &units[..]), (format!("{exported}/ours.csv"), &[])] {
-        let (met, text, error) = contact_vv(&[&["judge", &at("ring.toml"), &answer][..], options].concat());
+        let (met, text, error) = contact_vv(&[&["judge", &file, &answer][..], options].concat());
         assert!(met, "{answer}: {text}{error}");
     }
 }
@@ -171,76 +154,58 @@ const ANGLES: usize = 128;
 const ACROSS: usize = 24;
 
 /// A ring of radii 30 and 50 on y = 0; its rim, or the part up to an angle, is one physical curve, its bore another.
-fn gmsh(order: usize, clockwise: bool, rim_up_to: f64) -> String {
+fn gmsh(order: usize, clockwise: bool, rim_up_to: f64) -> Vec<u8> {
     let angle = |k: usize| {
         let t = 2.0 * k as f64 / ANGLES as f64 - 1.0;
         PI * t * (0.06 + 0.94 * t.abs().powf(1.5))
     };
-    let tag = |row: usize, k: usize| 1 + row * ANGLES + k % ANGLES;
-    let mut nodes = (String::new(), String::new());
-    for row in 0..=ACROSS {
-        for k in 0..ANGLES {
-            let radius = 50.0 - 20.0 * (row as f64 / ACROSS as f64).powf(1.6);
-            writeln!(nodes.0, "{}", tag(row, k)).expect("written");
-            writeln!(nodes.1, "{} {} 0", radius * angle(k).sin(), 50.0 - radius * angle(k).cos()).expect("written");
-        }
-    }
-    let (mut rim, mut bore, mut cells) = (Vec::new(), Vec::new(), Vec::new());
-    for k in (0..ANGLES).step_by(2) {
-        if angle(k).abs().max(angle(k + 2).abs()) <= rim_up_to * (1.0 + 1e-9) {
-            rim.push([tag(0, k), tag(0, k + 2), tag(0, k + 1)]);
-        }
-        bore.push([tag(ACROSS, k + 2), tag(ACROSS, k), tag(ACROSS, k + 1)]);
-        for row in (0..ACROSS).step_by(2) {
-            let corners = [tag(row, k), tag(row, k + 2), tag(row + 2, k + 2), tag(row + 2, k)];
-            let middles = [tag(row, k + 1), tag(row + 1, k + 2), tag(row + 2, k + 1), tag(row + 1, k)];
-            let turned = |of: [usize; 4], by: [usize; 4]| if clockwise { by.map(|k| of[k]) } else { of };
-            cells.push([turned(corners, [0, 3, 2, 1]), turned(middles, [3, 2, 1, 0])].concat());
-        }
-    }
-    if clockwise {
-        rim.iter_mut().for_each(|edge| edge.swap(0, 1));
-    }
-    let [edge, cell] = [[1, 3], [8, 16]][order - 1];
-    let mut number = 0;
-    let mut block = |head: String, all: &mut dyn Iterator<Item = &[usize]>, nodes: usize| {
-        let lines = all.map(|one| {
-            number += 1;
-            let tags: Vec<String> = one[..nodes].iter().map(usize::to_string).collect();
-            format!("{number} {}\n", tags.join(" "))
-        });
-        head + &lines.collect::<String>()
+    let tag = |row: usize, k: usize| (1 + row * ANGLES + k % ANGLES) as u64;
+    let node = |row: usize, k: usize| {
+        let radius = 50.0 - 20.0 * (row as f64 / ACROSS as f64).powf(1.6);
+        (tag(row, k), [radius * angle(k).sin(), 50.0 - radius * angle(k).cos()])
     };
-    let blocks = [
-        block(format!("1 1 {edge} {}\n", rim.len()), &mut rim.iter().map(|one| &one[..]), order + 1),
-        block(format!("1 2 {edge} {}\n", bore.len()), &mut bore.iter().map(|one| &one[..]), order + 1),
-        block(format!("2 1 {cell} {}\n", cells.len()), &mut cells.iter().map(|one| &one[..]), 4 * order),
-    ];
-    let (count, all) = (ANGLES * (ACROSS + 1), rim.len() + bore.len() + cells.len());
-    format!(
-        "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$PhysicalNames\n3\n1 1 \"rim\"\n1 2 \"bore\"\n2 3 \"ring\"\n$EndPhysicalNames\n\
-         $Entities\n0 2 1 0\n1 -50 0 0 50 100 0 1 1 0\n2 -30 20 0 30 80 0 1 2 0\n1 -50 0 0 50 100 0 1 3 2 1 2\n$EndEntities\n\
-         $Nodes\n1 {count} 1 {count}\n2 1 0 {count}\n{}{}$EndNodes\n$Elements\n3 {all} 1 {all}\n{}$EndElements\n",
-        nodes.0,
-        nodes.1,
-        blocks.concat()
-    )
+    let nodes = (0..=ACROSS).flat_map(|row| (0..ANGLES).map(move |k| node(row, k))).collect();
+    let cell = |row: usize, k: usize| {
+        let corners = [tag(row, k), tag(row, k + 2), tag(row + 2, k + 2), tag(row + 2, k)];
+        let middles = [tag(row, k + 1), tag(row + 1, k + 2), tag(row + 2, k + 1), tag(row + 1, k)];
+        let turned = |of: [u64; 4], by: [usize; 4]| if clockwise { by.map(|k| of[k]) } else { of };
+        [turned(corners, [0, 3, 2, 1]), turned(middles, [3, 2, 1, 0])].concat()[..4 * order].to_vec()
+    };
+    let angles = || (0..ANGLES).step_by(2);
+    let cells = angles().flat_map(|k| (0..ACROSS).step_by(2).map(move |row| cell(row, k)));
+    let cells = cells.enumerate().map(|(number, nodes)| (number as u64 + 1, nodes)).collect();
+    let edge = |row: usize, ends: [usize; 2]| {
+        [ends[0], ends[1], ends[0].min(ends[1]) + 1].map(|k| tag(row, k))[..=order].to_vec()
+    };
+    let within = |k: &usize| angle(*k).abs().max(angle(*k + 2).abs()) <= rim_up_to * (1.0 + 1e-9);
+    let rim = angles().filter(within).map(|k| edge(0, if clockwise { [k + 2, k] } else { [k, k + 2] }));
+    let bore = angles().map(|k| edge(ACROSS, [k + 2, k]));
+    let sides = vec![("rim", rim.collect()), ("bore", bore.collect())];
+    msh(&Body { nodes, cells, sides }, "4.1", Coding::Text)
 }
 
 /// A Gmsh ring on y = 0, pushed down at its bore.
 fn closed() -> String {
-    let shape = "gmsh = { file = \"ring.msh\", group = \"ring\", contact = \"rim\" }";
-    let supports = "{ at = [0, 20], component = \"x\" }, { at = [0, 80], component = \"x\" }";
-    let load = "{ traction = { at = \"bore\", value = [0, -20] } }";
-    scene(shape, supports, load, "gap = { circle = 50 }\nboth-sides = true\nstretch = 6", "")
+    ring(&[
+        ("shape", "{ gmsh = { file = \"ring.msh\", group = \"body\", contact = \"rim\" } }"),
+        ("supports", &format!("[{TWO_POINTS}]")),
+        ("loads", "[{ traction = { at = \"bore\", value = [0, -20] } }]"),
+        ("stretch", "6\nboth-sides = true"),
+    ])
+    .replace("elements = 8\nper = 1\n", "")
+}
+
+/// A scene beside a mesh.
+fn beside(mesh: Vec<u8>, text: &str) -> Result<Case, Error> {
+    let folder = Folder::made();
+    folder.with("ring.msh", mesh);
+    Case::parse(&folder.path().join("scene.toml"), text)
 }
 
 #[test]
 fn closed_rim_of_a_gmsh_mesh_is_used_where_it_faces_the_flat() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let solved = |mesh: String, text: &str| {
-        std::fs::write(folder.path().join("ring.msh"), mesh).expect("written");
-        let case = read_in(folder.path(), text).unwrap_or_else(|error| panic!("{error}"));
+    let solved = |mesh: Vec<u8>, text: &str| {
+        let case = beside(mesh, text).unwrap_or_else(|error| panic!("{error}"));
         case.solve().unwrap_or_else(|error| panic!("{error}"))
     };
     for order in [1, 2] {
@@ -258,18 +223,15 @@ fn closed_rim_of_a_gmsh_mesh_is_used_where_it_faces_the_flat() {
     }
     // And as the same ring meshed here, on cells of other sizes.
     let (_, of_order_2) = solved(gmsh(2, false, PI), &closed());
-    let meshed_here = RING.replace("sweep = 90", "sweep = 180");
-    let load = "{ traction = { at = \"inner\", value = [0, -20] } }";
-    let supports = "{ at = [0, 20], component = \"x\" }, { at = [0, 80], component = \"x\" }";
-    let contact = "gap = { circle = 50 }\nboth-sides = true\nstretch = 6";
-    let own = numbers(&scene(&meshed_here, supports, load, contact, FINE));
+    let load = ("loads", "[{ traction = { at = \"inner\", value = [0, -20] } }]");
+    let supports = format!("[{TWO_POINTS}]");
+    let own = ring(&[load, ("supports", &supports), ("stretch", "6\nboth-sides = true")]);
+    let own = numbers(&own.replace("sweep = 90", "sweep = 180"));
     assert_alike(of_run(&of_order_2), own, 0.02, "the ring meshed here");
 }
 
 #[test]
 fn closed_boundaries_that_face_nothing_are_refused_with_a_remedy() {
-    let folder = tempfile::tempdir().expect("a folder");
-    std::fs::write(folder.path().join("ring.msh"), gmsh(2, false, PI)).expect("written");
     for (was, is, found, remedy) in [
         ("both-sides = true\n", "", "does not begin on the symmetry line x = 0", "`both-sides = true`"),
         ("stretch = 6", "stretch = 40", "slopes by", "end the `stretch` where it is flatter"),
@@ -278,19 +240,18 @@ fn closed_boundaries_that_face_nothing_are_refused_with_a_remedy() {
         ("both-sides", "origin = [0, 20]\nboth-sides", "does not begin at y = 20", "give its `origin`"),
         ("circle = 50", "circle = 80", "the gap is 0.225", "`gap = { from = \"bodies\" }`"),
     ] {
-        let error = read_in(folder.path(), &closed().replace(was, is)).map(|_| ()).expect_err(is);
+        let error = beside(gmsh(2, false, PI), &closed().replace(was, is)).map(|_| ()).expect_err(is).to_string();
         assert!(error.contains("scene.toml:") && error.contains(found) && error.contains(remedy), "{is}: {error}");
     }
 }
 
 /// A disc and a block, each pushed towards the other by displacements: the disc down, the block up \[mm\].
 fn pushed(gap: &str, height: f64, [down, up]: [f64; 2]) -> String {
-    let disc = format!("disc = {{ centre = [0, {height}], radius = 50 }}");
-    let supports =
-        format!("{{ at = \"axis\", component = \"x\" }}, {{ at = \"cut\", component = \"y\", value = {} }}", -down);
-    let text = scene(&disc, &supports, "", &format!("second = \"block\"\ngap = {{ {gap} }}\nstretch = 3"), FINE);
-    let block = BLOCK.replace("\"far\", component = \"y\"", &format!("\"far\", component = \"y\", value = {up}"));
-    text.replace("[contact]\n", &block)
+    balance::text("disc-above-block")
+        .replace("circle = 50, clearance = 0.02", gap)
+        .replace("[0, 50.02]", &format!("[0, {height}]"))
+        .replace("-0.03", &format!("{}", -down))
+        .replace("0.05 }]", &format!("{up} }}]"))
 }
 
 #[test]
@@ -339,15 +300,12 @@ fn clearance_is_told_wherever_a_gap_is_told() {
     assert_relative_eq!(case.scene.in_metres().contact().gap(1e-3), 1e-3 * pair.gap(1.0), max_relative = 1e-12);
     assert!(meshed.discretisation.interfaces[0].nodes.iter().all(|node| node.gap >= 0.02));
 
-    let folder = tempfile::tempdir().expect("a folder");
-    let file = folder.path().join("scene.toml").to_string_lossy().into_owned();
-    let exported = folder.path().join("exported").to_string_lossy().into_owned();
-    std::fs::write(&file, text).expect("written");
+    let folder = Folder::made();
+    let (file, exported) = (folder.with("scene.toml", text), folder.at("exported"));
     assert!(contact_vv(&["export", &file, &exported]).0);
-    let sheet = std::fs::read_to_string(folder.path().join("exported/scene.md")).expect("a sheet");
+    let sheet = folder.read("exported/scene.md");
     assert!(sheet.contains("R = 50, and 0.02 more everywhere"), "{sheet}");
-    let problem = std::fs::read_to_string(folder.path().join("exported/problem.json")).expect("a problem");
-    let problem: serde_json::Value = serde_json::from_str(&problem).expect("JSON");
+    let problem: serde_json::Value = serde_json::from_str(&folder.read("exported/problem.json")).expect("JSON");
     assert_relative_eq!(problem["contacts"][0]["nodes"][0]["gap"].as_f64().expect("a gap"), 0.02, max_relative = 1e-12);
     assert!(contact_vv(&["judge", &file, &format!("{exported}/ours.csv")]).0);
 }
@@ -400,26 +358,74 @@ fn block_that_is_pressed_flat_on_waves_has_their_pressure() {
 
 #[test]
 fn half_a_tube_is_in_contact_where_it_faces_the_other_body_alone() {
-    let bodies = |sweep: f64| {
-        format!(
-            "plane = \"strain\"\nthickness = 1\n[[body]]\nname = \"tube\"\nyoung = 210e3\npoisson = 0.3\n\
-             shape = {{ ring = {{ centre = [0, 50], inner = 30, outer = 50, sweep = {sweep}, contact = \"inner\" }} }}\n\
-             supports = [{{ at = \"start\", component = \"x\" }}, {{ at = \"outer\", component = \"y\" }}{}]\n\
-             [[body]]\nname = \"disc\"\nyoung = 210e3\npoisson = 0.3\n\
-             shape = {{ disc = {{ centre = [0, 45], radius = 25 }} }}\n\
-             supports = [{{ at = \"axis\", component = \"x\" }}]\n\
-             loads = [{{ traction = {{ at = \"cut\", value = [0, -40] }} }}]\n\
-             [contact]\nfirst = \"disc\"\nsecond = \"tube\"\ngap = {{ circles = [25, -30] }}\nstretch = 4\norigin = [0, 20]\n\
-             [mesh]\nelements = 8\nper = 1\n",
-            if sweep == 180.0 { ", { at = \"end\", component = \"x\" }" } else { "" }
-        )
-    };
-    let [half, most] = [180.0, 135.0].map(|sweep| {
-        let case = Case::parse(Path::new("tube.toml"), &bodies(sweep)).unwrap_or_else(|error| panic!("{error}"));
-        let (_, run) = case.solve().unwrap_or_else(|error| panic!("{error}"));
-        let measures = run.measures();
-        [measures.peak.pressure, measures.second_moment_width, measures.half_width()]
-    });
+    let held = ", { at = \"end\", component = \"x\" }";
+    let [half, most] = [&[][..], &[["sweep = 180", "sweep = 135"], [held, ""]]]
+        .map(|changes| of_run(&balance::scene("disc-in-half-tube", changes).solve().expect("solved").1));
     assert_alike(half, most, 2e-3, "three quarters of it");
     assert!((half[0] / 700.86 - 1.0).abs() < 2e-3, "{half:?}");
+}
+
+/// The file with the force on a half, and mesh and stretch for the contact that Hertz gives there, times `times` its own.
+fn under(times: f64) -> String {
+    let root = times.sqrt();
+    let [force, stretch, per] = [
+        format!("force = [0, {}]", 0.32955 * times),
+        format!("stretch = {}", 2.0 * root),
+        format!("per = {}", 0.2 * root),
+    ];
+    changed(
+        &text_of("rigid-pin.toml"),
+        &[("force = [0, 0.32955]", &force), ("stretch = 2", &stretch), ("per = 0.2", &per)],
+    )
+}
+
+#[test]
+fn gap_of_a_pin_is_the_distance_along_the_radius_of_the_hole() {
+    for (radius, clearance) in [(10.0, 0.01), (10.0, 3.0), (7.0, 1e-7)] {
+        let pin = Circle { centre: [0.0, -clearance], radius };
+        for angle in [0.0, 1e-3, 0.3, 1.0, 1.5] {
+            let gap = Profile::Pin { radius, clearance }.gap(angle);
+            assert_relative_eq!(gap, radius + clearance - pin.along_ray([0.0, 0.0], angle), epsilon = 1e-14);
+        }
+    }
+}
+
+#[test]
+fn rigid_pin_comes_to_hertz_as_its_angle_falls() {
+    let (load, radius) = (0.6591, 10.0 * 10.01 / 0.01);
+    let errors = [0.25, 1.0, 4.0].map(|times: f64| {
+        let run = solved(&under(times)).2;
+        assert_relative_eq!(run.transmitted(), times * load, max_relative = 1e-8);
+        // p0 = √(P E*/(π R)), E* that of the plate alone: E in plane stress.
+        let hertz = (times * load * 210e3 / (PI * radius)).sqrt();
+        1.0 - run.measures().peak.pressure / hertz
+    });
+    let [quarter, whole, fourfold] = errors;
+    assert!(fourfold.abs() <= 0.007 && whole.abs() <= 0.004 && quarter.abs() <= 0.002, "{errors:?}");
+    // What Hertz leaves out goes with the angle, and that with the root of the load.
+    for ratio in [fourfold / whole, whole / quarter] {
+        assert!((1.6..=2.4).contains(&ratio), "{errors:?}");
+    }
+}
+
+#[test]
+fn very_stiff_pin_is_a_rigid_one() {
+    let pin = "[[body]]\nname = \"pin\"\nyoung = 210e8\npoisson = 0.3\n\
+               shape = { disc = { centre = [0, -0.01], radius = 10, half = true } }\n\
+               supports = [{ at = \"axis\", component = \"x\" }, { at = \"middle\", component = \"y\" }]\n\n[contact]\n";
+    let rigid = solved(&text_of("rigid-pin.toml")).2;
+    let stiff = |young: &str| {
+        let second = "first = \"plate\"\nsecond = \"pin\"";
+        solved(&changed(
+            &text_of("rigid-pin.toml"),
+            &[("[contact]\n", &pin.replace("210e8", young)), ("first = \"plate\"", second)],
+        ))
+        .2
+    };
+    let (near, far) = (stiff("210e8"), stiff("210e3"));
+    let [wanted, found] = [&rigid, &near].map(|run| run.measures());
+    assert_relative_eq!(found.peak.pressure, wanted.peak.pressure, max_relative = 1e-4);
+    assert_relative_eq!(found.second_moment_width, wanted.second_moment_width, max_relative = 1e-4);
+    // And one of the plate's own material is not: about √2 wider.
+    assert!(far.measures().second_moment_width > 1.3 * wanted.second_moment_width);
 }

@@ -10,6 +10,8 @@ use contact_vv::mesh::Mesh;
 use contact_vv::scene::{GivenMesh, Shape};
 
 use crate::balance::{scene, solved_as_it_says as solved};
+use crate::program::Folder;
+use crate::scene_mistakes::assert_told;
 
 /// Two 4-node cells on 0 … 2 × 0 … 1, with tags neither dense nor in order.
 const TWO_CELLS: &str = include_str!("../data/scenes/two-cells.msh");
@@ -19,8 +21,8 @@ const SCENE: &str = include_str!("../data/scenes/two-cells.toml");
 
 /// A scene beside a mesh.
 fn read_as(scene: &str, mesh: &str) -> Result<Case, Error> {
-    let folder = tempfile::tempdir().expect("a folder");
-    std::fs::write(folder.path().join("mesh.msh"), mesh).expect("written");
+    let folder = Folder::made();
+    folder.with("mesh.msh", mesh);
     Case::parse(&folder.path().join("scene.toml"), scene)
 }
 
@@ -99,66 +101,9 @@ fn cells_listed_clockwise_are_turned_one_by_one_and_that_is_noted() {
     }
 }
 
-/// What is spoiled in the mesh, how, the text on whose line the message points, and two parts of the message.
-const MISTAKES: &[(&str, &str, &str, [&str; 2])] = &[
-    ("4.1 0 8", "4.0 0 8", "4.0 0 8", ["version 4", "Mesh.MshFileVersion = 4.1"]),
-    ("4.1 0 8", "4.1 1 4", "4.1 1 4", ["real numbers have 4 bytes", "Mesh.MshFileVersion = 4.1"]),
-    ("2 1 0 3\n11", "2 1 0 3\nx11", "x11", ["`x11` is not a node tag", "save it again"]),
-    ("1 0 0\n2 1", "1 0 0.5\n2 1", "1 0 0.5", ["node 40 lies at z = 0.5", "in the plane z = 0"]),
-    ("2 0 0\n0 0 0", "inf 0 0\n0 0 0", "inf 0 0", ["x is inf", "repair the mesh"]),
-    ("7\n3\n40", "7\n7\n40", "0 0 0\n1 0 0", ["node 7 stands twice", "save the mesh again"]),
-    ("6 3 40 5 11", "6 3 40 6 11", "6 3 40 6", ["node 6, which does not exist", "with its nodes first"]),
-    ("2 1 3 2", "2 1 5 2", "2 1 5 2", ["type 5 are not read", "Mesh.RecombineAll = 1"]),
-    (
-        "1 3 1 1\n5 3 11",
-        "1 3 15 1\n5 3",
-        "1 3 15 1",
-        ["type 15 stand in an entity of dimension 1", "save the mesh again"],
-    ),
-    ("2 1 3 2\n6", "2 1 26 2\n6", "2 1 26 2", ["type 26 stand in an entity of dimension 2", "save the mesh again"]),
-    ("$EndNodes", "$EndNods", "$Nodes", ["`$Nodes` has no end", "the file is cut"]),
-    ("1 2 \"high side\"", "1 2 high side", "1 2 high side", ["no name in quotes", "save the mesh again"]),
-    ("$Entities\n0 3 1 0", "$Entities\n0 3 1", "$Entities", ["", "save it again"]),
-];
-
-/// The same, where the mesh is sound and the scene does not go with it: the message points into the scene.
-const MISFITS: &[(&str, &str, [&str; 2])] = &[
-    ("2 4 \"body\"", "2 4 \"block\"", ["no physical surface `body`", "known: block"]),
-    (
-        "1 1 \"low side\"",
-        "1 1 \"sole\"",
-        ["no physical curve `low side` bounds `body`", "known: axis, high side, sole"],
-    ),
-    ("7 40 7 12 5", "7 40 3 11 5", ["cells 6 and 7 of `body` lie over one another", "it is folded"]),
-    ("2 1 0\n1 1 0", "1 0 0\n1 1 0", ["cell 7 of `body` is degenerate", "repair the mesh"]),
-    (
-        "2 1 3 2\n6 3 40 5 11\n7 40 7 12 5",
-        "2 1 2 2\n6 3 40 5\n7 40 7 12",
-        ["no quadrilateral", "Mesh.RecombineAll = 1"],
-    ),
-    ("0 0 0\n1 0 0", "0 0.1 0\n1 0 0", ["does not begin at y = 0", "drawn"]),
-    ("2 0 0\n0 0 0", "2 0 0\n-1 0 0", ["does not begin on the symmetry line", "model one half"]),
-];
-
 #[test]
 fn every_mistake_in_a_mesh_names_its_line() {
-    for (was, is, anchor, wanted) in MISTAKES {
-        assert_eq!(TWO_CELLS.matches(was).count(), 1, "{was}");
-        let spoiled = TWO_CELLS.replacen(was, is, 1);
-        let error = refused(&spoiled);
-        let line = 1 + spoiled[..spoiled.find(anchor).expect("a place")].matches('\n').count();
-        let place = format!("mesh.msh:{line}: ");
-        assert!(wanted[0].is_empty() || error.contains(&place), "{place} is not in {error}");
-        wanted.iter().for_each(|part| assert!(error.contains(part), "`{part}` is not in {error}"));
-    }
-    let line = 1 + SCENE[..SCENE.find("shape = ").expect("a shape")].matches('\n').count();
-    for (was, is, wanted) in MISFITS {
-        assert_eq!(TWO_CELLS.matches(was).count(), 1, "{was}");
-        let error = refused(&TWO_CELLS.replacen(was, is, 1));
-        assert!(error.contains("scene.toml:"), "{error}");
-        assert!(!error.contains("cell") || error.contains(&format!("scene.toml:{line}: ")), "{error}");
-        wanted.iter().for_each(|part| assert!(error.contains(part), "`{part}` is not in {error}"));
-    }
+    assert_told("two-cells", TWO_CELLS, "mesh.msh", refused);
 }
 
 #[test]
@@ -195,19 +140,6 @@ fn groups_of_an_entity_are_few_and_have_short_names() {
         assert_eq!(told.is_ok(), fits, "{told:?}");
         assert!(fits || told.is_err_and(|told| told.contains("this name has 128 characters")));
     }
-}
-
-#[test]
-fn mesh_file_that_is_not_there_is_refused_at_the_line_that_names_it() {
-    let error = Case::parse(Path::new("absent/scene.toml"), SCENE).map(|_| ()).expect_err("no file").to_string();
-    assert!(error.contains("scene.toml:7: ") && error.contains("cannot be read"), "{error}");
-}
-
-#[test]
-fn orders_that_do_not_go_together_are_refused() {
-    let read = read_as(&format!("{SCENE}[mesh]\norder = 2\n"), TWO_CELLS);
-    let error = read.map(|_| ()).expect_err("two orders").to_string();
-    assert!(error.contains("cells of 4 nodes, others have 8") && error.contains("one order"), "{error}");
 }
 
 /// The block of `two_blocks` as two blocks that meet at x = 1, one of them turned by its corners, and the same as one.
@@ -300,17 +232,4 @@ fn mesh_that_does_not_hang_together_is_refused() {
     );
     let error = read(&hanging).expect("read").solve().map(|_| ()).expect_err("hanging").to_string();
     assert!(error.contains("hangs inside a side of another cell at (1.0"), "{error}");
-}
-
-#[test]
-fn sides_that_slope_against_the_path_are_refused() {
-    for slope in [0.2, 0.5774] {
-        let shape = format!(
-            "{{ blocks = [{{ corners = [[0, 0], [2, {}], [2, 3], [0, 3]], elements = [8, 4], bottom = \"contact\", \
-             top = \"roof\", left = \"axis\" }}] }}",
-            2.0 * slope
-        );
-        let error = of_blocks(&shape).map(|_| ()).expect_err("slopes").to_string();
-        assert!(error.contains("slopes by") && error.contains("turn the scene"), "{error}");
-    }
 }

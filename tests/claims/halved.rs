@@ -10,7 +10,7 @@ use contact_vv::scene::{Curve, GivenMesh, Scene, Shape};
 use contact_vv::solve::Formulation;
 use contact_vv::study::random::{Family, Site};
 
-use crate::outputs::{contact_vv, scene};
+use crate::outputs::{contact_vv, json, scene};
 use crate::scene_file::text_of;
 use crate::workbench::{parsed, resolution};
 
@@ -145,9 +145,8 @@ fn scene_files_with_meshes_and_several_contacts_may_ask_for_an_accuracy() {
         ("three-rings", "0.02 %"),
         ("rings-from-gmsh", "0.1 %"),
     ] {
-        let (sound, json, error) = contact_vv(&["solve", &scene(name), "--accuracy", asked, "--json", "-"]);
-        let json: serde_json::Value = serde_json::from_str(&json).expect("JSON");
-        assert!(sound && json["accuracy"]["met"] == true, "{name}: {error}");
+        let json = json(&["solve", &scene(name), "--accuracy", asked]);
+        assert!(json["accuracy"]["met"] == true, "{name}: {json}");
         let quantities = json["accuracy"]["quantities"].as_array().expect("a list");
         assert_eq!(quantities.len(), 2 * json["contacts"].as_array().expect("a list").len());
     }

@@ -1,4 +1,4 @@
-//! The loop: it counts, stops, tells how an iteration ended, and keeps the last state.
+//! What an iteration solves, system matrix and equilibrium; the loop counts, stops, tells how an iteration ended, and keeps the last state.
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use contact_vv::algorithm::{
@@ -10,8 +10,7 @@ use contact_vv::error::Kind;
 use contact_vv::solution::{IterationError, Outcome, Work};
 
 use crate::algorithm::{COMPLIANCE, edge, exact, matrix, one, solvers, started, tight, two};
-use crate::problem::iterate_of;
-use crate::workbench::distance;
+use crate::workbench::{distance, spoiled};
 
 /// An algorithm that plays back given pressures of one point, at the gap, with the springs left alone.
 struct Playback {
@@ -220,12 +219,9 @@ fn nan_anywhere_in_an_iterate_reaches_its_error() {
     let problem = sample.problem();
     let target = Target::of(&problem, &sample.load, Law::Rigid, &[true; 2]).expect("a solution");
     for at in 0..2 {
-        let mut iterate = target.exact.iterate.clone();
-        iterate.pressure[at] = f64::NAN;
-        assert!(target.error(&problem, &iterate).largest().is_nan());
-        let mut iterate = target.exact.iterate.clone();
-        iterate.approach[at] = f64::NAN;
-        assert!(target.error(&problem, &iterate).largest().is_nan());
+        let pressure = spoiled(&target.exact.iterate, |iterate| iterate.pressure[at] = f64::NAN);
+        let approach = spoiled(&target.exact.iterate, |iterate| iterate.approach[at] = f64::NAN);
+        assert!([pressure, approach].iter().all(|iterate| target.error(&problem, iterate).largest().is_nan()));
     }
     let of = |parts: [f64; 4]| {
         let [peak, force, width, approach] = parts;
@@ -354,4 +350,62 @@ fn contact_force_acts_on_all_freedoms_of_a_row() {
     let p: Vec<f64> = solution.points.iter().map(|p| p.pressure).collect();
     let wanted = [-2.0 * p[0] - 0.25 * 3.0 * p[1], -0.75 * 3.0 * p[1]];
     assert!(distance(&solution.contact_force, &wanted) <= 1e-12 * 300.0);
+}
+
+#[test]
+fn system_matrix_is_the_condensed_stiffness_plus_weighted_springs() {
+    let sample = two([200.0, 300.0], [0.1, 0.1]);
+    let (k, b) = ([40.0, 70.0], [1.0, -2.0]);
+    let x = sample.problem().factorise(&k, &mut Work::default()).expect("definite").solve(&b);
+    // Σ A k bᵀb: 2·40 at (0, 0); 3·70 times (1/4, 3/4)ᵀ(1/4, 3/4).
+    let spring = 210.0;
+    let a = [300.0 + 80.0 + spring / 16.0, -100.0 + spring * 3.0 / 16.0, 200.0 + spring * 9.0 / 16.0];
+    let residual = [a[0] * x[0] + a[1] * x[1] - b[0], a[1] * x[0] + a[2] * x[1] - b[1]];
+    assert!(distance(&residual, &[0.0, 0.0]) <= 1e-13);
+}
+
+#[test]
+fn equilibrium_balances_to_round_off_even_with_stiff_springs() {
+    let mut sample = two([200.0, 300.0], [0.1, 0.1]);
+    sample.initial = vec![1e8, 1e8];
+    let problem = sample.problem();
+    let springs = Springs { stiffness: vec![1e8, 1e8], force: vec![3.0, -1.0] };
+    let mut work = Work::default();
+    let factor = problem.factorise(&springs.stiffness, &mut work).expect("definite");
+    let iterate = problem.equilibrium(&factor, &sample.load, &springs, |p| p.gap, &mut work);
+    for i in 0..2 {
+        let inner: f64 = (0..2).map(|j| sample.stiffness[(i, j)] * iterate.displacement[j]).sum();
+        let contact = 2.0 * iterate.pressure[0] * [1.0, 0.0][i] + 3.0 * iterate.pressure[1] * [0.25, 0.75][i];
+        // Without the refinement k (w − g) alone loses 1e8 · 0.1 · 1e-16 = 1e-9.
+        assert_abs_diff_eq!(sample.load[i] - inner - contact, 0.0, epsilon = 1e-12 * 300.0);
+        assert_relative_eq!(iterate.internal[i], inner, max_relative = 1e-14);
+    }
+    assert_eq!(work.back_substitutions, 2);
+    // Springs of 1e8 yield by p/k ≈ 1e-6 mm, which the body resists with some 300 N/mm.
+    assert!((iterate.pressure[0] - exact(&sample)[0]).abs() <= 1e-3);
+}
+
+#[test]
+fn spring_force_of_an_iterate_is_the_carried_force_plus_stiffness_times_strain() {
+    let sample = two([200.0, 300.0], [0.05, 0.1]);
+    let problem = sample.problem();
+    let springs = Springs { stiffness: vec![40.0, 70.0], force: vec![3.0, -1.0] };
+    let mut work = Work::default();
+    let factor = problem.factorise(&springs.stiffness, &mut work).expect("definite");
+    let iterate = problem.equilibrium(&factor, &sample.load, &springs, |p| p.gap, &mut work);
+    for i in 0..2 {
+        let wanted = springs.force[i] + springs.stiffness[i] * (iterate.approach[i] - sample.points[i].gap);
+        assert_relative_eq!(iterate.pressure[i], wanted, max_relative = 1e-11);
+    }
+    let u = &iterate.displacement;
+    assert!(distance(&iterate.approach, &[u[0], 0.25 * u[0] + 0.75 * u[1]]) <= 1e-15);
+    let internal = [0, 1].map(|i| sample.stiffness[(i, 0)] * u[0] + sample.stiffness[(i, 1)] * u[1]);
+    assert!(distance(&iterate.internal, &internal) <= 1e-12);
+    // Soft springs lose nothing that a refinement would return.
+    assert_eq!(work.back_substitutions, 1);
+}
+
+pub fn iterate_of(problem: &ContactProblem, displacement: [f64; 2], approach: [f64; 2], pressure: [f64; 2]) -> Iterate {
+    let internal = problem.internal_force(&displacement);
+    Iterate { displacement: displacement.to_vec(), approach: approach.to_vec(), pressure: pressure.to_vec(), internal }
 }

@@ -2,8 +2,9 @@
 
 use std::collections::BTreeSet;
 use std::fs;
-use std::process::Command;
 
+use crate::outputs::contact_vv;
+use crate::program::{Folder, ended, program};
 use crate::scene_file::folder;
 
 /// What is chosen, and its values; an empty one is left out. What excludes one another is values of one choice.
@@ -70,11 +71,8 @@ fn hertz(arguments: &[&str]) -> f64 {
 
 /// A mistake in a run.
 fn wrong(arguments: &[&str]) -> Option<String> {
-    let folder = tempfile::tempdir().expect("a folder");
-    let mut command = Command::new(env!("CARGO_BIN_EXE_contact-vv-tested"));
-    let output = command.args(["solve", "cylinder"]).args(arguments).current_dir(&folder).output().expect("started");
-    let told = String::from_utf8_lossy(&output.stderr);
-    let code = output.status.code();
+    let folder = Folder::made();
+    let (code, _, told) = ended(program(&["solve", "cylinder"]).args(arguments).current_dir(folder.path()));
     // A start that lets go of the body is an ending of the iteration.
     if code == Some(2) && told.contains("no contact spring is left after iteration") {
         return None;
@@ -174,19 +172,16 @@ fn what_cannot_be_solved_or_written_is_refused_before_anything_is_solved_with_wh
         ("patch --vtu out.txt", "end the file name in"),
         ("patch --increments 2 --curve curve.svg", "curves are CSV or JSON; .csv or .json"),
     ] {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_contact-vv-tested"));
-        let command = command.arg("solve").args(arguments.split_whitespace()).current_dir(folder());
-        let output = command.env("COLUMNS", "1000").output().expect("started");
-        let told = String::from_utf8_lossy(&output.stderr);
-        assert_eq!((output.status.code(), output.stdout.len()), (Some(2), 0), "{arguments}: {told}");
+        let mut command = program(&["solve"]);
+        let command = command.args(arguments.split_whitespace()).current_dir(folder()).env("COLUMNS", "1000");
+        let (code, text, told) = ended(command);
+        assert_eq!((code, text.as_str()), (Some(2), ""), "{arguments}: {told}");
         assert!(says.split("; ").all(|part| told.contains(part)), "{arguments}: {told}");
     }
 }
 
 #[test]
 fn accuracy_is_met_where_a_loose_iteration_leaves_points_pressed() {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_contact-vv-tested"));
-    let output = command.args(["solve", "cylinder", "--algorithm", "varying", "--accuracy", "5%"]).output();
-    let output = output.expect("started");
-    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stdout));
+    let (met, text, _) = contact_vv(&["solve", "cylinder", "--algorithm", "varying", "--accuracy", "5%"]);
+    assert!(met, "{text}");
 }

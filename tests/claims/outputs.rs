@@ -1,16 +1,22 @@
 //! What `solve` writes is what was solved, and asking for it changes nothing.
 
+use std::path::Path;
+
 use approx::assert_relative_eq;
-use contact_vv::case::Case;
+use contact_vv::case::library::{PinPlate, TruncatedHertz};
 use contact_vv::checkout::root;
 use contact_vv::cli::vtu;
+use contact_vv::elasticity::shape_functions;
 use contact_vv::elasticity::stress::{across, von_mises};
-use contact_vv::scene::{Material, PlaneHypothesis};
-use std::path::Path;
-use std::process::Command;
-use vtkio::model::{Attribute, CellType, DataSet, IOBuffer, Piece, UnstructuredGridPiece, Vtk};
+use contact_vv::measure::relative_error;
+use contact_vv::mesh::Order;
+use contact_vv::scene::{Material, PlaneHypothesis, Scene};
+use contact_vv::solve::{Discretisation, Fitted, Formulation, Run};
+use vtkio::model::{Attribute, CellType, DataSet, IOBuffer, Piece, UnstructuredGridPiece, VertexNumbers, Vtk};
 
 use crate::balance::solved_as_it_says;
+use crate::program::{Folder, ended, program};
+use crate::scene_file::{self, text_of};
 use crate::workbench::block_text;
 
 pub fn scene(name: &str) -> String {
@@ -18,9 +24,8 @@ pub fn scene(name: &str) -> String {
 }
 
 pub fn contact_vv(arguments: &[&str]) -> (bool, String, String) {
-    let output = Command::new(env!("CARGO_BIN_EXE_contact-vv-tested")).args(arguments).output().expect("started");
-    let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
-    (output.status.success(), text(&output.stdout), text(&output.stderr))
+    let (code, text, error) = ended(&mut program(arguments));
+    (code == Some(0), text, error)
 }
 
 /// What the program prints as JSON.
@@ -49,7 +54,7 @@ pub fn numbers(piece: &UnstructuredGridPiece, name: &str) -> Vec<f64> {
 #[test]
 fn fields_written_for_paraview_are_those_of_the_solution() {
     for name in ["blocks", "cylinder-on-block", "press-fit", "roller-between-plates"] {
-        let (discretisation, run) = solved_as_it_says(&Case::read(Path::new(&scene(name))).expect("sound"));
+        let (discretisation, run) = solved_as_it_says(&scene_file::case(name));
         let piece = &piece(&vtu::text(&discretisation, &run).expect("written"));
 
         let mesh = &discretisation.mesh;
@@ -119,11 +124,10 @@ fn von_mises_stress_of_plain_states() {
 
 #[test]
 fn asking_for_outputs_does_not_change_the_run() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = |name: &str| folder.path().join(name).display().to_string();
+    let folder = Folder::made();
     let file = scene("cylinder-in-metres");
     let plain = contact_vv(&["solve", &file, "--json", "-"]);
-    let (csv, vtu, svg) = (path("p.csv"), path("f.vtu"), path("p.svg"));
+    let [csv, vtu, svg] = ["p.csv", "f.vtu", "p.svg"].map(|name| folder.at(name));
     let all = contact_vv(&["solve", &file, "--json", "-", "--csv", &csv, "--vtu", &vtu, "--plot", &svg]);
     assert!(plain.0 && all.0, "{}", all.2);
     let without_seconds = |text: &str| {
@@ -148,11 +152,8 @@ fn asking_for_outputs_does_not_change_the_run() {
 #[test]
 fn options_change_what_the_file_says_and_only_that() {
     let file = scene("cylinder-in-metres");
-    let solve = |options: &[&str]| -> serde_json::Value {
-        // What the file checks may fail on a mesh that it was not written for.
-        let (_, text, error) = contact_vv(&[&["solve", &file, "--json", "-"], options].concat());
-        serde_json::from_str(&text).unwrap_or_else(|_| panic!("{error}"))
-    };
+    // What the file checks may fail on a mesh that it was not written for.
+    let solve = |options: &[&str]| json(&[&["solve", &file], options].concat());
     let own = solve(&[]);
     assert_eq!((own["element"].as_str(), own["algorithm"].as_str()), (Some("node"), Some("constant")));
     let other = solve(&["--element", "layer", "--algorithm", "kinematic", "--resolution", "6", "--order", "1"]);
@@ -162,44 +163,42 @@ fn options_change_what_the_file_says_and_only_that() {
 
 #[test]
 fn a_folder_is_verified_file_by_file_and_fails_with_its_worst() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let add = |name: &str, text: &str| std::fs::write(folder.path().join(name), text).expect("written");
-    let verify = || contact_vv(&["verify", &folder.path().display().to_string()]);
+    let folder = Folder::made();
+    let verify = || contact_vv(&["verify", &folder.at("")]);
     let (sound, _, error) = verify();
     assert!(!sound && error.contains("no scene file is in it"), "{error}");
-    let text = std::fs::read_to_string(scene("blocks")).expect("text");
-    add("a.toml", &text);
+    let text = text_of("blocks.toml");
+    folder.with("a.toml", &text);
     let (sound, table, error) = verify();
     assert!(sound && table.contains("2 passed") && !table.contains("FAILED"), "{table}{error}");
-    add("b.toml", &text.replace("value = 4000", "value = 4100"));
+    folder.with("b.toml", text.replace("value = 4000", "value = 4100"));
     let (sound, table, _) = verify();
     assert!(!sound && table.contains("1 of 2 FAILED"), "{table}");
     assert!(table.contains("contact resultant [N] is 4000"), "{table}");
-    let (sound, lines, error) = contact_vv(&["verify", &folder.path().display().to_string(), "--json"]);
+    let (sound, lines, error) = contact_vv(&["verify", &folder.at(""), "--json"]);
     let lines: Vec<serde_json::Value> = lines.lines().map(|line| serde_json::from_str(line).expect("JSON")).collect();
     let failed: Vec<_> = lines.iter().filter(|line| line["verdict"] == "fail").collect();
     assert!(!sound && failed.len() == 1 && failed[0]["quantity"] == "contact resultant [N]", "{lines:?}{error}");
-    add("b.toml", &text.replace("young = 70e3", "young = 0"));
+    folder.with("b.toml", text.replace("young = 70e3", "young = 0"));
     let (sound, table, error) = verify();
     assert!(!sound && table.contains("1 of 2 files not solved") && !table.contains("FAILED"), "{table}");
     assert!(error.contains("b.toml:16") && error.contains("above 0"), "{error}");
-    let (sound, lines, _) = contact_vv(&["verify", &folder.path().display().to_string(), "--json"]);
+    let (sound, lines, _) = contact_vv(&["verify", &folder.at(""), "--json"]);
     let last = lines.lines().last().expect("a line");
     assert!(!sound && last.contains("b.toml") && last.contains("\"fail\"") && last.contains("above 0"), "{lines}");
     // A table without rows is not printed: of files that are not solved, and of one that has no checks of its own.
     std::fs::remove_file(folder.path().join("a.toml")).expect("removed");
     let (_, table, _) = verify();
     assert_eq!(table.trim(), "1 of 1 files not solved");
-    add("b.toml", text.split("[[check]]").next().expect("a part"));
+    folder.with("b.toml", text.split("[[check]]").next().expect("a part"));
     let (sound, table, error) = verify();
     assert!(sound && table.contains("none") && !table.contains("error bar"), "{table}{error}");
 }
 
 #[test]
 fn table_tells_the_reactions_the_error_bars_and_the_notes_of_the_document() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let doubtful = folder.path().join("doubtful.toml").display().to_string();
-    std::fs::write(&doubtful, crate::plausible::BLOCKS.replace("young = 200000", "young = 200")).expect("written");
+    let folder = Folder::made();
+    let doubtful = folder.with("doubtful.toml", crate::scene_oracle::BLOCKS.replace("young = 200000", "young = 200"));
     for (file, noted) in [(scene("blocks"), false), (scene("two-cylinders"), false), (doubtful, true)] {
         let (_, table, _) = contact_vv(&["solve", &file, "--all"]);
         let document = json(&["solve", &file]);
@@ -257,9 +256,8 @@ fn small() -> String {
 
 /// The program in a folder: its exit code, and what it says of what is wrong.
 fn within(folder: &Path, arguments: &[&str]) -> (Option<i32>, String) {
-    let output = Command::new(env!("CARGO_BIN_EXE_contact-vv-tested")).args(arguments).current_dir(folder).output();
-    let output = output.expect("started");
-    (output.status.code(), String::from_utf8_lossy(&output.stderr).into_owned())
+    let (code, _, error) = ended(program(arguments).current_dir(folder));
+    (code, error)
 }
 
 /// What a folder holds, by name.
@@ -273,9 +271,9 @@ fn kept(folder: &Path) -> std::collections::BTreeMap<String, Vec<u8>> {
 
 #[test]
 fn no_output_takes_the_place_of_what_is_read_or_of_another_output() {
-    let folder = tempfile::tempdir().expect("a folder");
+    let folder = Folder::made();
+    folder.with("s.toml", small());
     let folder = folder.path();
-    std::fs::write(folder.join("s.toml"), small()).expect("written");
     std::fs::write(folder.join("ours.csv"), "position [mm],pressure [MPa]\n0,1\n5,1\n10,1\n").expect("written");
     std::fs::hard_link(folder.join("s.toml"), folder.join("linked.vtu")).expect("linked");
     #[cfg(unix)]
@@ -304,9 +302,9 @@ fn no_output_takes_the_place_of_what_is_read_or_of_another_output() {
 
 #[test]
 fn outputs_replace_earlier_ones_of_their_kind_and_others_by_force_only() {
-    let folder = tempfile::tempdir().expect("a folder");
+    let folder = Folder::made();
+    folder.with("s.toml", small());
     let folder = folder.path();
-    std::fs::write(folder.join("s.toml"), small()).expect("written");
     let all = [
         ("--csv", "p.csv"),
         ("--json", "r.json"),
@@ -349,9 +347,9 @@ fn outputs_replace_earlier_ones_of_their_kind_and_others_by_force_only() {
 
 #[test]
 fn an_export_replaces_no_mesh_that_the_scene_reads_and_no_answer_that_was_filled_in() {
-    let folder = tempfile::tempdir().expect("a folder");
+    let folder = Folder::made();
+    folder.with("s.toml", small());
     let folder = folder.path();
-    std::fs::write(folder.join("s.toml"), small()).expect("written");
     // The same files once more are no loss; none of them stays behind where one of them would be.
     for _ in 0..2 {
         assert_eq!(within(folder, &["export", "s.toml", "e"]).0, Some(0));
@@ -382,5 +380,75 @@ fn an_export_replaces_no_mesh_that_the_scene_reads_and_no_answer_that_was_filled
         assert!(error.contains("s.msh") && error.contains("never replaces an input"), "{error}");
         assert_eq!(kept(&folder.join("g")).len(), 2);
         assert_eq!(kept(&folder.join("g"))["s.msh"], mesh.as_bytes());
+    }
+}
+
+/// Lattice places of the nodes of VTK's Lagrange quadrilateral: corners around, then the sides, each along its axis, then the
+/// inside row by row (vtkHigherOrderQuadrilateral::PointIndexFromIJK).
+fn place(m: usize, [i, j]: [usize; 2]) -> usize {
+    let inner = m - 1;
+    match ([i, j].map(|k| k == 0 || k == m), [i, j]) {
+        ([true, true], _) => [[0, 3], [1, 2]][usize::from(i == m)][usize::from(j == m)],
+        ([false, true], _) => 4 + (i - 1) + if j == m { 2 * inner } else { 0 },
+        ([true, false], _) => 4 + (j - 1) + if i == m { inner } else { 3 * inner },
+        ([false, false], _) => 4 + 4 * inner + (i - 1) + inner * (j - 1),
+    }
+}
+
+/// Polynomials through even positions from −1 to 1.
+fn even(m: usize, x: f64) -> Vec<f64> {
+    let at = |k: usize| 2.0 * k as f64 / m as f64 - 1.0;
+    let others = |a: usize| (0..=m).filter(move |&k| k != a);
+    (0..=m).map(|a| others(a).map(|k| (x - at(k)) / (at(a) - at(k))).product()).collect()
+}
+
+/// The value that VTK interpolates in a cell of the file.
+fn read(nodes: &[u64], m: usize, values: &[f64], stride: usize, [x, y]: [f64; 2]) -> f64 {
+    let (along, up) = (even(m, x), even(m, y));
+    let all = (0..=m).flat_map(|j| (0..=m).map(move |i| [i, j]));
+    all.map(|[i, j]| along[i] * up[j] * values[stride * nodes[place(m, [i, j])] as usize]).sum()
+}
+
+fn scenes() -> Vec<(Scene, Fitted)> {
+    let block = |order| (TruncatedHertz::default().scene(), Fitted { order, layers: 1 });
+    let pin = |order| (PinPlate::of_half_angle(60.0).scene(), Fitted { order, layers: 1 });
+    vec![block(Order::Quartic), block(Order::Octic), pin(Order::Quintic), pin(Order::Septic)]
+}
+
+#[test]
+fn fields_of_high_order_are_read_as_the_polynomials_that_were_solved() {
+    for (scene, fitted) in scenes() {
+        let answer = fitted.solve(&scene, &Formulation::verification()).expect("answer");
+        let (discretisation, run): (Discretisation, Run) = (answer.discretisation, answer.run);
+        let piece = piece(&vtu::text(&discretisation, &run).expect("written"));
+        let (mesh, case) = (&discretisation.mesh, format!("{} {:?}", scene.name, fitted.order));
+        let m = mesh.order.intervals();
+        assert!(piece.cells.types.iter().all(|kind| *kind == CellType::LagrangeQuadrilateral), "{case}");
+        let VertexNumbers::XML { connectivity, .. } = &piece.cells.cell_verts else { panic!("cells") };
+        let IOBuffer::F64(points) = &piece.points else { panic!("points") };
+        let fields = discretisation.recover(&run.solution).expect("fields");
+        let (moved, stress) = (numbers(&piece, "displacement"), numbers(&piece, "stress_yy"));
+        let largest = |values: &[f64]| values.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
+        let scales = [largest(points), largest(&moved), largest(&stress)];
+        for (cell, nodes) in connectivity.chunks((m + 1) * (m + 1)).enumerate() {
+            for at in [[0.3, -0.7], [-0.95, 0.1], [1.0, 0.4]] {
+                let shapes = shape_functions::cell(nodes.len(), at);
+                let own = |of: &dyn Fn(usize) -> f64| -> f64 {
+                    mesh.cell(cell).iter().zip(&shapes).map(|(&node, (shape, _))| shape * of(node)).sum()
+                };
+                // Nodes that two cells share have the mean of both stresses in ours as in the file.
+                let pairs = [
+                    (own(&|node| mesh.points[node][0]), read(nodes, m, points, 3, at)),
+                    (own(&|node| fields.displacement[node][0]), read(nodes, m, &moved, 3, at)),
+                    (own(&|node| fields.stress[node][1]), read(nodes, m, &stress, 1, at)),
+                ];
+                for ((ours, theirs), scale) in pairs.into_iter().zip(scales) {
+                    assert!((ours - theirs).abs() <= 1e-9 * scale, "{case}, cell {cell}: {ours} is read as {theirs}");
+                }
+            }
+        }
+        let pressed = largest(&numbers(&piece, "contact_pressure"));
+        let peak = run.solution.points.iter().fold(0.0_f64, |most, point| most.max(point.pressure));
+        assert!(relative_error(pressed, peak) <= 2e-2, "{case}: {pressed} of {peak}");
     }
 }

@@ -1,4 +1,5 @@
-//! The report: a short front page, pages behind it that links reach, every check on one of them, and sentences that follow the numbers.
+//! The report: a short front page, pages behind it that links reach, every check on one of them, and sentences that follow the numbers; one page
+//! of it by the name of its case or study.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -11,6 +12,9 @@ use contact_vv::report::links::{CHARTS, PAGES};
 use contact_vv::report::{case_page, diff, difference, files, study_page, symbols, told, write};
 use contact_vv::study::sheet::SHEETS;
 use contact_vv::study::{Files, Finding, Room, Study, cases};
+
+use crate::program::{Folder, ended, program};
+use crate::workbench::spoiled;
 
 /// Most lines of the front page.
 const LINES: usize = 220;
@@ -117,9 +121,8 @@ fn every_check_of_any_study_is_on_its_page() {
         Judged { check: one.check.clone().universal(), ..one }
     }];
     for room in Room::ALL {
-        let mut finding = sound.clone();
-        (finding.study, finding.judged) = (room.name, judged.clone());
-        let findings = [finding];
+        let own = |finding: &mut Finding| (finding.study, finding.judged) = (room.name, judged.clone());
+        let findings = [spoiled(&sound, own)];
         let text = match room.name {
             cases::Numbers::NAME => case_page::page(&case_page::shared(&findings)[0], false),
             _ => study_page::tables(room.name, &findings),
@@ -135,15 +138,13 @@ fn every_check_of_any_study_is_on_its_page() {
 fn first_sentence_follows_the_verdicts() {
     let sound = small();
     assert!(right(std::slice::from_ref(&sound)).starts_with("**No check fails**"));
-    let mut spoiled = sound.clone();
-    spoiled.judged[0].verdict = Verdict::Fail;
-    let asked = told::once(sound.judged.iter().chain(&spoiled.judged)).len();
-    let said = right(&[sound.clone(), spoiled]);
+    let failed = spoiled(&sound, |finding| finding.judged[0].verdict = Verdict::Fail);
+    let asked = told::once(sound.judged.iter().chain(&failed.judged)).len();
+    let said = right(&[sound.clone(), failed]);
     assert!(said.starts_with(&format!("**✗ 1 of {asked} checks fail**")), "{said}");
     assert!(said.contains(&sound.judged[0].requirement()), "{said}");
-    let mut absent = sound.clone();
-    absent.judged[0].verdict = Verdict::NotRun("no figures".into());
-    assert!(right(&[absent]).contains("1 could not be run"));
+    let absent = |finding: &mut Finding| finding.judged[0].verdict = Verdict::NotRun("no figures".into());
+    assert!(right(&[spoiled(&sound, absent)]).contains("1 could not be run"));
     assert!(right(&[]).starts_with("**Nothing was checked.**"));
 }
 
@@ -210,4 +211,43 @@ fn checks_without_an_error_are_beyond_every_share_of_their_tolerance() {
     let parts = nearness::cumulated(&[0.0, 0.1, 2.0, f64::NAN]);
     let at = |share: f64| parts.iter().rfind(|(x, _)| *x <= share * (1.0 + 1e-9)).expect("a share").1;
     assert_eq!([at(1e-3), at(0.1), at(1.0), at(10.0)], [25.0, 50.0, 50.0, 75.0]);
+}
+
+#[test]
+fn one_page_of_a_case_is_that_of_the_report_and_a_mistyped_name_is_told_with_its_like() {
+    let folder = Folder::made();
+    // A checkout with what pages are made from, and none of them.
+    folder.with("Cargo.toml", "");
+    let own = root();
+    for (inside, of) in
+        [("tests/cases", "toml"), ("tests/cases/meshes", "msh"), ("snapshots", "csv"), ("snapshots", "json")]
+    {
+        std::fs::create_dir_all(folder.path().join(inside)).expect("made");
+        for file in std::fs::read_dir(own.join(inside)).expect("a folder").map(|file| file.expect("a file").path()) {
+            if file.extension().is_some_and(|ending| ending == of) {
+                let name = file.file_name().expect("a name");
+                std::fs::copy(&file, folder.path().join(inside).join(name)).expect("copied");
+            }
+        }
+    }
+    for inside in ["pages", "charts", "sheets"] {
+        std::fs::create_dir_all(folder.path().join("snapshots").join(inside)).expect("made");
+    }
+    let report = |name: &str| ended(program(&["report", "--only", name]).current_dir(folder.path()));
+    for (name, page) in [
+        ("blocks.toml", "case-blocks-toml"),
+        ("tests/cases/moment.toml", "case-moment-toml"),
+        ("press-fit", "case-press-fit"),
+    ] {
+        let (code, shown, error) = report(name);
+        let file = format!("snapshots/pages/{page}.md");
+        let read = |root: &Path| std::fs::read_to_string(root.join(&file)).expect("a page");
+        let committed = read(&own);
+        assert_eq!(code, Some(0), "{name}: {error}");
+        assert!(read(folder.path()) == committed && shown.starts_with(committed.trim_end()), "{name}: {shown:.300}");
+        assert!(shown.trim_end().ends_with(&file), "{name}");
+    }
+    let (code, shown, error) = report("blocs.toml");
+    assert_eq!((code, shown.as_str()), (Some(2), ""));
+    assert!(error.contains("did you mean `blocks.toml`?") && error.contains("fitted"), "{error}");
 }

@@ -1,6 +1,5 @@
-//! The picture of a run: it draws what was solved, whatever came out.
+//! The picture of a run: it draws what was solved, whatever came out; and a solve as one HTML file.
 
-use std::path::Path;
 use std::process::Command;
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
@@ -11,8 +10,9 @@ use contact_vv::report::pictures::{deformed, solve};
 use contact_vv::solve::{Discretisation, Run};
 
 use crate::balance::solved_as_it_says;
-use crate::outputs::scene;
-use crate::scene_file::text_of;
+use crate::outputs::{contact_vv, json};
+use crate::program::{Folder, ended};
+use crate::scene_file::{self, text_of};
 
 struct Solved {
     problem: Case,
@@ -21,7 +21,7 @@ struct Solved {
 }
 
 fn solved(name: &str) -> Solved {
-    let problem = Case::read(Path::new(&scene(name))).expect("sound");
+    let problem = scene_file::case(name);
     let (discretisation, run) = solved_as_it_says(&problem);
     Solved { problem, discretisation, run }
 }
@@ -31,28 +31,6 @@ impl Solved {
         let sheet = solve::sheet(&self.problem, &self.discretisation, &self.run).expect("composed");
         sheet.drawing().svg().expect("drawn")
     }
-}
-
-/// Elements of an SVG by their names; every one closed, in order, and every `&` an entity.
-fn elements(svg: &str) -> Vec<String> {
-    let (mut open, mut all) = (Vec::new(), Vec::new());
-    for part in svg.split('<').skip(1) {
-        let (tag, text) = part.split_once('>').expect("a tag ends");
-        assert!(!text.contains('>'), "text after <{tag}: {text}");
-        let entity = |rest: &str| ["amp;", "lt;", "gt;", "quot;", "apos;", "#"].iter().any(|e| rest.starts_with(e));
-        assert!(part.split('&').skip(1).all(entity), "an entity in {part}");
-        let name = tag.trim_start_matches('/').split([' ', '/', '\n']).next().unwrap_or_default().to_string();
-        if tag.starts_with('/') {
-            assert_eq!(open.pop().as_ref(), Some(&name));
-        } else {
-            all.push(name.clone());
-            if !tag.ends_with('/') {
-                open.push(name);
-            }
-        }
-    }
-    assert!(open.is_empty(), "{open:?} left open");
-    all
 }
 
 /// Closed outlines in all paths of an SVG.
@@ -65,10 +43,12 @@ fn areas(svg: &str) -> usize {
 fn picture_has_shape_pressure_and_iteration_error_and_is_valid() {
     for name in ["blocks", "press-fit", "cylinder-on-block", "flat-punch"] {
         let svg = solved(name).svg();
-        let elements = elements(&svg);
-        assert_eq!(elements.iter().filter(|element| *element == "svg").count(), 1, "{name}");
+        assert_eq!((ill_formed(&svg), svg.matches("<svg").count()), (None, 1), "{name}");
         assert!(areas(&svg) > 20, "{name}: no bands");
-        assert!(svg.contains("role=\"img\"") && elements[1] == "title", "{name}: no name for those who hear it");
+        assert!(
+            svg.contains("role=\"img\"") && svg.split('<').nth(2).is_some_and(|tag| tag.starts_with("title")),
+            "{name}: no name for those who hear it"
+        );
         for text in ["von Mises stress", "Contact pressure", "Iteration error", "tolerance", "Displacements ×"] {
             assert!(svg.contains(text), "{name}: no `{text}`");
         }
@@ -191,7 +171,7 @@ fn charts_hold_the_pressures_and_the_iteration_error_of_every_step() {
     let [guide] = chart.guides.as_slice() else { panic!("one guide") };
     assert_eq!(guide.direction, Direction::Horizontal);
     assert_abs_diff_eq!(guide.at, run.formulation.settings.tolerance, epsilon = 0.0);
-    elements(&chart.drawing().svg().expect("drawn"));
+    assert_eq!(ill_formed(&chart.drawing().svg().expect("drawn")), None);
 }
 
 #[test]
@@ -201,36 +181,30 @@ fn run_without_numbers_without_steps_or_without_contact_is_drawn() {
     broken.run.solution.displacement.fill(f64::NAN);
     broken.run.solution.points.iter_mut().for_each(|point| point.pressure = f64::NAN);
     let svg = broken.svg();
-    elements(&svg);
+    assert_eq!(ill_formed(&svg), None);
     assert!(svg.contains("no finite displacements") && !svg.contains("von Mises"), "nothing to draw is said");
     broken.run.solution.history.clear();
-    elements(&broken.svg());
+    assert_eq!(ill_formed(&broken.svg()), None);
 
     let mut open = solved("blocks");
     open.run.solution.points.iter_mut().for_each(|point| point.pressure = 0.0);
     open.run.contacts[0].measures.active = 0;
     open.run.contacts[0].open = Some(true);
     let svg = open.svg();
-    elements(&svg);
+    assert_eq!(ill_formed(&svg), None);
     assert!(svg.contains("No contact: every candidate is open."), "no contact is said");
 }
 
 #[test]
 fn command_draws_what_did_not_converge_and_shows_no_progress_where_there_is_no_terminal() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let (file, picture) = (folder.path().join("few.toml"), folder.path().join("few.svg"));
+    let folder = Folder::made();
     let text = text_of("cylinder-in-metres.toml");
-    let solve = |text: &str| {
-        std::fs::write(&file, text).expect("written");
-        let mut command = Command::new(env!("CARGO_BIN_EXE_contact-vv-tested"));
-        command.arg("solve").arg(&file).arg("--plot").arg(&picture).output().expect("started")
-    };
-    let output = solve(&text);
-    assert!(output.status.success() && output.stderr.is_empty(), "{}", String::from_utf8_lossy(&output.stderr));
-    let output = solve(&text.replace("[solve]", "[solve]\nmax-iterations = 2"));
-    assert!(!output.status.success());
-    let svg = std::fs::read_to_string(&picture).expect("a picture");
-    elements(&svg);
+    let solve = |text: &str| contact_vv(&["solve", &folder.with("few.toml", text), "--plot", &folder.at("few.svg")]);
+    let (sound, _, error) = solve(&text);
+    assert!(sound && error.is_empty(), "{error}");
+    assert!(!solve(&text.replace("[solve]", "[solve]\nmax-iterations = 2")).0);
+    let svg = folder.read("few.svg");
+    assert_eq!(ill_formed(&svg), None);
     assert!(svg.contains("not converged after 2 iterations"));
 }
 
@@ -302,4 +276,75 @@ fn marks_lie_on_the_sides_that_are_held_loaded_and_rigid() {
         }
     }
     assert!(fixed > 5 && pushed > 5 && rigid > 5, "{fixed}, {pushed}, {rigid}");
+}
+
+/// Tags that are opened and not closed, or closed and not opened; what is no markup at all.
+pub fn ill_formed(text: &str) -> Option<String> {
+    let mut open: Vec<&str> = Vec::new();
+    let mut pieces = text.split('<');
+    pieces.next()?;
+    for piece in pieces {
+        let Some((tag, rest)) = piece.split_once('>') else { return Some(format!("no end: {piece:.60}")) };
+        let entities = rest
+            .split('&')
+            .skip(1)
+            .all(|one| ["amp;", "lt;", "gt;", "quot;", "apos;", "#"].iter().any(|e| one.starts_with(e)));
+        let is_style = open.last() == Some(&"style");
+        if !is_style && (rest.contains('>') || !entities) {
+            return Some(format!("not escaped: {rest:.60}"));
+        }
+        let name = tag.split([' ', '\n']).next().unwrap_or_default();
+        match name.strip_prefix('/') {
+            _ if name.starts_with('!') || tag.ends_with('/') => {}
+            Some(name) if open.pop() == Some(name) => {}
+            Some(_) => return Some(format!("closed: {name}")),
+            None => open.push(name),
+        }
+    }
+    (!open.is_empty()).then(|| format!("open: {open:?}"))
+}
+
+/// A browser that shows no window, where one is installed.
+fn browser() -> Option<&'static str> {
+    let all = ["chromium-headless-shell", "chromium", "chromium-browser", "google-chrome", "google-chrome-stable"];
+    all.into_iter().find(|name| Command::new(name).arg("--version").output().is_ok_and(|told| told.status.success()))
+}
+
+#[test]
+fn a_solve_is_one_html_file_that_needs_nothing_else() {
+    let folder = Folder::made();
+    let title = "steel < 5 mm & \"{{input}}\"";
+    let text = text_of("two-cylinders.toml");
+    let line = text.lines().find(|line| line.starts_with("title")).expect("a title");
+    let mine = folder.with("mine.toml", text.replace(line, &format!("title = '{title}'")));
+    let html = folder.at("run.html");
+    let (sound, _, error) = contact_vv(&["solve", &mine, "--html", &html]);
+    assert!(sound, "{error}");
+    let page = folder.read("run.html");
+    assert_eq!(ill_formed(&page), None);
+    assert!(page.contains("<p>steel &lt; 5 mm &amp; &quot;{{input}}&quot;</p>"), "escaped, and not filled in again");
+    for outside in ["<script", " src=", "href=\"http", "url(http", "@import"] {
+        assert!(!page.contains(outside), "{outside}");
+    }
+    let document = json(&["solve", &mine]);
+    for list in ["error_bars", "checks"] {
+        let key = if list == "checks" { "requirement" } else { "quantity" };
+        for one in document[list].as_array().expect("a list") {
+            let told = one[key].as_str().expect("a text").replace('<', "&lt;");
+            assert!(page.contains(&told), "{told}");
+        }
+    }
+    assert!(page.contains("<svg") && page.contains("prefers-color-scheme: dark") && page.contains("[[body]]"));
+    // Written once more it replaces itself, and nothing else.
+    assert!(contact_vv(&["solve", &mine, "--html", &html, "--no-error-bar"]).0);
+    let (sound, _, error) = contact_vv(&["solve", &mine, "--html", &mine]);
+    assert!(!sound && error.contains(".html"), "{error}");
+    match browser() {
+        None => println!("no Chromium is installed: the page was not opened in a browser"),
+        Some(browser) => {
+            let options = ["--headless", "--no-sandbox", "--disable-gpu", "--dump-dom", &format!("file://{html}")];
+            let (_, shown, _) = ended(Command::new(browser).args(options));
+            assert!(["peak pressure", "</svg>", "</html>"].iter().all(|part| shown.contains(part)), "{shown:.500}");
+        }
+    }
 }

@@ -9,7 +9,7 @@ use contact_vv::mesh::{Mesh, Order};
 use contact_vv::scene::{Profile, Scene};
 
 use crate::contact::{elements, interface};
-use crate::workbench::{ORDERS, resolution};
+use crate::workbench::{ORDERS, resolution, spoiled};
 
 #[test]
 fn node_that_nothing_faces_is_refused_with_its_coordinate() {
@@ -18,8 +18,7 @@ fn node_that_nothing_faces_is_refused_with_its_coordinate() {
     let condensed = ElasticSystem::assemble(&scene, &mesh).expect("system").condense().expect("condensed");
     let mut shorter = mesh.clone();
     shorter.bodies[1].candidates.pop();
-    let mut late = mesh.clone();
-    late.bodies[1].candidates[0].coordinate += 0.01;
+    let late = spoiled(&mesh, |mesh| mesh.bodies[1].candidates[0].coordinate += 0.01);
     let end = format!("{:.6}°", scene.contact().stretch.to_degrees());
     for (wrong, at) in [(shorter, end.as_str()), (late, "0.000000°")] {
         let error = Interface::between(&scene, &wrong, &condensed, 0).expect_err("nothing faces a node");

@@ -2,8 +2,9 @@
 
 use approx::assert_relative_eq;
 use contact_vv::solution::Solution;
-use contact_vv::solve::{Discretisation, Run};
+use contact_vv::solve::Discretisation;
 
+use crate::balance::solved_as_it_says;
 use crate::scene_file::text_of;
 use crate::workbench::{distance, parsed};
 
@@ -11,11 +12,9 @@ use crate::workbench::{distance, parsed};
 const ROUND_OFF: f64 = 1e-9;
 
 fn solved(text: &str) -> (Discretisation, Solution) {
-    let file = parsed(text);
-    let discretisation = Discretisation::of(file.scene.clone(), file.resolution).expect("meshed");
-    let solution = discretisation.solve(file.formulation()).expect("solved");
-    assert!(solution.converged(), "{text}");
-    (discretisation, solution)
+    let (discretisation, run) = solved_as_it_says(&parsed(text));
+    assert!(run.solution.converged(), "{text}");
+    (discretisation, run.solution)
 }
 
 /// A bar 10 mm wide and 20 mm high, 3 mm thick, over a rigid plane.
@@ -52,9 +51,7 @@ fn run_that_ends_before_the_last_increment_has_the_reactions_of_its_own_share() 
     let push = "{ at = \"left\", component = \"x\" }, { at = \"far\", component = \"y\", value = -0.05 }";
     let text = bar("stress", 0.0, push, "{ body-force = [0.5, -0.25] }");
     let text = text.replace("[solve]", "[solve]\nincrements = 4\nmax-iterations = 2\nstiffness = 1e4");
-    let case = parsed(&text);
-    let discretisation = Discretisation::of(case.scene.clone(), case.resolution).expect("meshed");
-    let run = Run::of(&discretisation, case.formulation()).expect("stopped");
+    let (discretisation, run) = solved_as_it_says(&parsed(&text));
     assert!(!run.solution.converged() && run.share() < 1.0, "{:?} after {}", run.solution.outcome, run.share());
     let reactions = discretisation.reactions_under(run.share(), &run.solution).expect("reactions");
     let touch = contact(&discretisation, &run.solution, 0);

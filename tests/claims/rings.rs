@@ -1,51 +1,31 @@
-//! Contacts of bodies of revolution that are rings: off the axis, along it, and on arcs.
+//! Contacts of bodies of revolution that are rings: off the axis, along it, and on arcs; and blocks that carry the tractions of a half-space.
 
 use std::f64::consts::{PI, TAU};
-use std::path::Path;
 use std::sync::Arc;
 
 use approx::assert_relative_eq;
 use contact_vv::algorithm::Iteration;
 use contact_vv::case::Case;
-use contact_vv::checkout::root;
+use contact_vv::case::library::Indented;
 use contact_vv::contact::Element;
 use contact_vv::error::Error;
+use contact_vv::measure::Quantity;
 use contact_vv::mesh::{Order, Resolution};
 use contact_vv::oracle::analytic::hertz::Hertz;
 use contact_vv::oracle::analytic::revolution::half_space::Potential;
-use contact_vv::oracle::{Quantity, Reading};
+use contact_vv::oracle::analytic::revolution::indentation::Indentation;
+use contact_vv::oracle::analytic::revolution::sphere::Sphere;
 use contact_vv::scene::{
-    Body, Component, ContactPair, Face, Grading, Line, Load, Material, MonotoneCubic, Path as Way, Place,
-    PlaneHypothesis, Profile, ReferenceValues, Scene, Shape, StressField, Support,
+    Component, Displaced, Face, Grading, Line, Material, MonotoneCubic, Path as Way, Place, PlaneHypothesis, Profile,
+    ReferenceValues, Scene, Shape,
 };
 use contact_vv::solve::{Discretisation, Formulation, Run};
 
-const ORDERS: [Order; 4] = [Order::Linear, Order::Quadratic, Order::Quartic, Order::Octic];
+use crate::balance::scene;
+use crate::scene_file;
+use crate::workbench::{held, meshed, stressed, told, turned};
 
-/// One block on a rigid side, under the traction of a stress on the sides that are named.
-fn block(plane: PlaneHypothesis, shape: Shape, path: Way, stretch: f64, loaded: &[&'static str]) -> Scene {
-    let stress = StressField(Arc::new(|_| [-7.0, -7.0, 0.0]));
-    let load = |name: &&'static str| Load::Stress { boundary: (*name).into(), field: stress.clone() };
-    let body = Body {
-        name: "block".into(),
-        shape,
-        material: Material { young: 1000.0, poisson: 0.3 },
-        density: 1.0,
-        supports: vec![],
-        loads: loaded.iter().map(load).collect(),
-    };
-    let mut pair = ContactPair::new(None, path, Profile::Uniform(0.0), stretch);
-    pair.symmetric = false;
-    Scene {
-        name: "block".into(),
-        plane,
-        thickness: 1.0,
-        bodies: vec![body],
-        contacts: vec![pair],
-        reference: ReferenceValues { length: 1.0, pressure: 1.0, gap: 1e-3 },
-        grading: Grading { unit: 3.0, along: 1.0, depth: 1.0, first: 1.0, coarsest: 1.0, end: 1.0 },
-    }
-}
+const ORDERS: [Order; 4] = [Order::Linear, Order::Quadratic, Order::Quartic, Order::Octic];
 
 fn across(origin: [f64; 2]) -> Way {
     Way::Straight(Line { origin, both_sides: true })
@@ -56,13 +36,13 @@ fn pressed() -> [(&'static str, Scene, f64); 2] {
     let (about_y, about_x) = (PlaneHypothesis::Axisymmetric, PlaneHypothesis::AxisymmetricAboutX);
     let ring = Shape::Rectangle { x: [2.0, 5.0], y: [0.0, 2.0], contact: Face::Bottom };
     let sleeve = Shape::Rectangle { x: [-1.5, 1.5], y: [2.0, 4.0], contact: Face::Bottom };
-    let mut around = block(about_x, sleeve, across([0.0, 2.0]), 1.5, &["right", "far"]);
-    around.bodies[0].supports =
-        vec![Support { at: Place::Boundary("left".into()), component: Component::X, value: 0.0 }];
+    let all = [-7.0, -7.0, 0.0];
+    let mut around = turned(about_x, sleeve, across([0.0, 2.0]), 1.5, all, &["right", "far"]);
+    around.bodies[0].supports = vec![held("left", Component::X, 0.0)];
     // Under the same pressure from all sides its bore narrows by p (1 − 2ν) r/E.
     around.contacts[0].profile = Profile::Uniform(7.0 * 0.4 * 2.0 / 1000.0);
     [
-        ("ring", block(about_y, ring, across([3.5, 0.0]), 1.5, &["left", "right", "far"]), PI * (25.0 - 4.0)),
+        ("ring", turned(about_y, ring, across([3.5, 0.0]), 1.5, all, &["left", "right", "far"]), PI * (25.0 - 4.0)),
         ("sleeve", around, TAU * 2.0 * 3.0),
     ]
 }
@@ -72,8 +52,7 @@ fn uniform_pressures_on_rings_are_exact() {
     for (order, element) in ORDERS.into_iter().flat_map(|order| Element::ALL.map(|element| (order, element))) {
         for (name, scene, area) in pressed() {
             let case = format!("{name}, {order:?}, {element:?}");
-            let resolution = Resolution { elements: 4, refinement: 0, order };
-            let discretisation = Discretisation::of(scene, resolution).expect("meshed");
+            let discretisation = meshed(scene, 4, order);
             let formulation = Formulation::new(element, Iteration::Kinematic).tolerance(1e-11);
             let run = Run::of(&discretisation, &formulation).expect("solved");
 
@@ -99,127 +78,38 @@ fn uniform_pressures_on_rings_are_exact() {
     }
 }
 
-/// What a scene file finds.
-fn solved(text: &str) -> (Case, Run) {
-    let case = Case::parse(Path::new("rings.toml"), text).unwrap_or_else(|error| panic!("{error}\n{text}"));
-    let (_, run) = case.solve().unwrap_or_else(|error| panic!("{error}\n{text}"));
-    assert!(run.solution.converged(), "{text}");
-    (case, run)
+/// What a case finds.
+fn solved(case: &Case) -> Run {
+    let (_, run) = case.solve().unwrap_or_else(|error| panic!("{error}"));
+    assert!(run.solution.converged(), "{}", run.solution.outcome);
+    run
 }
 
-/// A steel ring on a hollow shaft of aluminium that is as long; the right half is modelled.
-const RING_ON_SHAFT: &str = r#"
-title = "ring on a shaft"
-plane = "axisymmetric"
-axis = "x"
-
-[[body]]
-name = "ring"
-young = 210e3
-poisson = 0.3
-shape = { rectangle = { x = [0, 10], y = [40, 70], contact = "bottom" } }
-supports = [{ at = "left", component = "x" }]
-
-[[body]]
-name = "shaft"
-young = 70e3
-poisson = 0.33
-shape = { rectangle = { x = [0, 10], y = [20, 40], contact = "top" } }
-supports = [{ at = "left", component = "x" }]
-
-[contact]
-first = "ring"
-second = "shaft"
-origin = [0, 40]
-gap = { uniform = -0.02 }
-stretch = 10
-oracle = { lame = { radii = [20, 40, 70], interference = 0.02 } }
-
-[mesh]
-elements = 4
-per = 10
-order = 4
-growth = { along = 1.0, depth = 1.0 }
-
-[solve]
-tolerance = 1e-8
-
-[[check]]
-quantity = "pressure"
-at = 5
-tolerance = 1e-6
-because = "rings of free ends and the same length are in plane stress"
-"#;
-
 #[test]
-fn a_ring_on_a_shaft_of_its_length_is_lames() -> Result<(), Error> {
-    let (case, run) = solved(RING_ON_SHAFT);
-    let wanted = case.oracles[0].as_ref().expect("Lamé").read(&Quantity::PeakPressure);
-    let Reading::Value { value, .. } = wanted else { panic!("a pressure") };
+fn a_ring_on_a_shaft_of_its_length_is_lames() {
+    let case = scene("ring-on-shaft", &[]);
+    let (run, value) = (solved(&case), told(&case, &Quantity::PeakPressure));
     for point in &run.solution.points {
         assert_relative_eq!(point.pressure, value, max_relative = 1e-5);
     }
     assert_relative_eq!(run.transmitted(), value * TAU * 40.0 * 20.0, max_relative = 1e-5);
 
     // What the plane scene of the same rings says.
-    let plane = Case::read(&root().join("tests/cases/press-fit.toml"))?;
-    let swapped = RING_ON_SHAFT
-        .replace("name = \"ring\"\nyoung = 210e3\npoisson = 0.3", "name = \"ring\"\nyoung = 70e3\npoisson = 0.33")
-        .replace("name = \"shaft\"\nyoung = 70e3\npoisson = 0.33", "name = \"shaft\"\nyoung = 210e3\npoisson = 0.3");
-    let (_, turned) = solved(&swapped);
-    let (_, plane) = plane.solve()?;
+    let swapped = scene(
+        "ring-on-shaft",
+        &[
+            ["name = \"ring\"\nyoung = 210e3\npoisson = 0.3", "name = \"ring\"\nyoung = 70e3\npoisson = 0.33"],
+            ["name = \"shaft\"\nyoung = 70e3\npoisson = 0.33", "name = \"shaft\"\nyoung = 210e3\npoisson = 0.3"],
+        ],
+    );
+    let [turned, plane] = [swapped, scene_file::case("press-fit")].map(|case| solved(&case));
     assert_relative_eq!(turned.measures().peak.pressure, plane.measures().peak.pressure, max_relative = 1e-3);
-    Ok(())
 }
-
-/// A ball of brass in a shell of steel that is too narrow for it, to a half: both are cut where they are symmetric.
-const BALL_IN_SHELL: &str = r#"
-title = "ball in a shell"
-plane = "axisymmetric"
-
-[[body]]
-name = "ball"
-young = 100e3
-poisson = 0.35
-shape = { ring = { centre = [0, 0], inner = 20, outer = 30, sweep = 90, contact = "outer" } }
-supports = [{ at = "end", component = "y" }]
-
-[[body]]
-name = "shell"
-young = 210e3
-poisson = 0.3
-shape = { ring = { centre = [0, 0], inner = 30, outer = 50, sweep = 90, contact = "inner" } }
-supports = [{ at = "end", component = "y" }]
-
-[contact]
-first = "ball"
-second = "shell"
-arc = { centre = [0, 0], radius = 30 }
-gap = { uniform = -0.02 }
-stretch = 90
-oracle = { lame = { radii = [20, 30, 50], interference = 0.02 } }
-
-[mesh]
-elements = 4
-per = 47.1
-order = 6
-growth = { along = 1.0, depth = 1.0 }
-
-[solve]
-tolerance = 1e-8
-
-[[check]]
-quantity = "pressure"
-at = 45
-tolerance = 1e-6
-because = "spheres about one centre"
-"#;
 
 #[test]
 fn a_ball_in_a_narrow_shell_is_lames() {
-    let (case, run) = solved(BALL_IN_SHELL);
-    let wanted = case.oracles[0].as_ref().expect("Lamé").read(&Quantity::PeakPressure);
-    let Reading::Value { value, .. } = wanted else { panic!("a pressure") };
+    let case = scene("ball-in-shell", &[]);
+    let (run, value) = (solved(&case), told(&case, &Quantity::PeakPressure));
     for point in &run.solution.points {
         assert!((point.pressure / value - 1.0).abs() <= 1e-5, "{point:?} {value}");
     }
@@ -305,13 +195,11 @@ fn on_a_ring() -> Scene {
     // Somewhat beyond the last candidates, which rounding may move.
     let places = (-602..=602).map(|k| stretch * f64::from(k) / 600.0);
     let points: Vec<[f64; 2]> = places.map(|s| [s, gap(middle + s)]).collect();
-    let field = StressField(Arc::new(|[r, depth]: [f64; 2]| below(r, depth).stress(0.3).in_plane()));
     let shape = Shape::Rectangle { x: [0.0, side], y: [0.0, side], contact: Face::Bottom };
-    let mut scene = block(PlaneHypothesis::Axisymmetric, shape, across([middle, 0.0]), stretch, &[]);
+    let mut scene = turned(PlaneHypothesis::Axisymmetric, shape, across([middle, 0.0]), stretch, [0.0; 3], &[]);
     let body = &mut scene.bodies[0];
     body.material = Material::STEEL;
-    body.loads =
-        ["right", "far"].map(|boundary| Load::Stress { boundary: boundary.into(), field: field.clone() }).into();
+    body.loads = stressed(&["right", "far"], |[r, depth]| below(r, depth).stress(0.3).in_plane()).collect();
     scene.contacts[0].profile = Profile::Smooth(Arc::new(MonotoneCubic::through(&points)));
     scene.reference = ReferenceValues { length: 1.0, pressure: PEAK, gap: 1e-2 };
     scene.grading = Grading { unit: 1.0, along: 1.5, depth: 1.4, first: 1.0, coarsest: 0.2, end: 1.0 };
@@ -320,8 +208,7 @@ fn on_a_ring() -> Scene {
 
 #[test]
 fn a_ring_of_contact_is_its_closed_form() -> Result<(), Error> {
-    let resolution = Resolution { elements: 16, refinement: 0, order: Order::Quadratic };
-    let discretisation = Discretisation::of(on_a_ring(), resolution)?;
+    let discretisation = meshed(on_a_ring(), 16, Order::Quadratic);
     let (load, middle) = (over_ring(|_| 1.0), 0.5 * (A + B));
     let centre = over_ring(|r| r - middle) / load;
     let second = 2.0 * (over_ring(|r| (r - middle - centre).powi(2)) / load).sqrt();
@@ -355,34 +242,10 @@ fn a_ring_of_contact_is_its_closed_form() -> Result<(), Error> {
 /// A torus pressed on to a rigid shaft of radius R by a pressure all around, and its line load \[N/mm\]: far from the axis it is a cylinder.
 #[test]
 fn a_seal_on_a_wide_shaft_is_as_good_as_a_cylinder() {
-    let text = |radius: f64| {
-        format!(
-            r#"
-title = "seal"
-plane = "axisymmetric"
-axis = "x"
-[[body]]
-name = "seal"
-young = 210e3
-poisson = 0.3
-shape = {{ disc = {{ centre = [0, {}], radius = 5 }} }}
-supports = [{{ at = "axis", component = "x" }}]
-loads = [{{ pressure = {{ at = "cut", law = {{ uniform = 100 }} }} }}]
-[contact]
-first = "seal"
-origin = [0, {radius}]
-gap = {{ circle = 5 }}
-stretch = 0.3
-[mesh]
-elements = 12
-per = 0.1
-"#,
-            radius + 5.0
-        )
-    };
     let hertz = Hertz { load: 1000.0, radius: 5.0, modulus: 210e3 / 0.91 };
     let off = [1000.0, 4000.0].map(|radius| {
-        let (_, run) = solved(&text(radius));
+        let centre = format!("[0, {}], radius", radius + 5.0);
+        let run = solved(&scene("seal", &[["[0, 1005], radius", &centre], ["[0, 1000]", &format!("[0, {radius}]")]]));
         // All of the pressure on the horizontal cut, both halves; hoop stresses carry the rest.
         let force = run.transmitted() / (TAU * radius) / 1000.0;
         let peak = run.measures().peak.pressure / hertz.peak_pressure();
@@ -391,32 +254,113 @@ per = 0.1
     assert!((off[1][0] - 1.0).abs() <= 5e-3 && (off[1][1] - 1.0).abs() <= 5e-3, "{off:?}");
 }
 
-/// What is said of a scene in which something is replaced.
-fn refused(text: &str, what: &str, by: &str) -> String {
-    assert!(text.contains(what), "{what}");
-    match Case::parse(Path::new("rings.toml"), &text.replacen(what, by, 1)).and_then(|case| case.solve().map(|_| ())) {
-        Ok(()) => String::new(),
-        Err(error) => error.to_string(),
-    }
+/// Radius of the contacts \[mm\].
+const CONTACT: f64 = 2.5;
+/// Height and radius of the blocks over it.
+const SIZE: f64 = 8.0;
+
+/// Profiles by their powers, and what they are in a scene.
+fn profiles() -> [(&'static str, Vec<[f64; 2]>, Profile); 5] {
+    let even = |coefficients: &[f64]| Profile::Even { coefficients: coefficients.into() };
+    [
+        ("paraboloid", vec![[0.01, 2.0]], Profile::Parabola { radius: 50.0 }),
+        ("circle", Indentation::circle(50.0, 20), Profile::Circle { radius: 50.0 }),
+        ("r² + r⁴", vec![[0.005, 2.0], [4e-4, 4.0]], even(&[0.005, 4e-4])),
+        ("r^2.7", vec![[4e-3, 2.7]], Profile::Powers { terms: [[4e-3, 2.7]].into() }),
+        ("cone", vec![[0.02, 1.0]], Profile::Wedge { slope: 0.02 }),
+    ]
 }
 
 #[test]
-fn rings_that_cannot_be_are_refused() {
-    for (text, what, by, said) in [
-        (RING_ON_SHAFT, "axis = \"x\"", "axis = \"z\"", "axis"),
-        (RING_ON_SHAFT, "plane = \"axisymmetric\"", "plane = \"strain\"\nthickness = 1", "bodies of revolution"),
-        (RING_ON_SHAFT, "origin = [0, 40]", "origin = [0, 0]", "lies on the axis"),
-        (RING_ON_SHAFT, "radii = [20, 40, 70]", "radii = [10, 40, 70]", "bore"),
-        (
-            RING_ON_SHAFT,
-            "{ lame = { radii = [20, 40, 70], interference = 0.02 } }",
-            "{ cone = { load = 1, slope = 1 } }",
-            "around the axis",
-        ),
-        (BALL_IN_SHELL, "arc = { centre = [0, 0]", "arc = { centre = [1, 0]", "ring about x = 0"),
-        (BALL_IN_SHELL, "centre = [0, 0], inner = 20", "centre = [0, 1], inner = 20", "does not lie on `arc`"),
-    ] {
-        let found = refused(text, what, by);
-        assert!(found.contains(said), "{by}: {found}");
+fn truncated_blocks_of_revolution_are_their_closed_forms() -> Result<(), Error> {
+    for (name, powers, profile) in profiles() {
+        let indented = Indented::to(CONTACT, powers, profile);
+        let (contact, side) = (&indented.contact, SIZE * CONTACT);
+        let sunk = |r: f64| contact.potential(r, side).displacement(Material::STEEL)[1];
+        let mean = (0..40).map(|k| (f64::from(k) + 0.5) / 40.0 * side).map(|r| TAU * r * side / 40.0 * sunk(r));
+        let sunk = mean.sum::<f64>() / (0.5 * TAU * side * side);
+        let resolution = Resolution { elements: 16, refinement: 0, order: Order::Quadratic };
+        let discretisation = Discretisation::of(indented.scene(), resolution)?;
+        let run = Run::of(&discretisation, &Formulation::verification())?;
+
+        assert!(run.solution.converged(), "{name}");
+        let measures = run.measures();
+        // The far face comes nearer by less than the half-space's infinity does.
+        let far = Displaced { body: 0, at: Place::Boundary("far".into()), component: Component::Y };
+        let approach = -discretisation.number(&run, 0, &Quantity::Displacement(far))?;
+        // 8-node cells, 16 on the radius.
+        let numbers = [
+            ("load", run.transmitted(), contact.load(), 1e-9),
+            ("radius", measures.second_moment_width, contact.second_moment_radius(), 5e-4),
+            ("peak", measures.peak.pressure, contact.peak_pressure(), 5e-4),
+            ("approach", approach, contact.approach() - sunk, 1e-4),
+        ];
+        for (what, value, reference, tolerance) in numbers {
+            let error = (value / reference - 1.0).abs();
+            // Below the tip of a cone the pressure is without limit.
+            assert!(reference == f64::INFINITY || error <= tolerance, "{name}, {what}: {value} against {reference}");
+        }
     }
+    Ok(())
+}
+
+#[test]
+fn stresses_on_the_axis_below_a_solved_sphere_are_hubers() -> Result<(), Error> {
+    let paraboloid = Profile::Parabola { radius: 50.0 };
+    let indented = Indented::to(CONTACT, vec![[0.01, 2.0]], paraboloid);
+    let contact = &indented.contact;
+    let sphere = Sphere { load: contact.load(), radius: 50.0, modulus: contact.modulus };
+    let resolution = Resolution { elements: 8, refinement: 0, order: Order::Sextic };
+    let discretisation = Discretisation::of(indented.scene(), resolution)?;
+    let run = Run::of(&discretisation, &Formulation::verification())?;
+    let fields = discretisation.recover(&run.solution)?;
+    let hoop = discretisation.stress_across(&fields);
+    let mut seen = 0;
+    for ((point, stress), hoop) in discretisation.mesh.points.iter().zip(&fields.stress).zip(hoop) {
+        let [r, depth] = *point;
+        // Closer to the surface stresses at nodes feel the end of the contact, and farther away they are small.
+        if r > 0.0 || !(0.2 * CONTACT..3.0 * CONTACT).contains(&depth) {
+            continue;
+        }
+        seen += 1;
+        let [axial, radial] = sphere.on_axis(depth, Material::STEEL.poisson);
+        for (found, wanted) in [(stress[1], axial), (stress[0], radial), (hoop, radial), (stress[2], 0.0)] {
+            let error = (found - wanted).abs() / sphere.peak_pressure();
+            assert!(error <= 2e-3, "{depth}: {found} for {wanted}, {error:e}");
+        }
+    }
+    assert!(seen > 20, "{seen} nodes");
+    Ok(())
+}
+
+#[test]
+fn powers_of_a_scene_file_are_their_transform() {
+    let case = scene("power", &[]);
+    let a = told(&case, &Quantity::HalfWidth);
+    // δ = w(a) = a ∫ g'(a sin φ) dφ and F = 2E* ∫ (δ − w) dt, by the midpoint rule.
+    let slope = |r: f64| 0.01 * 2.5 * r.powf(1.5) + 0.002 * 1.5 * r.sqrt();
+    let w = |t: f64| {
+        let at = |k: i32| (std::f64::consts::FRAC_PI_2 * (f64::from(k) + 0.5) / 400.0).sin();
+        t * (0..400).map(|k| slope(t * at(k))).sum::<f64>() * std::f64::consts::FRAC_PI_2 / 400.0
+    };
+    let modulus = 210e3 / 0.91;
+    let under = (0..2000).map(|k| w(a) - w(a * (f64::from(k) + 0.5) / 2000.0)).sum::<f64>() * a / 2000.0;
+    assert!((2.0 * modulus * under / 500.0 - 1.0).abs() <= 1e-4, "{under}");
+    assert!((told(&case, &Quantity::Approach) / w(a) - 1.0).abs() <= 1e-4);
+
+    // In metres the same: c has the unit of length^(1 − n).
+    let c = |c: f64, n: f64| c * 1e-3_f64.powf(1.0 - n);
+    let terms = format!("[[{:e}, 2.5], [{:e}, 1.5]]", c(0.01, 2.5), c(0.002, 1.5));
+    let metres = scene(
+        "power",
+        &[
+            ["[[0.01, 2.5], [0.002, 1.5]]", &terms],
+            ["plane = ", "units = { length = \"m\" }\nplane = "],
+            ["[0, 20]", "[0, 0.02]"],
+            ["stretch = 2", "stretch = 0.002"],
+            ["per = 1", "per = 0.001"],
+        ],
+    );
+    assert!((told(&metres, &Quantity::HalfWidth) / a - 1.0).abs() <= 1e-9);
+    assert!((metres.scene.contacts[0].gap(1.3) / case.scene.contacts[0].gap(1.3) - 1.0).abs() <= 1e-12);
 }

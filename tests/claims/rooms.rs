@@ -8,9 +8,7 @@ use contact_vv::solve::{Element, Ended};
 use contact_vv::study::refinement::{self, Numbers, family, nested};
 use contact_vv::study::{Study, fields, fitted, measured};
 
-fn fails(judged: &[Judged]) -> usize {
-    judged.iter().filter(|one| one.verdict == Verdict::Fail).count()
-}
+use crate::workbench::fails;
 
 fn judged(numbers: &Numbers) -> Vec<Judged> {
     numbers.judge().expect("judged")

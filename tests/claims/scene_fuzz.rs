@@ -1,10 +1,17 @@
-//! Whatever stands in a scene file, it is read or refused: no panic, no hang, no mesh beyond the stated size.
+//! Whatever stands in a file, it is read or refused: no panic, no hang, no mesh beyond the stated size; so is all that fuzzing found worth keeping.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::PathBuf;
 
 use contact_vv::accuracy::{self, Asked};
 use contact_vv::case::Case;
+use contact_vv::checkout::root;
+use contact_vv::error::Error;
 use contact_vv::mesh::Mesh;
 use contact_vv::mesh::size::MOST;
 use contact_vv::solve::{Discretisation, Run};
+use serde::Deserialize;
 
 use crate::scene_file::files;
 use crate::workbench::noise;
@@ -88,4 +95,71 @@ fn five_thousand_mutated_files_are_read_or_refused_and_two_hundred_solved() {
     let (read, solved) = fuzz(17, 5000, 200);
     assert!(read > 500 && read < 4500, "{read} of 5000 were read");
     assert_eq!(solved, 200);
+}
+
+#[path = "../fuzz/read.rs"]
+mod read;
+
+/// Executions of every target.
+const LEAST: u64 = 1_000_000;
+
+type Reader = fn(&[u8]) -> Result<(), Error>;
+
+const TARGETS: [(&str, Reader); 5] = [
+    ("scene", read::scene),
+    ("mesh", read::mesh),
+    ("answers", read::answers),
+    ("curve", read::curve),
+    ("handed", read::handed),
+];
+
+#[derive(Deserialize)]
+struct Fuzzed {
+    record: Vec<Target>,
+}
+
+#[derive(Deserialize)]
+struct Target {
+    target: String,
+    executions: u64,
+    edges_covered: usize,
+    corpus: usize,
+    broke: usize,
+}
+
+fn inputs(target: &str) -> Vec<PathBuf> {
+    let folder = root().join("tests/fuzz/corpus").join(target);
+    let entries = fs::read_dir(&folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display()));
+    entries.map(|entry| entry.expect("an entry").path()).collect()
+}
+
+#[test]
+fn every_input_of_the_corpus_is_read_or_refused() {
+    let mut kinds: BTreeMap<&str, [usize; 2]> = BTreeMap::new();
+    for (target, reader) in TARGETS {
+        for file in inputs(target) {
+            let bytes = fs::read(&file).expect("an input");
+            let told = std::panic::catch_unwind(|| reader(&bytes));
+            let told = told.unwrap_or_else(|_| panic!("{} breaks the reader", file.display()));
+            if let Err(error) = &told {
+                assert!(!error.message.trim().is_empty() && !error.remedy.trim().is_empty(), "{}", file.display());
+            }
+            kinds.entry(target).or_default()[usize::from(told.is_err())] += 1;
+        }
+    }
+    read::clear();
+    // Both ways out of every reader are taken.
+    assert!(kinds.len() == TARGETS.len() && kinds.values().flatten().all(|count| *count > 0), "{kinds:?}");
+}
+
+#[test]
+fn every_target_was_executed_a_million_times_and_no_input_broke_it() {
+    let text = fs::read_to_string(root().join("snapshots/fuzz.json")).expect("recorded by tests/fuzz/run.py");
+    let record = serde_json::from_str::<Fuzzed>(&text).expect("a record").record;
+    let names: Vec<&str> = record.iter().map(|one| one.target.as_str()).collect();
+    assert_eq!(names, TARGETS.map(|(name, _)| name));
+    for Target { target, executions, edges_covered, corpus, broke } in &record {
+        assert!(*executions >= LEAST && *edges_covered > 0 && *corpus > 0, "{target}: {executions} executions");
+        assert_eq!(*broke, 0, "{target}");
+    }
 }

@@ -4,8 +4,10 @@ use std::sync::LazyLock;
 
 use contact_vv::case::Verdict;
 use contact_vv::study::Study;
-use contact_vv::study::scoreboard::board::{Board, Code, Contact, Ended, Told};
+use contact_vv::study::scoreboard::board::{Board, Code, Contact, Ended};
 use contact_vv::study::scoreboard::{CASES, Numbers, named, numbers};
+
+use crate::workbench::spoiled;
 
 fn of(case: &str, board: &Board) -> Numbers {
     numbers(case, &named(case).expect("a case"), board).expect("judged")
@@ -53,22 +55,13 @@ fn what_is_planted_in_the_record_or_the_files_turns_a_check_of_the_scoreboard_re
     let board = Board::load().expect("frozen");
     let sound = of("bars", &board);
     assert_eq!(not_passed(&sound), Vec::<String>::new());
-    let spoiled = |spoil: fn(&mut Board)| {
-        let mut other = board.clone();
-        spoil(&mut other);
-        not_passed(&of("bars", &other))
-    };
-    let scripts = spoiled(|board| board.scripts.values_mut().for_each(|hash| hash.push('0')));
+    let with = |spoil: &dyn Fn(&mut Board)| not_passed(&of("bars", &spoiled(&board, spoil)));
+    let scripts = with(&|board| board.scripts.values_mut().for_each(|hash| hash.push('0')));
     assert_eq!(scripts, ["scripts changed since their answers were frozen, bars"]);
-    let lost = spoiled(|board| drop(board.cases.get_mut("bars").expect("asked").runs.pop()));
+    let lost = with(&|board| drop(board.cases.get_mut("bars").expect("asked").runs.pop()));
     assert_eq!(lost.len(), 2, "{lost:?}");
-    let first = |spoil: fn(&mut Told)| {
-        let mut other = board.clone();
-        spoil(&mut other.cases.get_mut("bars").expect("asked").runs[0]);
-        not_passed(&of("bars", &other))
-    };
-    let unread = first(|told| {
-        if let Ended::Answered { file, .. } = &mut told.ended {
+    let unread = with(&|board| {
+        if let Ended::Answered { file, .. } = &mut board.cases.get_mut("bars").expect("asked").runs[0].ended {
             file.push_str(".absent");
         }
     });

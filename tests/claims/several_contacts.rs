@@ -4,18 +4,18 @@ use std::path::Path;
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use contact_vv::algorithm::ContactProblem;
-use contact_vv::case::notes;
-use contact_vv::case::{Against, Case, Check, Quantity, Verdict};
+use contact_vv::case::{Against, Case, Check, Quantity, Verdict, notes};
 use contact_vv::condensation::stiffness::Stiffness;
 use contact_vv::measure::Measures;
 use contact_vv::mesh::Mesh;
 use contact_vv::mesh::size::{cells_of, expected};
+use contact_vv::scene::Scene;
 use contact_vv::solution::Work;
 use contact_vv::solve::{Change, Discretisation, Element, Formulation, Iteration, Origin, Run};
 
-use crate::scene_file::text_of;
-use crate::shared_mesh::between_punches;
-use crate::workbench::parsed;
+use crate::balance::{scene, solved_as_it_says};
+use crate::scene_file::{case, text_of};
+use crate::workbench::{parsed, spoiled};
 
 fn discretised(file: &Case) -> Discretisation {
     Discretisation::of(file.scene.clone(), file.resolution).expect("discretised")
@@ -23,7 +23,7 @@ fn discretised(file: &Case) -> Discretisation {
 
 #[test]
 fn profile_of_a_contact_is_held_against_its_own_closed_form() {
-    let mut case = parsed(&text_of("roller-between-plates.toml"));
+    let mut case = case("roller-between-plates");
     case.oracles[0] = None;
     let of_second = |quantity| Check { contact: 1, ..Check::error(quantity, Against::Oracle, 0.1, "the mesh") };
     case.checks = vec![of_second(Quantity::Profile), of_second(Quantity::Departure)];
@@ -101,8 +101,7 @@ fn scene_moved_with_its_origin_has_the_same_pressures() {
             x + 20.0,
             y + 20.0
         );
-        let file = parsed(&text);
-        Run::of(&discretised(&file), file.formulation()).expect("run")
+        solved_as_it_says(&parsed(&text)).1
     };
     for both in [false, true] {
         for gap in ["{ parabola = 300 }", "{ wedge = 0.02 }"] {
@@ -119,7 +118,7 @@ fn scene_moved_with_its_origin_has_the_same_pressures() {
 
 #[test]
 fn carried_sets_and_another_load_keep_the_contacts_apart() {
-    let file = parsed(&text_of("roller-between-plates.toml"));
+    let file = case("roller-between-plates");
     let discretisation = discretised(&file);
     let formulation = Formulation::verification();
     let run = Run::of(&discretisation, &formulation).expect("run");
@@ -138,20 +137,8 @@ fn carried_sets_and_another_load_keep_the_contacts_apart() {
 #[test]
 fn contact_off_the_symmetry_line_counts_twice_where_it_is_said() {
     // A half plate on a support in the middle and on one of two beside it; 1000 on the half.
-    let text = |symmetric: &str| {
-        format!(
-            "plane = \"strain\"\nthickness = 1.0\n[[body]]\nname = \"plate\"\nyoung = 70e3\npoisson = 0.33\n\
-             shape = {{ rectangle = {{ x = [0, 30], y = [0, 20], contact = \"bottom\" }} }}\n\
-             supports = [{{ at = \"left\", component = \"x\" }}]\n\
-             loads = [{{ rigid-face = {{ at = \"far\", component = \"y\", force = -1000 }} }}]\n\
-             [[contact]]\nname = \"middle\"\nfirst = \"plate\"\ngap = {{ parabola = 50 }}\nstretch = 2\n\
-             [[contact]]\nname = \"beside\"\nfirst = \"plate\"\norigin = [15, 0]\nboth-sides = true\n{symmetric}\
-             gap = {{ parabola = 50 }}\nstretch = 2\n[mesh]\nelements = 8\nper = 1\n[reference]\npressure = 600\n\
-             [solve]\ntolerance = 1e-8\n"
-        )
-    };
     let forces = |symmetric: &str| {
-        let file = parsed(&text(symmetric));
+        let file = scene("plate-on-three", &[["symmetric = true\n", symmetric]]);
         let (meshed, run) = file.solve().expect("solved");
         let checks = file.judge(&meshed, &run).expect("judged");
         assert!(checks.iter().all(|check| check.verdict == Verdict::Pass));
@@ -215,14 +202,7 @@ fn slab_wedged_between_walls_carries_its_compression_however_the_interference_is
 #[test]
 fn what_another_contact_holds_is_no_contact_beyond_the_candidates() {
     // A floor with a step of 0.005 between two neighbouring nodes: either level goes on below the candidates of the other.
-    let text = "plane = \"strain\"\nthickness = 1.0\n[[body]]\nname = \"block\"\nyoung = 210e3\npoisson = 0.3\n\
-        shape = { rectangle = { x = [0, 10], y = [0, 10], contact = \"bottom\" } }\n\
-        supports = [{ at = \"left\", component = \"x\" }]\n\
-        loads = [{ rigid-face = { at = \"far\", component = \"y\", force = -20000 } }]\n\
-        [[contact]]\nname = \"high\"\nfirst = \"block\"\ngap = { uniform = 0 }\nstretch = 5\n\
-        [[contact]]\nname = \"low\"\nfirst = \"block\"\norigin = [7.6, 0]\nboth-sides = true\nsymmetric = true\n\
-        gap = { uniform = 0.005 }\nstretch = 2.4\n[mesh]\nelements = 4\nper = 1\norder = 1\n[reference]\npressure = 2000\n";
-    let (_, run) = parsed(text).solve().unwrap_or_else(|error| panic!("{error}"));
+    let (_, run) = scene("step-below", &[]).solve().unwrap_or_else(|error| panic!("{error}"));
     let [high, low] = [run.contacts[0].transmitted, run.contacts[1].transmitted];
     assert!(low > 0.0 && high > low, "{high}, {low}");
     assert_relative_eq!(high + low, 40000.0, max_relative = 1e-3);
@@ -230,10 +210,9 @@ fn what_another_contact_holds_is_no_contact_beyond_the_candidates() {
 
 #[test]
 fn scene_without_a_contact_is_refused() {
-    let file = parsed(&text_of("three-rings.toml"));
-    let mut scene = file.scene.clone();
-    scene.contacts.clear();
-    let error = Mesh::of(&scene, file.resolution).expect_err("none").to_string();
+    let file = case("three-rings");
+    let error =
+        Mesh::of(&spoiled(&file.scene, |scene| scene.contacts.clear()), file.resolution).expect_err("none").to_string();
     assert!(error.contains("`contacts` = 0"), "{error}");
 }
 
@@ -330,4 +309,119 @@ fn newtons_method_of_more_points_than_its_matrix_may_have_is_refused_with_the_by
         assert!(refused.message.contains("8100 contact points, 5.2e8 bytes"), "{refused}");
         assert!(refused.remedy.contains("kinematic"), "{refused}");
     }
+}
+
+#[test]
+fn meshes_are_fine_at_every_contact_of_a_body() {
+    let sizes = |scene: &Scene, mesh: &Mesh, contact: usize| -> Vec<f64> {
+        let pair = &scene.contacts[contact];
+        let part = &mesh.bodies[pair.first];
+        let own = &part.candidates[part.candidates_of(contact)];
+        own.windows(3).step_by(2).map(|three| three[2].coordinate - three[0].coordinate).collect()
+    };
+    for (name, fine, along) in
+        [("plate-on-two-supports", 0.05, [-30.0, 30.0]), ("roller-between-plates", 0.8 / 12.0, [0.0; 2])]
+    {
+        let file = case(name);
+        let (scene, resolution) = (&file.scene, file.resolution);
+        let mesh = Mesh::of(scene, resolution).expect("mesh");
+        for (contact, origin) in along.into_iter().enumerate() {
+            assert_relative_eq!(scene.contacts[contact].path.origin()[0], origin);
+            let sizes = sizes(scene, &mesh, contact);
+            assert!(sizes.len() >= 18, "{name}: {} elements", sizes.len());
+            sizes.iter().for_each(|size| assert_relative_eq!(*size, fine, max_relative = 0.03));
+        }
+        // And coarse away from them, as foretold.
+        let [cells, candidates] = expected(scene, resolution);
+        assert!(mesh.cells() < 6000, "{name}: {} cells", mesh.cells());
+        assert!((1.0..6.0).contains(&(cells / mesh.cells() as f64)), "{name}: {cells} for {}", mesh.cells());
+        let most = mesh.bodies.iter().map(|body| body.candidates.len() / 2).max().expect("bodies") as f64;
+        assert!((0.9..1.1).contains(&(candidates / most)), "{name}: {candidates} candidates for {most}");
+    }
+}
+
+/// A plate between punches above and below, with the stretches of both about places of their own.
+pub fn between_punches(places: [f64; 2], stretches: [f64; 2], growth: &str) -> String {
+    let contact = |k: usize, name: &str, side: &str, y: f64| {
+        format!(
+            "[[contact]]\nname = \"{name}\"\nfirst = \"plate\"\nfirst-side = \"{side}\"\norigin = [{}, {y}]\n\
+             both-sides = true\ngap = {{ parabola = 80 }}\nstretch = {}\n",
+            places[k], stretches[k]
+        )
+    };
+    format!(
+        "plane = \"strain\"\nthickness = 1.0\n[[body]]\nname = \"plate\"\nyoung = 210e3\npoisson = 0.3\n\
+         shape = {{ rectangle = {{ x = [-40, 40], y = [0, 30], contact = \"bottom\" }} }}\n\
+         supports = [{{ at = [-40, 30], component = \"x\" }}]\nloads = [{{ body-force = [0, -1] }}]\n{}{}\
+         [mesh]\nelements = 5\nper = 1\ngrowth = {{ along = {growth} }}\n[reference]\npressure = 300\n",
+        contact(0, "below", "contact", 0.0),
+        contact(1, "above", "far", 30.0)
+    )
+}
+
+#[test]
+fn every_stretch_begins_and_ends_on_a_node_whichever_contacts_share_the_body() {
+    let overlapping =
+        [([0.0, 0.0], [3.0, 1.3]), ([0.0, 0.0], [0.7, 9.9]), ([-1.0, 2.4], [2.0, 2.0]), ([5.0, 4.1], [4.0, 0.35])];
+    let plates = overlapping.map(|(places, stretches)| between_punches(places, stretches, "1.7"));
+    let roller = text_of("roller-between-plates.toml").replace("stretch = 1.2", "stretch = 0.77");
+    let thick = text_of("three-rings.toml")
+        .replace("outer = 55, sweep = 90", "outer = 155, sweep = 90")
+        .replace("inner = 55, outer = 80", "inner = 155, outer = 180")
+        .replace("radius = 55", "radius = 155")
+        .replacen("stretch = 90", "stretch = 50", 1);
+    for text in plates.iter().chain([&roller, &thick]) {
+        let file = parsed(text);
+        let (scene, resolution) = (&file.scene, file.resolution);
+        let mesh = Mesh::of(scene, resolution).expect("mesh");
+        for (contact, pair) in scene.contacts.iter().enumerate() {
+            let part = &mesh.bodies[pair.first];
+            let own = &part.candidates[part.candidates_of(contact)];
+            assert_relative_eq!(own[own.len() - 1].coordinate, pair.stretch, max_relative = 1e-9);
+            assert_abs_diff_eq!(own[0].coordinate, pair.begin(), epsilon = 1e-9 * pair.stretch);
+            let asked = scene.grading.unit / resolution.elements as f64;
+            let longest = own.windows(3).step_by(2).map(|three| three[2].coordinate - three[0].coordinate);
+            let longest = longest.fold(0.0, f64::max) * pair.path.metric();
+            assert!(longest < 1.35 * asked, "{}: elements of {longest} for {asked}", pair.name);
+        }
+    }
+}
+
+#[test]
+fn mesh_of_a_short_stretch_without_growth_is_refused_before_it_is_built() {
+    let text = between_punches([-10.0, 10.0], [2.0, 1e-5], "1.0");
+    let error = Case::parse(Path::new("large.toml"), &text).map(|_| ()).expect_err("too large").to_string();
+    assert!(error.contains("the mesh would have about"), "{error}");
+}
+
+/// Sizes of the elements along the left side of the first body, from below.
+fn heights(scene: &Scene, mesh: &Mesh) -> Vec<f64> {
+    let left = mesh.boundary(scene, 0, "left").expect("a side");
+    let mut ends: Vec<f64> = left.iter().flat_map(|edge| [edge[0], edge[1]]).map(|node| mesh.points[node][1]).collect();
+    ends.sort_by(f64::total_cmp);
+    ends.windows(2).map(|pair| pair[1] - pair[0]).filter(|size| *size > 1e-9).collect()
+}
+
+#[test]
+fn plate_between_two_contacts_is_fine_at_both_and_within_its_coarsest_between() {
+    // Elements that would soon outgrow it.
+    let plate = between_punches([0.0, 0.0], [2.0, 2.0], "1.3").replace("growth = {", "growth = { depth = 3.0,");
+    let file = parsed(&plate);
+    let mesh = Mesh::of(&file.scene, file.resolution).expect("mesh");
+    let sizes = heights(&file.scene, &mesh);
+    let largest = sizes.iter().copied().fold(0.0, f64::max);
+    assert!(largest <= 1.01 * 30.0 * file.scene.grading.coarsest, "{largest}");
+    assert_relative_eq!(sizes[0], sizes[sizes.len() - 1], max_relative = 1e-6);
+    assert!(sizes[0] < 0.2 * largest, "{sizes:?}");
+}
+
+#[test]
+fn cells_are_foretold_within_a_margin_where_a_body_is_deep_between_its_contacts() {
+    let tall = between_punches([-20.0, 20.0], [2.0, 2.0], "1.3")
+        .replace("y = [0, 30]", "y = [0, 3000]")
+        .replace("30]", "3000]");
+    let file = parsed(&tall.replace("growth = {", "growth = { depth = 1.01,"));
+    let [cells, _] = expected(&file.scene, file.resolution);
+    let made = Mesh::of(&file.scene, file.resolution).expect("mesh").cells() as f64;
+    assert!((2.0..4.0).contains(&(cells / made)), "{cells} for {made}");
 }

@@ -10,6 +10,8 @@ use contact_vv::study::paper::statement::{Course, courses, shown};
 use contact_vv::study::paper::statement::{Fared, Judgement, NONE};
 use contact_vv::study::{Finding, Study, paper};
 
+use crate::workbench;
+
 /// An end after so many iterations.
 fn end(iterations: usize) -> Option<Met> {
     Some(Met { iterations, error: 0.01 })
@@ -164,11 +166,9 @@ fn judged(courses: Vec<Course>, sentence: Sentence) -> Judgement {
 fn one_start_that_never_ends_turns_the_sentence_on_every_case() {
     let all = nearest();
     assert_eq!(judged(all.clone(), Sentence::LineAlways), Judgement::Reproduced);
-    let mut one_lost = all;
     let is_line = |course: &&mut Course| course.site.element == Element::Line;
-    let course = one_lost.iter_mut().find(is_line).expect("line elements");
-    course.met[3].fill(None);
-    assert_ne!(judged(one_lost, Sentence::LineAlways), Judgement::Reproduced);
+    let lost = |all: &mut Vec<Course>| all.iter_mut().find(is_line).expect("line elements").met[3].fill(None);
+    assert_ne!(judged(workbench::spoiled(&all, lost), Sentence::LineAlways), Judgement::Reproduced);
 }
 
 #[test]
@@ -188,13 +188,14 @@ fn run_that_stops_elsewhere_than_its_course_tells_is_red() {
     assert_eq!(verdict(&[]), Verdict::Fail, "nothing was looked at");
     let first = all.iter().position(|course| course.alone.iter().any(|pair| pair[1].is_some())).expect("one that ends");
     let spoiled = |spoil: &dyn Fn(&mut [Option<Met>; 2])| {
-        let mut spoiled = all.clone();
-        spoiled[first].alone.iter_mut().filter(|pair| pair[1].is_some()).take(1).for_each(spoil);
-        verdict(&spoiled)
+        let ended = |all: &mut Vec<Course>| {
+            spoil(all[first].alone.iter_mut().find(|pair| pair[1].is_some()).expect("one that ends"));
+        };
+        verdict(&workbench::spoiled(&all, ended))
     };
-    let mut none_ends = all.clone();
-    none_ends.iter_mut().flat_map(|course| &mut course.alone).for_each(|pair| *pair = [None, None]);
-    assert_eq!(verdict(&none_ends), Verdict::Fail, "nothing ended");
+    let none =
+        |all: &mut Vec<Course>| all.iter_mut().flat_map(|course| &mut course.alone).for_each(|pair| pair.fill(None));
+    assert_eq!(verdict(&workbench::spoiled(&all, none)), Verdict::Fail, "nothing ended");
     let of = |pair: &[Option<Met>; 2]| pair[0].expect("it ended");
     for error in [of(&all[first].alone[0]).error + 1e-8, f64::NAN] {
         assert_eq!(spoiled(&|pair| pair[0] = Some(Met { error, ..of(pair) })), Verdict::Fail);

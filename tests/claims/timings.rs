@@ -10,6 +10,8 @@ use contact_vv::study::timings::record::{Beside, Record};
 use contact_vv::study::timings::targets::{Target, targets};
 use contact_vv::study::timings::{Again, Numbers};
 
+use crate::workbench::spoiled;
+
 fn committed() -> Record {
     Record::read().expect("the committed record")
 }
@@ -54,8 +56,8 @@ fn every_recorded_number_but_the_seconds_is_compared() {
         let planned = series.formulations().len();
         assert_eq!(fresh.len(), planned);
         let spoiled = |spoil: &dyn Fn(&mut Point)| {
-            let (recorded, mut fresh) = (recorded.clone(), fresh.clone());
-            spoil(fresh.last_mut().expect("a point"));
+            let fresh = spoiled(&fresh, |fresh| spoil(fresh.last_mut().expect("a point")));
+            let recorded = recorded.clone();
             verdict(Numbers::Precision(Again { recorded, fresh, planned }))
         };
         assert_eq!([spoiled(&|_| ()), spoiled(&|point| point.seconds *= 2.0)], [Verdict::Pass, Verdict::Pass]);
@@ -103,9 +105,7 @@ fn record_that_is_not_complete_or_was_not_measured_again_is_not_as_recorded() {
     assert_eq!(of_counts(&counts, &counts[..2]), Verdict::Pass);
     assert_eq!(of_counts(&counts[1..], &counts[1..]), Verdict::Fail);
     assert_eq!(of_counts(&counts, &[]), Verdict::Fail);
-    let mut moved = counts.clone();
-    moved[0].iterations += 1;
-    assert_eq!(of_counts(&counts, &moved), Verdict::Fail);
+    assert_eq!(of_counts(&counts, &spoiled(&counts, |moved| moved[0].iterations += 1)), Verdict::Fail);
 }
 
 /// The row of the table whose words begin so and go on so.

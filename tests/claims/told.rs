@@ -1,16 +1,22 @@
-//! What is told of a run: the peak where it is, edges, quantities beside references of the same, and how a command ended.
+//! What is told of a run: the peak where it is, edges, quantities beside references of the same, how run and command ended, what either cost or
+//! needs; and what `solve` prints where nothing else is asked for.
 
 use std::f64::consts::PI;
-use std::process::Command;
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
+use contact_vv::algorithm::StiffnessRule;
+use contact_vv::case::library::Cylinder;
 use contact_vv::case::{Scope, Verdict};
+use contact_vv::mesh::Order;
 use contact_vv::oracle::analytic::even_gap::EvenGap;
-use contact_vv::solve::Run;
+use contact_vv::solution::Outcome;
+use contact_vv::solve::{Element, Formulation, Iteration, Run};
 
+use crate::balance::solved;
 use crate::outputs::{contact_vv, json, scene};
-use crate::scene_file::{scene_alone, text_of};
-use crate::workbench::{block_text, parsed};
+use crate::program::{Folder, ended, program};
+use crate::scene_file::{case, scene_alone, text_of};
+use crate::workbench::{block_text, meshed, parsed};
 
 /// A block under a rigid profile, pressed by `load` N/mm on its half.
 fn pressed(gap: &str, load: f64, stretch: f64) -> String {
@@ -98,24 +104,15 @@ fn checks_of_every_run_scale_with_the_digits_of_the_scene() {
     }
 }
 
-/// Exit code of a command.
-fn code(arguments: &[&str]) -> Option<i32> {
-    Command::new(env!("CARGO_BIN_EXE_contact-vv-tested")).args(arguments).output().expect("started").status.code()
-}
-
 #[test]
 fn exit_codes_tell_how_a_command_ended() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let add = |name: &str, text: String| {
-        let path = folder.path().join(name);
-        std::fs::write(&path, text).expect("written");
-        path.display().to_string()
-    };
+    let folder = Folder::made();
     let blocks = text_of("blocks.toml");
-    let failing = add("failing.toml", blocks.replace("value = 4000", "value = 4100"));
-    let broken = add("broken.toml", blocks.replace("young = 70e3", "young = 0"));
-    let slow = add("slow.toml", text_of("cylinder-in-metres.toml"));
-    let open = add("open.toml", scene_alone(&text_of("press-fit.toml")).replace("uniform = -0.02", "uniform = 0.02"));
+    let failing = folder.with("failing.toml", blocks.replace("value = 4000", "value = 4100"));
+    let broken = folder.with("broken.toml", blocks.replace("young = 70e3", "young = 0"));
+    let slow = folder.with("slow.toml", text_of("cylinder-in-metres.toml"));
+    let open =
+        folder.with("open.toml", scene_alone(&text_of("press-fit.toml")).replace("uniform = -0.02", "uniform = 0.02"));
     for (arguments, wanted) in [
         (vec!["solve", &scene("blocks")], 0),
         (vec!["verify", &scene("blocks")], 0),
@@ -129,6 +126,109 @@ fn exit_codes_tell_how_a_command_ended() {
         (vec!["solve", &slow, "--max-iterations", "2"], 3),
         (vec!["solve", &open], 3),
     ] {
-        assert_eq!(code(&arguments), Some(wanted), "{arguments:?}");
+        assert_eq!(ended(&mut program(&arguments)).0, Some(wanted), "{arguments:?}");
     }
+}
+
+/// What is printed on 80 columns.
+fn printed(arguments: &[&str]) -> String {
+    ended(program(arguments).env("COLUMNS", "80")).1
+}
+
+/// The numbers of a text, and what follows ± where something does.
+fn numbers(text: &str) -> Vec<f64> {
+    text.split(' ').filter_map(|word| word.parse().ok()).collect()
+}
+
+#[test]
+fn solve_prints_the_numbers_one_quotes_rounded_to_their_bars_on_80_columns() {
+    for case in ["cylinder", "sphere", "press-fit", "flat-punch", "roller-between-plates", "eccentric-load", "pin-rod"]
+    {
+        let of_library = ["cylinder", "sphere", "pin-rod"].contains(&case);
+        let case = if of_library { case.to_owned() } else { scene(case) };
+        let (text, document) = (printed(&["solve", &case]), json(&["solve", &case]));
+        assert!(text.lines().all(|line| line.chars().count() <= 80), "{text}");
+        // Words are whole: those of the title stand in a line each, or beside one another.
+        let words: Vec<&str> = text.split_whitespace().collect();
+        let (_, all, _) = contact_vv(&["solve", &case, "--all"]);
+        let title = all.lines().next().and_then(|line| line.split_once(": ")).expect("a title").1;
+        assert!(title.split_whitespace().all(|word| words.contains(&word)), "{title}: {text}");
+        assert!(text.lines().count() < all.lines().count() && all.contains("equilibrium: "), "{text}");
+        // No power of ten, no digit beyond a bar, no line twice within a contact.
+        assert!(
+            !words.iter().any(|word| word.contains("e-") && word.parse::<f64>().is_ok_and(|x| x.abs() < 1e-6)),
+            "{text}"
+        );
+        let contacts = document["contacts"].as_array().expect("contacts");
+        let rows = |name: &str| text.lines().filter(|line| line.trim_start().starts_with(name)).collect::<Vec<_>>();
+        let peaks = rows("peak pressure");
+        assert_eq!(peaks.len(), contacts.len(), "{text}");
+        for (line, contact) in peaks.into_iter().zip(contacts) {
+            let Some(peak) = contact["peak_pressure"].as_f64() else {
+                assert!(line.contains("without limit"), "{line}");
+                continue;
+            };
+            let [told, bar, ..] = numbers(line)[..] else { panic!("{line}") };
+            assert!((told - peak).abs() <= 0.1 * bar && bar < 0.1 * peak, "{line}: {peak}");
+        }
+        for body in document["bodies"].as_array().expect("bodies") {
+            let name = format!("`{}` ", body["name"].as_str().expect("a name"));
+            let (_, line) = text.split_once(&name).expect("a line of the body");
+            match body["von_mises"].as_f64() {
+                None => assert!(line.starts_with("without limit"), "{line}"),
+                Some(stress) => {
+                    let [told, bar, ..] = numbers(line)[..] else { panic!("{line}") };
+                    assert!((told - stress).abs() <= 0.1 * bar && bar < 0.2 * stress, "{line}: {stress}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn penalty_tells_what_its_springs_cost() {
+    let discretisation = meshed(Cylinder::default().scene(), 8, Order::Quadratic);
+    let with = |stiffness: f64| {
+        let (element, rule) = (Element::Node, StiffnessRule::Penalty);
+        let formulation = Formulation { stiffness, rule, ..Formulation::new(element, Iteration::Kinematic) };
+        let run = Run::of(&discretisation, &formulation).expect("solved");
+        assert!(run.solution.converged());
+        (run.contacts[0].penalty.expect("told"), run)
+    };
+    let exact = Run::of(&discretisation, &Formulation::verification().tolerance(1e-9)).expect("solved");
+    for stiffness in [0.3, 30.0, 3e4] {
+        let (told, run) = with(stiffness);
+        let error = |of: fn(&Run) -> f64| of(&run) / of(&exact) - 1.0;
+        assert_abs_diff_eq!(told.peak, error(|run| run.measures().peak.pressure), epsilon = 1e-6);
+        assert_abs_diff_eq!(told.half_width, error(|run| run.measures().second_moment_width), epsilon = 1e-6);
+        assert_eq!(run.penalty_error() > 0.1, stiffness < 1.0);
+    }
+    let penalty = ["solve", "cylinder", "--rule", "penalty", "--algorithm", "kinematic", "--stiffness", "0.3"];
+    let told = &json(&penalty)["contacts"][0]["penalty_error"]["half_width"];
+    assert!(told.as_f64().is_some_and(|error| error > 0.5), "{told}");
+    let (_, table, _) = contact_vv(&[&penalty[..], &["--element", "node", "--all"]].concat());
+    assert!(table.contains("springs of the penalty cost -36.58 % of the peak"), "{table}");
+}
+
+#[test]
+fn round_off_is_named_where_it_is_the_limit_and_not_the_iterations() {
+    // Pressures of line elements on meshes that do not match hang on penetrations of the size of rounding.
+    let formulation = Formulation::new(Element::Line, Iteration::Kinematic).tolerance(1e-12);
+    let (_, run) = solved(&case("three-rings"), &formulation);
+    assert_eq!(run.solution.outcome, Outcome::Stalled);
+    assert!(run.solution.work.iterations < 500 && run.iteration_error() < 1e-4, "{:e}", run.iteration_error());
+    let line = ["--element", "line", "--algorithm", "kinematic", "--tolerance", "1e-12"];
+    let (sound, _, error) = contact_vv(&[&["solve", &scene("three-rings")][..], &line].concat());
+    assert!(!sound && error.contains("as was tried") && error.contains("--tolerance 1e-12"), "{error}");
+}
+
+#[test]
+fn more_steps_are_asked_for_with_an_option_that_is_offered() {
+    let slow = ["solve", "cylinder", "--element", "line", "--algorithm", "constant", "--resolution", "4"];
+    // Where an accuracy chose the mesh no other command is tried.
+    let path = scene("cylinder-to-accuracy");
+    let (sound, _, error) = contact_vv(&["solve", &path, "--accuracy", "5 %", "--max-iterations", "1"]);
+    assert!(!sound && error.contains("--max-iterations"), "{error}");
+    let json = json(&[&slow[..], &["--max-iterations", "3"]].concat());
+    assert_eq!((json["steps"].as_u64(), json["outcome"].as_str()), (Some(3), Some("not converged")));
 }

@@ -3,7 +3,6 @@
 use contact_vv::accuracy::{Barred, Quantity, bars};
 use contact_vv::case::Case;
 use contact_vv::case::library::PressFit;
-use contact_vv::checkout::root;
 use contact_vv::mesh::{Order, Resolution};
 use contact_vv::scene::{Load, Material, PlaneHypothesis, Scene, StressField};
 use contact_vv::solve::{Discretisation, Formulation, Run, VonMises, shapes};
@@ -11,7 +10,8 @@ use contact_vv::study::promised::bars::setup;
 use contact_vv::study::random::{Family, Site};
 use rayon::prelude::*;
 
-use crate::workbench::parsed;
+use crate::balance::scene;
+use crate::scene_file::case;
 
 /// `√(3/2 s : s)` of the deviator s \[MPa\]: von Mises 1913.
 fn von_mises([x, y, xy]: [f64; 3], z: f64) -> f64 {
@@ -132,10 +132,9 @@ fn stresses(case: &Case) -> (Discretisation, Vec<VonMises>) {
     (discretisation, stresses)
 }
 
-const BLOCK: &str = "plane = \"strain\"\nthickness = 1\n[[body]]\nname = \"block\"\nyoung = 1e5\npoisson = 0.3\n\
-    shape = { rectangle = { x = [0, 10], y = [0, 10], contact = \"bottom\" } }\n\
-    supports = [{ at = \"left\", component = \"x\" }]\nloads = [{ traction = { at = \"far\", value = [0, -100] } }]\n\
-    [contact]\nfirst = \"block\"\ngap = { parabola = 200 }\nstretch = 5\n[mesh]\nelements = 8\nper = 1\n";
+/// The block that is not sheared, on a steeper parabola.
+const PARABOLA: [&str; 2] = ["parabola = 500", "parabola = 200"];
+const STRAIGHT: [&str; 2] = ["value = [60, -100]", "value = [0, -100]"];
 const RECTANGLE: &str = "{ rectangle = { x = [0, 10], y = [0, 10], contact = \"bottom\" } }";
 /// The same, twice as wide from half of its height on: a re-entrant corner at (10, 5).
 const STEP: &str = "{ blocks = [\
@@ -146,10 +145,9 @@ const STEP: &str = "{ blocks = [\
 #[test]
 fn no_stress_is_quoted_beside_a_force_at_a_point_nor_a_corner_nor_a_pressure_without_limit() {
     let of = |from: &str, to: &str| {
-        assert!(BLOCK.contains(from));
-        let text = BLOCK.replace(from, to);
         // Blocks bring their own elements.
-        stresses(&parsed(&if to == STEP { text.replace("elements = 8\nper = 1\n", "") } else { text }))
+        let own = if to == STEP { "" } else { "elements = 8\nper = 1\n" };
+        stresses(&scene("pressed-corner", &[PARABOLA, STRAIGHT, ["elements = 4\nper = 1\n", own], [from, to]]))
     };
     let (_, plain) = of("", "");
     assert!(plain[0].largest.is_some() && plain[0].without_limit.is_empty(), "{plain:?}");
@@ -179,7 +177,7 @@ fn no_stress_is_quoted_beside_a_force_at_a_point_nor_a_corner_nor_a_pressure_wit
 
 #[test]
 fn a_pressure_without_limit_on_an_arc_is_where_the_shorter_ring_ends() {
-    let case = parsed(include_str!("../data/scenes/corner-on-an-arc.toml"));
+    let case = scene("corner-on-an-arc", &[]);
     let (discretisation, all) = stresses(&case);
     let (_, run) = case.solve().expect("solved");
     let place = run.clone().with_limits(&discretisation).expect("told").contacts[0].unbounded.expect("a corner");
@@ -203,7 +201,10 @@ fn stress_of_a_fixed_block_is_quoted_with_the_corner_that_has_none() {
         "[[body]]\nname = \"foot\"\nyoung = 1e5\npoisson = 0.3\n\
          shape = {{ rectangle = {{ x = [0, 40], y = [-40, 0], contact = \"top\" }} }}\n{fixed}[contact]\nsecond = \"foot\"\n"
     );
-    let (discretisation, all) = stresses(&parsed(&BLOCK.replace("[contact]\n", &below)));
+    let (discretisation, all) = stresses(&scene(
+        "pressed-corner",
+        &[PARABOLA, STRAIGHT, ["elements = 4", "elements = 8"], ["[contact]\n", &below]],
+    ));
     let VonMises { largest, without_limit, .. } = &all[1];
     let largest = largest.expect("below the contact");
     assert!(largest.at[1] > -10.0, "{largest:?}");
@@ -211,8 +212,7 @@ fn stress_of_a_fixed_block_is_quoted_with_the_corner_that_has_none() {
     assert_eq!(corners, [[40.0, -40.0]]);
     // A smooth hole and rings have none, drawn by chords or by curves.
     for file in ["press-fit", "rings-from-gmsh", "three-rings", "rubber-roller", "whole-disc", "hollow-circle"] {
-        let path = root().join(format!("tests/cases/{file}.toml"));
-        let (_, all) = stresses(&Case::read(&path).expect("a case"));
+        let (_, all) = stresses(&case(file));
         let none = all.iter().flat_map(|one| &one.without_limit).filter(|one| one.because == "a corner").count();
         assert_eq!(none, 0, "{file}: {all:?}");
     }

@@ -5,18 +5,19 @@ use std::f64::consts::FRAC_PI_2;
 use std::path::Path;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
-use contact_vv::case::Case;
 use contact_vv::case::library::{
     Bars, Cylinder, CylinderModel, FlatPunch, Patch, PinPlate, PinRod, PressFit, TruncatedHertz, find, own_weight,
 };
+use contact_vv::case::{Case, Judged, Verdict};
 use contact_vv::elasticity::{BodySystem, ElasticSystem, element, quadrature};
 use contact_vv::mesh::{BodyMesh, Edge, Mesh, Order, Resolution};
+use contact_vv::oracle::{Quantity, Reading};
 use contact_vv::referee::Truth;
 use contact_vv::scene::{
     self, Body, Circle, Component, ContactPair, Face, Grading, Load, Material, Place, PlaneHypothesis, Profile,
     ReferenceValues, Scene, Shape, StressField, Support,
 };
-use contact_vv::solve::Discretisation;
+use contact_vv::solve::{Discretisation, Element, Formulation, Iteration};
 use nalgebra::{DMatrix, DVector};
 
 pub const STEEL: Material = Material { young: 210e3, poisson: 0.3 };
@@ -76,6 +77,31 @@ pub fn of_shape(shape: Shape, path: scene::Path, stretch: f64, supports: Vec<Sup
         reference: ReferenceValues { length: 1.0, pressure: 1.0, gap: 1.0 },
         grading: Grading { unit, along: 1.0, depth: 1.0, first: 1.0, coarsest: 1.0, end: 1.0 },
     }
+}
+
+/// Sides under the tractions of one field of stress.
+pub fn stressed(
+    sides: &[&'static str],
+    field: impl Fn([f64; 2]) -> [f64; 3] + Send + Sync + 'static,
+) -> impl Iterator<Item = Load> {
+    let field = StressField(Arc::new(field));
+    sides.iter().map(move |side| Load::Stress { boundary: (*side).into(), field: field.clone() })
+}
+
+/// A soft body of revolution on a rigid side, under the traction of a uniform stress on the sides that are named.
+pub fn turned(
+    plane: PlaneHypothesis,
+    shape: Shape,
+    path: scene::Path,
+    stretch: f64,
+    stress: [f64; 3],
+    loaded: &[&'static str],
+) -> Scene {
+    let mut scene = of_shape(shape, path, stretch, vec![], stressed(loaded, move |_| stress).collect());
+    (scene.plane, scene.thickness) = (plane, 1.0);
+    scene.bodies[0].material.young = 1000.0;
+    (scene.reference.gap, scene.grading.unit) = (1e-3, 3.0);
+    scene
 }
 
 /// A quarter of a ring about the origin near a rigid profile, on its inner side where that is its lower face.
@@ -158,6 +184,14 @@ pub fn parsed(text: &str) -> Case {
     Case::parse(Path::new("scene.toml"), text).unwrap_or_else(|error| panic!("{error}\n{text}"))
 }
 
+/// A number that the closed form of a case tells.
+pub fn told(case: &Case, quantity: &Quantity) -> f64 {
+    match case.oracle().expect("a closed form").read(quantity) {
+        Reading::Value { value, .. } => value,
+        other => panic!("{quantity:?}: {other:?}"),
+    }
+}
+
 /// The text of a block of steel on x from `left` to `right` with a load on its far side, whose lower side touches a rigid profile; its
 /// contact and what follows as in a file.
 pub fn block_text([left, right]: [f64; 2], height: f64, load: &str, contact: &str) -> String {
@@ -167,6 +201,11 @@ pub fn block_text([left, right]: [f64; 2], height: f64, load: &str, contact: &st
          shape = {{ rectangle = {{ x = [{left}, {right}], y = [0, {height}], contact = \"bottom\" }} }}\n\
          supports = [{{ at = {held}, component = \"x\" }}]\nloads = [{{ {load} }}]\n[contact]\nfirst = \"block\"\n{contact}\n"
     )
+}
+
+/// Node elements under kinematic load, by their default tolerance.
+pub fn kinematic() -> Formulation {
+    Formulation::new(Element::Node, Iteration::Kinematic)
 }
 
 /// A scene on a mesh of so many elements.
@@ -181,6 +220,23 @@ pub fn distance(a: &[f64], b: &[f64]) -> f64 {
     }
     let worse = |worst: f64, d: f64| if d.is_nan() || worst.is_nan() { f64::NAN } else { worst.max(d) };
     a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, worse)
+}
+
+/// A copy that is spoiled.
+pub fn spoiled<T: Clone>(sound: &T, spoil: impl FnOnce(&mut T)) -> T {
+    let mut other = sound.clone();
+    spoil(&mut other);
+    other
+}
+
+/// How many checks fail.
+pub fn fails(judged: &[Judged]) -> usize {
+    judged.iter().filter(|one| one.verdict == Verdict::Fail).count()
+}
+
+/// Whether there is a check, and all pass.
+pub fn all_pass(checks: &[Judged]) -> bool {
+    !checks.is_empty() && checks.iter().all(|check| check.verdict == Verdict::Pass)
 }
 
 /// Numbers in −1 … 1 that look random and are always the same (SplitMix64; Steele, Lea & Flood 2014).
