@@ -122,7 +122,7 @@ pub fn ordered(
     let is_wrong = |point: &Point, area: f64| area < 0.0 || area <= 0.0 && !may_have_none(point);
     let wrong = |point: &Point| Some((point.position, point.area.filter(|area| is_wrong(point, *area))?));
     if let Some((position, area)) = points.iter().find_map(wrong) {
-        let remedy = "areas where something presses are positive; without areas they follow from the places";
+        let remedy = "areas are positive, but 0 where nothing presses; without areas they follow from the places";
         return Err(refused(format!("the area at {position} is {area} mm²"), remedy));
     }
     let nodes = usize::from(order.number()) + 1;

@@ -230,26 +230,43 @@ fn contact_of(reader: &Reader) -> Result<Handed, Error> {
         refused("position", message, remedy)
     })?;
     let edges = edges_of(reader, &scene.contacts[index].path)?;
-    if let Some([from, to]) = lacking(&edges, &points) {
-        let message = format!("no edge reaches from {from} to {to} (mm, or rad on an arc)");
-        return Err(refused(
-            "edges",
-            message,
-            "give one for every part of the contact from its first point to its last, or none at all",
-        ));
+    if let Some([from, to]) = wrong_step(&edges, &points) {
+        let message = format!("none, or more than one, reaches from {from} to {to} (mm, or rad on an arc)");
+        let remedy = "give one for every part of the contact from its first point to its last, or none at all";
+        return Err(refused("edges", message, remedy));
+    }
+    let path = &scene.contacts[index].path;
+    let of_length = |edge: &EdgeState| edge.length() * path.metric() * scene.depth(path.point(edge.position()));
+    let is_other = |edge: &&EdgeState| (edge.weight / of_length(edge) - 1.0).abs() > OTHER;
+    if let Some(edge) = edges.iter().find(is_other) {
+        let message = format!(
+            "the area of the one from {} is {} mm², its length times depth {}",
+            edge.ends[0],
+            edge.weight,
+            of_length(edge)
+        );
+        return Err(refused("edges", message, "give the areas of the undeformed path in `units.area`"));
     }
     Ok(Handed { contact: index, points, order, edges, forces })
 }
 
-/// A part of the contact that edges in order leave out; none where they are none.
-fn lacking(edges: &[EdgeState], points: &[Point]) -> Option<[f64; 2]> {
-    let ([first, .., last], false) = (points, edges.is_empty()) else { return None };
-    let begins = edges.iter().map(|edge| edge.ends[0]).chain([last.position]);
-    let ends = std::iter::once(first.position).chain(edges.iter().map(|edge| edge.ends[1]));
-    let left_out = |[from, to]: &[f64; 2]| to - from > SAME * (last.position - first.position);
-    ends.zip(begins).map(|(from, to)| [from, to]).find(left_out)
+/// From where to where edges in order leave out, or have twice, a part of the contact; none where they are none. The first and the last point may
+/// lie within edges.
+fn wrong_step(edges: &[EdgeState], points: &[Point]) -> Option<[f64; 2]> {
+    let ([first, .., last], [begin, .., end]) = (points, edges) else { return None };
+    let (first, last) = (first.position, last.position);
+    let same = SAME * (last - first);
+    let inside = edges.windows(2).map(|two| [two[0].ends[1], two[1].ends[0]]);
+    let is_wrong = |[from, to]: &[f64; 2]| (to - from).abs() > same;
+    let ends = [
+        (begin.ends[0] - first > same || begin.ends[1] - first <= same).then_some([first, begin.ends[0]]),
+        (last - end.ends[1] > same || last - end.ends[0] <= same).then_some([end.ends[1], last]),
+    ];
+    inside.into_iter().find(is_wrong).or(ends[0]).or(ends[1])
 }
 
+/// Part by which the area of an edge may differ from its length times the depth: on an arc its chord is shorter.
+const OTHER: f64 = 0.05;
 /// Part of the length of a contact that rounding of places explains.
 const SAME: f64 = 1e-6;
 

@@ -70,17 +70,27 @@ impl Bench<'_> {
         let at_origin = Quantity::Pressure { at: 0.0 };
         let reference = self.truth.closed(&at_origin)?;
         let bar = self.truth.model(&at_origin) * reference.value.abs();
-        let value = peak::pressure_at(&self.profile.edges, 0.0);
+        // Where the first point lies within an edge, its pressure holds up to the middle.
+        let first = self.profile.edges.first().map_or(0.0, |edge| edge.ends[0].max(0.0));
+        let value = peak::pressure_at(&self.profile.edges, first);
         Some(self.near(at_origin, value, Known { reference, bar }))
     }
 
     fn profile_norm(&self, missing: &mut Vec<[String; 2]>) -> Option<Judged> {
         let contact = self.profile.contact;
-        if self.truth.is_unbounded(contact) {
-            missing.push(["error of the profile".into(), "nothing: the pressure has no limit".into()]);
+        let edges = match self.truth.is_unbounded(contact) {
+            false => within(&self.profile.edges, COMPARED * self.reach()),
+            true => {
+                self.profile.edges.iter().filter(|edge| edge.ends.iter().all(|s| self.has_limit(*s))).copied().collect()
+            }
+        };
+        if edges.is_empty() {
+            missing.push([
+                "error of the profile".into(),
+                "edges within the contact, away from where the pressure has no limit".into(),
+            ]);
             return None;
         }
-        let edges = within(&self.profile.edges, COMPARED * self.reach());
         let error = norm::of_means(&edges, |s| self.truth.pressure(contact, s));
         let known = self.truth.of_profile(contact);
         let allowed = self.tolerance + EDGE * self.size_at_end() / self.half_width_known().reference.value;
@@ -98,19 +108,15 @@ impl Bench<'_> {
     fn alternation(&self) -> Option<Judged> {
         let contact = self.profile.contact;
         let is_unbounded = self.truth.is_unbounded(contact);
-        let ends = &self.truth.run.contacts[contact].measures;
-        let (middle, reach) = (0.5 * (ends.begin() + ends.edge()), 0.5 * (ends.edge() - ends.begin()));
-        let inside = self.profile.alone.iter().filter(|[s, _]| (s - middle).abs() <= INSIDE * reach);
-        // A cone's pressure has no limit at the middle.
-        let inside = inside.filter(|[s, _]| !is_unbounded || (s - middle).abs() >= BESIDE * reach);
+        let inside = self.profile.alone.iter().filter(|[s, _]| self.has_limit(*s));
         let peak = self.truth.known(contact, &Quantity::PeakPressure).reference.value;
         let error = |&[s, p]: &[f64; 2]| {
             let known = self.truth.pressure(contact, s);
             (p - known) / if is_unbounded { known } else { peak }
         };
         let errors: Vec<[f64; 2]> = inside.map(|point| [point[0], error(point)]).collect();
-        // The middle that is left out lies between no three points in a row.
-        let is_row = |three: &&[[f64; 2]]| (three[0][0] - middle) * (three[2][0] - middle) > 0.0 || !is_unbounded;
+        // A middle that is left out lies between no three points in a row.
+        let is_row = |three: &&[[f64; 2]]| three[0][0] * three[2][0] > 0.0 || self.has_limit(0.0);
         let alternates = |three: &[[f64; 2]]| 0.5 * (three[1][1] - 0.5 * (three[0][1] + three[2][1])).abs();
         let largest = errors.windows(3).filter(is_row).map(alternates).reduce(larger)?;
         let (reference, because) = (
@@ -118,6 +124,15 @@ impl Bench<'_> {
             "what an answer may alternate by that is quoted at its points",
         );
         Some(self.error(ALTERNATION, reference, ALTERNATE, because, largest))
+    }
+
+    /// Whether a place lies well within the contact, and not where the pressure has no limit: at its ends, or at s = 0 under a cone.
+    fn has_limit(&self, s: f64) -> bool {
+        let contact = self.profile.contact;
+        let ends = &self.truth.run.contacts[contact].measures;
+        let (middle, reach) = (0.5 * (ends.begin() + ends.edge()), 0.5 * (ends.edge() - ends.begin()));
+        let is_beside = || s.abs() < BESIDE * reach && !self.truth.pressure(contact, 0.0).is_finite();
+        (s - middle).abs() <= INSIDE * reach && !is_beside()
     }
 
     /// Where the contact begins and ends, to within one edge of the mesh that was handed in.

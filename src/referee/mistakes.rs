@@ -43,7 +43,13 @@ pub fn explain(truth: &Truth, handed: &Handed, beside: Beside, tolerance: f64) -
     if meets(&plain) {
         return vec![];
     }
-    let all = corrections(truth, &plain, beside).into_iter();
+    let mut all = corrections(truth, &plain, beside);
+    if plain.points.iter().map(|point| point.value).sum::<f64>() < 0.0 {
+        let turned = scaled(&plain, -1.0, 1.0, 1.0);
+        let both = |one: Correction| Correction { says: format!("{NEGATIVE}; and {}", one.says), ..one };
+        all.extend(corrections(truth, &turned, beside).into_iter().map(both));
+    }
+    let all = all.into_iter();
     all.filter(|one| sound(&one.corrected) && meets(&one.corrected)).map(|one| one.says).collect()
 }
 
@@ -92,6 +98,8 @@ fn scales(truth: &Truth, handed: &Handed, beside: Beside) -> Vec<(String, [f64; 
     all
 }
 
+/// What is said of the other sign.
+const NEGATIVE: &str = "pressures are negative in compression: hand them in with --tension-positive";
 /// Difference of factors that no answer tells apart.
 const ALIKE: f64 = 1e-3;
 
@@ -103,7 +111,7 @@ fn called(scene: &Scene, handed: &Handed) -> Vec<(String, [f64; 2])> {
         false => ["a width for a half-width", "a half-width for a width"],
     };
     let mut all = vec![
-        ("pressures are negative in compression: hand them in with --tension-positive".to_owned(), [-1.0, 1.0]),
+        (NEGATIVE.to_owned(), [-1.0, 1.0]),
         (format!("positions are doubled: {doubled}"), [1.0, 0.5]),
         (format!("positions are halved: {halved}"), [1.0, 2.0]),
     ];
@@ -325,9 +333,7 @@ fn shifts(scene: &Scene, handed: &Handed) -> Vec<Correction> {
         Correction { says: format!("{by_one}: each belongs to the node before"), corrected: moved(outwards) },
         Correction { says: format!("{by_one}: each belongs to the node behind"), corrected: moved(inwards) },
     ];
-    if handed.points[0].position < 0.0 {
-        all.push(offset);
-    }
+    all.push(offset);
     all
 }
 

@@ -13,6 +13,7 @@ use crate::markdown::significant;
 use crate::referee::answer::{Answer, Handed};
 use crate::referee::asked::Asked;
 use crate::referee::source::Source;
+use crate::referee::state::State;
 use crate::referee::{calculix, document, foreign, frd, grid, pvd, table};
 use crate::scene::Scene;
 
@@ -60,14 +61,8 @@ fn by_ending(file: &Path, bytes: &[u8], case: &Case, asked: &Asked) -> Result<An
         }
         return parse(&within, &decompressed(file, bytes)?, case, asked);
     }
-    let has_states = matches!(ending.as_str(), "frd" | "dat" | "pvd");
-    if asked.has_state() && !has_states {
-        let message = "--time and --step are asked for, and it has one state";
-        return Err(Error::file(
-            file,
-            message,
-            "leave them out: they choose among those of a .frd or .dat of CalculiX, or of a .pvd",
-        ));
+    if asked.has_state() && matches!(ending.as_str(), "json" | "vtu" | "vtk") {
+        return Err(State::only(file));
     }
     match ending.as_str() {
         "csv" | "tsv" | "txt" | "rpt" | "lis" => of_table(file, &text(file, bytes)?, &case.scene, asked),

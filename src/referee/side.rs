@@ -130,7 +130,9 @@ impl Side {
         let pressed = || self.off.iter().filter(|edge| edge.iter().all(|&node| at(node) > PRESSED * largest));
         let (whole, dropped) = (all().map(force).sum::<f64>(), pressed().map(force).sum::<f64>());
         if dropped <= DROPPED * whole {
-            let broken = self.broken(pair, points, |node| at(node) > PRESSED * largest);
+            // Nodes of quadratic edges go by three.
+            let is_pressed = |node: usize| at(node) > PRESSED * largest || self.order() == Order::Quadratic;
+            let broken = self.broken(pair, points, is_pressed);
             return broken.map_or(Ok(()), |ends| Err(source.refused(lacking(pair, ends), ALL)));
         }
         let is_beyond = |edge: &Edge| edge.iter().any(|&node| pair.path.coordinate(points[node]).abs() > pair.stretch);
@@ -154,10 +156,7 @@ impl Side {
 fn lacking(pair: &ContactPair, ends: [f64; 2]) -> String {
     let [from, to] = ends.map(|s| display_factor(&pair.path) * s);
     let unit = if pair.path.is_straight() { "mm" } else { "°" };
-    format!(
-        "no edge of its cells lies on contact `{}` from {from:.4} to {to:.4} {unit}, beside nodes that are pressed",
-        pair.name
-    )
+    format!("no edge of its cells lies on contact `{}` from {from:.4} to {to:.4} {unit}", pair.name)
 }
 
 impl Side {

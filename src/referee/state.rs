@@ -1,6 +1,7 @@
 //! Which state of an analysis a block of results is of, and which one is judged: the last, unless another is asked for.
 
 use std::fmt;
+use std::path::Path;
 
 use crate::error::Error;
 use crate::referee::asked::Asked;
@@ -33,6 +34,12 @@ impl State {
     /// Whether it is of the same time.
     pub fn is_at(&self, time: f64) -> bool {
         (self.time - time).abs() <= SAME * time.abs().max(self.time.abs())
+    }
+
+    /// Refuses to choose in a file of one state.
+    pub fn only(file: &Path) -> Error {
+        let remedy = "leave them out: they choose among those of a .frd or .dat of CalculiX, of a .pvd, or of a table's column `time`";
+        Error::file(file, "--time and --step are asked for, and it has one state", remedy)
     }
 
     /// The place of the state that is asked for among those of the results that are read; the last one where none is.

@@ -5,6 +5,7 @@
 //! of units behind the names, or is named by `--unit`; none is guessed. What stands before the names, and comments, are passed over; where a
 //! comment is all that stands before the numbers, it has the names. Numbers may have decimal commas, and exponents of Fortran.
 
+use std::collections::BTreeSet;
 use std::path::Path;
 
 use crate::error::Error;
@@ -13,6 +14,7 @@ use crate::referee::answer::{Answer, FEWEST, Handed, Point, contact_named, order
 use crate::referee::asked::Asked;
 use crate::referee::side::{signed_coordinate, surface};
 use crate::referee::source::Source;
+use crate::referee::state::State;
 use crate::referee::units::{Role, Units, is_angle};
 use crate::scene::{ContactPair, Scene};
 
@@ -52,8 +54,8 @@ pub fn parse(file: &Path, text: &str, scene: &Scene, asked: &Asked) -> Result<An
     let table = Table::of(&source, asked)?;
     let columns = columns(&source, &table.head, scene, asked)?;
     let reader = Reader { source, columns, scene, asked, comma: table.comma };
-    let (mut groups, mut rows): (Vec<(usize, Vec<Point>)>, Vec<(usize, f64, &str)>) = Default::default();
-    for (line, cells) in &table.rows {
+    let (mut groups, mut rows): (Vec<(usize, Vec<Point>)>, Vec<Row>) = Default::default();
+    for (k, (line, cells)) in table.rows.iter().enumerate() {
         if cells.len() != table.head.len() {
             let message = format!("this line has {} cells, but the head names {}", cells.len(), table.head.len());
             let is_numbered = cells.len() == table.head.len() + 1 && cells[0].parse::<usize>().is_ok();
@@ -65,9 +67,9 @@ pub fn parse(file: &Path, text: &str, scene: &Scene, asked: &Asked) -> Result<An
             Some((_, points)) => points.push(point),
             None => groups.push((contact, vec![point])),
         }
-        rows.push((contact, point.position, *line));
+        rows.push((k, contact, point.position, *line));
     }
-    if let Some(line) = another(text, &rows) {
+    if let Some(line) = another(&rows, |k| table.is_behind_break(text, k)) {
         return Err(source.at(line, ANOTHER, ONE));
     }
     if let (true, Some(name), false) = (groups.is_empty(), &asked.contact, table.rows.is_empty()) {
@@ -84,7 +86,11 @@ pub fn parse(file: &Path, text: &str, scene: &Scene, asked: &Asked) -> Result<An
         Ok(Handed { contact, points, order, edges: vec![], forces })
     };
     let contacts = groups.into_iter().map(handed).collect::<Result<_, Error>>()?;
-    let read = reader.columns.iter().map(|column| format!("`{}` as {}", column.title, column.role.name())).collect();
+    let is_beside =
+        !forces && table.head.iter().any(|title| asked.names(Role::Force, title) || is_usual(Role::Force, title));
+    let mut read: Vec<String> =
+        reader.columns.iter().map(|column| format!("`{}` as {}", column.title, column.role.name())).collect();
+    read.extend(is_beside.then(|| "the pressures, not the forces beside them".to_owned()));
     let unit = |roles: &[Role]| {
         reader.columns.iter().find(|column| roles.contains(&column.role)).and_then(|column| column.unit.clone())
     };
@@ -183,6 +189,18 @@ impl<'a> Table<'a> {
         if let Some(mask) = head.iter().position(|title| title.eq_ignore_ascii_case("vtkValidPointMask")) {
             rows.retain(|(_, cells)| cells.get(mask).and_then(|cell| number(cell, false)) != Some(0.0));
         }
+        // Of several times the last one is judged, as of grids.
+        let column = head.iter().position(|title| split(title).0.eq_ignore_ascii_case("time"));
+        if asked.step.is_some() || asked.time.is_some() && column.is_none() {
+            return Err(State::only(source.file));
+        }
+        if let Some(column) = column {
+            let time =
+                |cells: &[String]| cells.get(column).and_then(|cell| number(cell, mark != ',')).unwrap_or(f64::NAN);
+            let last = rows.iter().map(|(_, cells)| time(cells)).fold(f64::NEG_INFINITY, f64::max);
+            let state = State { step: None, time: asked.time.unwrap_or(last) };
+            rows.retain(|(_, cells)| state.is_at(time(cells)) || last.is_infinite());
+        }
         let commas = || {
             rows.iter()
                 .flat_map(|(line, own)| own.iter().map(move |cell| (line, cell)))
@@ -199,31 +217,63 @@ impl<'a> Table<'a> {
     }
 }
 
+impl Table<'_> {
+    /// Whether a line without numbers, or a blank one, stands before a row.
+    fn is_behind_break(&self, text: &str, k: usize) -> bool {
+        let begin = |k: usize| self.rows[k].0.as_ptr() as usize - text.as_ptr() as usize;
+        let before = k.checked_sub(1).map_or(0, |before| begin(before) + self.rows[before].0.len());
+        let between = text.get(before..begin(k)).unwrap_or_default();
+        between.trim_start_matches('\r').strip_prefix('\n').is_some_and(|between| !between.is_empty())
+    }
+}
+
 /// What is said of a second table.
 const ANOTHER: &str = "this line begins another table";
 
 /// Whether a line only rules a table off.
 fn is_rule(line: &str) -> bool {
-    line.chars().all(|mark| "-=+|,; \t".contains(mark))
+    line.chars().all(|mark| "-=+|,; \t\u{c}".contains(mark))
 }
 
-/// The first of some rows (contact, place, line) behind a line without numbers, where as many rows stand before and behind it as make a profile,
-/// and its places do not go on from those before: the next data set of gnuplot, or the other side of the contact.
-fn another<'a>(text: &str, rows: &[(usize, f64, &'a str)]) -> Option<&'a str> {
-    let begin = |k: usize| rows[k].2.as_ptr() as usize - text.as_ptr() as usize;
-    let is_behind_break = |k: usize| {
-        let between = text.get(begin(k - 1) + rows[k - 1].2.len()..begin(k)).unwrap_or_default();
-        between.trim_start_matches('\r').strip_prefix('\n').is_some_and(|between| !between.is_empty())
-    };
-    let breaks: Vec<usize> = (1..rows.len()).filter(|&k| is_behind_break(k)).collect();
-    let ends = |k: usize| breaks.get(k).copied().unwrap_or(rows.len());
-    let is_long = |k: usize| ends(k) - k.checked_sub(1).map_or(0, ends) >= FEWEST;
-    let goes_on = |k: usize| {
-        let step = |k: usize| rows[k].1 - rows[k - 1].1;
-        rows[k].0 != rows[k - 1].0 || (k - 1..k + 2).all(|other| step(other) * step(k) > 0.0)
-    };
-    let is_other = |k: &usize| is_long(*k) && is_long(k + 1) && !goes_on(breaks[*k]);
-    (0..breaks.len()).find(is_other).map(|k| rows[breaks[k]].2)
+/// A row as it was read: its number in the table, its contact, its place, and the line.
+type Row<'a> = (usize, usize, f64, &'a str);
+
+/// The first of some rows behind a line without numbers, whose places do not go on from those of its contact before it, where both parts are long
+/// enough for a profile and reach over one another: the next data set of gnuplot, or the other side of the contact.
+fn another<'a>(rows: &[Row<'a>], is_behind_break: impl Fn(usize) -> bool) -> Option<&'a str> {
+    let contacts: BTreeSet<usize> = rows.iter().map(|(_, contact, ..)| *contact).collect();
+    contacts.into_iter().find_map(|contact| {
+        let own: Vec<&Row> = rows.iter().filter(|row| row.1 == contact).collect();
+        // Runs of places that go one way, which may begin behind a break only.
+        let mut runs: Vec<Vec<&Row>> = Vec::new();
+        let mut last = None;
+        for row in own {
+            let broken = last.is_none_or(|last| (last + 1..=row.0).any(&is_behind_break));
+            last = Some(row.0);
+            match runs.last_mut().filter(|run| !broken || goes_on(run, row.2)) {
+                Some(run) => run.push(row),
+                None => runs.push(vec![row]),
+            }
+        }
+        runs.retain(|run| run.len() >= FEWEST);
+        let ends = |run: &[&Row]| {
+            let places = || run.iter().map(|row| row.2);
+            [places().fold(f64::INFINITY, f64::min), places().fold(f64::NEG_INFINITY, f64::max)]
+        };
+        let over_one_another = |two: &&[Vec<&Row>]| {
+            let [[from, to], [begin, end]] = [ends(&two[0]), ends(&two[1])];
+            begin < to && from < end
+        };
+        runs.windows(2).find(over_one_another).map(|two| two[1][0].3)
+    })
+}
+
+/// Whether a place goes on from those of a run, which go one way.
+fn goes_on(run: &[&Row], place: f64) -> bool {
+    match run {
+        [.., before, last] => (place - last.2) * (last.2 - before.2) > 0.0,
+        _ => true,
+    }
 }
 
 /// Whether a comma may stand between thousands: up to three digits before it, the first not 0, and three behind.

@@ -28,6 +28,51 @@ fn a_table_goes_on_behind_a_comment_where_its_places_go_on() {
     let again =
         format!("position [mm],pressure [MPa]\n{near}\n# another\n{}\n{far}\n", lines[19].replace("1.9", "1.85"));
     refused("parts.csv", &again, &usual(), &["begins another table"]);
+    // The same in blocks of a line each, and of two contacts in turn; two halves make one table.
+    let apart = again.replace('\n', "\n\n");
+    refused("parts.csv", &apart, &usual(), &["begins another table"]);
+    let mirrored: String = lines[1..].iter().map(|line| format!("-{line}\n")).collect();
+    for halves in [format!("{rows}\n# left\n{mirrored}"), format!("{mirrored}\n# right\n{rows}")] {
+        let points = parsed("parts.csv", format!("position [mm],pressure [MPa]\n{halves}"), &usual()).expect("read");
+        assert_eq!(points.contacts[0].points.len(), 2 * ellipse::NODES - 1);
+    }
+    // Of several times the last one is judged, or the one that is asked for.
+    let timed = |share: f64, time: &str| -> String {
+        (0..ellipse::NODES)
+            .map(|k| format!("{},{},{time}\n", ellipse::place(k), share * ellipse::pressure(ellipse::place(k))))
+            .collect()
+    };
+    let text = format!("position [mm],pressure [MPa],Time\n{}{}", timed(0.5, "0.5"), timed(1.0, "1"));
+    ellipse::assert(&parsed("parts.csv", &text, &usual()).expect("read"), 1e-9);
+    let early = Asked { time: Some(0.5), ..usual() };
+    ellipse::assert_share(&parsed("parts.csv", &text, &early).expect("read"), 1e-9, 0.5);
+}
+
+#[test]
+fn tables_of_two_contacts_in_two_frames_are_two_tables() {
+    let case = Case::read(&root().join("tests/cases/roller-between-plates.toml")).expect("a case");
+    let names: Vec<&str> = case.scene.contacts.iter().map(|pair| pair.name.as_str()).collect();
+    let rows = |share: f64, name: &str| -> String {
+        (0..6)
+            .map(|k| format!("{},{},{name}\n", 0.1 * (f64::from(k) + 0.5 * share), share * f64::from(5 - k)))
+            .collect()
+    };
+    let frame = |share: f64| format!("# frame\n{}\n{}", rows(share, names[0]), rows(share, names[1]));
+    let read = |frames: &str, asked: &Asked| {
+        let text = format!("position [mm],pressure [MPa],contact\n{frames}");
+        read::parse(Path::new("frames.csv"), text.as_bytes(), &case, asked)
+    };
+    let of = |name: &str| Asked { contact: Some(name.into()), ..usual() };
+    let two = frame(1.0) + &frame(0.9);
+    for asked in [usual(), of(names[0]), of(names[1])] {
+        assert_eq!(read(&frame(1.0), &asked).expect("read").contacts[0].points.len(), 6);
+        let error = read(&two, &asked).map(|_| ()).expect_err("two frames").to_string();
+        assert!(error.contains("begins another table"), "{error}");
+    }
+    // Rows of contacts by turns, with no line between.
+    let [a, b] = [rows(1.0, names[0]), rows(1.0, names[1])];
+    let turns: String = a.lines().rev().zip(b.lines()).map(|(a, b)| format!("{a}\n{b}\n")).collect();
+    assert!(read(&turns, &of(names[0])).is_ok() && read(&turns, &usual()).is_ok());
 }
 
 #[test]
@@ -88,12 +133,16 @@ fn edges_of_a_document_reach_from_its_first_point_to_its_last() {
     };
     assert!(parsed("theirs.json", text(&[[0.0, 1.0], [1.0, 2.0]]), &usual()).is_ok());
     for (edges, named) in [
-        (&[[0.0, 1.0]][..], "no edge reaches from 1 to 2"),
-        (&[[1.0, 2.0]], "no edge reaches from 0 to 1"),
-        (&[[0.0, 0.5], [1.0, 2.0]], "no edge reaches from 0.5 to 1"),
+        (&[[0.0, 0.5], [0.5, 1.0]][..], "reaches from 1 to 2"),
+        (&[[1.0, 1.5], [1.5, 2.0]], "reaches from 0 to 1"),
+        (&[[0.0, 0.5], [1.0, 2.0]], "reaches from 0.5 to 1"),
+        (&[[0.0, 1.0], [0.0, 1.0], [1.0, 2.0]], "reaches from 1 to 0"),
+        (&[[-1.0, 0.0], [0.0, 1.0], [1.0, 2.0]], "reaches from 0 to -1"),
     ] {
         refused("theirs.json", &text(edges), &usual(), &["contacts[0].edges", named]);
     }
+    let twice = text(&[[0.0, 1.0], [1.0, 2.0]]).replace("\"area\":1", "\"area\":2");
+    refused("theirs.json", &twice, &usual(), &["contacts[0].edges", "the area of the one from 0 is 2"]);
 }
 
 #[test]

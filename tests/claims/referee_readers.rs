@@ -300,6 +300,11 @@ fn number(role: Role, k: usize) -> f64 {
     }
 }
 
+/// The area of an edge, nearly its length \[mm²\].
+fn area_of_edge(k: usize) -> f64 {
+    0.1 + 1e-5 * k as f64
+}
+
 #[test]
 fn every_unit_of_every_quantity_is_what_it_is_by_definition() {
     const OURS: [(Role, &str); 5] =
@@ -331,7 +336,8 @@ fn every_unit_of_every_quantity_is_what_it_is_by_definition() {
             |role: Role, k: usize| number(role, k) / columns.iter().find(|one| one.0 == role).map_or(1.0, |one| one.2);
         let edge = |k: usize| {
             let [from, to] = [k, k + 1].map(|k| own(Role::Position, k));
-            serde_json::json!({ "from": from, "to": to, "area": own(Role::Area, k), "pressure": own(Role::Pressure, k) })
+            let area = area_of_edge(k) * own(Role::Area, k) / number(Role::Area, k);
+            serde_json::json!({ "from": from, "to": to, "area": area, "pressure": own(Role::Pressure, k) })
         };
         if asked != Role::Force {
             lists.insert("edges".into(), (0..NODES - 1).rev().map(edge).collect::<Vec<_>>().into());
@@ -355,7 +361,7 @@ fn every_unit_of_every_quantity_is_what_it_is_by_definition() {
             for (k, edge) in answer.contacts[0].edges.iter().enumerate() {
                 let [found, wanted] = [
                     [edge.ends[0], edge.ends[1], edge.weight, edge.pressure],
-                    [place(k), place(k + 1), number(Role::Area, k), pressure(place(k))],
+                    [place(k), place(k + 1), area_of_edge(k), pressure(place(k))],
                 ];
                 (0..4).for_each(|k| assert_relative_eq!(found[k], wanted[k], max_relative = 1e-9, epsilon = 1e-12));
             }

@@ -93,7 +93,7 @@ fn row(judged: &Judged) -> [String; 6] {
         Verdict::NotRun(_) => verdict.to_string(),
     };
     let error = |of: f64| {
-        if check.quantity.unit().is_some() && is_absolute(judged) { markdown::value(of) } else { markdown::error(of) }
+        if is_absolute(judged) { markdown::value(of) } else { markdown::error(of) }
     };
     [
         check.quantity.to_string(),
