@@ -1,8 +1,7 @@
-//! What an algorithm sees: the condensed system, the contact points, and what its springs start from.
+//! What an algorithm sees: the condensed system, the contact points, and its springs; and what an iteration with these finds.
 
 use faer::Mat;
 
-use crate::algorithm::{Iterate, Springs};
 use crate::condensation::stiffness::{Stiffness, SystemFactor};
 use crate::contact::{ContactEdge, ContactPoint};
 use crate::solution::Work;
@@ -24,6 +23,28 @@ pub struct ContactProblem<'a> {
     pub compliance: Vec<f64>,
     /// Initial stiffness of each point [MPa/mm].
     pub initial: Vec<f64>,
+}
+
+/// The springs as they stand between two iterations.
+#[derive(Clone, Debug)]
+pub struct Springs {
+    /// Stiffness `k` per area of each point [MPa/mm]; zero is open.
+    pub stiffness: Vec<f64>,
+    /// Force per area `r` carried by each point beside its spring \[MPa\].
+    pub force: Vec<f64>,
+}
+
+/// What one iteration finds.
+#[derive(Clone, Debug)]
+pub struct Iterate {
+    /// Displacements of the retained dofs \[mm\].
+    pub displacement: Vec<f64>,
+    /// Approach of each point \[mm\].
+    pub approach: Vec<f64>,
+    /// Spring force per area of each point, tension negative \[MPa\].
+    pub pressure: Vec<f64>,
+    /// Internal force `S u` of the displacements \[N\].
+    pub internal: Vec<f64>,
 }
 
 /// Reference values of the scene, which springs start from; what has converged is told without them.
