@@ -100,7 +100,7 @@ fn step_kinematic(bencher: Bencher, refinement: u32) {
 fn recovery(bencher: Bencher, refinement: u32) {
     let discretisation = discretised(refinement);
     let solution = discretisation.solve(&Formulation::verification()).expect("solved");
-    bencher.bench(|| discretisation.condensed.recover(&solution.displacement));
+    bencher.bench(|| discretisation.condensed.recover(1.0, &solution.displacement));
 }
 
 #[divan::bench(args = SIZES)]

@@ -149,7 +149,7 @@ impl Twin {
         let bodies = &discretisation.system.bodies;
         let vectors: Vec<Vec<Vec<f64>>> =
             PRIMES.iter().map(|p| bodies.iter().map(|body| fixed_vector(*p, &body.dofs)).collect()).collect();
-        let on_nodes = |v: &Vec<Vec<f64>>| discretisation.system.nodal_displacements(v).as_flattened().to_vec();
+        let on_nodes = |v: &Vec<Vec<f64>>| discretisation.system.nodal_displacements(1.0, v).as_flattened().to_vec();
         let problem = handed_over(&discretisation, vectors.iter().map(on_nodes).collect())?;
         let product = |v: &Vec<Vec<f64>>| bodies.iter().zip(v).flat_map(|(body, x)| body.product(x)).collect();
         let mut ours = DiscreteAnswer {

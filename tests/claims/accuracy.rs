@@ -259,10 +259,10 @@ fn contact_end_is_found_within_a_tenth_of_an_element() {
             let edge = angle.map_or(problem.scene.reference.length, f64::to_radians);
             let longest = longest(&problem.scene, problem.scene.contact());
             let plan = fitted::Plan::around([-1.03 * edge, 1.03 * edge], longest, elements, Order::Quadratic, 2.0);
-            let scene = plan.scene(&problem.scene);
-            let discretisation = Discretisation::of(scene.clone(), plan.resolution()).expect("meshed");
-            let solution = discretisation.solve(&Formulation::verification()).expect("solved");
-            let [_, found] = ends::ends(solution.part(0), scene.contact());
+            let (scene, resolution) = plan.laid(&problem.scene);
+            let discretisation = Discretisation::of(scene, resolution).expect("meshed");
+            let run = Run::of(&discretisation, &Formulation::verification()).expect("solved");
+            let [_, found] = ends::ends(&run, 0);
             let element = edge / elements as f64;
             assert!(
                 (found - edge).abs() < 0.15 * element,

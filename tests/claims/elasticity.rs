@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use contact_vv::case::library::{Cylinder, PinRod};
-use contact_vv::elasticity::{ElasticSystem, Freedom, loads, reactions};
+use contact_vv::elasticity::{ElasticSystem, Freedom, Numbering, loads, reactions};
 use contact_vv::mesh::{Mesh, Order};
 use contact_vv::scene::{Component, Face, Load, Place, Scene, StressField};
 use nalgebra::DVector;
@@ -107,7 +107,9 @@ fn stiffness_and_surface_loads_are_proportional_to_thickness() {
     let tripled: Vec<f64> = one.force.iter().map(|f| 3.0 * f).collect();
     assert!(distance(&tripled, &three.force) <= 1e-12);
     assert!(one.force.iter().any(|f| f.abs() > 1.0));
-    let doubled = ElasticSystem::assemble_scaled(&thin, &mesh, &|_| 2.0).expect("system");
+    let doubled = Numbering::of(&thin, &mesh)
+        .and_then(|own| ElasticSystem::assemble_numbered(&thin, &mesh, own, &|_| 2.0))
+        .expect("system");
     assert!((dense(one) * 2.0 - dense(&doubled.bodies[0])).amax() <= 1e-14 * scale);
 }
 
@@ -151,7 +153,7 @@ fn retained_freedoms_are_displacements_along_the_outward_normals() {
         for (candidate, equation) in part.candidates.iter().zip(body.retained.clone()) {
             let mut unit = vec![0.0; body.dofs.equations];
             unit[equation] = 1.0;
-            let u = body.dofs.displacements(&unit);
+            let u = body.dofs.displacements(1.0, &unit);
             let moved = u[candidate.node - body.dofs.first];
             assert!(distance(&moved, &candidate.normal) <= 1e-15);
             let others = u.iter().map(|u| u[0].hypot(u[1])).sum::<f64>();
@@ -183,7 +185,7 @@ fn rigid_face_stays_flat_and_takes_the_whole_force() {
         assert!(far.iter().all(|&n| (u[n][1] - common).abs() <= 0.0), "the face is not flat");
         assert!(far.iter().any(|&n| (u[n][0] - u[far[0]][0]).abs() > 1e-9), "the face must stay free to widen");
         // The reaction on the held side balances face and corner force.
-        let internal = reactions::internal_forces(&scene, &mesh, 0, &u).expect("forces");
+        let internal = reactions::internal_forces(&scene, &mesh, 0, &u, &|_| true).expect("forces");
         assert_relative_eq!(at("contact").iter().map(|&n| internal[n][1]).sum::<f64>(), 57.0, max_relative = 1e-10);
     }
 }
@@ -211,7 +213,7 @@ fn prescribed_displacement_along_a_normal_that_points_downwards_keeps_its_sign()
     let system = ElasticSystem::assemble(&scene, &mesh).expect("system");
     let node = mesh.node_at(&scene, 0, [4.0, 0.0]).expect("corner");
     let zeros = vec![0.0; system.bodies[0].dofs.equations];
-    assert_relative_eq!(system.nodal_displacements(&[zeros])[node][0], 0.02);
+    assert_relative_eq!(system.nodal_displacements(1.0, &[zeros])[node][0], 0.02);
     // A mirrored arc: the tangent of a node at 90° is vertical, its sign must not turn the prescribed value.
     let supports = vec![held("start", Component::X, 0.0), held("end", Component::Y, 0.01)];
     let scene = ring([2.0, 4.0], Face::Bottom, FRAC_PI_2, supports, vec![]);
@@ -221,7 +223,7 @@ fn prescribed_displacement_along_a_normal_that_points_downwards_keeps_its_sign()
     } {
         let system = ElasticSystem::assemble(&scene, &mesh).expect("system");
         let zeros = vec![0.0; system.bodies[0].dofs.equations];
-        let u = system.nodal_displacements(&[zeros]);
+        let u = system.nodal_displacements(1.0, &[zeros]);
         for node in mesh.nodes_at(&scene, 0, &Place::Boundary("end".into())).expect("end") {
             assert_relative_eq!(u[node][1], 0.01, max_relative = 1e-14);
         }

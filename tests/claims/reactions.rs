@@ -29,7 +29,7 @@ fn bar(plane: &str, gap: f64, supports: &str, loads: &str) -> String {
 }
 
 fn forces(discretisation: &Discretisation, solution: &Solution) -> Vec<f64> {
-    discretisation.reactions(solution).expect("reactions").iter().map(|reaction| reaction.force).collect()
+    discretisation.reactions(1.0, solution).expect("reactions").iter().map(|reaction| reaction.force).collect()
 }
 
 fn forces_of(text: &str) -> Vec<f64> {
@@ -56,7 +56,7 @@ fn run_that_ends_before_the_last_increment_has_the_reactions_of_its_own_share() 
     let discretisation = Discretisation::of(case.scene.clone(), case.resolution).expect("meshed");
     let run = Run::of(&discretisation, case.formulation()).expect("stopped");
     assert!(!run.solution.converged() && run.share() < 1.0, "{:?} after {}", run.solution.outcome, run.share());
-    let reactions = discretisation.reactions_under(run.share(), &run.solution).expect("reactions");
+    let reactions = discretisation.reactions(run.share(), &run.solution).expect("reactions");
     let touch = contact(&discretisation, &run.solution, 0);
     let [x, y] = [0.5, -0.25].map(|density| run.share() * density * 600.0);
     assert!(touch[1] > 1.0, "{touch:?}");

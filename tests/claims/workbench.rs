@@ -150,7 +150,7 @@ pub fn solved(body: &BodySystem) -> Vec<f64> {
 /// Nodal displacements of a scene of one body that its supports hold.
 pub fn displaced(scene: &Scene, mesh: &Mesh) -> Vec<[f64; 2]> {
     let system = ElasticSystem::assemble(scene, mesh).expect("system");
-    system.nodal_displacements(&[solved(&system.bodies[0])])
+    system.nodal_displacements(1.0, &[solved(&system.bodies[0])])
 }
 
 /// The case of a scene file's text.

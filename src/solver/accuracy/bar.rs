@@ -16,13 +16,13 @@
 
 use crate::accuracy::family::{Evidence, Family, discrete_of};
 use crate::accuracy::reading::{self, Reading, of_discrete, value_of};
-use crate::accuracy::recovered::{Recovered, recovered};
+use crate::accuracy::recovered::recovered;
 use crate::accuracy::watch::up_to;
 use crate::algorithm::StiffnessRule;
 use crate::error::Error;
 use crate::measure::{Measures, Quantity, larger};
 use crate::solution::PointState;
-use crate::solve::{Change, Discretisation, Displaced, Element, Formulation, Origin, Permits, Run};
+use crate::solve::{Change, Discretisation, Displaced, Element, Formulation, Permits, Run};
 
 /// Part of the bar of a largest value within which those elsewhere may be the true one: their errors are alike.
 const FLAT: f64 = 0.5;
@@ -248,11 +248,11 @@ fn of_displacements(
     family: &Family,
     wanted: &[Displaced],
 ) -> Result<Vec<Barred>, Error> {
-    let Recovered { readings, shears } = recovered(discretisation, run, wanted)?;
+    let (readings, shears) = recovered(discretisation, run, wanted)?;
     let of = |formulation: &Formulation| -> Result<Vec<Reading>, Error> {
-        match Run::from_origin(Origin::From(&run.solution), discretisation, formulation, Change::NONE) {
+        match Run::from(Some(&run.solution), discretisation, formulation, Change::NONE) {
             Ok(other) if family.is_found(&other) && is_same(&other, run) => Ok(readings.clone()),
-            Ok(other) if family.is_found(&other) => Ok(recovered(discretisation, &other, wanted)?.readings),
+            Ok(other) if family.is_found(&other) => Ok(recovered(discretisation, &other, wanted)?.0),
             // Not found: its numbers are unknown.
             _ => Ok(Vec::new()),
         }

@@ -5,7 +5,6 @@
 //! judged.
 
 use crate::accuracy::coarser::finer;
-use crate::accuracy::laid::Laid;
 use crate::accuracy::longest::longest;
 use crate::accuracy::rungs::{Rung, Rungs};
 use crate::accuracy::{Asked, Quantity};
@@ -169,8 +168,7 @@ fn next(before: &Discretisation, rung: &Rung, smaller: bool, rungs: &mut Rungs) 
         false => finer(scene, resolution),
     };
     edge_fitted::lay_on_ends(&mut scene, &rung.run, at_rest(rungs.asked));
-    let growth = scene.grading.along;
-    let solved = rungs.solve(Laid { scene, resolution, growth }, PURPOSE);
+    let solved = rungs.solve((scene, resolution), PURPOSE);
     let (mut discretisation, mut rung) = solved.map_err(|error| rungs.is_refused(&error)).ok()?;
     for (pair, contact) in discretisation.scene.contacts.iter_mut().zip(&rung.run.contacts) {
         pair.ends.off = edge_fitted::off(pair, &contact.measures.stretches);

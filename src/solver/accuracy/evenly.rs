@@ -3,7 +3,6 @@
 //! Cells that are given are cut both ways, and so is all of the mesh beside them. Where all bodies are meshed here, the elements on the
 //! contacts are made smaller by any ratio and the growth follows them, which needs far fewer cells.
 
-use crate::accuracy::laid::Laid;
 use crate::accuracy::longest::longest;
 use crate::accuracy::rungs::Rungs;
 use crate::accuracy::{ends, fitted, sizes};
@@ -67,7 +66,7 @@ impl Evenly {
         for attempt in 0..TRIES {
             found.look_from_afar();
             let laid = found.laid(FIRST);
-            if let Some(what) = laid.too_large(rungs.asked.most_cells) {
+            if let Some(what) = rungs.too_large(&laid) {
                 let remedy =
                     "guess the candidate stretches better, or give `elements` and `per` instead of the accuracy";
                 return Err(Error::at(Place::Solve(found.scene.name.clone()), what, remedy));
@@ -112,18 +111,15 @@ impl Evenly {
     }
 
     /// The scene with so many elements on the shortest half-contact; a given mesh is halved for as many.
-    pub(super) fn laid(&self, elements: usize) -> Laid {
+    pub(super) fn laid(&self, elements: usize) -> (Scene, Resolution) {
         let (mut scene, Self { resolution, .. }) = (self.scene.clone(), self);
         let ratio = elements as f64 / resolution.elements as f64;
         if self.is_halved() {
             let refinement = ratio.log2().round().max(0.0) as u32;
-            let growth = if self.given().all(|given| given) { f64::NAN } else { scene.grading.along };
-            let growth = growth.powf(0.5_f64.powf(f64::from(refinement)));
-            return Laid { scene, resolution: Resolution { refinement, ..*resolution }, growth };
+            return (scene, Resolution { refinement, ..*resolution });
         }
         scene.grading = resolution.order.refined(&scene.grading, ratio);
-        let growth = scene.grading.along;
-        Laid { scene, resolution: Resolution { elements, ..*resolution }, growth }
+        (scene, Resolution { elements, ..*resolution })
     }
 
     /// Lengthens the candidates guessed shortest, by which elements are sized, until a first mesh is a cheap one.
@@ -142,15 +138,14 @@ impl Evenly {
     fn fits(&mut self, run: &Run) -> bool {
         let mut known = true;
         for contact in 0..self.scene.contacts.len() {
-            let part = run.solution.part(contact);
             let pair = &mut self.scene.contacts[contact];
-            let [begin, end] = ends::ends(part, pair);
-            let [pressed, _] = ends::pressed(part, pair);
+            let [begin, end] = ends::ends(run, contact);
+            let [pressed, _] = ends::pressed(run, contact);
             let given = |body: usize| self.scene.bodies[body].shape.has_given_mesh();
             if pressed == 0 || pair.bodies().all(given) {
                 continue;
             }
-            let filled = ends::filled(part, pair).contains(&true);
+            let filled = ends::is_filled(run, contact);
             let wanted = if filled { LONGER * pair.stretch } else { MARGIN * end.max(-begin) };
             known &= pressed >= TOLD || filled && pair.stretch >= self.longest[contact];
             pair.stretch = wanted.min(self.longest[contact]);

@@ -544,7 +544,7 @@ fn said((mesh, run): (&Discretisation, &Run), wanted: Option<&[Displaced]>, on_e
     }
     let mut readings = of_discrete(mesh, run, 1);
     if let Some(wanted) = wanted {
-        readings.extend(recovered(mesh, run, wanted).ok()?.readings);
+        readings.extend(recovered(mesh, run, wanted).ok()?.0);
     }
     let (cells, dofs, imbalance) = (mesh.mesh.cells(), run.dofs, run.imbalance());
     Some(Other { sizes: sizes(mesh), cells, dofs, readings, imbalance })

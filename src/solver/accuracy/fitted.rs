@@ -8,7 +8,6 @@
 //! progression from x = 0 on they have both ends at that place.
 
 use crate::accuracy::ends;
-use crate::accuracy::laid::Laid;
 use crate::mesh::{Order, Resolution};
 use crate::scene::{Grading, Scene};
 use crate::solve::run::Run;
@@ -66,12 +65,11 @@ impl Fitted {
     /// Takes the ends of the contact from a run, unless an outermost candidate is pressed although the bodies allow more: the
     /// penetration beyond it is seen at nodes only, and the next one may lie where the surfaces have parted again.
     pub(super) fn looks(&mut self, scene: &Scene, run: &Run) -> bool {
-        let (part, pair) = (run.solution.part(0), scene.contact());
-        let is_short = pair.stretch < self.longest * (1.0 - 1e-9) && ends::filled(part, pair).contains(&true);
+        let is_short = scene.contact().stretch < self.longest * (1.0 - 1e-9) && ends::is_filled(run, 0);
         if is_short {
             return self.widens();
         }
-        self.ends = ends::ends(part, pair);
+        self.ends = ends::ends(run, 0);
         false
     }
 
@@ -138,25 +136,15 @@ impl Plan {
         0.5_f64.powf(0.5 * self.level)
     }
 
-    /// The scene on this mesh.
-    pub fn scene(&self, scene: &Scene) -> Scene {
+    /// The scene on this mesh, and how fine it is.
+    pub fn laid(&self, scene: &Scene) -> (Scene, Resolution) {
         let mut fitted = scene.clone();
         let [along, depth] = self.growth();
         let coarsest = self.slower() * if scene.bends() { BENDING } else { STEEPEST[2] };
         let unit = self.stretch * scene.contact().path.metric() * self.elements as f64 / self.candidates as f64;
         fitted.grading = Grading { unit, along, depth, first: 1.0, coarsest, end: self.end };
         fitted.contacts[0].stretch = self.stretch;
-        fitted
-    }
-
-    /// The same with how fine it is.
-    pub(super) fn laid(&self, scene: &Scene) -> Laid {
-        Laid { scene: self.scene(scene), resolution: self.resolution(), growth: self.growth()[0] }
-    }
-
-    /// How fine it is.
-    pub fn resolution(&self) -> Resolution {
-        Resolution { elements: self.elements, refinement: 0, order: self.order }
+        (fitted, Resolution { elements: self.elements, refinement: 0, order: self.order })
     }
 }
 

@@ -2,10 +2,10 @@
 
 use crate::accuracy::evenly::{self, Evenly};
 use crate::accuracy::fitted::{self, Fitted};
-use crate::accuracy::laid::Laid;
 use crate::accuracy::length;
 use crate::accuracy::rungs::{Rung, Rungs};
 use crate::error::{Error, Kind};
+use crate::mesh::Resolution;
 use crate::scene::Scene;
 use crate::solve::run::Run;
 
@@ -29,13 +29,13 @@ impl Layout {
     /// The scene with candidates that hold its contacts.
     pub(super) fn held(&self, scene: &Scene) -> Scene {
         match self {
-            Self::Fitted(fitted) => fitted.plan(fitted::FEWEST).scene(scene),
+            Self::Fitted(fitted) => fitted.plan(fitted::FEWEST).laid(scene).0,
             Self::Evenly(evenly) => evenly.held(scene),
         }
     }
 
     /// The scene with so many elements within the contact.
-    pub(super) fn laid(&self, elements: usize) -> Laid {
+    pub(super) fn laid(&self, elements: usize) -> (Scene, Resolution) {
         match self {
             Self::Fitted(fitted) => fitted.plan(elements).laid(&fitted.scene),
             Self::Evenly(evenly) => evenly.laid(elements),

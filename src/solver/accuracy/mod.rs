@@ -12,7 +12,6 @@
 //! * [`mod@longest`] — how far candidates may go.
 //! * `evenly` — several contacts, and bodies whose mesh is given.
 //! * `sizes` — sizes of elements where there are several contacts.
-//! * `laid` — a scene laid out for a mesh.
 //! * `layout` — which of the two families, and the next of its meshes.
 //! * `rungs` — the meshes of a search, each solved from the active set of the one before.
 //! * `by_order` — cells of higher and higher order that end with the contacts, each mesh judged by the next.
@@ -39,7 +38,6 @@ pub mod ends;
 mod evenly;
 pub mod family;
 pub mod fitted;
-mod laid;
 mod layout;
 mod length;
 pub mod longest;

@@ -11,16 +11,16 @@ use crate::solve::{Discretisation, Displaced, Reaction, Run, Shear};
 /// those of all that it holds.
 const AT_POINT: f64 = 1e-6;
 
-/// The numbers, and the stresses that some of them are the largest of.
-#[derive(Clone, Debug)]
-pub(super) struct Recovered {
-    pub(super) readings: Vec<Reading>,
-    /// Contact, body and shear stress.
-    pub(super) shears: Vec<([usize; 2], Shear)>,
-}
+/// Shear stresses by contact and body.
+type Shears = Vec<([usize; 2], Shear)>;
 
-/// The numbers of a run; displacements of loaded sides, and those that are wanted besides.
-pub(super) fn recovered(discretisation: &Discretisation, run: &Run, wanted: &[Displaced]) -> Result<Recovered, Error> {
+/// The numbers of a run, displacements of loaded sides and those that are wanted besides; and the shear stresses that some of them are the
+/// largest of.
+pub(super) fn recovered(
+    discretisation: &Discretisation,
+    run: &Run,
+    wanted: &[Displaced],
+) -> Result<(Vec<Reading>, Shears), Error> {
     let displacement = discretisation.displacement_under(run.share(), &run.solution);
     let reactions = discretisation.reactions_of(run.share(), &displacement)?;
     let pressed = run.contacts.iter().map(|contact| contact.transmitted.abs());
@@ -55,7 +55,7 @@ pub(super) fn recovered(discretisation: &Discretisation, run: &Run, wanted: &[Di
         let reading = |value: f64| Reading { contact, quantity: Quantity::VonMises { body }, value, scale };
         readings.extend(stress.largest.map(|largest| reading(largest.stress)));
     }
-    Ok(Recovered { readings, shears })
+    Ok((readings, shears))
 }
 
 /// Those of loaded sides, those wanted, and the approach of every contact that has one.
@@ -81,11 +81,7 @@ fn displacements(
 }
 
 /// The largest shear stress below every contact whose peak has a limit, in each of its bodies that has one.
-fn shears(
-    discretisation: &Discretisation,
-    run: &Run,
-    displacement: &[[f64; 2]],
-) -> Result<Vec<([usize; 2], Shear)>, Error> {
+fn shears(discretisation: &Discretisation, run: &Run, displacement: &[[f64; 2]]) -> Result<Shears, Error> {
     let mut all = Vec::new();
     for (contact, pair) in discretisation.scene.contacts.iter().enumerate() {
         let found = &run.contacts[contact];

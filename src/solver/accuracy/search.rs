@@ -124,7 +124,7 @@ enum Attempt {
 /// Solves on a mesh within the limits, and looks at its bars.
 fn attempt(layout: &mut Layout, rungs: &mut Rungs, elements: usize) -> Result<Attempt, Error> {
     let laid = layout.laid(elements);
-    if let Some(reason) = laid.too_large(rungs.asked.most_cells) {
+    if let Some(reason) = rungs.too_large(&laid) {
         return Ok(Attempt::TooLarge(reason));
     }
     let (discretisation, mut rung) = match rungs.solve(laid, "mesh") {

@@ -86,7 +86,8 @@ impl Target {
         let told = exact.iterate.pressure.iter_mut().zip(&states);
         told.filter(|(_, state)| state.pressure <= 0.0).for_each(|(pressure, _)| *pressure = pressure.min(0.0));
         let contacts = OfContact::all(problem, &states);
-        let approaches = contacts.iter().zip(&problem.compliance).map(|(contact, compliance)| contact.force * compliance);
+        let approaches =
+            contacts.iter().zip(&problem.compliance).map(|(contact, compliance)| contact.force * compliance);
         let approaches = approaches.collect();
         let largest = contacts.iter().map(|contact| contact.force).fold(0.0, f64::max);
         let applied: f64 = load.iter().map(|f| f.abs()).sum();

@@ -1,6 +1,5 @@
 //! Consistent nodal forces of tractions, stress fields, body forces and concentrated forces.
 
-use crate::elasticity::degenerate::degenerate;
 use crate::elasticity::dofs::Dofs;
 use crate::elasticity::side_loads::{LoadedSide, Taker};
 use crate::elasticity::{element, point, quadrature, shape_functions};
@@ -77,7 +76,7 @@ fn body_force(scene: &Scene, mesh: &Mesh, body: usize, density: [f64; 2], take: 
         let points: Vec<[f64; 2]> = nodes.iter().map(|&n| mesh.points[n]).collect();
         for &(at, weight) in &rule {
             let (_, determinant) =
-                element::gradients(&points, at).map_err(|jacobian| degenerate(scene, body, cell, jacobian))?;
+                element::gradients(&points, at).map_err(|jacobian| element::degenerate(scene, body, cell, jacobian))?;
             let shapes = shape_functions::cell(points.len(), at);
             let of = |k: usize| shapes.iter().zip(&points).map(|((value, _), point)| value * point[k]).sum();
             let volume = weight * determinant * scene.depth([of(0), of(1)]);

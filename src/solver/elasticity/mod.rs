@@ -9,8 +9,7 @@
 //! * [`assembly`] — the stiffness matrix.
 //! * [`loads`] — consistent nodal forces, `side_loads` — those of what acts on a side or a part of it.
 //! * [`mod@point`] — where in the cells a point lies.
-//! * [`rigid_motion`] — refuses bodies that are free to move.
-//! * [`free_motion`] — motions that no support stops.
+//! * [`rigid_motion`] — motions that no support stops, and bodies refused for them.
 //! * [`stress`] — nodal stresses.
 //! * [`axis`] — the axis of bodies of revolution.
 //! * [`reactions`] — what supports exert.
@@ -32,11 +31,9 @@
 
 pub mod assembly;
 pub mod axis;
-mod degenerate;
 pub mod dilatation;
 pub mod dofs;
 pub mod element;
-pub mod free_motion;
 pub mod graph;
 pub mod loads;
 pub mod point;
@@ -113,12 +110,7 @@ impl ElasticSystem {
         Self::assemble_numbered(scene, mesh, Numbering::of(scene, mesh)?, &|_| 1.0)
     }
 
-    /// The same with the stiffness of every cell times a factor of its index.
-    pub fn assemble_scaled(scene: &Scene, mesh: &Mesh, factor: &(dyn Fn(usize) -> f64 + Sync)) -> Result<Self, Error> {
-        Self::assemble_numbered(scene, mesh, Numbering::of(scene, mesh)?, factor)
-    }
-
-    /// The same with unknowns that are already numbered.
+    /// The same with unknowns that are already numbered, and the stiffness of every cell times a factor of its index.
     pub fn assemble_numbered(
         scene: &Scene,
         mesh: &Mesh,
@@ -135,15 +127,10 @@ impl ElasticSystem {
         self.bodies.iter().map(|body| body.dofs.equations).sum()
     }
 
-    /// Nodal displacements \[mm\] from the solution of each body, in mesh order.
-    pub fn nodal_displacements(&self, solutions: &[Vec<f64>]) -> Vec<[f64; 2]> {
-        self.nodal_displacements_under(1.0, solutions)
-    }
-
-    /// The same where prescribed displacements are `share` times theirs.
-    pub fn nodal_displacements_under(&self, share: f64, solutions: &[Vec<f64>]) -> Vec<[f64; 2]> {
+    /// Nodal displacements \[mm\] from the solution of each body, in mesh order, where prescribed displacements are `share` times theirs.
+    pub fn nodal_displacements(&self, share: f64, solutions: &[Vec<f64>]) -> Vec<[f64; 2]> {
         let per_body = self.bodies.iter().zip(solutions);
-        per_body.flat_map(|(body, solution)| body.dofs.displacements_under(share, solution)).collect()
+        per_body.flat_map(|(body, solution)| body.dofs.displacements(share, solution)).collect()
     }
 }
 
@@ -186,33 +173,27 @@ impl BodySystem {
 
     /// `|K| |u|` for a vector of unknowns: the size of the terms in `K u` \[N\].
     pub fn terms_of_product(&self, u: &[f64]) -> Vec<f64> {
-        let mut out = vec![0.0; u.len()];
-        let matrix = self.stiffness.as_ref();
-        for (column, &u_column) in u.iter().enumerate() {
-            let rows = matrix.row_idx_of_col(column);
-            for (row, &value) in rows.zip(matrix.val_of_col(column)) {
-                out[row] += (value * u_column).abs();
-                if row != column {
-                    out[column] += (value * u[row]).abs();
-                }
-            }
-        }
-        out
+        self.summed(u, f64::abs)
     }
 
     /// `K u` for a vector of unknowns \[N\].
     pub fn product(&self, u: &[f64]) -> Vec<f64> {
-        let mut out = vec![0.0; u.len()];
+        self.summed(u, |term| term)
+    }
+
+    /// `Σ_j of(K_ij u_j)` of every row.
+    fn summed(&self, u: &[f64], of: impl Fn(f64) -> f64) -> Vec<f64> {
+        let mut sums = vec![0.0; u.len()];
         let matrix = self.stiffness.as_ref();
         for (column, &u_column) in u.iter().enumerate() {
             let rows = matrix.row_idx_of_col(column);
             for (row, &value) in rows.zip(matrix.val_of_col(column)) {
-                out[row] += value * u_column;
+                sums[row] += of(value * u_column);
                 if row != column {
-                    out[column] += value * u[row];
+                    sums[column] += of(value * u[row]);
                 }
             }
         }
-        out
+        sums
     }
 }

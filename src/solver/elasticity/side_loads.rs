@@ -1,7 +1,7 @@
 //! Consistent nodal forces of what acts on a side, or on a part of it.
 
 use crate::elasticity::{quadrature, shape_functions};
-use crate::error::Error;
+use crate::error::{Error, Place};
 use crate::mesh::{Edge, Mesh};
 use crate::scene::{Action, Scene, SidePart};
 
@@ -46,7 +46,7 @@ impl<'a> LoadedSide<'a> {
         let pieces = edges.iter().map(whole).collect();
         let mut side = Self { scene, mesh, pieces, rule: quadrature::gauss(EDGE_POINTS) };
         if let Some(part) = part {
-            side.refuse_beyond(part, boundary).map_err(|error| error_at(scene, body, load, error))?;
+            side.refuse_beyond(part, boundary, || scene.place_of_load(body, load))?;
             side.pieces = edges.iter().flat_map(|edge| side.within(edge, part)).collect();
         }
         Ok(side)
@@ -155,8 +155,8 @@ impl<'a> LoadedSide<'a> {
         (a * b < 0.0).then(|| -1.0 + 2.0 * a / (a - b))
     }
 
-    /// Refuses a part that begins before its side, or goes on beyond it; the error has no place yet.
-    fn refuse_beyond(&self, part: &SidePart, boundary: &str) -> Result<(), Refusal> {
+    /// Refuses a part that begins before its side, or goes on beyond it.
+    fn refuse_beyond(&self, part: &SidePart, boundary: &str, place: impl Fn() -> Place) -> Result<(), Error> {
         let nodes = self.pieces.iter().flat_map(|(edge, _)| edge.iter());
         let all: Vec<f64> = nodes.map(|&node| part.coordinate(self.mesh.points[node])).collect();
         let [low, high] =
@@ -168,15 +168,9 @@ impl<'a> LoadedSide<'a> {
         let [from, to, low, high] = [part.from, part.to, low, high].map(|end| part.shown(end));
         let message =
             format!("the part from {from} to {to} is not all on `{boundary}`, which goes from {low} to {high}");
-        Err([message, "choose `from` and `to` within the side, and the coordinate that runs along it".into()])
+        let remedy = "choose `from` and `to` within the side, and the coordinate that runs along it";
+        Err(Error::at(place(), message, remedy))
     }
-}
-
-/// Message and remedy.
-type Refusal = [String; 2];
-
-fn error_at(scene: &Scene, body: usize, load: usize, [message, remedy]: Refusal) -> Error {
-    Error::at(scene.place_of_load(body, load), message, remedy)
 }
 
 /// Where a function that rises or falls between two ends has a value; none where it does not reach it between them.

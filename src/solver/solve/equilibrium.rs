@@ -97,7 +97,7 @@ impl Discretisation {
         let first = part.nodes.start;
         let mut is_held = vec![false; part.nodes.len()];
         holding.iter().flat_map(|one| &one.nodes).for_each(|(node, _)| is_held[node - first] = true);
-        let internal = reactions::internal_forces_at(scene, mesh, body, displacement, &|node| is_held[node - first])?;
+        let internal = reactions::internal_forces(scene, mesh, body, displacement, &|node| is_held[node - first])?;
         for Holding { nodes, given } in holding {
             let mut held = Sum::default();
             let mut passed = [0.0; 2];

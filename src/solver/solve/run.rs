@@ -4,9 +4,9 @@ use crate::algorithm::StiffnessRule;
 use crate::clock::{Clock, Seconds, Stage};
 use crate::contact::Interface;
 use crate::error::{Coordinate, Error};
-use crate::measure::{Measures, larger, whole};
+use crate::measure::{Measures, larger, largest, whole};
 use crate::solution::{Outcome, Solution, States};
-use crate::solve::{Change, Discretisation, Equilibrium, Formulation, Origin, edge_fitted};
+use crate::solve::{Change, Discretisation, Equilibrium, Formulation, edge_fitted};
 
 /// Imbalance of a body that the round-off of its stiffness may leave, whatever the tolerance: 2e-7 of a ring fifty times as large as thick.
 pub const BALANCED: f64 = 1e-6;
@@ -103,18 +103,18 @@ impl Run {
 
     /// Solves a discretised scene by a formulation, from its own start, and measures the result.
     pub fn of(discretisation: &Discretisation, formulation: &Formulation) -> Result<Self, Error> {
-        Self::from_origin(Origin::Own, discretisation, formulation, Change::NONE)
+        Self::from(None, discretisation, formulation, Change::NONE)
     }
 
-    /// The same from some start, after a change of load or clearance.
-    pub fn from_origin(
-        origin: Origin,
+    /// The same from the active set of an earlier solution, after a change of load or clearance.
+    pub fn from(
+        earlier: Option<&Solution>,
         discretisation: &Discretisation,
         formulation: &Formulation,
         change: Change,
     ) -> Result<Self, Error> {
         let mut clock = Clock::silent().after(&discretisation.seconds);
-        let solution = clock.time(Stage::Iteration, || discretisation.solve_from(origin, formulation, change))?;
+        let solution = clock.time(Stage::Iteration, || discretisation.solve_from(earlier, formulation, change))?;
         let mut run = Self {
             formulation: formulation.clone(),
             dofs: discretisation.system.dofs(),
@@ -185,11 +185,6 @@ impl Run {
         let end = decades();
         [end, decades()]
     }
-}
-
-/// The largest of some errors; NaN where one is not known.
-fn largest(errors: impl Iterator<Item = f64>) -> f64 {
-    errors.fold(0.0, larger)
 }
 
 /// What was found of every contact.

@@ -1,7 +1,5 @@
 //! Where a contact ends, from pressures that were found with all points closed up to an expected end.
 
-use std::fmt;
-
 use nalgebra::{DMatrix, DVector};
 
 /// Distance from the end, over the cell next to it, up to which pressures take part: the outermost layer.
@@ -24,51 +22,30 @@ pub(super) struct Beyond {
     pub(super) apart: f64,
 }
 
-/// Why an end is not found.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Unfit {
-    /// So many points are near, too few for the series.
-    TooFew(usize),
-    /// The pressure does not fall towards an end.
-    Rising,
-}
-
-impl fmt::Display for Unfit {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let [fewest, _] = TERMS;
-        match self {
-            Self::TooFew(found) => {
-                write!(f, "{found} closed points lie within {NEAR:.2} half-widths of it, and {fewest} are needed")
-            }
-            Self::Rising => write!(f, "the pressure does not fall towards it"),
-        }
-    }
-}
-
 /// How far the end lies beyond the expected one, over the half-width, from `[distance from that end, pressure]` of closed points, and how
 /// wide the cell next to it is.
 ///
 /// Closed up to a place e that is not the end, a frictionless contact has the pressure of a sharp corner,
 /// `p √d = A₀ + B₀ d + C₀ d² + …` at the distance d from e. At the end itself A₀, its stress intensity, vanishes. Where the end
 /// lies at e + δ, `p ∝ √(δ + d) = √d + δ/(2√d) + …`, so that `δ = 2 A₀/B₀`.
-pub(super) fn beyond(points: &[[f64; 2]], half_width: f64, cell: f64) -> Result<Beyond, Unfit> {
+pub(super) fn beyond(points: &[[f64; 2]], half_width: f64, cell: f64) -> Result<Beyond, String> {
     let near = points.iter().filter(|[d, _]| *d > AT_END * half_width && *d <= NEAR * cell);
     let near: Vec<[f64; 2]> = near.map(|[d, p]| [d / half_width, *p]).collect();
-    if near.len() < TERMS[0] {
-        return Err(Unfit::TooFew(near.len()));
+    let (found, [least, most]) = (near.len(), TERMS);
+    if found < least {
+        return Err(format!("{found} closed points lie within {NEAR:.2} half-widths of it, and {least} are needed"));
     }
-    let [least, most] = TERMS;
     let terms = (near.len() / EACH).clamp(least, most);
-    let [delta, other] = [by_series(&near, terms)?, by_series(&near, terms - 1)?];
+    let both = by_series(&near, terms).zip(by_series(&near, terms - 1));
+    let (delta, other) = both.ok_or("the pressure does not fall towards it")?;
     Ok(Beyond { by: delta.clamp(-FARTHEST, FARTHEST), apart: (delta - other).abs() })
 }
 
-/// `δ = 2 A₀/B₀` of the series of so many terms, in half-widths.
-fn by_series(near: &[[f64; 2]], terms: usize) -> Result<f64, Unfit> {
+/// `δ = 2 A₀/B₀` of the series of so many terms, in half-widths; none where the pressure does not fall towards an end.
+fn by_series(near: &[[f64; 2]], terms: usize) -> Option<f64> {
     let powers = DMatrix::from_fn(near.len(), terms, |row, k| near[row][0].powi(k as i32));
     let rooted = DVector::from_fn(near.len(), |row, _| near[row][1] * near[row][0].sqrt());
-    let series = powers.svd(true, true).solve(&rooted, f64::EPSILON).map_err(|_| Unfit::Rising)?;
+    let series = powers.svd(true, true).solve(&rooted, f64::EPSILON).ok()?;
     let delta = 2.0 * series[0] / series[1];
-    let falls = series[1] > 0.0 && delta.is_finite();
-    if falls { Ok(delta) } else { Err(Unfit::Rising) }
+    (series[1] > 0.0 && delta.is_finite()).then_some(delta)
 }

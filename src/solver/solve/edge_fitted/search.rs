@@ -1,8 +1,7 @@
 //! The ends of the contact sought on coarse fitted meshes, then on the one that is asked for.
 
 use super::closed::{Closed, half_width, places};
-use super::fitted::Fitted;
-use super::refused::{REMEDY, on_fitted, refuse_given};
+use super::fitted::{Fitted, REMEDY, on_fitted, refuse_given};
 use crate::error::{Error, Kind};
 use crate::measure::{Stretch, larger};
 use crate::mesh::size::solvable;
