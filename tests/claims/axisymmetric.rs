@@ -2,7 +2,6 @@
 
 use std::f64::consts::{PI, TAU};
 use std::path::Path;
-use std::sync::Arc;
 
 use approx::assert_relative_eq;
 use contact_vv::algorithm::Iteration;
@@ -15,7 +14,7 @@ use contact_vv::measure::{Measures, larger};
 use contact_vv::mesh::{Order, Resolution};
 use contact_vv::scene::{
     Action, BlockShape, Body, Component, ContactPair, Face, Grading, Load, Material, Path as Way, Place,
-    PlaneHypothesis, Profile, ReferenceValues, Scene, Shape, StressField, Support,
+    PlaneHypothesis, Profile, ReferenceValues, Scene, Shape, Support, VectorField,
 };
 use contact_vv::solution::{EdgeState, Part, PointState};
 use contact_vv::solve::{Discretisation, Formulation, Run};
@@ -25,8 +24,7 @@ const ORDERS: [Order; 7] =
 
 /// A body from x to 3 mm, 0 to 2 mm high, of the given shape, on a rigid plane under the traction of a stress.
 fn block(shape: Shape, poisson: f64, stress: [f64; 3], loaded: &[&'static str]) -> Scene {
-    let load =
-        |name: &&'static str| Load::Stress { boundary: (*name).into(), field: StressField(Arc::new(move |_| stress)) };
+    let load = |name: &&'static str| Load::on(*name, Action::Stress(VectorField::of(move |_| stress)));
     let material = Material { young: 1000.0, poisson };
     let body = Body {
         name: "block".into(),

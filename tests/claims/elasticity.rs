@@ -1,13 +1,12 @@
 //! Stiffness, loads, supports and stresses of whole bodies, against exact solutions.
 
 use std::f64::consts::FRAC_PI_2;
-use std::sync::Arc;
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use contact_vv::case::library::{Cylinder, PinRod};
 use contact_vv::elasticity::{ElasticSystem, Freedom, Numbering, loads, reactions};
 use contact_vv::mesh::{Mesh, Order};
-use contact_vv::scene::{Component, Face, Load, Place, Scene, StressField};
+use contact_vv::scene::{Action, Component, Face, Load, Place, Scene, VectorField};
 use nalgebra::DVector;
 
 use crate::side_loads::sums;
@@ -42,7 +41,7 @@ fn loaded(load: Load, order: Order) -> (Scene, Mesh) {
 fn loads_have_their_resultant_and_their_moment() {
     let (t, width, height) = (2.5, 4.0, 3.0);
     for order in ORDERS {
-        let traction = Load::Traction { boundary: "far".into(), traction: [2.0, -7.0] };
+        let traction = Load::on("far", Action::Uniform([2.0, -7.0]));
         let (scene, mesh) = loaded(traction, order);
         let [fx, fy] = [2.0 * width * t, -7.0 * width * t];
         assert!(distance(&resultant(&scene, &mesh), &[fx, fy, 0.5 * width * fy - height * fx]) <= 1e-12 * 200.0);
@@ -53,8 +52,8 @@ fn loads_have_their_resultant_and_their_moment() {
             assert!(distance(&resultant(&scene, &mesh), &[5.0, 6.0, at[0] * 6.0 - at[1] * 5.0]) <= 1e-13 * 200.0);
         }
 
-        let pull = StressField(Arc::new(|[_, y]| [y * y, 0.0, 3.0]));
-        let (scene, mesh) = loaded(Load::Stress { boundary: "right".into(), field: pull }, order);
+        let pull = VectorField::of(|[_, y]| [y * y, 0.0, 3.0]);
+        let (scene, mesh) = loaded(Load::on("right", Action::Stress(pull)), order);
         // ∫ y² = H³/3 and its moment −∫ y³ = −H⁴/4; shear 3 H at x = 4.
         let wanted = [9.0 * t, 9.0 * t, t * (4.0 * 9.0 - 81.0 / 4.0)];
         assert!(distance(&resultant(&scene, &mesh), &wanted) <= 1e-12 * 200.0);
@@ -98,7 +97,7 @@ fn body_force_has_the_weight_of_the_body_as_its_resultant() {
 
 #[test]
 fn stiffness_and_surface_loads_are_proportional_to_thickness() {
-    let (thin, mesh) = loaded(Load::Traction { boundary: "far".into(), traction: [2.0, -7.0] }, Order::Quadratic);
+    let (thin, mesh) = loaded(Load::on("far", Action::Uniform([2.0, -7.0])), Order::Quadratic);
     let thick = Scene { thickness: 3.0 * thin.thickness, ..thin.clone() };
     let [one, three] = [&thin, &thick].map(|scene| ElasticSystem::assemble(scene, &mesh).expect("system"));
     let (one, three) = (&one.bodies[0], &three.bodies[0]);
@@ -117,8 +116,8 @@ fn stiffness_and_surface_loads_are_proportional_to_thickness() {
 fn frames_along_the_contact_normals_leave_the_solution_unchanged() {
     let supports = vec![held("start", Component::X, 0.0), held("end", Component::Y, 1e-3)];
     let loads = vec![
-        Load::Traction { boundary: "outer".into(), traction: [30.0, -20.0] },
-        Load::Traction { boundary: "contact".into(), traction: [5.0, 8.0] },
+        Load::on("outer", Action::Uniform([30.0, -20.0])),
+        Load::on("contact", Action::Uniform([5.0, 8.0])),
         Load::BodyForce([1.0, 2.0]),
     ];
     for order in ORDERS {
@@ -234,7 +233,7 @@ fn prescribed_displacement_along_a_normal_that_points_downwards_keeps_its_sign()
 fn load_does_the_work_of_its_tractions_on_any_motion() {
     let held = |at, component| held_at(at, component, 0.0);
     let supports = vec![held([0.0, 0.0], Component::X), held([0.0, 0.0], Component::Y), held([4.0, 0.0], Component::Y)];
-    let traction = Load::Traction { boundary: "far".into(), traction: [2.0, -7.0] };
+    let traction = Load::on("far", Action::Uniform([2.0, -7.0]));
     for order in ORDERS {
         let scene = block([4.0, 3.0], supports.clone(), vec![traction.clone()]);
         let mut mesh = Mesh::of(&scene, resolution(3, 0, order)).expect("mesh");

@@ -10,7 +10,7 @@ use contact_vv::condensation::trailing::Trailing;
 use contact_vv::elasticity::element::CellStiffness;
 use contact_vv::elasticity::{ElasticSystem, Freedom, Numbering};
 use contact_vv::mesh::{Mesh, Order};
-use contact_vv::scene::{Component, Load, Scene};
+use contact_vv::scene::{Action, Component, Load, Scene};
 use contact_vv::solution::{Solution, Work};
 use contact_vv::solve::{Change, Discretisation, Element, Formulation, Iteration};
 use faer::Mat;
@@ -287,7 +287,7 @@ fn under(scene: &Scene, factor: f64) -> Scene {
     let mut changed = scene.clone();
     for applied in changed.bodies.iter_mut().flat_map(|body| &mut body.loads) {
         match applied {
-            Load::Traction { traction, .. } => traction.iter_mut().for_each(|t| *t *= factor),
+            Load::OnSide { action: Action::Uniform(traction), .. } => traction.iter_mut().for_each(|t| *t *= factor),
             Load::RigidFace { force, .. } => *force *= factor,
             other => panic!("{other:?} is not expected here"),
         }

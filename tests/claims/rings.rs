@@ -15,8 +15,8 @@ use contact_vv::oracle::analytic::hertz::Hertz;
 use contact_vv::oracle::analytic::revolution::half_space::Potential;
 use contact_vv::oracle::{Quantity, Reading};
 use contact_vv::scene::{
-    Body, Component, ContactPair, Face, Grading, Line, Load, Material, MonotoneCubic, Path as Way, Place,
-    PlaneHypothesis, Profile, ReferenceValues, Scene, Shape, StressField, Support,
+    Action, Body, Component, ContactPair, Face, Grading, Line, Load, Material, MonotoneCubic, Path as Way, Place,
+    PlaneHypothesis, Profile, ReferenceValues, Scene, Shape, Support, VectorField,
 };
 use contact_vv::solve::{Discretisation, Formulation, Run};
 
@@ -24,8 +24,8 @@ const ORDERS: [Order; 4] = [Order::Linear, Order::Quadratic, Order::Quartic, Ord
 
 /// One block on a rigid side, under the traction of a stress on the sides that are named.
 fn block(plane: PlaneHypothesis, shape: Shape, path: Way, stretch: f64, loaded: &[&'static str]) -> Scene {
-    let stress = StressField(Arc::new(|_| [-7.0, -7.0, 0.0]));
-    let load = |name: &&'static str| Load::Stress { boundary: (*name).into(), field: stress.clone() };
+    let stress = VectorField::of(|_| [-7.0, -7.0, 0.0]);
+    let load = |name: &&'static str| Load::on(*name, Action::Stress(stress.clone()));
     let body = Body {
         name: "block".into(),
         shape,
@@ -305,13 +305,12 @@ fn on_a_ring() -> Scene {
     // Somewhat beyond the last candidates, which rounding may move.
     let places = (-602..=602).map(|k| stretch * f64::from(k) / 600.0);
     let points: Vec<[f64; 2]> = places.map(|s| [s, gap(middle + s)]).collect();
-    let field = StressField(Arc::new(|[r, depth]: [f64; 2]| below(r, depth).stress(0.3).in_plane()));
+    let field = VectorField::of(|[r, depth]: [f64; 2]| below(r, depth).stress(0.3).in_plane());
     let shape = Shape::Rectangle { x: [0.0, side], y: [0.0, side], contact: Face::Bottom };
     let mut scene = block(PlaneHypothesis::Axisymmetric, shape, across([middle, 0.0]), stretch, &[]);
     let body = &mut scene.bodies[0];
     body.material = Material::STEEL;
-    body.loads =
-        ["right", "far"].map(|boundary| Load::Stress { boundary: boundary.into(), field: field.clone() }).into();
+    body.loads = ["right", "far"].map(|boundary| Load::on(boundary, Action::Stress(field.clone()))).into();
     scene.contacts[0].profile = Profile::Smooth(Arc::new(MonotoneCubic::through(&points)));
     scene.reference = ReferenceValues { length: 1.0, pressure: PEAK, gap: 1e-2 };
     scene.grading = Grading { unit: 1.0, along: 1.5, depth: 1.4, first: 1.0, coarsest: 0.2, end: 1.0 };

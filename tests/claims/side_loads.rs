@@ -1,11 +1,9 @@
 //! Loads on parts of sides, total forces and couples have their resultant and their moment, wherever their ends lie.
 
-use std::sync::Arc;
-
 use contact_vv::case::Case;
 use contact_vv::elasticity::loads;
 use contact_vv::mesh::{Mesh, Order};
-use contact_vv::scene::{Action, Along, Component, Load, Scene, SidePart, StressField};
+use contact_vv::scene::{Action, Along, Component, Load, Scene, SidePart, VectorField};
 
 use crate::scene_file::{folder, text_of};
 use crate::workbench::{ORDERS, block, distance, resolution};
@@ -40,7 +38,7 @@ fn load_on_a_part_of_a_side_has_its_resultant_and_moment_wherever_its_ends_lie()
         for order in ORDERS {
             let integral = |n: i32| (f64::powi(to, n + 1) - f64::powi(from, n + 1)) / f64::from(n + 1);
             // p = 5 + 2 x, inwards: downwards on the upper side.
-            let pressure = StressField(Arc::new(|[x, _]: [f64; 2]| [-5.0 - 2.0 * x, -5.0 - 2.0 * x, 0.0]));
+            let pressure = VectorField::of(|[x, _]: [f64; 2]| [-5.0 - 2.0 * x, -5.0 - 2.0 * x, 0.0]);
             let part = along(Component::X, from, to);
             let found = of_block(on("far", part, Action::Stress(pressure)), order);
             let [force, moment] = [0, 1].map(|n| -2.5 * (5.0 * integral(n) + 2.0 * integral(n + 1)));
@@ -87,7 +85,7 @@ fn part_of_an_arc_lies_between_two_angles_even_across_the_top() {
         let along = Along::Angle { centre: [0.0, 50.0] };
         Some(SidePart { along, from: from.to_radians(), to: to.to_radians() })
     };
-    let pressure = || Action::Stress(StressField(Arc::new(|_| [-3.0, -3.0, 0.0])));
+    let pressure = || Action::Stress(VectorField::of(|_| [-3.0, -3.0, 0.0]));
     for (from, to) in [(170.0, 190.0), (103.7, 131.9), (-121.0, -97.3)] {
         let scene = disc(vec![on("top", part(from, to), pressure())]);
         // A uniform pressure on any curve: p t times the turned chord between its ends, and no moment about the centre.

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::f64::consts::FRAC_PI_2;
 use std::path::Path;
-use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+use std::sync::{Mutex, OnceLock, PoisonError};
 
 use contact_vv::case::Case;
 use contact_vv::case::library::{
@@ -14,7 +14,7 @@ use contact_vv::mesh::{BodyMesh, Edge, Mesh, Order, Resolution};
 use contact_vv::referee::Truth;
 use contact_vv::scene::{
     self, Body, Circle, Component, ContactPair, Face, Grading, Load, Material, Place, PlaneHypothesis, Profile,
-    ReferenceValues, Scene, Shape, StressField, Support,
+    ReferenceValues, Scene, Shape, Support, VectorField,
 };
 use contact_vv::solve::Discretisation;
 use nalgebra::{DMatrix, DVector};
@@ -37,7 +37,7 @@ pub fn resolution(elements: usize, refinement: u32, order: Order) -> Resolution 
 
 /// Every scene of the library, with the coarsest resolution that makes sense for it.
 pub fn library() -> Vec<(Scene, usize)> {
-    let none = StressField(Arc::new(|_| [0.0; 3]));
+    let none = VectorField::of(|_| [0.0; 3]);
     vec![
         (Patch::default().scene(), 2),
         (Bars::default().scene(), 2),

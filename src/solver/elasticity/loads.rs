@@ -5,7 +5,7 @@ use crate::elasticity::side_loads::{LoadedSide, Taker};
 use crate::elasticity::{element, point, quadrature, shape_functions};
 use crate::error::Error;
 use crate::mesh::Mesh;
-use crate::scene::{Action, Load, Scene, SidePart};
+use crate::scene::{Load, Scene};
 
 /// Load vector of a body, from the forces applied at its nodes and those on rigid faces \[N\].
 pub fn vector(scene: &Scene, mesh: &Mesh, body: usize, dofs: &Dofs, applied: &[[f64; 2]]) -> Result<Vec<f64>, Error> {
@@ -49,15 +49,11 @@ pub fn at_nodes(scene: &Scene, mesh: &Mesh, body: usize) -> Result<Vec<[f64; 2]>
 /// Hands the consistent forces of a load, one of its body by its index, to the nodes; those of a rigid face belong to no
 /// single node.
 fn hand_out(scene: &Scene, mesh: &Mesh, body: usize, index: usize, take: Taker) -> Result<(), Error> {
-    let mut on_side = |boundary: &str, part: Option<&SidePart>, action: &Action| -> Result<(), Error> {
-        LoadedSide::of(scene, mesh, (body, index), boundary, part)?.hand_out(action, take);
-        Ok(())
-    };
     match &scene.bodies[body].loads[index] {
-        Load::Traction { boundary, traction } => on_side(boundary, None, &Action::Uniform(*traction)),
-        Load::TractionField { boundary, field } => on_side(boundary, None, &Action::Field(field.clone())),
-        Load::Stress { boundary, field } => on_side(boundary, None, &Action::Stress(field.clone())),
-        Load::OnSide { boundary, part, action } => on_side(boundary, part.as_ref(), action),
+        Load::OnSide { boundary, part, action } => {
+            LoadedSide::of(scene, mesh, (body, index), boundary, part.as_ref())?.hand_out(action, take);
+            Ok(())
+        }
         Load::BodyForce(density) => body_force(scene, mesh, body, *density, take),
         Load::Force { at, force } => {
             for (node, value) in point::shapes_at(scene, mesh, body, *at)? {

@@ -17,50 +17,26 @@ pub struct Support {
     pub value: f64,
 }
 
-/// A stress field `(x, y) ↦ [σ_x, σ_y, τ_xy]` \[MPa\], tension positive.
+/// A field on the plane: a stress `(x, y) ↦ [σ_x, σ_y, τ_xy]`, tension positive, or a traction `(x, y) ↦ [t_x, t_y]` \[MPa\].
 #[derive(Clone)]
-pub struct StressField(pub Arc<dyn Fn([f64; 2]) -> [f64; 3] + Send + Sync>);
+pub struct VectorField<const N: usize>(pub Arc<dyn Fn([f64; 2]) -> [f64; N] + Send + Sync>);
 
-impl fmt::Debug for StressField {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("StressField")
+impl<const N: usize> VectorField<N> {
+    /// That of a function.
+    pub fn of(field: impl Fn([f64; 2]) -> [f64; N] + Send + Sync + 'static) -> Self {
+        Self(Arc::new(field))
     }
 }
 
-/// A traction `(x, y) ↦ [t_x, t_y]` \[MPa\].
-#[derive(Clone)]
-pub struct TractionField(pub Arc<dyn Fn([f64; 2]) -> [f64; 2] + Send + Sync>);
-
-impl fmt::Debug for TractionField {
+impl<const N: usize> fmt::Debug for VectorField<N> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("TractionField")
+        f.write_str("VectorField")
     }
 }
 
 /// A load on a body.
 #[derive(Clone, Debug)]
 pub enum Load {
-    /// Constant traction on a boundary \[MPa\].
-    Traction {
-        /// Boundary name.
-        boundary: BoundaryName,
-        /// Traction vector \[MPa\].
-        traction: [f64; 2],
-    },
-    /// Traction on a boundary that depends on the place.
-    TractionField {
-        /// Boundary name.
-        boundary: BoundaryName,
-        /// The field.
-        field: TractionField,
-    },
-    /// Traction `t = σ n` of a given stress field on a boundary.
-    Stress {
-        /// Boundary name.
-        boundary: BoundaryName,
-        /// The field.
-        field: StressField,
-    },
     /// What acts on a boundary, or on a part of it.
     OnSide {
         /// Boundary name.
@@ -90,15 +66,22 @@ pub enum Load {
     },
 }
 
+impl Load {
+    /// What acts on all of a boundary.
+    pub fn on(boundary: impl Into<BoundaryName>, action: Action) -> Self {
+        Self::OnSide { boundary: boundary.into(), part: None, action }
+    }
+}
+
 /// What acts on a side.
 #[derive(Clone, Debug)]
 pub enum Action {
     /// The same traction everywhere \[MPa\].
     Uniform([f64; 2]),
     /// A traction that depends on the place.
-    Field(TractionField),
+    Field(VectorField<2>),
     /// The traction `t = σ n` of a stress field.
-    Stress(StressField),
+    Stress(VectorField<3>),
     /// The traction, the same everywhere, of a total force on the modelled part \[N\].
     Total([f64; 2]),
     /// A couple on the modelled part, counter-clockwise \[N mm\]: `t = M/(t J) e_z × (r − r̄)` with the centroid r̄ of the side and

@@ -53,7 +53,7 @@ pub use contact_pair::{ContactPair, Profile};
 pub use drawn::{Curve, DrawnGap};
 pub use ends::Ends;
 pub use given::{GivenMesh, HalfTold};
-pub use load::{Action, Load, StressField, Support, TractionField};
+pub use load::{Action, Load, Support, VectorField};
 pub use material::{LARGEST_POISSON, Material, PlaneHypothesis};
 pub use path::{Line, Path};
 pub use place::{BoundaryName, Component, Displaced, Place};

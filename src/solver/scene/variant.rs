@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::scene::{
     Action, Along, BlockShape, Body, Circle, Component, GivenMesh, Line, Load, MonotoneCubic, Path, Place, Profile,
-    Scene, Shape, SidePart, StressField, TractionField,
+    Scene, Shape, SidePart, VectorField,
 };
 
 /// Metres per millimetre.
@@ -77,15 +77,12 @@ impl Scene {
 
 fn scale_load(load: &mut Load, length: f64, pressure: f64) {
     match load {
-        Load::Traction { traction, .. } => *traction = traction.map(|t| t * pressure),
-        Load::TractionField { field, .. } => *field = scaled_tractions(field, length, pressure),
-        Load::Stress { field, .. } => *field = scaled_stresses(field, length, pressure),
         Load::OnSide { part, action, .. } => {
             *part = part.map(|part| scaled_part(part, length));
             match action {
                 Action::Uniform(traction) => *traction = traction.map(|t| t * pressure),
-                Action::Field(field) => *field = scaled_tractions(field, length, pressure),
-                Action::Stress(field) => *field = scaled_stresses(field, length, pressure),
+                Action::Field(field) => *field = scaled_field(field, length, pressure),
+                Action::Stress(field) => *field = scaled_field(field, length, pressure),
                 Action::Total(_) => {}
                 Action::Moment(moment) => *moment *= length,
             }
@@ -96,14 +93,9 @@ fn scale_load(load: &mut Load, length: f64, pressure: f64) {
     }
 }
 
-fn scaled_tractions(field: &TractionField, length: f64, pressure: f64) -> TractionField {
+fn scaled_field<const N: usize>(field: &VectorField<N>, length: f64, pressure: f64) -> VectorField<N> {
     let inner = field.0.clone();
-    TractionField(Arc::new(move |at: [f64; 2]| inner(at.map(|x| x / length)).map(|t| t * pressure)))
-}
-
-fn scaled_stresses(field: &StressField, length: f64, pressure: f64) -> StressField {
-    let inner = field.0.clone();
-    StressField(Arc::new(move |at: [f64; 2]| inner(at.map(|x| x / length)).map(|s| s * pressure)))
+    VectorField::of(move |at| inner(at.map(|x| x / length)).map(|t| t * pressure))
 }
 
 fn scaled_part(part: SidePart, length: f64) -> SidePart {
@@ -124,15 +116,12 @@ fn mirror_body(body: &mut Body) {
     }
     for load in &mut body.loads {
         match load {
-            Load::Traction { traction, .. } => traction[0] = -traction[0],
-            Load::TractionField { field, .. } => *field = mirrored_tractions(field),
-            Load::Stress { field, .. } => *field = mirrored_stresses(field),
             Load::OnSide { part, action, .. } => {
                 *part = part.map(mirrored_part);
                 match action {
                     Action::Uniform(vector) | Action::Total(vector) => vector[0] = -vector[0],
-                    Action::Field(field) => *field = mirrored_tractions(field),
-                    Action::Stress(field) => *field = mirrored_stresses(field),
+                    Action::Field(field) => *field = mirrored_field(field, [-1.0, 1.0]),
+                    Action::Stress(field) => *field = mirrored_field(field, [1.0, 1.0, -1.0]),
                     Action::Moment(moment) => *moment = -*moment,
                 }
             }
@@ -147,20 +136,13 @@ fn mirror_body(body: &mut Body) {
     }
 }
 
-fn mirrored_tractions(field: &TractionField) -> TractionField {
+/// A field seen in the mirror, each component with its sign there.
+fn mirrored_field<const N: usize>(field: &VectorField<N>, signs: [f64; N]) -> VectorField<N> {
     let inner = field.0.clone();
-    TractionField(Arc::new(move |[x, y]: [f64; 2]| {
-        let [tx, ty] = inner([-x, y]);
-        [-tx, ty]
-    }))
-}
-
-fn mirrored_stresses(field: &StressField) -> StressField {
-    let inner = field.0.clone();
-    StressField(Arc::new(move |[x, y]: [f64; 2]| {
-        let [sx, sy, sxy] = inner([-x, y]);
-        [sx, sy, -sxy]
-    }))
+    VectorField::of(move |[x, y]| {
+        let seen = inner([-x, y]);
+        std::array::from_fn(|k| signs[k] * seen[k])
+    })
 }
 
 fn mirrored_part(part: SidePart) -> SidePart {
