@@ -106,7 +106,7 @@ fn frictionless(discretisation: &Discretisation, run: &Run, contact: usize) -> R
             "moment of the contact forces about the centre of the arc, over F R",
             "frictionless on a circle; round-off of the recovered forces",
         ),
-        Path::Straight(_) => (
+        Path::Straight { .. } => (
             "moment of tangential contact forces, over F ℓ",
             "frictionless on a plane; round-off of the recovered forces",
         ),
@@ -117,7 +117,7 @@ fn frictionless(discretisation: &Discretisation, run: &Run, contact: usize) -> R
 /// Arm about the centre of an arc; on a plane a vertical unit arm, so that the moment is that of tangential forces.
 fn arm(path: &Path, point: [f64; 2]) -> [f64; 2] {
     match path {
-        Path::Straight(_) => [0.0, 1.0],
+        Path::Straight { .. } => [0.0, 1.0],
         Path::Arc(circle) => [point[0] - circle.centre[0], point[1] - circle.centre[1]],
     }
 }

@@ -131,11 +131,11 @@ fn contact(scene: &Scene, pair: &ContactPair) -> String {
     let first = &scene.bodies[pair.first].name;
     let other = pair.second.map_or("a rigid profile".into(), |body| format!("`{}`", scene.bodies[body].name));
     let (along, unit, per_unit) = match &pair.path {
-        Path::Straight(line) if line.both_sides => (format!("x from {:?}, on both sides", line.origin), "mm", 1.0),
-        Path::Straight(line) if scene.plane.radial() == Some(0) => {
-            (format!("the radius x from {:?}", line.origin), "mm", 1.0)
+        Path::Straight { origin, both_sides: true } => (format!("x from {origin:?}, on both sides"), "mm", 1.0),
+        Path::Straight { origin, .. } if scene.plane.radial() == Some(0) => {
+            (format!("the radius x from {origin:?}"), "mm", 1.0)
         }
-        Path::Straight(line) => (format!("|x| from {:?}", line.origin), "mm", 1.0),
+        Path::Straight { origin, .. } => (format!("|x| from {origin:?}"), "mm", 1.0),
         Path::Arc(circle) => {
             let along = format!(
                 "the angle from the downward vertical about {:?}, on the circle of radius {}",

@@ -9,7 +9,7 @@ use contact_vv::measure::{nodal, profile, relative_error};
 use contact_vv::mesh::{Mesh, Order};
 use contact_vv::oracle::analytic::hertz::Hertz;
 use contact_vv::scene::{
-    Action, Body, Component, Ends, Face, Line, Load, Material, Path, Place, Scene, Shape, Support, VectorField,
+    Action, Body, Component, Ends, Face, Load, Material, Path, Place, Scene, Shape, Support, VectorField,
 };
 use contact_vv::solve::edge_fitted::Answer;
 use contact_vv::solve::{Fitted, Formulation, Run};
@@ -132,7 +132,7 @@ fn off_the_middle(shift: f64) -> (Scene, Hertz) {
     body.supports = vec![Support { at: Place::Point([-side, side]), component: Component::X, value: 0.0 }];
     let pair = &mut scene.contacts[0];
     pair.symmetric = false;
-    pair.path = Path::Straight(Line { origin: [centre, 0.0], both_sides: true });
+    pair.path = Path::Straight { origin: [centre, 0.0], both_sides: true };
     (scene, hertz)
 }
 
@@ -169,7 +169,7 @@ fn around_a_contact_that_is_known_frames_fill_the_body_and_touch_all_its_sides()
         let mut scene = one.clone();
         let y = if contact == Face::Bottom { [0.0, side] } else { [-side, 0.0] };
         scene.bodies[0].shape = Shape::Rectangle { x: [left, side], y, contact };
-        scene.contacts[0].path = Path::Straight(Line { origin: [0.0, 0.0], both_sides: places.len() > 1 });
+        scene.contacts[0].path = Path::Straight { origin: [0.0, 0.0], both_sides: places.len() > 1 };
         scene.contacts[0].ends = Ends { places: places.clone(), layers: 3, off: 0.0 };
         for order in Order::ALL {
             let mesh = Mesh::of(&scene, resolution(1, 0, order)).expect("mesh");
@@ -237,7 +237,7 @@ fn columns_beyond_a_contact_on_both_sides_grow_from_its_last_cell_where_frames_h
     let mut scene = TruncatedHertz::default().scene();
     // Not as deep as half of the contact.
     scene.bodies[0].shape = Shape::Rectangle { x: [-20.0, 20.0], y: [0.0, 1.0], contact: Face::Bottom };
-    scene.contacts[0].path = Path::Straight(Line { origin: [0.0, 0.0], both_sides: true });
+    scene.contacts[0].path = Path::Straight { origin: [0.0, 0.0], both_sides: true };
     scene.contacts[0].ends = Ends { places: vec![-2.5, 2.5], layers: 0, off: 0.0 };
     let mesh = Mesh::of(&scene, resolution(1, 0, Order::Linear)).expect("mesh");
     let mut columns: Vec<f64> = mesh.points.iter().filter(|point| point[1] == 0.0).map(|point| point[0]).collect();

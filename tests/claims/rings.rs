@@ -15,7 +15,7 @@ use contact_vv::oracle::analytic::hertz::Hertz;
 use contact_vv::oracle::analytic::revolution::half_space::Potential;
 use contact_vv::oracle::{Quantity, Reading};
 use contact_vv::scene::{
-    Action, Body, Component, ContactPair, Face, Grading, Line, Load, Material, MonotoneCubic, Path as Way, Place,
+    Action, Body, Component, ContactPair, Face, Grading, Load, Material, MonotoneCubic, Path as Way, Place,
     PlaneHypothesis, Profile, ReferenceValues, Scene, Shape, Support, VectorField,
 };
 use contact_vv::solve::{Discretisation, Formulation, Run};
@@ -48,7 +48,7 @@ fn block(plane: PlaneHypothesis, shape: Shape, path: Way, stretch: f64, loaded: 
 }
 
 fn across(origin: [f64; 2]) -> Way {
-    Way::Straight(Line { origin, both_sides: true })
+    Way::Straight { origin, both_sides: true }
 }
 
 /// A ring on a flat, and a sleeve around a rigid shaft, whose contact is a line along the axis; with the areas of their contacts.

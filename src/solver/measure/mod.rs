@@ -163,7 +163,7 @@ pub fn relative_error(value: f64, reference: f64) -> f64 {
 /// What turns the contact coordinate into what people read: 1 on planes (mm), degrees per radian on arcs.
 pub fn display_factor(path: &Path) -> f64 {
     match path {
-        Path::Straight(_) => 1.0,
+        Path::Straight { .. } => 1.0,
         Path::Arc(_) => 180.0 / PI,
     }
 }

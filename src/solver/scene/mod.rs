@@ -55,7 +55,7 @@ pub use ends::Ends;
 pub use given::{GivenMesh, HalfTold};
 pub use load::{Action, Load, Support, VectorField};
 pub use material::{LARGEST_POISSON, Material, PlaneHypothesis};
-pub use path::{Line, Path};
+pub use path::Path;
 pub use place::{BoundaryName, Component, Displaced, Place};
 pub use range::{ROUNDING, positive};
 pub use shape::{BlockShape, Face, Grading, Sector, Shape};

@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use crate::scene::{
-    Action, Along, BlockShape, Body, Circle, Component, GivenMesh, Line, Load, MonotoneCubic, Path, Place, Profile,
-    Scene, Shape, SidePart, VectorField,
+    Action, Along, BlockShape, Body, Circle, Component, GivenMesh, Load, MonotoneCubic, Path, Place, Profile, Scene,
+    Shape, SidePart, VectorField,
 };
 
 /// Metres per millimetre.
@@ -23,7 +23,7 @@ impl Scene {
         for pair in &mut scene.contacts {
             match pair.path {
                 Path::Arc(_) => {}
-                Path::Straight(_) => {
+                Path::Straight { .. } => {
                     pair.stretch *= length;
                     pair.ends.places.iter_mut().for_each(|place| *place *= length);
                 }
@@ -174,17 +174,14 @@ fn mirrored_profile(profile: &Profile) -> Profile {
 }
 
 fn mirrored_path(path: &Path) -> Path {
-    let mirrored = |[x, y]: [f64; 2]| [0.0 - x, y];
-    match *path {
-        Path::Arc(circle) => Path::Arc(Circle { centre: mirrored(circle.centre), ..circle }),
-        Path::Straight(line) => Path::Straight(Line { origin: mirrored(line.origin), ..line }),
-    }
+    let [x, y] = path.origin();
+    path.moved_to([0.0 - x, y])
 }
 
 fn scaled_path(path: &Path, length: f64) -> Path {
     match *path {
         Path::Arc(circle) => Path::Arc(scaled_circle(circle, length)),
-        Path::Straight(line) => Path::Straight(Line { origin: line.origin.map(|x| x * length), ..line }),
+        line => line.moved_to(line.origin().map(|x| x * length)),
     }
 }
 

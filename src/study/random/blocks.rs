@@ -12,13 +12,13 @@ use crate::oracle::analytic::punch;
 use crate::oracle::analytic::waves::Waves;
 use crate::oracle::boundary::HalfPlane;
 use crate::scene::{
-    Action, Body, Component, ContactPair, Face, Grading, Line, Load, Material, Path, Place, PlaneHypothesis, Profile,
+    Action, Body, Component, ContactPair, Face, Grading, Load, Material, Path, Place, PlaneHypothesis, Profile,
     ReferenceValues, Scene, Shape, Support, VectorField,
 };
 use crate::study::random::family::{Draw, Sample};
 
 /// The surface to both sides of x = 0.
-const BOTH_SIDES: Path = Path::Straight(Line { origin: [0.0, 0.0], both_sides: true });
+const BOTH_SIDES: Path = Path::Straight { origin: [0.0, 0.0], both_sides: true };
 /// Part of the height of a block at which a point on its axis is looked at.
 const LOOKED_INTO: f64 = 0.3;
 
