@@ -8,7 +8,7 @@ use contact_vv::case::{Check, Reference};
 use contact_vv::checkout::CHECKOUT;
 use contact_vv::checkout::root;
 use contact_vv::cli::{self, summary, writable};
-use contact_vv::error::nearest::nearest;
+use contact_vv::error::nearest;
 use contact_vv::oracle::ReferenceKind;
 use contact_vv::study::faults;
 use contact_vv::study::{Finding, Study};

@@ -1,7 +1,6 @@
 //! Elastic constants, and what a scene in two coordinates stands for.
 
-use crate::error::{self, Error};
-use crate::scene::range::positive;
+use crate::error::{self, Error, positive};
 
 /// Plane strain, plane stress, or bodies of revolution.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,7 +1,7 @@
 //! What a scene of bodies of revolution cannot have.
 
 use crate::error::{Error, Part, Place};
-use crate::scene::range::ROUNDING;
+use crate::scene::contact_pair::ROUNDING;
 use crate::scene::{Path, Scene};
 
 impl Scene {

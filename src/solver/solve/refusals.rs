@@ -4,8 +4,8 @@
 use crate::algorithm::problem::LIMITS;
 use crate::algorithm::{Acceleration, ContactProblem, Iteration, Leeway, Spring, StiffnessRule};
 use crate::contact::Quadrature;
-use crate::error::{Error, Kind, Part, Place};
-use crate::scene::{Scene, positive};
+use crate::error::{Error, Kind, Part, Place, positive};
+use crate::scene::Scene;
 use crate::solution::Work;
 use crate::solve::{Change, Discretisation, Formulation};
 
