@@ -2,8 +2,7 @@
 //!
 //! * [`point`] — what a contact element makes.
 //! * [`interface`] — nodes and edges of the candidate stretch.
-//! * `pairing` — from the candidates of both bodies to an interface.
-//! * `dual` — what lies opposite a contact node where meshes do not match.
+//! * `dual` — from the candidates of both bodies to an interface, also where meshes do not match.
 //! * [`primary`] — projection on to the edges of the other body.
 //! * [`node`] — one spring per node pair (paper, Fig. 5).
 //! * [`mod@line`] — distributed springs between two element edges (Fig. 3).
@@ -33,7 +32,6 @@ pub mod interface;
 pub mod layer;
 pub mod line;
 pub mod node;
-mod pairing;
 pub mod point;
 pub mod primary;
 pub mod quadrature;

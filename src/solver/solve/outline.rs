@@ -1,6 +1,6 @@
 //! The outline of a body: its edges, the angles between them, and how they are fixed.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
 use std::f64::consts::PI;
 
 use crate::elasticity::{axis, shape_functions};
@@ -22,19 +22,9 @@ pub(super) struct Outline<'a> {
 impl<'a> Outline<'a> {
     pub(super) fn of(discretisation: &'a Discretisation, body: usize) -> Self {
         let (scene, mesh) = (&discretisation.scene, &discretisation.mesh);
-        let sides = mesh.order.sides();
-        let cells = || mesh.bodies[body].cells.clone().map(|cell| mesh.cell(cell));
-        let all: HashSet<[usize; 2]> =
-            cells().flat_map(|cell| sides.each_ref().map(|side| [cell[side[0]], cell[side[1]]])).collect();
-        let (mut leaving, mut arriving) = (HashMap::new(), HashMap::new());
-        for (cell, side) in cells().flat_map(|cell| sides.each_ref().map(|side| (cell, side))) {
-            let [from, to] = [cell[side[0]], cell[side[1]]];
-            if !all.contains(&[to, from]) {
-                let edge: Edge = side.iter().map(|&k| cell[k]).collect();
-                leaving.insert(from, edge.clone());
-                arriving.insert(to, edge);
-            }
-        }
+        let edges = mesh.outline(body);
+        let arriving = edges.iter().map(|edge| (edge[1], edge.clone())).collect();
+        let leaving: HashMap<usize, Edge> = edges.into_iter().map(|edge| (edge[0], edge)).collect();
         let mut fixed: HashMap<[usize; 2], [bool; 2]> = HashMap::new();
         let own = &scene.bodies[body];
         let supported = own.supports.iter().filter_map(|support| match &support.at {

@@ -1,8 +1,7 @@
 //! Blocks given one by one.
 
 use super::layout::Layout;
-use super::points::between;
-use crate::mesh::block::{Block, Point, Side};
+use crate::mesh::block::{Block, Side, between, on_side};
 use crate::mesh::spacing;
 use crate::scene::BlockShape;
 
@@ -20,7 +19,7 @@ fn block(layout: &Layout, shape: &BlockShape) -> Block {
         let ends = [shape.corners[from], shape.corners[to]];
         let at = |t: f64| match shape.arcs[k] {
             None => between(ends[0], ends[1], t),
-            Some(centre) => on_arc(centre, ends, t),
+            Some(centre) => on_side(ends, None, Some(centre), t),
         };
         let points = layout.along(positions, at);
         match &shape.names[k] {
@@ -34,15 +33,4 @@ fn block(layout: &Layout, shape: &BlockShape) -> Block {
         top: side(2, [3, 2], &columns),
         left: side(3, [0, 3], &rows),
     }
-}
-
-/// Point at the fraction `t` of the shorter arc about a centre; the ends themselves at 0 and 1.
-fn on_arc(centre: Point, [from, to]: [Point; 2], t: f64) -> Point {
-    if t <= 0.0 || t >= 1.0 {
-        return if t <= 0.0 { from } else { to };
-    }
-    let [a, b] = [from, to].map(|p| [p[0] - centre[0], p[1] - centre[1]]);
-    let sweep = (a[0] * b[1] - a[1] * b[0]).atan2(a[0] * b[0] + a[1] * b[1]);
-    let (sin, cos) = (t * sweep).sin_cos();
-    [centre[0] + a[0] * cos - a[1] * sin, centre[1] + a[0] * sin + a[1] * cos]
 }

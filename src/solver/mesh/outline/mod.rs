@@ -3,7 +3,6 @@
 //! * `frames` — rectangles around a contact whose ends are known.
 //! * `known_ends` — positions along a contact whose ends are known.
 //! * `layout` — what the outlines need to know of the scene.
-//! * `points` — points of outlines.
 
 mod blocks;
 mod disc;
@@ -11,7 +10,6 @@ pub(crate) mod eye;
 mod frames;
 mod known_ends;
 mod layout;
-mod points;
 mod rectangle;
 mod ring;
 
