@@ -1,7 +1,7 @@
 //! Where values stand on an axis, and which ticks it carries.
 
 use super::chart::{Axis, Scale};
-use super::error::Error;
+use super::drawing::Error;
 use super::numbers::{ends, number, power, round_values};
 
 /// An axis with its ends: in decades when logarithmic.
@@ -12,11 +12,8 @@ pub(super) struct Span {
     to: f64,
 }
 
-/// One mark on an axis: without a label it is a minor one.
-pub(super) struct Tick {
-    pub fraction: f64,
-    pub label: Option<String>,
-}
+/// One mark on an axis: at what fraction of it, and with which label; without one it is minor.
+pub(super) type Tick = (f64, Option<String>);
 
 impl Span {
     /// The ends of an axis: as given, or around the values with a margin.
@@ -62,22 +59,21 @@ impl Span {
     /// About as many labelled ticks as wanted; where values have names, a tick each.
     pub fn ticks(&self, axis: &Axis, wanted: f64) -> Vec<Tick> {
         let wanted = wanted.round().max(1.0) as usize;
-        let named =
-            |(n, name): (usize, &String)| Tick { fraction: self.fraction(n as f64 + 1.0), label: Some(name.clone()) };
-        let mut ticks = match self.scale {
+        let named = |(n, name): (usize, &String)| (self.fraction(n as f64 + 1.0), Some(name.clone()));
+        let mut ticks: Vec<Tick> = match self.scale {
             _ if !axis.names.is_empty() => axis.names.iter().enumerate().map(named).collect(),
             Scale::Linear => self.linear_ticks(wanted),
             // Powers of ten are short: more of them fit.
             Scale::Log => self.log_ticks(wanted + wanted.div_ceil(4)),
         };
-        ticks.retain(|tick| tick.fraction > -1e-9 && tick.fraction < 1.0 + 1e-9);
+        ticks.retain(|(fraction, _)| *fraction > -1e-9 && *fraction < 1.0 + 1e-9);
         ticks
     }
 
     fn linear_ticks(&self, wanted: usize) -> Vec<Tick> {
         let (step, values) = round_values(self.from, self.to, wanted);
         let largest = self.from.abs().max(self.to.abs());
-        let tick = |value| Tick { fraction: self.fraction(value), label: Some(number(value, step, largest)) };
+        let tick = |value| (self.fraction(value), Some(number(value, step, largest)));
         values.into_iter().map(tick).collect()
     }
 
@@ -94,7 +90,7 @@ impl Span {
             } else {
                 main.then(|| if plain { number(value, step, 1.0) } else { power(decade) })
             };
-            Tick { fraction: self.fraction(value), label }
+            (self.fraction(value), label)
         };
         let digits = if last - first <= 6 { 1..10 } else { 1..2 };
         (first - 1..=last).flat_map(|decade| digits.clone().map(move |digit| (digit, decade))).map(tick).collect()

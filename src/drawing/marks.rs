@@ -1,10 +1,9 @@
 //! What holds and what loads the bodies of a field: supports, loads, and rigid sides.
 
 use super::canvas::Canvas;
-use super::field::Mark;
+use super::field::{Mark, Panel};
 use super::frame::{Point, distance};
 use super::palette::{CARD, INK, LAYER};
-use super::panel::Panel;
 use super::pen::Pen;
 
 /// Marks of a kind stand at least so far apart, and a support or the shaft of an arrow is so long [display pixels].

@@ -2,8 +2,7 @@
 
 use super::canvas::{Canvas, EDGE, TITLE, WIDTH};
 use super::chart::Chart;
-use super::drawing::Drawing;
-use super::error::Error;
+use super::drawing::{Drawing, Error};
 use super::frame::{Frame, Point};
 use super::legend::Legend;
 use super::pen::{Lettering, text_width};
@@ -17,10 +16,6 @@ const BETWEEN: f64 = 10.0;
 
 /// Small multiples: the charts side by side, so many to a row, over one legend and all their notes.
 pub fn panels(title: &str, charts: &[Chart], columns: usize) -> Drawing {
-    Drawing::of(drawn(title, charts, columns))
-}
-
-fn drawn(title: &str, charts: &[Chart], columns: usize) -> Result<Drawing, Error> {
     let mut canvas = Canvas::new();
     let (_, corner) = grid(&mut canvas, charts, columns)?;
     let mut notes: Vec<String> = Vec::new();

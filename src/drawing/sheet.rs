@@ -3,7 +3,6 @@
 use super::canvas::{Canvas, EDGE, TITLE, WIDTH};
 use super::chart::Chart;
 use super::drawing::Drawing;
-use super::error::Error;
 use super::field::Field;
 use super::legend::Legend;
 use super::multiples::row;
@@ -28,10 +27,6 @@ const BETWEEN: f64 = 22.0;
 impl Sheet {
     /// The sheet, drawn.
     pub fn drawing(&self) -> Drawing {
-        Drawing::of(self.drawn())
-    }
-
-    fn drawn(&self) -> Result<Drawing, Error> {
         let mut canvas = Canvas::new();
         let (mut bottom, mut notes) = (TITLE, Vec::new());
         if let Some(field) = &self.field {
