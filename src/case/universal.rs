@@ -1,7 +1,7 @@
 //! What every converged run must satisfy, whatever the problem: equilibrium, invariance, condensed = full, path independence.
 
 use crate::case::{Check, Judged, Quantity, Reference};
-use crate::elasticity::{ElasticSystem, Numbering};
+use crate::elasticity::{ElasticSystem, numbered};
 use crate::error::Error;
 use crate::measure::{larger, profile};
 use crate::mesh::Mesh;
@@ -206,7 +206,7 @@ fn invariance(discretisation: &Discretisation, run: &Run, limit: f64) -> Result<
     }
     variants.push(("renumbered nodes", with(scene.clone(), mesh.renumbered())?, 1.0));
     let noisy =
-        ElasticSystem::assemble_numbered(scene, mesh, Numbering::of(scene, mesh)?, &|cell| 1.0 + NOISE * noise(cell))?;
+        ElasticSystem::assemble_numbered(scene, mesh, numbered(scene, mesh)?, &|cell| 1.0 + NOISE * noise(cell))?;
     variants.push((
         "noise of 1e-12 on K",
         Discretisation::of_system(scene.clone(), resolution, mesh.clone(), noisy)?,

@@ -4,7 +4,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use contact_vv::case::library::{Cylinder, PinRod};
-use contact_vv::elasticity::{ElasticSystem, Freedom, Numbering, loads, reactions};
+use contact_vv::elasticity::{ElasticSystem, Freedom, loads, numbered, reactions};
 use contact_vv::mesh::{Mesh, Order};
 use contact_vv::scene::{Action, Component, Face, Load, Place, Scene, VectorField};
 use nalgebra::DVector;
@@ -106,7 +106,7 @@ fn stiffness_and_surface_loads_are_proportional_to_thickness() {
     let tripled: Vec<f64> = one.force.iter().map(|f| 3.0 * f).collect();
     assert!(distance(&tripled, &three.force) <= 1e-12);
     assert!(one.force.iter().any(|f| f.abs() > 1.0));
-    let doubled = Numbering::of(&thin, &mesh)
+    let doubled = numbered(&thin, &mesh)
         .and_then(|own| ElasticSystem::assemble_numbered(&thin, &mesh, own, &|_| 2.0))
         .expect("system");
     assert!((dense(one) * 2.0 - dense(&doubled.bodies[0])).amax() <= 1e-14 * scale);

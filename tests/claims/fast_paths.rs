@@ -8,7 +8,7 @@ use contact_vv::condensation::Plain;
 use contact_vv::condensation::dense::DenseFactor;
 use contact_vv::condensation::trailing::Trailing;
 use contact_vv::elasticity::element::CellStiffness;
-use contact_vv::elasticity::{ElasticSystem, Freedom, Numbering};
+use contact_vv::elasticity::{ElasticSystem, Freedom, numbered};
 use contact_vv::mesh::{Mesh, Order};
 use contact_vv::scene::{Action, Component, Load, Scene};
 use contact_vv::solution::{Solution, Work};
@@ -152,7 +152,7 @@ fn halves_of_a_large_body_add_up_to_the_matrix_that_is_added_densely() {
     let scene = block([4.0, 3.0], supports, vec![]);
     let mesh = Mesh::of(&scene, resolution(40, 0, Order::Linear)).expect("mesh");
     assert!(mesh.cells() > 1024, "too small to be halved: {} cells", mesh.cells());
-    let numbering = Numbering::of(&scene, &mesh).expect("numbered");
+    let numbering = numbered(&scene, &mesh).expect("numbered");
     let system = ElasticSystem::assemble_numbered(&scene, &mesh, numbering, &|_| 1.0).expect("system");
     for index in 0..system.bodies.len() {
         let (wanted, force) = added_densely(&scene, &mesh, index, &system);

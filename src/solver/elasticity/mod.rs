@@ -79,45 +79,32 @@ pub struct BodySystem {
     pub retained: Range<usize>,
 }
 
-/// The unknowns of every body, numbered in the order in which they are eliminated.
-#[derive(Clone, Debug)]
-pub struct Numbering {
-    bodies: Vec<(NodeGraph, Dofs)>,
-}
-
-impl Numbering {
-    /// Orders and numbers the unknowns of every body; refuses bodies that could move as a whole.
-    pub fn of(scene: &Scene, mesh: &Mesh) -> Result<Self, Error> {
-        let number = |body: usize| {
-            let graph = NodeGraph::of(mesh, body);
-            axis::refuse(scene, mesh, body)?;
-            let dofs = Dofs::number(scene, mesh, body, &graph)?;
-            rigid_motion::refuse_free(scene, mesh, body, &dofs)?;
-            Ok((graph, dofs))
-        };
-        Ok(Self { bodies: (0..scene.bodies.len()).map(number).collect::<Result<_, Error>>()? })
-    }
-
-    /// Number of unknown displacement components.
-    pub fn dofs(&self) -> usize {
-        self.bodies.iter().map(|(_, dofs)| dofs.equations).sum()
-    }
+/// The unknowns of every body, numbered in the order in which they are eliminated; refuses bodies that could move as a whole.
+pub fn numbered(scene: &Scene, mesh: &Mesh) -> Result<Vec<(NodeGraph, Dofs)>, Error> {
+    let number = |body: usize| {
+        let graph = NodeGraph::of(mesh, body);
+        axis::refuse(scene, mesh, body)?;
+        let dofs = Dofs::number(scene, mesh, body, &graph)?;
+        rigid_motion::refuse_free(scene, mesh, body, &dofs)?;
+        Ok((graph, dofs))
+    };
+    (0..scene.bodies.len()).map(number).collect()
 }
 
 impl ElasticSystem {
     /// Assembles stiffness and loads of every body of the mesh of a scene.
     pub fn assemble(scene: &Scene, mesh: &Mesh) -> Result<Self, Error> {
-        Self::assemble_numbered(scene, mesh, Numbering::of(scene, mesh)?, &|_| 1.0)
+        Self::assemble_numbered(scene, mesh, numbered(scene, mesh)?, &|_| 1.0)
     }
 
     /// The same with unknowns that are already numbered, and the stiffness of every cell times a factor of its index.
     pub fn assemble_numbered(
         scene: &Scene,
         mesh: &Mesh,
-        numbering: Numbering,
+        numbered: Vec<(NodeGraph, Dofs)>,
         factor: &(dyn Fn(usize) -> f64 + Sync),
     ) -> Result<Self, Error> {
-        let bodies = numbering.bodies.into_iter().enumerate();
+        let bodies = numbered.into_iter().enumerate();
         let bodies = bodies.map(|(body, (graph, dofs))| BodySystem::assemble(scene, mesh, body, &graph, dofs, factor));
         Ok(Self { bodies: bodies.collect::<Result<_, _>>()? })
     }

@@ -100,10 +100,9 @@ impl Measures {
         let sides = if across { 2.0 } else { 1.0 };
         let in_pairs = || {
             let peak = peak::of(edges, centre);
-            let [through_points, at_origin] = [peak::by_parabola(edges, peak.pressure), peak::pressure_at(edges, 0.0)];
-            nodal::Reading { peak, through_points, at_origin }
+            (peak, [peak::by_parabola(edges, peak.pressure), peak::pressure_at(edges, 0.0)])
         };
-        let nodal::Reading { peak, through_points, at_origin } = nodal::read(part, centre).unwrap_or_else(in_pairs);
+        let (peak, [through_points, at_origin]) = nodal::read(part, centre).unwrap_or_else(in_pairs);
         Self {
             second_moment_width: profile::second_moment_width(points, centre)
                 * if is_circle { OF_ELLIPSOID } else { 1.0 },

@@ -5,7 +5,7 @@ use crate::algorithm::{ContactProblem, Scale};
 use crate::clock::{Clock, Seconds, Stage};
 use crate::condensation::Condensed;
 use crate::contact::{ContactEdge, ContactPoint, Interface};
-use crate::elasticity::{ElasticSystem, Numbering};
+use crate::elasticity::{ElasticSystem, numbered};
 use crate::error::Error;
 use crate::mesh::{Mesh, Resolution};
 use crate::scene::{ContactPair, Scene};
@@ -53,9 +53,9 @@ impl Discretisation {
 
     fn made(scene: Scene, resolution: Resolution, permits: Permits, mut clock: Clock) -> Result<Self, Error> {
         let mesh = clock.time(Stage::Mesh, || Mesh::of(&scene, resolution))?;
-        let numbering = clock.time(Stage::Ordering, || Numbering::of(&scene, &mesh))?;
-        permits(numbering.dofs())?;
-        let assembled = || ElasticSystem::assemble_numbered(&scene, &mesh, numbering, &|_| 1.0);
+        let numbered = clock.time(Stage::Ordering, || numbered(&scene, &mesh))?;
+        permits(numbered.iter().map(|(_, dofs)| dofs.equations).sum())?;
+        let assembled = || ElasticSystem::assemble_numbered(&scene, &mesh, numbered, &|_| 1.0);
         let system = clock.time(Stage::Assembly, assembled)?;
         Self::condensed(scene, resolution, mesh, system, clock)
     }

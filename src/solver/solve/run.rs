@@ -176,15 +176,6 @@ impl Run {
         };
         largest(self.contacts.iter().map(of))
     }
-
-    /// Decades between the last iteration error and the tolerance, and between the last but one and the tolerance.
-    pub fn decision_margin(&self) -> [f64; 2] {
-        let tolerance = self.formulation.settings.tolerance;
-        let mut last = self.solution.history.iter().rev().map(|iteration| iteration.error.largest());
-        let mut decades = || last.next().map_or(f64::NAN, |error| (error.max(1e-99) / tolerance).log10());
-        let end = decades();
-        [end, decades()]
-    }
 }
 
 /// What was found of every contact.

@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 use crate::case::library::Cylinder;
 use crate::clock::{Clock, Seconds, Stage};
 use crate::condensation::Plain;
-use crate::elasticity::{ElasticSystem, Numbering};
+use crate::elasticity::{ElasticSystem, numbered};
 use crate::error::Error;
 use crate::measure::order::slope;
 use crate::mesh::{Mesh, Order, Resolution};
@@ -160,7 +160,7 @@ fn once(elements: usize, refinement: u32) -> Result<(Counts, Seconds, [f64; 2]),
     let again = again.elapsed().as_secs_f64();
     let counts = counted(&discretisation, (elements, refinement), solution.work.iterations);
     let Discretisation { scene, mesh, .. } = discretisation;
-    let numbering = Numbering::of(&scene, &mesh)?;
+    let numbering = numbered(&scene, &mesh)?;
     let assembly_on_all = on(ALL, || {
         let clock = Instant::now();
         std::hint::black_box(ElasticSystem::assemble_numbered(&scene, &mesh, numbering, &|_| 1.0)?);

@@ -10,7 +10,7 @@ use std::f64::consts::{LN_2, PI};
 use nalgebra::{DMatrix, DVector};
 
 use crate::oracle::analytic::Plane;
-use crate::oracle::analytic::michell::{Harmonic, Side};
+use crate::oracle::analytic::michell::Harmonic;
 use crate::oracle::analytic::shell::{Shape, Shell};
 use crate::scene::{Material, Profile};
 
@@ -56,7 +56,7 @@ impl Ring {
             0 => self.under([1.0, 0.0]),
             1 => 0.0,
             _ => {
-                let pressed = Harmonic::pressed(n, Side::Inside, self.radii, self.material(), self.plane);
+                let pressed = Harmonic::pressed(n, 0, self.radii, self.material(), self.plane);
                 pressed.displacement(self.radii[0])[0]
             }
         }

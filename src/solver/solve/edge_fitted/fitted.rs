@@ -14,6 +14,11 @@ pub struct Fitted {
 }
 
 impl Fitted {
+    /// Cells of an order in so many layers.
+    pub const fn of(order: Order, layers: usize) -> Self {
+        Self { order, layers }
+    }
+
     /// For so many digits of peak and second-moment width: order `digits + 2`; a layer up to four digits, one more for each beyond.
     pub fn of_digits(digits: usize) -> Self {
         let order = Order::numbered(digits + 2).unwrap_or(if digits < 4 { Order::Quartic } else { Order::Octic });

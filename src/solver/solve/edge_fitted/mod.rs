@@ -2,17 +2,15 @@
 //!
 //! The solution is analytic but for the square root in which the pressure ends. On a mesh that ends a cell there, cells of high
 //! order see nothing of it: the error falls with the order as if it were not there. Where the contact ends is found on the way:
-//! all points up to an expected end are closed, and the pressure there tells how far off that is (`root`). The error of peak
+//! all points up to an expected end are closed, and the pressure there tells how far off that is. The error of peak
 //! and width is of second order in it.
 //!
 //! * `fitted` — order and layers of such a mesh, and what it is not made for.
 //! * `search` — the ends sought on coarse meshes, then on the one asked for.
 //! * `closed` — the closed stretches, a mesh with lines on their ends, how far these shall move, and where the contact ends there.
-//! * `root` — where a contact ends, from its pressures near an expected end.
 
 mod closed;
 mod fitted;
-mod root;
 mod search;
 
 pub(super) use closed::of_lines;

@@ -155,7 +155,7 @@ impl Fitted {
                 ends.join(scene, (enough * 2f64.powi(left as i32)).min(TOGETHER));
                 let mut discretisation = ends.discretised(scene, mesh, elements, permits)?;
                 let moves = ends.moves(&discretisation)?;
-                let moved = moves.iter().flatten().flatten().fold(0.0_f64, |most, one| most.max(one.by.abs()));
+                let moved = moves.iter().flatten().flatten().fold(0.0_f64, |most, [by, _]| most.max(by.abs()));
                 let (dofs, cells) = (discretisation.system.dofs(), discretisation.mesh.cells());
                 tried.push(Tried { order: mesh.order, dofs, cells, moved });
                 let resting = moved <= enough;
