@@ -4,7 +4,7 @@ use std::f64::consts::{FRAC_PI_2, SQRT_2};
 
 use approx::assert_relative_eq;
 use contact_vv::accuracy::longest::longest;
-use contact_vv::accuracy::{self, Answer, Asked, Quantity, ends, fitted, percentage};
+use contact_vv::accuracy::{self, Answer, Asked, Quantity, fitted, percentage};
 use contact_vv::case::library::{Cylinder, PinPlate, PressFit, TruncatedHertz};
 use contact_vv::case::solved::met;
 use contact_vv::case::{Case, Verdict, library};
@@ -262,7 +262,7 @@ fn contact_end_is_found_within_a_tenth_of_an_element() {
             let (scene, resolution) = plan.laid(&problem.scene);
             let discretisation = Discretisation::of(scene, resolution).expect("meshed");
             let run = Run::of(&discretisation, &Formulation::verification()).expect("solved");
-            let [_, found] = ends::ends(&run, 0);
+            let [_, found] = fitted::ends(&run, 0);
             let element = edge / elements as f64;
             assert!(
                 (found - edge).abs() < 0.15 * element,

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 
 use approx::assert_relative_eq;
 use contact_vv::accuracy::longest::longest;
-use contact_vv::accuracy::{self, Answer, Asked, Quantity, ends, fitted};
+use contact_vv::accuracy::{self, Answer, Asked, Quantity, fitted};
 use contact_vv::mesh::{Mesh, Order};
 use contact_vv::scene::Scene;
 use contact_vv::solve::{Discretisation, Fitted, Formulation, Run};
@@ -67,7 +67,7 @@ fn met(answer: &Answer, asked: f64, truth: [f64; 2], place: &str) {
 /// Both candidates beyond the ends are open, and the stretch reaches little beyond the outer end.
 fn covers(answer: &Answer, place: &str) {
     let pair = answer.scene.contact();
-    assert!(!ends::is_filled(&answer.run, 0), "{place}");
+    assert!(!fitted::is_filled(&answer.run, 0), "{place}");
     let outer = answer.run.measures().edge().max(-answer.run.measures().begin());
     assert!(pair.stretch > outer, "{place}: {} and {outer}", pair.stretch);
     assert!(
@@ -139,7 +139,7 @@ fn both_ends_are_found_within_a_tenth_of_an_element() {
         let (scene, resolution) = plan.laid(&scene);
         let discretisation = Discretisation::of(scene, resolution).expect("meshed");
         let run = Run::of(&discretisation, &Formulation::verification()).expect("solved");
-        let found = ends::ends(&run, 0);
+        let found = fitted::ends(&run, 0);
         for (found, side) in found.into_iter().zip([-1.0, 1.0]) {
             let exact = centre + side * run.measures().second_moment_width;
             let off = (found - exact) / (a / elements as f64);

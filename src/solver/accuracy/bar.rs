@@ -15,8 +15,7 @@
 //! The parts of iteration and penalty are differences to the solution of the same discrete problem, which is exact.
 
 use crate::accuracy::family::{Evidence, Family, discrete_of};
-use crate::accuracy::reading::{self, Reading, of_discrete, value_of};
-use crate::accuracy::recovered::recovered;
+use crate::accuracy::reading::{self, Reading, of_discrete, recovered, value_of};
 use crate::accuracy::watch::up_to;
 use crate::algorithm::StiffnessRule;
 use crate::error::Error;

@@ -4,8 +4,7 @@ use rayon::prelude::*;
 
 use crate::accuracy::coarser::{coarser, finer, gentler};
 use crate::accuracy::counted::{Kind, Row};
-use crate::accuracy::reading::{Reading, of_discrete, value_of};
-use crate::accuracy::recovered::recovered;
+use crate::accuracy::reading::{Reading, of_discrete, recovered, value_of};
 use crate::measure::{Measures, Quantity, Stretch, larger, relative_error};
 use crate::mesh::Order;
 use crate::scene::{ContactPair, Place, Profile};

@@ -1,7 +1,6 @@
 //! Where one contact begins and ends, found on cheap meshes from a guess of the candidate stretch.
 
-use crate::accuracy::ends;
-use crate::accuracy::fitted::{Fitted, ORDER, Plan};
+use crate::accuracy::fitted::{self, Fitted, ORDER, Plan};
 use crate::accuracy::longest::longest;
 use crate::accuracy::rungs::{Rung, Rungs};
 use crate::accuracy::{Tried, TriedContact};
@@ -59,7 +58,7 @@ pub(super) fn found(scene: &Scene, rungs: &mut Rungs) -> Result<Result<Fitted, (
         };
         match guess(&plan, &rung, longest) {
             Ok(None) => {
-                let ends = ends::ends(&rung.run, 0);
+                let ends = fitted::ends(&rung.run, 0);
                 rungs.first = Some(rung);
                 return Ok(Ok(Fitted { scene: scene.clone(), longest, ends }));
             }
@@ -99,8 +98,8 @@ fn turns(scene: &Scene) -> bool {
 fn guess(plan: &Plan, rung: &Rung, longest: f64) -> Result<Option<(usize, f64)>, String> {
     let Plan { elements, stretch, .. } = *plan;
     let (solution, pair) = (&rung.run.solution, rung.scene.contact());
-    let [pressed, outermost] = ends::pressed(&rung.run, 0);
-    let filled = ends::is_filled(&rung.run, 0);
+    let [pressed, outermost] = fitted::pressed(&rung.run, 0);
+    let filled = fitted::is_filled(&rung.run, 0);
     let across = pair.path.has_both_sides();
     let told = pressed >= if across { 2 * TOLD } else { TOLD };
     // Across x = 0 one or two points hold no body against turning.

@@ -1,21 +1,18 @@
 //! The error bar of an answer; and the cheapest mesh that meets an accuracy asked, found from coarse to fine.
 //!
-//! * [`reading`] — the numbers that are quoted of a run; `recovered` — those that take the displacement of every node.
+//! * [`reading`] — the numbers that are quoted of a run.
 //! * [`mod@bar`] — how far each may be from the truth.
 //! * [`mod@family`] — what coarser meshes say of it.
 //! * [`mod@coarser`] — the same scene on coarser meshes.
 //! * [`counted`] — how far differences between meshes tell the error.
 //! * [`answer`] — what is asked, and what is answered.
-//! * [`ends`] — where the contact found so far begins and ends.
+//! * [`fitted`] — where the contact found so far begins and ends, and meshes fitted to it.
 //! * `length` — that found from a guess, on cheap meshes.
-//! * [`fitted`] — meshes fitted to it.
 //! * [`mod@longest`] — how far candidates may go.
 //! * `evenly` — several contacts, and bodies whose mesh is given.
-//! * `sizes` — sizes of elements where there are several contacts.
-//! * `layout` — which of the two families, and the next of its meshes.
 //! * `rungs` — the meshes of a search, each solved from the active set of the one before.
 //! * `by_order` — cells of higher and higher order that end with the contacts, each mesh judged by the next.
-//! * `search` — finer and finer meshes, until the bars of one are within what is asked.
+//! * `search` — finer and finer meshes of one of the two families, until the bars of one are within what is asked.
 //! * [`mod@reference`] — numbers to five digits, by meshes fitted to the contact.
 //! * [`told`] — of what a number is, its name, and its unit.
 //! * `watch` — which meshes are solved, and what is told of each before it is.
@@ -34,19 +31,15 @@ pub mod bar;
 mod by_order;
 pub mod coarser;
 pub mod counted;
-pub mod ends;
 mod evenly;
 pub mod family;
 pub mod fitted;
-mod layout;
 mod length;
 pub mod longest;
 pub mod reading;
-mod recovered;
 pub mod reference;
 mod rungs;
 mod search;
-mod sizes;
 mod slow;
 pub mod told;
 mod watch;

@@ -3,7 +3,7 @@
 use crate::accuracy::answer::{largest, quoted};
 use crate::accuracy::bar::{judged, of_contacts};
 use crate::accuracy::watch::{Tell, Watch};
-use crate::accuracy::{Answer, Asked, Barred, Quantity, Tried, TriedContact, ends};
+use crate::accuracy::{Answer, Asked, Barred, Quantity, Tried, TriedContact, fitted};
 use crate::error::{Error, Kind};
 use crate::measure::larger;
 use crate::mesh::Resolution;
@@ -165,7 +165,7 @@ impl<'a> Rungs<'a> {
         self.tried.push(Tried {
             purpose,
             order: resolution.order,
-            elements: (0..scene.contacts.len()).map(|contact| ends::pressed(&run, contact)[1]).min().unwrap_or(0),
+            elements: (0..scene.contacts.len()).map(|contact| fitted::pressed(&run, contact)[1]).min().unwrap_or(0),
             growth: growth(&scene, resolution),
             dofs: run.dofs,
             coarser: 0,
