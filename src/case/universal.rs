@@ -173,7 +173,7 @@ fn limit(discretisation: &Discretisation, run: &Run) -> Result<f64, Error> {
     let unknowns = discretisation.recover(&run.solution)?.unknowns;
     let bodies = discretisation.system.bodies.iter().zip(&unknowns);
     let forces: Vec<Vec<f64>> = bodies.map(|(body, u)| body.terms_of_product(u)).collect();
-    let condensed = problem.terms_of_internal_force(&run.solution.displacement);
+    let condensed = problem.stiffness.terms(&run.solution.displacement);
     let gaps: Vec<f64> = points.iter().map(|point| point.size_of_approach(&run.solution.displacement)).collect();
     let change = |felt: &Influence| {
         let displaced = discretisation.condensed.recover(0.0, &felt.of_forces);

@@ -33,7 +33,7 @@ impl Algorithm for Playback {
         self.at += 1;
         self.loads.push(load[0]);
         let displacement = vec![self.approach];
-        let internal = problem.internal_force(&displacement);
+        let internal = problem.stiffness.times(&displacement);
         Some(Iterate { approach: displacement.clone(), displacement, pressure: vec![pressure], internal })
     }
 }

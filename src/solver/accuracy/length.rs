@@ -1,9 +1,9 @@
 //! Where one contact begins and ends, found on cheap meshes from a guess of the candidate stretch.
 
+use crate::accuracy::Tried;
 use crate::accuracy::fitted::{self, Fitted, ORDER, Plan};
 use crate::accuracy::longest::longest;
 use crate::accuracy::rungs::{Rung, Rungs};
-use crate::accuracy::{Tried, TriedContact};
 use crate::error::{Error, Kind, Part};
 use crate::mesh::Resolution;
 use crate::scene::Scene;
@@ -41,7 +41,10 @@ pub(super) fn found(scene: &Scene, rungs: &mut Rungs) -> Result<Result<Fitted, (
                 continue;
             }
             Err(error) if stretch < longest && is_short(scene, &error) => {
-                rungs.tried.push(beyond(&plan));
+                // A stretch beyond which contact went on.
+                let Plan { order, elements, stretch: beyond, .. } = plan;
+                let growth = plan.growth()[0];
+                rungs.tried.push(Tried { elements, growth, ..Tried::unsolved(PURPOSE, order, beyond) });
                 stretch = (2.0 * stretch).min(longest);
                 continue;
             }
@@ -124,13 +127,4 @@ fn guess(plan: &Plan, rung: &Rung, longest: f64) -> Result<Option<(usize, f64)>,
             2 * elements
         )),
     }
-}
-
-/// A stretch beyond which contact went on.
-fn beyond(plan: &Plan) -> Tried {
-    let [dofs, coarser, iterations] = [0; 3];
-    let contacts = vec![TriedContact { stretch: plan.stretch, peak: f64::NAN, half_width: f64::NAN }];
-    let Plan { order, elements, .. } = *plan;
-    let growth = plan.growth()[0];
-    Tried { purpose: PURPOSE, order, elements, growth, dofs, coarser, iterations, contacts, estimate: f64::NAN }
 }

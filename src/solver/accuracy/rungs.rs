@@ -163,33 +163,20 @@ impl<'a> Rungs<'a> {
         self.last = Some(run.solution.clone());
         let (scene, resolution) = (discretisation.scene.clone(), discretisation.resolution);
         self.tried.push(Tried {
-            purpose,
-            order: resolution.order,
             elements: (0..scene.contacts.len()).map(|contact| fitted::pressed(&run, contact)[1]).min().unwrap_or(0),
             growth: growth(&scene, resolution),
             dofs: run.dofs,
-            coarser: 0,
             iterations: run.solution.work.iterations,
             contacts: Tried::contacts(&scene, &run),
-            estimate: f64::NAN,
+            ..Tried::unsolved(purpose, resolution.order, f64::NAN)
         });
         Rung { scene, resolution, run, number: self.tried.len() - 1, estimates: vec![], error: f64::NAN }
     }
 
     /// Takes a mesh on which the ends of a contact were sought into the list.
     pub(super) fn sought(&mut self, on: &edge_fitted::Tried) {
-        let nothing = TriedContact { stretch: f64::NAN, peak: f64::NAN, half_width: f64::NAN };
-        self.tried.push(Tried {
-            purpose: "ends of the contact",
-            order: on.order,
-            elements: 0,
-            growth: f64::NAN,
-            dofs: on.dofs,
-            coarser: 0,
-            iterations: 1,
-            contacts: vec![nothing],
-            estimate: f64::NAN,
-        });
+        let unsolved = Tried::unsolved("ends of the contact", on.order, f64::NAN);
+        self.tried.push(Tried { dofs: on.dofs, iterations: 1, ..unsolved });
     }
 
     /// Answers with a mesh; a peak that was not looked at may have no limit.

@@ -156,7 +156,7 @@ impl ContactProblem<'_> {
             sums += point.weight * p.abs();
             pressure.push(p);
         }
-        let mut internal = self.internal_force(&u);
+        let mut internal = self.stiffness.times(&u);
         let mut solves = 1;
         if summands > CANCELLING * (sums + absolute(load)) {
             let change = factor.solve(&self.imbalance(load, &internal, &pressure));
@@ -164,23 +164,13 @@ impl ContactProblem<'_> {
             for ((p, point), k) in pressure.iter_mut().zip(self.points).zip(stiffness) {
                 *p += k * point.approach(&change);
             }
-            internal = self.internal_force(&u);
+            internal = self.stiffness.times(&u);
             solves += 1;
         }
         work.back_substitutions += solves;
         work.operations += solves as f64 * self.stiffness.operations()[1];
         let approach = self.points.iter().map(|point| point.approach(&u)).collect();
         Iterate { approach, displacement: u, pressure, internal }
-    }
-
-    /// `S u` \[N\].
-    pub fn internal_force(&self, u: &[f64]) -> Vec<f64> {
-        self.stiffness.times(u)
-    }
-
-    /// `|S| |u|`: the size of the terms in `S u` \[N\].
-    pub fn terms_of_internal_force(&self, u: &[f64]) -> Vec<f64> {
-        self.stiffness.terms(u)
     }
 
     /// What both bodies resist at a point, one behind the other: `1/Σ (b²/S_dd)` of the diagonal of S [N/mm].

@@ -5,8 +5,7 @@
 //! * [`dense`] — dense Cholesky factorisation, for the algorithms.
 //! * [`trailing`] — the same where only the last rows change.
 //! * [`stiffness`] — S of all bodies, dense or sparse, and its factors with springs.
-//! * [`plain`] — one solve by the library alone, the unit of all timings.
-//! * [`uncondensed`] — the same without condensation, for checks.
+//! * [`plain`] — one solve by the library alone, the unit of all timings; and one without condensation, for checks.
 //!
 //! ```
 //! use signorini::scene::{Material, Scene};
@@ -26,7 +25,6 @@ pub mod factor;
 pub mod plain;
 pub mod stiffness;
 pub mod trailing;
-pub mod uncondensed;
 
 use std::ops::Range;
 
@@ -38,9 +36,8 @@ use crate::error::Error;
 use crate::mesh::size::is_sparse;
 
 use eliminated::Eliminated;
-pub use plain::Plain;
+pub use plain::{Plain, solve_uncondensed};
 use stiffness::{Blocks, Stiffness};
-pub use uncondensed::solve_uncondensed;
 
 /// `S u = f̂` on the retained dofs of all bodies, body after body.
 #[derive(Debug)]

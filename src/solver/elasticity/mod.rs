@@ -7,7 +7,7 @@
 //! * [`graph`] — which nodes share a cell, and the order in which they are eliminated.
 //! * [`dofs`] — which displacement components are unknown, numbered in that order.
 //! * [`assembly`] — the stiffness matrix.
-//! * [`loads`] — consistent nodal forces, `side_loads` — those of what acts on a side or a part of it.
+//! * [`loads`] — consistent nodal forces.
 //! * [`mod@point`] — where in the cells a point lies.
 //! * [`rigid_motion`] — motions that no support stops, and bodies refused for them.
 //! * [`stress`] — nodal stresses.
@@ -41,7 +41,6 @@ pub mod quadrature;
 pub mod reactions;
 pub mod rigid_motion;
 pub mod shape_functions;
-mod side_loads;
 pub mod stress;
 
 use std::ops::Range;
