@@ -1,10 +1,10 @@
 //! Bands of a field: cells cut along the levels between them.
 
+use super::axis::round_values;
 use super::canvas::Canvas;
 use super::drawing::Error;
 use super::field::{Field, Panel, Shapes};
 use super::frame::{Point, between, distance};
-use super::numbers::round_values;
 use super::palette::ColourMap;
 use super::theme::Colour;
 

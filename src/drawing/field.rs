@@ -1,8 +1,8 @@
 //! A nodal scalar on the deformed mesh, in discrete bands, with enlarged details, and each panel of it.
 
+use super::axis::ends;
 use super::drawing::Error;
 use super::frame::{Frame, Point};
-use super::numbers::ends;
 use super::palette::ColourMap;
 
 /// A rectangle of the drawn (deformed) shape, in its length unit.

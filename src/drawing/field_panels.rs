@@ -1,5 +1,6 @@
 //! The panels of a field on a page: the whole, the enlarged details, and the colour bar beside them.
 
+use super::axis::number;
 use super::bands::Bands;
 use super::canvas::{Canvas, EDGE, TITLE, WIDTH};
 use super::drawing::{Drawing, Error};
@@ -7,7 +8,6 @@ use super::field::{Detail, Field, Mark, Panel, Window};
 use super::frame::{Frame, Point};
 use super::marks::marks;
 use super::mesh_lines::{mesh_lines, undeformed};
-use super::numbers::number;
 use super::palette::{GREY, INK};
 use super::pen::{Lettering, Pen, text_width};
 

@@ -6,16 +6,15 @@
 //!
 //! * [`chart`]: curves over linear or logarithmic axes.
 //! * [`class_map`]: how runs ended, over two numbers.
-//! * [`multiples`]: charts side by side over one legend.
+//! * [`multiples`]: charts side by side over one legend, or below a field.
 //! * [`field`]: a scalar on the deformed mesh, in bands.
-//! * [`sheet`]: a field above charts.
 //! * [`fn@schematic`]: drawings made by hand, with numbers of a scene.
 //! * [`iteration_path`]: how each algorithm walks to the solution at one contact point.
 //! * [`palette`]: colours, dashes, markers and the styles made of them; colours of fields and of classes.
 //! * [`theme`]: light and dark pages; [`Drawing`]: a finished figure, for both.
 //!
 //! Below these: `canvas` writes shapes as SVG, with the help of `outline`, `pen` sets lines and text, `frame` clips to a rectangle; `axis`
-//! and `numbers` place and write ticks, `plot`, `annotations`, `curves`, `signs`, `legend` and `drawn` draw a chart; `field_panels`,
+//! places and writes ticks, `plot`, `annotations`, `curves`, `signs`, `legend` and `drawn` draw a chart; `field_panels`,
 //! `bands`, `mesh_lines` and `marks` a field.
 
 mod annotations;
@@ -35,13 +34,11 @@ mod legend;
 mod marks;
 mod mesh_lines;
 pub mod multiples;
-mod numbers;
 mod outline;
 pub mod palette;
 mod pen;
 mod plot;
 mod schematic;
-pub mod sheet;
 mod signs;
 pub mod theme;
 
@@ -50,8 +47,7 @@ pub use class_map::{Cell, ClassMap, MapPanel};
 pub use drawing::{Drawing, Error, is_drawing};
 pub use field::{Detail, Field, Mark, Window};
 pub use iteration_path::{IterationPaths, Path, State};
-pub use multiples::panels;
+pub use multiples::{Sheet, panels};
 pub use palette::{ColourMap, Dash, Marker, Style};
 pub use schematic::schematic;
-pub use sheet::Sheet;
 pub use theme::{Colour, Theme};
