@@ -14,9 +14,11 @@ use crate::workbench::{ORDERS, resolution};
 
 const RULES: [Quadrature; 3] = [Quadrature::Gauss, Quadrature::GaussFull, Quadrature::Lobatto];
 
+type Points = Box<dyn Fn(&Interface) -> Vec<ContactPoint>>;
+
 /// Node element, and line and layer with each quadrature.
-pub fn elements() -> Vec<(String, Box<dyn Fn(&Interface) -> Vec<ContactPoint>>)> {
-    let mut all: Vec<(String, Box<dyn Fn(&Interface) -> _>)> = vec![("node".into(), Box::new(node::points))];
+pub fn elements() -> Vec<(String, Points)> {
+    let mut all: Vec<(String, Points)> = vec![("node".into(), Box::new(node::points))];
     for quadrature in RULES {
         all.push((format!("line {quadrature:?}"), Box::new(move |one| line::points(one, quadrature))));
         all.push((format!("layer {quadrature:?}"), Box::new(move |one| layer::points(one, quadrature, 0.05))));

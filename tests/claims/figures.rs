@@ -130,7 +130,7 @@ fn text_and_lines_of_written_charts_stand_out_on_their_card() {
         let svg = drawing.as_ref().expect("drawn");
         assert!(svg.contains("<style>\n@media(prefers-color-scheme:dark){\n["), "{number}");
         for theme in Theme::ALL {
-            let on = |light: &str| if theme == Theme::Light { light.to_owned() } else { dark(&svg, light) };
+            let on = |light: &str| if theme == Theme::Light { light.to_owned() } else { dark(svg, light) };
             let card = CARD.on(theme);
             assert_eq!(on(&CARD.on(Theme::Light).to_string()), card.to_string());
             let tags = || svg.split('<').filter_map(|part| part.split_once('>')).map(|(tag, _)| tag);

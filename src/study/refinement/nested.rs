@@ -194,7 +194,7 @@ pub fn table_of_orders(series: &Series) -> String {
 /// Whether the contact's edge wanders within its element, where the errors of the second-moment width are not monotone; nothing where
 /// they are.
 fn why_withheld(series: &Series, orders: &[Observed]) -> String {
-    if !orders.iter().any(|pair| *pair == Err(Why::NotMonotone)) {
+    if !orders.contains(&Err(Why::NotMonotone)) {
         return String::new();
     }
     let edges = || series.edges.iter().copied();
