@@ -173,6 +173,18 @@ impl ContactProblem<'_> {
         Iterate { approach, displacement: u, pressure, internal }
     }
 
+    /// `C_ij = b_i (S + Σ A k b bᵀ)⁻¹ b_j A_j` by a factor of that matrix: approach of a point by the pressure on another [mm/MPa].
+    pub fn flexibility(&self, factor: &SystemFactor) -> Mat<f64> {
+        let mut flexibility = Mat::zeros(self.points.len(), self.points.len());
+        for (j, point) in self.points.iter().enumerate() {
+            let mut force = vec![0.0; self.load.len()];
+            point.add_row(point.weight, &mut force);
+            let moved = factor.solve(&force);
+            self.points.iter().enumerate().for_each(|(i, other)| flexibility[(i, j)] = other.approach(&moved));
+        }
+        flexibility
+    }
+
     /// What both bodies resist at a point, one behind the other: `1/Σ (b²/S_dd)` of the diagonal of S [N/mm].
     pub fn resistance(&self, point: &ContactPoint) -> f64 {
         1.0 / point.row.iter().map(|&(dof, b)| b * b / self.stiffness[(dof, dof)]).sum::<f64>()

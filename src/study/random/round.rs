@@ -141,8 +141,7 @@ pub fn ring(draw: &mut Draw, material: Material, guess: f64) -> Sample {
     let outer = inner * draw.between(1.3, 3.0);
     let clearance = inner * draw.decades(1e-5, 1e-3);
     let profile = Profile::Pin { radius: inner - clearance, clearance };
-    let Material { young, poisson } = material;
-    let elastic = Ring { radii: [inner, outer], young, poisson, plane, pressure: 0.0 };
+    let elastic = Ring { radii: [inner, outer], material, plane, pressure: 0.0 };
     let contact = loop {
         let half_angle = draw.between(8.0, 80.0).to_radians();
         if let Some(contact) = elastic.on_pin(&profile, half_angle) {
