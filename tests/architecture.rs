@@ -212,7 +212,7 @@ fn matrix_types_of_libraries_stay_inside_the_numerics() {
 
 /// Lines that a room may have; raised only by a commit that says what for.
 const BUDGETS: [(&str, usize); 9] = [
-    ("solver", 22_502),
+    ("solver", 22_483),
     ("drawing", 2_972),
     ("case", 8_235),
     ("oracle", 1_404),

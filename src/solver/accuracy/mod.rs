@@ -1,7 +1,7 @@
 //! The error bar of an answer; and the cheapest mesh that meets an accuracy asked, found from coarse to fine.
 //!
 //! * [`reading`] — the numbers that are quoted of a run.
-//! * [`mod@bar`] — how far each may be from the truth.
+//! * [`mod@bar`] — how far each may be from the truth, and how it is told: of what, its name, and its unit.
 //! * [`mod@family`] — what coarser meshes say of it.
 //! * [`mod@coarser`] — the same scene on coarser meshes.
 //! * [`counted`] — how far differences between meshes tell the error.
@@ -14,7 +14,6 @@
 //! * `by_order` — cells of higher and higher order that end with the contacts, each mesh judged by the next.
 //! * `search` — finer and finer meshes of one of the two families, until the bars of one are within what is asked.
 //! * [`mod@reference`] — numbers to five digits, by meshes fitted to the contact.
-//! * [`told`] — of what a number is, its name, and its unit.
 //! * `watch` — which meshes are solved, and what is told of each before it is.
 //! * `slow` — the mesh chosen by kinematic load, and run by another algorithm.
 //!
@@ -41,7 +40,6 @@ pub mod reference;
 mod rungs;
 mod search;
 mod slow;
-pub mod told;
 mod watch;
 
 use crate::error::{Error, Place};
@@ -51,9 +49,8 @@ use crate::solve::{Formulation, Iteration};
 
 pub use crate::measure::Quantity;
 pub use answer::{Answer, Asked, Tried, TriedContact};
-pub use bar::{Bar, Barred, Bars, bars, bars_up_to, of_family};
+pub use bar::{Bar, Barred, Bars, Told, bars, bars_up_to, of_family};
 pub use family::{Evidence, Family};
-pub use told::Told;
 pub use watch::{Next, Tell};
 
 /// Smallest and largest relative error that may be asked for.

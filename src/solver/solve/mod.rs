@@ -16,8 +16,7 @@
 //! * [`mod@number`] — how every number that one quotes is taken from a solution.
 //! * `uncondensed` — its pressures once more without condensation.
 //! * [`curve`] — what every load increment came to.
-//! * [`run`] — one scene solved by one formulation, measured.
-//! * [`ended`] — how that ended.
+//! * [`run`] — one scene solved by one formulation, measured, and how that ended.
 //! * [`unbounded`] — peaks without a limit.
 //! * `corner` — those at a corner that is pressed, of the `outline` of a body.
 //! * [`wedge`] — how the pressure grows towards it.
@@ -41,7 +40,6 @@ pub mod curve;
 pub mod discretisation;
 pub mod displaced;
 pub mod edge_fitted;
-pub mod ended;
 pub mod equilibrium;
 pub mod fields;
 pub mod formulation;
@@ -66,12 +64,11 @@ pub use crate::elasticity::shape_functions::values as shapes;
 pub use crate::scene::Displaced;
 pub use discretisation::{Change, Discretisation, Permits};
 pub use edge_fitted::Fitted;
-pub use ended::Ended;
 pub use equilibrium::Equilibrium;
 pub use fields::Fields;
 pub use formulation::Formulation;
 pub use reactions::Reaction;
-pub use run::Run;
+pub use run::{Ended, Run};
 pub use shear::Shear;
 pub use von_mises::VonMises;
 pub use without_limit::WithoutLimit;
