@@ -3,7 +3,7 @@
 use contact_vv::algorithm::{Algorithm, Constant, ContactProblem, Kinematic, StiffnessRule, Varying};
 use contact_vv::case::library::Cylinder;
 use contact_vv::condensation::Plain;
-use contact_vv::elasticity::{ElasticSystem, Numbering};
+use contact_vv::elasticity::{ElasticSystem, numbered};
 use contact_vv::mesh::{Mesh, Order, Resolution};
 use contact_vv::scene::Scene;
 use contact_vv::solution::Work;
@@ -45,13 +45,13 @@ fn meshing(refinement: u32) -> Mesh {
 #[divan::bench(args = SIZES)]
 fn ordering(bencher: Bencher, refinement: u32) {
     let (scene, mesh) = (scene(), mesh(refinement));
-    bencher.bench(|| Numbering::of(&scene, &mesh).expect("numbered"));
+    bencher.bench(|| numbered(&scene, &mesh).expect("numbered"));
 }
 
 #[divan::bench(args = SIZES)]
 fn assembly(bencher: Bencher, refinement: u32) {
     let (scene, mesh) = (scene(), mesh(refinement));
-    let numbered = || Numbering::of(&scene, &mesh).expect("numbered");
+    let numbered = || numbered(&scene, &mesh).expect("numbered");
     bencher.with_inputs(numbered).bench_values(|numbering| {
         ElasticSystem::assemble_numbered(&scene, &mesh, numbering, &|_| 1.0).expect("system")
     });
@@ -100,7 +100,7 @@ fn step_kinematic(bencher: Bencher, refinement: u32) {
 fn recovery(bencher: Bencher, refinement: u32) {
     let discretisation = discretised(refinement);
     let solution = discretisation.solve(&Formulation::verification()).expect("solved");
-    bencher.bench(|| discretisation.condensed.recover(&solution.displacement));
+    bencher.bench(|| discretisation.condensed.recover(1.0, &solution.displacement));
 }
 
 #[divan::bench(args = SIZES)]

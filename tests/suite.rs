@@ -90,7 +90,10 @@ fn summary(run: &Run) -> String {
         return text;
     }
     let work = &solution.work;
-    let [last, before] = run.decision_margin();
+    // Decades between the last two iteration errors and the tolerance.
+    let errors = solution.history.iter().rev().map(|iteration| iteration.error.largest().max(1e-99));
+    let mut decades = errors.map(|error| (error / run.formulation.settings.tolerance).log10());
+    let [last, before] = [(); 2].map(|()| decades.next().unwrap_or(f64::NAN));
     let _ = writeln!(text, "iterations: {}", work.iterations);
     let _ = writeln!(text, "factorisations: {}", work.factorisations);
     let _ = writeln!(text, "back-substitutions: {}", work.back_substitutions);

@@ -1,7 +1,7 @@
 //! What every converged run must satisfy, whatever the problem: equilibrium, invariance, condensed = full, path independence.
 
 use crate::case::{Check, Judged, Quantity, Reference};
-use crate::elasticity::ElasticSystem;
+use crate::elasticity::{ElasticSystem, numbered};
 use crate::error::Error;
 use crate::measure::{larger, profile};
 use crate::mesh::Mesh;
@@ -106,7 +106,7 @@ fn frictionless(discretisation: &Discretisation, run: &Run, contact: usize) -> R
             "moment of the contact forces about the centre of the arc, over F R",
             "frictionless on a circle; round-off of the recovered forces",
         ),
-        Path::Straight(_) => (
+        Path::Straight { .. } => (
             "moment of tangential contact forces, over F ℓ",
             "frictionless on a plane; round-off of the recovered forces",
         ),
@@ -117,7 +117,7 @@ fn frictionless(discretisation: &Discretisation, run: &Run, contact: usize) -> R
 /// Arm about the centre of an arc; on a plane a vertical unit arm, so that the moment is that of tangential forces.
 fn arm(path: &Path, point: [f64; 2]) -> [f64; 2] {
     match path {
-        Path::Straight(_) => [0.0, 1.0],
+        Path::Straight { .. } => [0.0, 1.0],
         Path::Arc(circle) => [point[0] - circle.centre[0], point[1] - circle.centre[1]],
     }
 }
@@ -173,10 +173,10 @@ fn limit(discretisation: &Discretisation, run: &Run) -> Result<f64, Error> {
     let unknowns = discretisation.recover(&run.solution)?.unknowns;
     let bodies = discretisation.system.bodies.iter().zip(&unknowns);
     let forces: Vec<Vec<f64>> = bodies.map(|(body, u)| body.terms_of_product(u)).collect();
-    let condensed = problem.terms_of_internal_force(&run.solution.displacement);
+    let condensed = problem.stiffness.terms(&run.solution.displacement);
     let gaps: Vec<f64> = points.iter().map(|point| point.size_of_approach(&run.solution.displacement)).collect();
     let change = |felt: &Influence| {
-        let displaced = discretisation.condensed.recover_under(0.0, &felt.of_forces);
+        let displaced = discretisation.condensed.recover(0.0, &felt.of_forces);
         let by_forces = displaced.iter().zip(&forces).flat_map(|(v, f)| v.iter().zip(f).map(|(v, f)| (v * f).abs()));
         let by_condensed = felt.of_forces.iter().zip(&condensed).map(|(v, f)| (v * f).abs());
         let by_gaps = felt.of_gaps.iter().map(|(j, m)| (m * gaps[*j]).abs());
@@ -205,7 +205,8 @@ fn invariance(discretisation: &Discretisation, run: &Run, limit: f64) -> Result<
         variants.push((MIRROR_IMAGE, with(scene.mirrored(), mesh.mirrored())?, 1.0));
     }
     variants.push(("renumbered nodes", with(scene.clone(), mesh.renumbered())?, 1.0));
-    let noisy = ElasticSystem::assemble_scaled(scene, mesh, &|cell| 1.0 + NOISE * noise(cell))?;
+    let noisy =
+        ElasticSystem::assemble_numbered(scene, mesh, numbered(scene, mesh)?, &|cell| 1.0 + NOISE * noise(cell))?;
     variants.push((
         "noise of 1e-12 on K",
         Discretisation::of_system(scene.clone(), resolution, mesh.clone(), noisy)?,

@@ -1,14 +1,19 @@
 //! Bands of a field: cells cut along the levels between them.
 
+use super::axis::round_values;
 use super::canvas::Canvas;
-use super::cell_grid::{Grid, Vertex};
-use super::colour_map::ColourMap;
-use super::error::Error;
-use super::field::{Field, Shapes};
-use super::frame::{Point, between};
-use super::numbers::round_values;
-use super::panel::Panel;
+use super::drawing::Error;
+use super::field::{Field, Panel, Shapes};
+use super::frame::{Point, between, distance};
+use super::palette::ColourMap;
 use super::theme::Colour;
+
+/// A point of a polygon, and the scalar there.
+type Vertex = (Point, f64);
+
+/// Parts of a cell longer than this are cut in smaller ones, so that straight cuts follow the field [display pixels].
+const PART: f64 = 20.0;
+const FINEST: usize = 8;
 
 /// Levels between the bands, and their colours.
 pub(super) struct Bands {
@@ -61,7 +66,7 @@ impl Bands {
     pub fn paint(&self, canvas: &mut Canvas, panel: &Panel<'_>) {
         let mut areas: Vec<Vec<Vec<Point>>> = vec![Vec::new(); self.count()];
         for cell in &panel.field.cells {
-            let vertex = |&node: &usize| Vertex { at: panel.nodes[node], value: panel.field.values[node] };
+            let vertex = |&node: &usize| (panel.nodes[node], panel.field.values[node]);
             let cell: Vec<Vertex> = cell.iter().map(vertex).collect();
             if panel.frame.meets(&places(&cell)) {
                 self.divide(&cell, panel.field.shapes, &mut areas);
@@ -72,18 +77,31 @@ impl Bands {
         }
     }
 
+    /// Takes a cell, divided in equal parts of its natural coordinates; whole where it lies in one band.
     fn divide(&self, cell: &[Vertex], shapes: Shapes, areas: &mut [Vec<Vec<Point>>]) {
-        let grid = Grid::of(cell, shapes);
-        let first = self.of(grid.vertices[0].value);
-        if grid.vertices.iter().all(|vertex| self.of(vertex.value) == first) {
-            return areas[first].push(places(&grid.rim()));
+        let side = |n: usize| distance(cell[n].0, cell[(n + 1) % 4].0);
+        let longest = (0..4).map(side).fold(0.0, f64::max);
+        let parts = ((longest / PART).ceil() as usize).clamp(1, FINEST);
+        let natural = |n: usize| 2.0 * n as f64 / parts as f64 - 1.0;
+        let across = |row: usize| (0..=parts).map(move |column| [natural(column), natural(row)]);
+        let row = |row: usize| across(row).map(|place| interpolated(cell, shapes, place)).collect();
+        let grid: Vec<Vec<Vertex>> = (0..=parts).map(row).collect();
+        let first = self.of(grid[0][0].1);
+        if grid.iter().flatten().all(|vertex| self.of(vertex.1) == first) {
+            let along = |k: usize| [(0, k), (k, parts), (parts, parts - k), (parts - k, 0)];
+            let rim = (0..4).flat_map(|side| (0..parts).map(move |k| along(k)[side]));
+            return areas[first].push(rim.map(|(row, column)| grid[row][column].0).collect());
         }
-        grid.parts().for_each(|part| self.cut(part, areas));
+        for two in grid.windows(2) {
+            for k in 0..parts {
+                self.cut(vec![two[0][k], two[0][k + 1], two[1][k + 1], two[1][k]], areas);
+            }
+        }
     }
 
     /// The part in its lowest band, then what of it reaches above each further level.
     fn cut(&self, mut part: Vec<Vertex>, areas: &mut [Vec<Vec<Point>>]) {
-        let lowest = self.of(part.iter().map(|vertex| vertex.value).fold(f64::INFINITY, f64::min));
+        let lowest = self.of(part.iter().map(|vertex| vertex.1).fold(f64::INFINITY, f64::min));
         for (band, areas) in areas.iter_mut().enumerate().skip(lowest) {
             if band > lowest {
                 part = above(&part, self.levels[band]);
@@ -96,8 +114,14 @@ impl Bands {
     }
 }
 
+fn interpolated(cell: &[Vertex], shapes: Shapes, place: [f64; 2]) -> Vertex {
+    let shape = shapes(cell.len(), place);
+    let sum = |of: fn(&Vertex) -> f64| cell.iter().zip(&shape).map(|(node, share)| share * of(node)).sum::<f64>();
+    ((sum(|node| node.0.0), sum(|node| node.0.1)), sum(|node| node.1))
+}
+
 fn places(polygon: &[Vertex]) -> Vec<Point> {
-    polygon.iter().map(|vertex| vertex.at).collect()
+    polygon.iter().map(|vertex| vertex.0).collect()
 }
 
 /// The part of a polygon not below a level (Sutherland & Hodgman 1974).
@@ -105,12 +129,12 @@ fn above(polygon: &[Vertex], level: f64) -> Vec<Vertex> {
     let mut kept = Vec::with_capacity(polygon.len() + 2);
     for (n, &here) in polygon.iter().enumerate() {
         let next = polygon[(n + 1) % polygon.len()];
-        if here.value >= level {
+        if here.1 >= level {
             kept.push(here);
         }
-        if (here.value >= level) != (next.value >= level) {
-            let share = (level - here.value) / (next.value - here.value);
-            kept.push(Vertex { at: between(here.at, next.at, share), value: level });
+        if (here.1 >= level) != (next.1 >= level) {
+            let share = (level - here.1) / (next.1 - here.1);
+            kept.push((between(here.0, next.0, share), level));
         }
     }
     kept

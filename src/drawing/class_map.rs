@@ -1,14 +1,22 @@
 //! Maps of classes: small panels of coloured cells, regions labelled, with a boundary between cells that were predicted apart.
 
 use super::canvas::{Canvas, EDGE, TITLE, WIDTH};
-use super::colour_map::{CLASSES, ON_CLASSES};
 use super::drawing::Drawing;
-use super::error::Error;
 use super::frame::{Frame, Point};
 use super::legend::Legend;
-use super::palette::{CARD, GREY, INK};
+use super::palette::{CARD, CLASSES, GREY, INK, ON_CLASSES};
 use super::pen::{Lettering, Pen, text_width};
-use super::regions::{Cell, Region, regions};
+
+/// One cell: its class, and which side of the predicted boundary it is on, if there is one.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Cell {
+    /// Number of its class, which colours it.
+    pub class: usize,
+    /// A few characters that stand once in the region of cells that are alike.
+    pub label: String,
+    /// Side of the predicted boundary.
+    pub predicted: Option<bool>,
+}
 
 /// Rows of cells, the first at the bottom.
 #[derive(Clone, Debug)]
@@ -58,10 +66,6 @@ const BOUNDARY: f64 = 2.0;
 impl ClassMap {
     /// The maps, drawn.
     pub fn drawing(&self) -> Drawing {
-        Drawing::of(self.drawn())
-    }
-
-    fn drawn(&self) -> Result<Drawing, Error> {
         let columns = self.columns.max(1);
         let pitch = (WIDTH - 2.0 * EDGE) / columns as f64;
         let names = self.panels.iter().flat_map(|panel| &panel.rows).map(|(name, _)| text_width(name, SIZE));
@@ -125,10 +129,11 @@ impl ClassMap {
         // On a rim of the card the line is seen on dark classes too.
         canvas.lines(&edges, Pen::solid(CARD, BOUNDARY + 1.6));
         canvas.lines(&edges, Pen::solid(INK, BOUNDARY));
-        for Region { class, label, row, from, to } in regions(&rows) {
+        for (row, from, to) in regions(&rows) {
+            let Cell { class, label, .. } = &rows[row][from];
             if !label.is_empty() && text_width(label, LABEL) <= x(to) - x(from) + BEYOND {
                 let middle = (0.5 * (x(from) + x(to)), y(row) - 0.5 * ROW);
-                canvas.label(middle, label, Lettering::middle(LABEL).coloured(ON_CLASSES[class]));
+                canvas.label(middle, label, Lettering::middle(LABEL).coloured(ON_CLASSES[*class]));
             }
         }
     }
@@ -152,4 +157,52 @@ fn boundary(rows: &[&[Cell]]) -> Vec<[Corner; 2]> {
         }
     }
     edges
+}
+
+/// The regions of a map, cells side by side, or one above the other, that have one class and one label: of each the longest stretch of
+/// cells in one row, where its label has most room, as row, first column, and the one after the last.
+fn regions(rows: &[&[Cell]]) -> Vec<(usize, usize, usize)> {
+    let mut seen: Vec<Vec<bool>> = rows.iter().map(|cells| vec![false; cells.len()]).collect();
+    let mut found = Vec::new();
+    for row in 0..rows.len() {
+        for column in 0..rows[row].len() {
+            if !seen[row][column] {
+                found.push(longest(filled(rows, (row, column), &mut seen)));
+            }
+        }
+    }
+    found
+}
+
+/// All cells of the region that a cell is in, marked as seen.
+fn filled(rows: &[&[Cell]], start: (usize, usize), seen: &mut [Vec<bool>]) -> Vec<(usize, usize)> {
+    let alike = |a: (usize, usize), b: (usize, usize)| {
+        let [a, b] = [a, b].map(|(row, column)| &rows[row][column]);
+        a.class == b.class && a.label == b.label
+    };
+    seen[start.0][start.1] = true;
+    let (mut members, mut next) = (vec![start], 0);
+    while let Some(&(row, column)) = members.get(next) {
+        next += 1;
+        let beside =
+            [(row, column + 1), (row + 1, column), (row, column.wrapping_sub(1)), (row.wrapping_sub(1), column)];
+        for place in beside {
+            let inside = seen.get(place.0).is_some_and(|row| row.get(place.1) == Some(&false));
+            if inside && alike(start, place) {
+                seen[place.0][place.1] = true;
+                members.push(place);
+            }
+        }
+    }
+    members
+}
+
+/// The longest stretch of members in one row, of equal ones that nearest to the middle row.
+fn longest(mut members: Vec<(usize, usize)>) -> (usize, usize, usize) {
+    members.sort_unstable();
+    let middle = members[members.len() / 2].0;
+    let pieces = members.chunk_by(|a, b| a.0 == b.0 && a.1 + 1 == b.1);
+    let stretches = pieces.map(|piece| (piece[0].0, piece[0].1, piece[0].1 + piece.len()));
+    let best = stretches.max_by_key(|(row, from, to)| (to - from, usize::MAX - row.abs_diff(middle), usize::MAX - row));
+    best.unwrap_or((members[0].0, members[0].1, members[0].1 + 1))
 }

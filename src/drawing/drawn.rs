@@ -4,7 +4,6 @@ use super::canvas::{Canvas, EDGE, TITLE, WIDTH};
 use super::chart::Chart;
 use super::curves::{Curve, curves};
 use super::drawing::Drawing;
-use super::error::Error;
 use super::frame::{Frame, Point};
 use super::legend::Legend;
 use super::palette::{Dash, Marker, Style};
@@ -22,10 +21,6 @@ const OF_AXIS: f64 = 14.0;
 impl Chart {
     /// The chart, drawn: its legend on the right, or below where that is a row.
     pub fn drawing(&self) -> Drawing {
-        Drawing::of(self.drawn())
-    }
-
-    fn drawn(&self) -> Result<Drawing, Error> {
         let mut canvas = Canvas::new();
         let (legend, whole) = (Legend::of([self]), WIDTH - 2.0 * EDGE);
         let is_below = legend.is_row_of(whole);

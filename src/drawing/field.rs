@@ -1,9 +1,9 @@
-//! A nodal scalar on the deformed mesh, in discrete bands, with enlarged details.
+//! A nodal scalar on the deformed mesh, in discrete bands, with enlarged details, and each panel of it.
 
-use super::colour_map::ColourMap;
-use super::error::Error;
-use super::frame::Point;
-use super::numbers::ends;
+use super::axis::ends;
+use super::drawing::Error;
+use super::frame::{Frame, Point};
+use super::palette::ColourMap;
 
 /// A rectangle of the drawn (deformed) shape, in its length unit.
 #[derive(Clone, Copy, Debug)]
@@ -122,5 +122,35 @@ impl Field {
     pub(super) fn deformed(&self, factor: f64) -> Vec<Point> {
         let moved = |(point, shift): (&Point, &Point)| (point.0 + factor * shift.0, point.1 + factor * shift.1);
         self.points.iter().zip(&self.displacements).map(moved).collect()
+    }
+}
+
+/// One panel: where it stands, and the nodes of the mesh on the canvas.
+pub(super) struct Panel<'a> {
+    pub field: &'a Field,
+    pub frame: Frame,
+    pub nodes: Vec<Point>,
+    window: Window,
+    /// Display pixels per length.
+    pub scale: f64,
+}
+
+impl<'a> Panel<'a> {
+    /// A panel with the nodes placed, their displacements times a factor.
+    pub fn of(field: &'a Field, window: Window, magnification: f64, frame: Frame) -> Panel<'a> {
+        let scale = frame.width() / (window.x.1 - window.x.0);
+        let mut panel = Panel { field, frame, nodes: vec![], window, scale };
+        panel.nodes = field.deformed(magnification).into_iter().map(|node| panel.place(node)).collect();
+        panel
+    }
+
+    /// Place of a point of the drawn shape.
+    pub fn place(&self, (x, y): Point) -> Point {
+        (self.frame.left + self.scale * (x - self.window.x.0), self.frame.bottom - self.scale * (y - self.window.y.0))
+    }
+
+    /// The same panel with the bodies as they were.
+    pub fn undeformed(&self) -> Panel<'a> {
+        Panel::of(self.field, self.window, 0.0, self.frame)
     }
 }

@@ -1,16 +1,14 @@
 //! The panels of a field on a page: the whole, the enlarged details, and the colour bar beside them.
 
+use super::axis::number;
 use super::bands::Bands;
 use super::canvas::{Canvas, EDGE, TITLE, WIDTH};
-use super::drawing::Drawing;
-use super::error::Error;
-use super::field::{Detail, Field, Mark, Window};
+use super::drawing::{Drawing, Error};
+use super::field::{Detail, Field, Mark, Panel, Window};
 use super::frame::{Frame, Point};
 use super::marks::marks;
 use super::mesh_lines::{mesh_lines, undeformed};
-use super::numbers::number;
 use super::palette::{GREY, INK};
-use super::panel::Panel;
 use super::pen::{Lettering, Pen, text_width};
 
 /// The panels of a field, placed.
@@ -36,10 +34,6 @@ const QUANTITY: f64 = 11.5;
 impl Field {
     /// The field, drawn.
     pub fn drawing(&self) -> Drawing {
-        Drawing::of(self.drawn())
-    }
-
-    fn drawn(&self) -> Result<Drawing, Error> {
         let mut canvas = Canvas::new();
         let panels = self.panels(TITLE)?;
         panels.draw(&mut canvas);

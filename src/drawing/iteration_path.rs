@@ -6,7 +6,6 @@
 use super::canvas::Canvas;
 use super::chart::{Axis, Chart, Series};
 use super::drawing::Drawing;
-use super::error::Error;
 use super::frame::{Point, distance};
 use super::multiples::grid;
 use super::palette::{CARD, Dash, GREY, INK, Marker, SKY, Style, tint};
@@ -69,10 +68,6 @@ const BESIDE: f64 = 11.5;
 impl IterationPaths {
     /// The panels, drawn, on the same axes.
     pub fn drawing(&self) -> Drawing {
-        Drawing::of(self.drawn())
-    }
-
-    fn drawn(&self) -> Result<Drawing, Error> {
         let charts: Vec<Chart> = self.paths.iter().map(|path| self.chart(path)).collect();
         let mut canvas = Canvas::new();
         let (plots, corner) = grid(&mut canvas, &charts, charts.len())?;
@@ -90,14 +85,14 @@ impl IterationPaths {
         let y = Axis::linear(&self.pressure_label).over(0.0, height);
         let mut chart = Chart::new(&path.algorithm, x, y);
         let law = vec![(0.0, 0.0), (self.gap, 0.0), (self.gap, height)];
-        let springs = path.states.iter().flat_map(|state| state.spring(width)).collect();
+        let springs = path.states.iter().flat_map(|state| state.spring(width));
         let elastic = line_through(self.load_line, width);
         chart.series = vec![
-            series("spring of a step", springs, Style::run(tint(GREY, 0.75), Dash::Solid, Marker::Absent)),
-            series("contact: open, or closed at w = g", law, Style::run(SKY, Dash::Solid, Marker::Absent)),
-            series("elastic bodies", elastic, Style::reference()),
-            series("iterations", path.walk(), Style::run(self.colour, path.dash, Marker::Absent)),
-            series("solution", vec![self.target], Style::run(INK, Dash::Absent, Marker::Diamond)),
+            Series::new("spring of a step", springs, Style::run(tint(GREY, 0.75), Dash::Solid, Marker::Absent)),
+            Series::new("contact: open, or closed at w = g", law, Style::run(SKY, Dash::Solid, Marker::Absent)),
+            Series::new("elastic bodies", elastic, Style::reference()),
+            Series::new("iterations", path.walk(), Style::run(self.colour, path.dash, Marker::Absent)),
+            Series::new("solution", vec![self.target], Style::run(INK, Dash::Absent, Marker::Diamond)),
         ];
         chart
     }
@@ -136,10 +131,6 @@ impl Path {
         }
         walk
     }
-}
-
-fn series(label: &str, points: Vec<(f64, f64)>, style: Style) -> Series {
-    Series { label: label.to_string(), points, style, hollow: vec![] }
 }
 
 fn line_through([a, b]: [(f64, f64); 2], width: f64) -> Vec<(f64, f64)> {

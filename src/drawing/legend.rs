@@ -1,11 +1,11 @@
 //! The legend: one entry per style, in columns outside the data.
 
+use super::annotations::{self, RIBBON};
 use super::canvas::Canvas;
 use super::chart::Chart;
 use super::frame::{Frame, Point};
 use super::palette::{Dash, GREY, Marker, Style, tint};
 use super::pen::{LINE_WIDTH, Lettering, Pen, widest};
-use super::ranges::{self, RIBBON};
 use super::signs;
 use super::theme::Colour;
 
@@ -107,10 +107,11 @@ impl Sample {
     fn draw(&self, canvas: &mut Canvas, (x, y): Point) {
         let centre = (x + 0.5 * SAMPLE, y);
         match *self {
-            Sample::Bar(colour) => {
-                canvas.lines(&ranges::bar([(centre.0 - 9.0, y), (centre.0 + 9.0, y)]), Pen::solid(colour, ranges::BAR))
-            }
-            Sample::Ring => ranges::ring(canvas, centre, Pen::solid(GREY, 1.6)),
+            Sample::Bar(colour) => canvas.lines(
+                &annotations::bar([(centre.0 - 9.0, y), (centre.0 + 9.0, y)]),
+                Pen::solid(colour, annotations::BAR),
+            ),
+            Sample::Ring => annotations::ring(canvas, centre, Pen::solid(GREY, 1.6)),
             Sample::Line(pen) => canvas.line(&[(x, y), (x + SAMPLE, y)], pen),
             Sample::Hollow(marker, colour) => signs::hollow(canvas, centre, marker, colour),
             Sample::Area(colour) => {

@@ -6,62 +6,48 @@
 //!
 //! * [`chart`]: curves over linear or logarithmic axes.
 //! * [`class_map`]: how runs ended, over two numbers.
-//! * [`multiples`]: charts side by side over one legend.
+//! * [`multiples`]: charts side by side over one legend, or below a field.
 //! * [`field`]: a scalar on the deformed mesh, in bands.
-//! * [`sheet`]: a field above charts.
 //! * [`fn@schematic`]: drawings made by hand, with numbers of a scene.
 //! * [`iteration_path`]: how each algorithm walks to the solution at one contact point.
-//! * [`palette`]: colours, dashes, markers and the styles made of them; [`colour_map`]: those of fields and of classes.
-//! * [`theme`]: light and dark pages; [`Drawing`]: a finished figure, written for both.
+//! * [`palette`]: colours, dashes, markers and the styles made of them; colours of fields and of classes.
+//! * [`theme`]: light and dark pages; [`Drawing`]: a finished figure, for both.
 //!
-//! Below these: `canvas` collects shapes, `joined` makes one of tiles, `drawing` and `outline` write them as SVG, `pen` sets lines and text, `frame` clips to a rectangle; `axis` and `numbers` place
-//! and write ticks, `plot`, `annotations`, `ranges`, `curves`, `signs`, `legend` and `drawn` draw a chart; `panel`, `field_panels`,
-//! `bands`, `cell_grid`, `mesh_lines` and `marks` a field.
+//! Below these: `canvas` writes shapes as SVG, with the help of `outline`, `pen` sets lines and text, `frame` clips to a rectangle; `axis`
+//! places and writes ticks, `plot`, `annotations`, `curves`, `signs`, `legend` and `drawn` draw a chart; `field_panels`,
+//! `bands`, `mesh_lines` and `marks` a field.
 
 mod annotations;
 mod axis;
 mod bands;
 mod canvas;
-mod cell_grid;
 pub mod chart;
 pub mod class_map;
-pub mod colour_map;
 mod curves;
 mod drawing;
 mod drawn;
-pub mod error;
 pub mod field;
 mod field_panels;
 mod frame;
 pub mod iteration_path;
-mod joined;
 mod legend;
 mod marks;
 mod mesh_lines;
 pub mod multiples;
-mod numbers;
 mod outline;
 pub mod palette;
-mod panel;
 mod pen;
 mod plot;
-mod ranges;
-mod regions;
 mod schematic;
-pub mod sheet;
 mod signs;
 pub mod theme;
 
 pub use chart::{Axis, Bars, Chart, Direction, Guide, Remark, Ribbon, Scale, Series, Slope};
-pub use class_map::{ClassMap, MapPanel};
-pub use colour_map::ColourMap;
-pub use drawing::{Drawing, is_drawing};
-pub use error::Error;
+pub use class_map::{Cell, ClassMap, MapPanel};
+pub use drawing::{Drawing, Error, is_drawing};
 pub use field::{Detail, Field, Mark, Window};
 pub use iteration_path::{IterationPaths, Path, State};
-pub use multiples::panels;
-pub use palette::{Dash, Marker, Style};
-pub use regions::Cell;
+pub use multiples::{Sheet, panels};
+pub use palette::{ColourMap, Dash, Marker, Style};
 pub use schematic::schematic;
-pub use sheet::Sheet;
 pub use theme::{Colour, Theme};

@@ -1,10 +1,9 @@
 //! What holds and what loads the bodies of a field: supports, loads, and rigid sides.
 
 use super::canvas::Canvas;
-use super::field::Mark;
+use super::field::{Mark, Panel};
 use super::frame::{Point, distance};
 use super::palette::{CARD, INK, LAYER};
-use super::panel::Panel;
 use super::pen::Pen;
 
 /// Marks of a kind stand at least so far apart, and a support or the shaft of an arrow is so long [display pixels].
@@ -28,22 +27,20 @@ pub(super) fn marks(canvas: &mut Canvas, panel: &Panel<'_>) {
         match mark {
             Mark::Rigid(points) => rigid(canvas, panel, points),
             Mark::Fixed(node, along) if free(&mut fixed, place(panel.nodes[*node], *along, 0.5 * SUPPORT)) => {
-                let at = panel.nodes[*node];
+                let (at, across) = (panel.nodes[*node], (along.1, 0.0 - along.0));
                 if !seen.holds(at) {
                     continue;
                 }
                 let foot = place(at, *along, SUPPORT);
-                let across = (along.1, 0.0 - along.0);
                 let corners = [at, place(foot, across, 0.6 * SUPPORT), place(foot, across, -0.6 * SUPPORT)];
                 canvas.rimmed(&corners, CARD, Pen::solid(INK, 1.0));
             }
             Mark::Pushed(node, along) if free(&mut pushed, panel.nodes[*node]) => {
-                let at = panel.nodes[*node];
+                let (at, across) = (panel.nodes[*node], (along.1, 0.0 - along.0));
                 if !seen.holds(at) {
                     continue;
                 }
                 let head = place(at, *along, -0.35 * ARROW);
-                let across = (along.1, 0.0 - along.0);
                 canvas.line(&[place(at, *along, 0.0 - ARROW), head], Pen::solid(LAYER, 1.6));
                 canvas.area(&[at, place(head, across, 0.2 * ARROW), place(head, across, -0.2 * ARROW)], LAYER);
             }

@@ -3,9 +3,9 @@
 use std::collections::BTreeMap;
 
 use super::canvas::Canvas;
+use super::field::Panel;
 use super::frame::{Point, between, distance};
 use super::palette::{GREY, INK};
-use super::panel::Panel;
 use super::pen::Pen;
 use super::theme::Colour;
 

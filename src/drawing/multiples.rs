@@ -1,9 +1,9 @@
-//! Charts side by side: small multiples over one legend, and rows of a sheet.
+//! Charts side by side on one card: small multiples over one legend, and a sheet, rows of charts below a field.
 
 use super::canvas::{Canvas, EDGE, TITLE, WIDTH};
 use super::chart::Chart;
-use super::drawing::Drawing;
-use super::error::Error;
+use super::drawing::{Drawing, Error};
+use super::field::Field;
 use super::frame::{Frame, Point};
 use super::legend::Legend;
 use super::pen::{Lettering, text_width};
@@ -17,10 +17,6 @@ const BETWEEN: f64 = 10.0;
 
 /// Small multiples: the charts side by side, so many to a row, over one legend and all their notes.
 pub fn panels(title: &str, charts: &[Chart], columns: usize) -> Drawing {
-    Drawing::of(drawn(title, charts, columns))
-}
-
-fn drawn(title: &str, charts: &[Chart], columns: usize) -> Result<Drawing, Error> {
     let mut canvas = Canvas::new();
     let (_, corner) = grid(&mut canvas, charts, columns)?;
     let mut notes: Vec<String> = Vec::new();
@@ -75,4 +71,48 @@ pub(super) fn row<'a>(
 /// From one panel to the next.
 fn pitch(columns: usize) -> f64 {
     (WIDTH - 2.0 * EDGE + BETWEEN) / columns as f64
+}
+
+/// A field above charts, each chart with its own legend.
+#[derive(Clone, Debug)]
+pub struct Sheet {
+    /// What is shown, in a few words.
+    pub title: String,
+    /// The field; its title stands above it.
+    pub field: Option<Field>,
+    /// The charts, row by row from left to right.
+    pub charts: Vec<Vec<Chart>>,
+    /// Small print below all that of the field and the charts.
+    pub notes: Vec<String>,
+}
+
+const CHART_HEIGHT: f64 = 310.0;
+/// Between the field and the charts, and their rows.
+const ROWS: f64 = 22.0;
+
+impl Sheet {
+    /// The sheet, drawn.
+    pub fn drawing(&self) -> Drawing {
+        let mut canvas = Canvas::new();
+        let (mut bottom, mut notes) = (TITLE, Vec::new());
+        if let Some(field) = &self.field {
+            canvas.label((EDGE, TITLE + 10.0), &field.title, Lettering::start(12.0).bold());
+            let panels = field.panels(TITLE + 20.0)?;
+            panels.draw(&mut canvas);
+            notes.push(panels.notes());
+            bottom = panels.bottom() + ROWS;
+        }
+        let columns = self.charts.iter().map(Vec::len).max().unwrap_or(1);
+        for charts in &self.charts {
+            let foot = bottom + CHART_HEIGHT;
+            for plot in row(&mut canvas, charts, columns, (bottom, foot))? {
+                let legend = Legend::of([plot.chart]);
+                let (_, end) = legend.draw(&mut canvas, (plot.frame.left, foot + 2.0), plot.frame.width());
+                bottom = bottom.max(end + ROWS);
+            }
+        }
+        notes.extend(self.charts.iter().flatten().flat_map(|chart| chart.notes.clone()));
+        notes.extend(self.notes.clone());
+        canvas.drawing(&self.title, (WIDTH - EDGE, bottom), &notes)
+    }
 }

@@ -1,9 +1,9 @@
 //! One chart in a rectangle: its frame, its axes with their ticks, and the signs above it.
 
-use super::axis::{Span, Tick};
+use super::axis::Span;
 use super::canvas::Canvas;
 use super::chart::{Chart, Direction, Series};
-use super::error::Error;
+use super::drawing::Error;
 use super::frame::{Frame, Point};
 use super::palette::{GREY, PALE};
 use super::pen::{Lettering, Pen, widest};
@@ -34,7 +34,7 @@ impl<'a> Plot<'a> {
         let y = Span::around(&chart.y, &ys, &chart.title)?;
         let ticks = y.ticks(&chart.y, outer.height() / 52.0);
         let frame = Frame {
-            left: outer.left + 30.0 + widest(ticks.iter().filter_map(|tick| tick.label.as_deref()), TICK_SIZE),
+            left: outer.left + 30.0 + widest(ticks.iter().filter_map(|(_, label)| label.as_deref()), TICK_SIZE),
             top: outer.top + 4.0 + headroom,
             right: outer.right - (width_on_the_right(chart) + 6.0).max(10.0),
             bottom: outer.bottom - 44.0,
@@ -70,13 +70,13 @@ impl<'a> Plot<'a> {
     /// Draws ticks, grid and labels of both axes.
     pub fn axes(&self, canvas: &mut Canvas) {
         let (mut marks, mut lines, mut labels) = (Vec::new(), Vec::new(), Vec::new());
-        for Tick { fraction, label } in self.x.ticks(&self.chart.x, self.frame.width() / 58.0) {
+        for (fraction, label) in self.x.ticks(&self.chart.x, self.frame.width() / 58.0) {
             let (x, y) = self.at(fraction, 0.0);
             marks.push(vec![(x, y), (x, y + if label.is_some() { 5.0 } else { 3.0 })]);
             lines.extend(label.is_some().then(|| vec![(x, y), self.at(fraction, 1.0)]));
             labels.extend(label.map(|label| ((x, y + 14.0), label, Lettering::middle(TICK_SIZE))));
         }
-        for Tick { fraction, label } in self.y.ticks(&self.chart.y, self.outer.height() / 52.0) {
+        for (fraction, label) in self.y.ticks(&self.chart.y, self.outer.height() / 52.0) {
             let (x, y) = self.at(0.0, fraction);
             marks.push(vec![(x - if label.is_some() { 5.0 } else { 3.0 }, y), (x, y)]);
             lines.extend(label.is_some().then(|| vec![(x, y), self.at(1.0, fraction)]));

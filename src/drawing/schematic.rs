@@ -2,17 +2,15 @@
 //!
 //! Any editor shows and changes them. On dark pages each colour is the partner it has in the palette, or below.
 
-use super::drawing::Drawing;
-use super::error::Error;
+use svg::node::element::Style;
+
+use super::drawing::{Drawing, Error};
 use super::palette::partner;
+use super::theme::exchanged;
 
 /// The drawing of a file with its numbers, to six decimals; broken where the file asks for another number, or none of a name, or
 /// has a colour of which no dark one is known.
 pub fn schematic(name: &str, light: &str, numbers: &[(&str, f64)]) -> Drawing {
-    Drawing::of(filled_in(name, light, numbers))
-}
-
-fn filled_in(name: &str, light: &str, numbers: &[(&str, f64)]) -> Result<Drawing, Error> {
     let mut text = light.to_owned();
     for (number, value) in numbers {
         let place = format!("{{{number}}}");
@@ -31,11 +29,8 @@ fn filled_in(name: &str, light: &str, numbers: &[(&str, f64)]) -> Result<Drawing
         return Err(Error::of(name, format!("`{asked}` has no number"), "give it"));
     }
     let unknown = |colour| Error::of(name, format!("{colour} has no dark partner"), "name both in `FILLS`");
-    let colours =
-        colours_of(&text).map(|colour| partner(&colour).ok_or_else(|| unknown(colour))).collect::<Result<_, _>>()?;
-    Ok(Drawing::Schematic(text, colours))
-}
-
-fn colours_of(text: &str) -> impl Iterator<Item = String> {
-    text.split('#').skip(1).map(|part| format!("#{}", part.get(..6).unwrap_or(part)))
+    let named = text.split('#').skip(1).map(|part| format!("#{}", part.get(..6).unwrap_or(part)));
+    let colours = named.map(|colour| partner(&colour).ok_or_else(|| unknown(colour))).collect::<Result<_, _>>()?;
+    let (head, shapes) = text.split_once('>').unwrap_or_default();
+    Ok(format!("{head}>\n{}{shapes}", Style::new(exchanged("drawn by hand", &colours)?)))
 }

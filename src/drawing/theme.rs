@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 
-use super::error::Error;
+use super::drawing::Error;
 
 /// Which page a figure is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use crate::elasticity::quadrature::lobatto;
 use crate::mesh::Order;
 use crate::referee::answer::{Handed, Point};
-use crate::scene::{ContactPair, Line, Path, Scene};
+use crate::scene::{ContactPair, Path, Scene};
 use crate::solution::{EdgeState, Part, PointState};
 
 /// The profile of one contact.
@@ -82,8 +82,8 @@ const SAME: f64 = 1e-9;
 fn on_both_sides(scene: &Scene, contact: usize) -> Scene {
     let mut scene = scene.clone();
     let pair = &mut scene.contacts[contact];
-    if let Path::Straight(line) = pair.path {
-        pair.path = Path::Straight(Line { both_sides: true, ..line });
+    if let Path::Straight { both_sides, .. } = &mut pair.path {
+        *both_sides = true;
     }
     pair.symmetric = false;
     scene

@@ -87,7 +87,7 @@ fn exported(truth: &Truth) -> Result<&(Discretisation, [f64; 2]), Error> {
 
 /// Internal forces of all nodes.
 fn internal(own: &Discretisation, displacement: &[[f64; 2]]) -> Result<Vec<[f64; 2]>, Error> {
-    let of = |body| reactions::internal_forces(&own.scene, &own.mesh, body, displacement);
+    let of = |body| reactions::internal_forces(&own.scene, &own.mesh, body, displacement, &|_| true);
     let bodies = (0..own.scene.bodies.len()).map(of).collect::<Result<Vec<_>, Error>>()?;
     Ok(bodies.concat())
 }

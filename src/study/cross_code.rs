@@ -10,7 +10,7 @@ use crate::mesh::{Order, Resolution, candidates};
 use crate::oracle::ReferenceKind;
 use crate::oracle::cross_code::frozen::{Digest, Frozen, REFREEZE, changed_versions, file};
 use crate::oracle::cross_code::{Code, DiscreteAnswer, DiscreteProblem, SET_UP};
-use crate::scene::{Load, Path, Profile, Scene};
+use crate::scene::{Action, Load, Path, Profile, Scene};
 use crate::solve::{Discretisation, Element, Formulation, Iteration};
 use crate::study::about::{About, Found, Planned, Study};
 use crate::study::differences::{Answers, relative_difference, reproduced, worst_difference};
@@ -149,7 +149,7 @@ impl Twin {
         let bodies = &discretisation.system.bodies;
         let vectors: Vec<Vec<Vec<f64>>> =
             PRIMES.iter().map(|p| bodies.iter().map(|body| fixed_vector(*p, &body.dofs)).collect()).collect();
-        let on_nodes = |v: &Vec<Vec<f64>>| discretisation.system.nodal_displacements(v).as_flattened().to_vec();
+        let on_nodes = |v: &Vec<Vec<f64>>| discretisation.system.nodal_displacements(1.0, v).as_flattened().to_vec();
         let problem = handed_over(&discretisation, vectors.iter().map(on_nodes).collect())?;
         let product = |v: &Vec<Vec<f64>>| bodies.iter().zip(v).flat_map(|(body, x)| body.product(x)).collect();
         let mut ours = DiscreteAnswer {
@@ -320,11 +320,11 @@ fn supports_and_loads(
     }
     for load in &scene.bodies[index].loads {
         match load {
-            Load::Traction { boundary, traction } => {
+            Load::OnSide { boundary, part: None, action: Action::Uniform(traction) } => {
                 problem.load_edges.extend_from_slice(mesh.boundary(scene, index, boundary)?);
                 problem.traction = *traction;
             }
-            Load::Stress { boundary, .. } => {
+            Load::OnSide { boundary, part: None, action: Action::Stress(_) } => {
                 problem.load_edges.extend_from_slice(mesh.boundary(scene, index, boundary)?);
                 problem.hertz_load = true;
             }
@@ -334,7 +334,7 @@ fn supports_and_loads(
                 problem.tied.dedup();
                 problem.tied_force = *force;
             }
-            Load::OnSide { .. } | Load::BodyForce(_) | Load::Force { .. } | Load::TractionField { .. } => {
+            Load::OnSide { .. } | Load::BodyForce(_) | Load::Force { .. } => {
                 return Err(not_handed_over(&scene.name, "such a load"));
             }
         }

@@ -103,11 +103,6 @@ fn shape(shape: &Shape) -> String {
 /// A load in words.
 pub fn load(load: &Load) -> String {
     match load {
-        Load::Traction { boundary, traction } => format!("traction {traction:?} MPa on `{boundary}`"),
-        Load::TractionField { boundary, .. } => format!("the traction of the closed form on `{boundary}`"),
-        Load::Stress { boundary, .. } => {
-            format!("traction σ n of the closed form's stresses in the half-plane on `{boundary}`")
-        }
         Load::OnSide { boundary, part, action } => on_side(boundary, part.as_ref(), action),
         Load::BodyForce(force) => format!("force {force:?} N/mm³ in its volume"),
         Load::Force { at, force } => format!("force {force:?} N at {at:?}"),
@@ -121,6 +116,7 @@ fn on_side(boundary: &str, part: Option<&SidePart>, action: &Action) -> String {
     let what = match action {
         Action::Uniform(traction) => format!("traction {traction:?} MPa"),
         Action::Field(_) => "the traction of the closed form".into(),
+        Action::Stress(_) if part.is_none() => "traction σ n of the closed form's stresses in the half-plane".into(),
         Action::Stress(_) => "traction σ n of the closed form's stresses".into(),
         Action::Total(force) => format!("force {force:?} N, spread evenly,"),
         Action::Moment(moment) => {
@@ -135,11 +131,11 @@ fn contact(scene: &Scene, pair: &ContactPair) -> String {
     let first = &scene.bodies[pair.first].name;
     let other = pair.second.map_or("a rigid profile".into(), |body| format!("`{}`", scene.bodies[body].name));
     let (along, unit, per_unit) = match &pair.path {
-        Path::Straight(line) if line.both_sides => (format!("x from {:?}, on both sides", line.origin), "mm", 1.0),
-        Path::Straight(line) if scene.plane.radial() == Some(0) => {
-            (format!("the radius x from {:?}", line.origin), "mm", 1.0)
+        Path::Straight { origin, both_sides: true } => (format!("x from {origin:?}, on both sides"), "mm", 1.0),
+        Path::Straight { origin, .. } if scene.plane.radial() == Some(0) => {
+            (format!("the radius x from {origin:?}"), "mm", 1.0)
         }
-        Path::Straight(line) => (format!("|x| from {:?}", line.origin), "mm", 1.0),
+        Path::Straight { origin, .. } => (format!("|x| from {origin:?}"), "mm", 1.0),
         Path::Arc(circle) => {
             let along = format!(
                 "the angle from the downward vertical about {:?}, on the circle of radius {}",

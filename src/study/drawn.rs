@@ -12,7 +12,7 @@ use crate::solve::{Discretisation, Formulation, Iteration};
 
 /// The SVG of a figure.
 pub fn svg(figure: &Drawing) -> Result<String, Error> {
-    figure.svg().map_err(|drawing::Error { figure, reason, remedy }| {
+    figure.clone().map_err(|drawing::Error { figure, reason, remedy }| {
         Error::at(format!("figure `{figure}`").as_str(), reason, remedy)
     })
 }

@@ -94,8 +94,7 @@ fn moose(scene: &Scene, numbers: &[(String, usize)]) -> String {
         }
         for load in &body.loads {
             match load {
-                Load::Traction { boundary, traction }
-                | Load::OnSide { boundary, part: None, action: Action::Uniform(traction) } => {
+                Load::OnSide { boundary, part: None, action: Action::Uniform(traction) } => {
                     let both = ["x", "y"].into_iter().zip(traction).filter(|(_, value)| value.abs() > 0.0);
                     conditions.extend(both.map(|(axis, value)| on_side("NeumannBC", boundary, axis, *value)));
                 }

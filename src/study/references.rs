@@ -90,15 +90,15 @@ impl Study for Numbers {
 
     /// A table an answer, and the list of the sheets.
     fn section(findings: &[Found<Self>]) -> Result<String, Error> {
-        let [answer, order, layers, cells] = MESHES;
+        let [(answer, answer_cells), (order, _), (layers, _), (_, other_cells)] = MESHES;
         let mut answers = format!(
             include_str!("references.md"),
-            order = answer.fitted.order.number(),
-            cells = answer.cells,
-            layers = answer.fitted.layers,
-            other_order = order.fitted.order.number(),
-            fewer_layers = layers.fitted.layers,
-            other_cells = cells.cells
+            order = answer.order.number(),
+            cells = answer_cells,
+            layers = answer.layers,
+            other_order = order.order.number(),
+            fewer_layers = layers.layers,
+            other_cells = other_cells
         );
         let mut sheets = String::from(
             "\n## Benchmark sheets\n\nA page a case of the library: geometry, material, loads, supports, equations, reference values with what \

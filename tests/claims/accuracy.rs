@@ -4,7 +4,7 @@ use std::f64::consts::{FRAC_PI_2, SQRT_2};
 
 use approx::assert_relative_eq;
 use contact_vv::accuracy::longest::longest;
-use contact_vv::accuracy::{self, Answer, Asked, Quantity, ends, fitted, percentage};
+use contact_vv::accuracy::{self, Answer, Asked, Quantity, fitted, percentage};
 use contact_vv::case::library::{Cylinder, PinPlate, PressFit, TruncatedHertz};
 use contact_vv::case::solved::met;
 use contact_vv::case::{Case, Verdict, library};
@@ -237,10 +237,10 @@ fn contact_end_is_found_within_a_tenth_of_an_element() {
             let edge = angle.map_or(problem.scene.reference.length, f64::to_radians);
             let longest = longest(&problem.scene, problem.scene.contact());
             let plan = fitted::Plan::around([-1.03 * edge, 1.03 * edge], longest, elements, Order::Quadratic, 2.0);
-            let scene = plan.scene(&problem.scene);
-            let discretisation = Discretisation::of(scene.clone(), plan.resolution()).expect("meshed");
-            let solution = discretisation.solve(&Formulation::verification()).expect("solved");
-            let [_, found] = ends::ends(solution.part(0), scene.contact());
+            let (scene, resolution) = plan.laid(&problem.scene);
+            let discretisation = Discretisation::of(scene, resolution).expect("meshed");
+            let run = Run::of(&discretisation, &Formulation::verification()).expect("solved");
+            let [_, found] = fitted::ends(&run, 0);
             let element = edge / elements as f64;
             assert!(
                 (found - edge).abs() < 0.15 * element,

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 
 use approx::assert_relative_eq;
 use contact_vv::accuracy::longest::longest;
-use contact_vv::accuracy::{self, Answer, Asked, Quantity, ends, fitted};
+use contact_vv::accuracy::{self, Answer, Asked, Quantity, fitted};
 use contact_vv::mesh::{Mesh, Order};
 use contact_vv::scene::Scene;
 use contact_vv::solve::{Discretisation, Fitted, Formulation, Run};
@@ -66,8 +66,8 @@ fn met(answer: &Answer, asked: f64, truth: [f64; 2], place: &str) {
 
 /// Both candidates beyond the ends are open, and the stretch reaches little beyond the outer end.
 fn covers(answer: &Answer, place: &str) {
-    let (solution, pair) = (&answer.run.solution, answer.scene.contact());
-    assert_eq!(ends::filled(solution.part(0), pair), [false; 2], "{place}");
+    let pair = answer.scene.contact();
+    assert!(!fitted::is_filled(&answer.run, 0), "{place}");
     let outer = answer.run.measures().edge().max(-answer.run.measures().begin());
     assert!(pair.stretch > outer, "{place}: {} and {outer}", pair.stretch);
     assert!(
@@ -136,10 +136,10 @@ fn both_ends_are_found_within_a_tenth_of_an_element() {
         let elements = 8;
         let guessed = [centre - 1.03 * a, centre + 1.03 * a];
         let plan = fitted::Plan::around(guessed, 40.0, elements, Order::Quadratic, 2.0);
-        let scene = plan.scene(&scene);
-        let discretisation = Discretisation::of(scene.clone(), plan.resolution()).expect("meshed");
+        let (scene, resolution) = plan.laid(&scene);
+        let discretisation = Discretisation::of(scene, resolution).expect("meshed");
         let run = Run::of(&discretisation, &Formulation::verification()).expect("solved");
-        let found = ends::ends(run.solution.part(0), scene.contact());
+        let found = fitted::ends(&run, 0);
         for (found, side) in found.into_iter().zip([-1.0, 1.0]) {
             let exact = centre + side * run.measures().second_moment_width;
             let off = (found - exact) / (a / elements as f64);
@@ -154,7 +154,8 @@ fn elements_resolve_the_contact_and_both_its_ends_lie_at_one_place_of_an_element
     for ends in [[-2.0, 2.0], [-1.0, 3.0], [-2.6, 1.4], [0.7, 4.7], [-4.8, -0.8], [-0.9, 1.1], [4.0, 5.0]] {
         for elements in [4, 8, 16, 32] {
             let plan = fitted::Plan::around(ends, 40.0, elements, Order::Quadratic, 4.0);
-            let mesh = Mesh::of(&plan.scene(&scene), plan.resolution()).expect("meshed");
+            let (laid, resolution) = plan.laid(&scene);
+            let mesh = Mesh::of(&laid, resolution).expect("meshed");
             let nodes: Vec<f64> = mesh.bodies[0].candidates.iter().map(|candidate| candidate.coordinate).collect();
             let corners: Vec<f64> = nodes.iter().copied().step_by(2).collect();
             assert!(corners[0] < ends[0] && corners[corners.len() - 1] > ends[1]);

@@ -2,8 +2,8 @@
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use contact_vv::algorithm::{
-    Algorithm, Constant, ContactProblem, Iterate, Kinematic, Leeway, Scale, Settings, Spring, Springs, StiffnessRule,
-    Varying, iterate, rule,
+    Acceleration, Algorithm, Constant, ContactProblem, Iterate, Kinematic, Leeway, Scale, Settings, Spring, Springs,
+    StiffnessRule, Varying, iterate, rule,
 };
 use contact_vv::condensation::stiffness::Stiffness;
 use contact_vv::contact::{ContactEdge, ContactPoint};
@@ -262,7 +262,7 @@ fn bound_limits_the_change_of_a_stiffness_both_ways() {
         let sample = one(load);
         let mut springs = sample.problem().initial_springs();
         let leeway = Leeway { bound, ..Leeway::default() };
-        next(&mut Varying::changing(StiffnessRule::Secant, leeway), &sample, &mut springs);
+        next(&mut Varying::accelerated(StiffnessRule::Secant, leeway, Acceleration::None), &sample, &mut springs);
         assert_relative_eq!(springs.stiffness[0], 100.0 * factor, max_relative = 1e-13);
     }
 }
@@ -270,7 +270,9 @@ fn bound_limits_the_change_of_a_stiffness_both_ways() {
 #[test]
 fn points_of_an_element_change_by_their_mean_approach_over_their_mean_gap() {
     let mut sample = two([90.0, 60.0], [0.1, 0.3]);
-    let per = |spring| Varying::changing(StiffnessRule::Secant, Leeway { spring, ..Leeway::default() });
+    let per = |spring| {
+        Varying::accelerated(StiffnessRule::Secant, Leeway { spring, ..Leeway::default() }, Acceleration::None)
+    };
     let factors = |sample: &Sample, spring| -> [f64; 2] {
         let mut springs = sample.problem().initial_springs();
         next(&mut per(spring), sample, &mut springs);

@@ -128,7 +128,7 @@ fn the_axis_exerts_nothing_on_a_body_of_revolution() {
     for order in ORDERS {
         let discretisation = meshed(Indented::by_sphere(0.05).scene(), 2, order);
         let run = Run::of(&discretisation, &Formulation::new(Element::Node, Iteration::Kinematic)).expect("solved");
-        let reactions = discretisation.reactions(&run.solution).expect("reactions");
+        let reactions = discretisation.reactions(1.0, &run.solution).expect("reactions");
         assert_eq!(reactions.len(), 1, "the support of the axis");
         assert!(reactions[0].force.abs() <= 1e-9 * run.transmitted(), "{order:?}: {:?}", reactions[0]);
     }

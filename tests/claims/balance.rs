@@ -49,7 +49,7 @@ pub fn solved_as_it_says(case: &Case) -> (Discretisation, Run) {
 
 /// Reaction along y of each body's clamp \[N\].
 fn clamps(discretisation: &Discretisation, run: &Run) -> [f64; 2] {
-    let reactions = discretisation.reactions(&run.solution).expect("recovered");
+    let reactions = discretisation.reactions(1.0, &run.solution).expect("recovered");
     [0, 1].map(|body| reactions.iter().filter(|one| one.body == body).map(|one| one.force).nth(1).expect("along y"))
 }
 

@@ -241,7 +241,7 @@ fn springs_of_a_penalty_are_told_apart_in_reactions_too() {
     let [rigid, soft] = [rigid, soft].map(|formulation| Run::of(&discretisation, &formulation).expect("a run"));
     let bars = bars(&discretisation, &soft, &[]).expect("bars");
     let [wanted, found] =
-        [&rigid, &soft].map(|run| discretisation.reactions(&run.solution).expect("reactions")[0].force);
+        [&rigid, &soft].map(|run| discretisation.reactions(1.0, &run.solution).expect("reactions")[0].force);
     let bar = bars.of(0, &Quantity::Reaction { body: 0, support: 0 }).expect("a bar");
     let apart = (wanted - found).abs();
     assert!(apart > 1e-6 * wanted.abs(), "{apart}");

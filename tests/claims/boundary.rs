@@ -11,7 +11,7 @@ use contact_vv::oracle::analytic::punch::FlatPunch;
 use contact_vv::oracle::analytic::waves::Waves;
 use contact_vv::oracle::boundary::elements::Elements;
 use contact_vv::oracle::boundary::{HalfPlane, Ring, Strip};
-use contact_vv::scene::{MonotoneCubic, Profile};
+use contact_vv::scene::{Material, MonotoneCubic, Profile};
 
 const MODULUS: f64 = 2e5;
 /// What the boundary method promises.
@@ -257,7 +257,8 @@ fn a_ring_on_a_pin_is_that_of_another_program() {
             [22.385680504, 22.687553734141993, 1.1121708032888118_f64],
         ),
     ] {
-        let ring = Ring { radii, young, poisson, plane: Plane::Strain, pressure: 0.0 };
+        let material = Material { young, poisson };
+        let ring = Ring { radii, material, plane: Plane::Strain, pressure: 0.0 };
         let gap = Profile::Pin { radius: radii[0] - clearance, clearance };
         let found = ring.on_pin(&gap, f64::to_radians(half_angle)).expect("a contact");
         assert_relative_eq!(found.load(), PI * outside * radii[1], max_relative = 1e-7);

@@ -7,7 +7,7 @@ use contact_vv::case::library::NAMES;
 use contact_vv::case::{Check, Reference};
 use contact_vv::checkout::{CHECKOUT, root};
 use contact_vv::cli::{self, summary, writable};
-use contact_vv::error::nearest::nearest;
+use contact_vv::error::nearest;
 use contact_vv::oracle::ReferenceKind;
 use contact_vv::study::{Finding, Study, faults};
 

@@ -4,7 +4,7 @@ use approx::{assert_abs_diff_eq, assert_relative_eq};
 use contact_vv::case::library::{Cylinder, PinRod, PressFit};
 use contact_vv::contact::interface::ContactNode;
 use contact_vv::contact::primary::{PrimaryNode, PrimarySurface};
-use contact_vv::contact::{ContactElement, ContactPoint, Interface, Layer, Line, Node, Quadrature};
+use contact_vv::contact::{ContactPoint, Interface, Quadrature, layer, line, node};
 use contact_vv::elasticity::ElasticSystem;
 use contact_vv::mesh::{Mesh, Order};
 use contact_vv::scene::{Circle, ContactPair, Path, Profile, Scene};
@@ -14,12 +14,14 @@ use crate::workbench::{ORDERS, resolution};
 
 const RULES: [Quadrature; 3] = [Quadrature::Gauss, Quadrature::GaussFull, Quadrature::Lobatto];
 
+type Points = Box<dyn Fn(&Interface) -> Vec<ContactPoint>>;
+
 /// Node element, and line and layer with each quadrature.
-pub fn elements() -> Vec<(String, Box<dyn ContactElement>)> {
-    let mut all: Vec<(String, Box<dyn ContactElement>)> = vec![("node".into(), Box::new(Node))];
+pub fn elements() -> Vec<(String, Points)> {
+    let mut all: Vec<(String, Points)> = vec![("node".into(), Box::new(node::points))];
     for quadrature in RULES {
-        all.push((format!("line {quadrature:?}"), Box::new(Line { quadrature })));
-        all.push((format!("layer {quadrature:?}"), Box::new(Layer { quadrature, thickness: 0.05 })));
+        all.push((format!("line {quadrature:?}"), Box::new(move |one| line::points(one, quadrature))));
+        all.push((format!("layer {quadrature:?}"), Box::new(move |one| layer::points(one, quadrature, 0.05))));
     }
     all
 }
@@ -112,9 +114,9 @@ pub fn expanded(point: &ContactPoint, dofs: usize) -> Vec<f64> {
 fn weights_of_the_points_add_up_to_the_area_of_an_arc() {
     // Of a flat one they do edge by edge; nodes project the area of an arc on their own normals.
     for order in ORDERS {
-        for (name, element) in elements().into_iter().skip(1) {
+        for (name, points_of) in elements().into_iter().skip(1) {
             let sample = arc(&CORNERS, order, 7.0, Profile::Hole { radius: 7.0, clearance: 0.1 });
-            let area: f64 = element.points(&sample).iter().map(|p| p.weight).sum();
+            let area: f64 = points_of(&sample).iter().map(|p| p.weight).sum();
             assert!((area - 1.3 * 7.0 * 2.5).abs() <= 1e-12, "{name}: {area}");
         }
     }
@@ -123,7 +125,7 @@ fn weights_of_the_points_add_up_to_the_area_of_an_arc() {
 #[test]
 fn weights_of_nodes_on_an_arc_project_the_area_on_their_own_normals() {
     let (radius, corners) = (7.0, [0.2_f64, 0.8]);
-    let points = Node.points(&arc(&corners, Order::Quadratic, radius, Profile::Uniform(0.0)));
+    let points = node::points(&arc(&corners, Order::Quadratic, radius, Profile::Uniform(0.0)));
     let half = 0.5 * (corners[1] - corners[0]);
     // ∫ N cos(s − s_a) ds in closed form with ξ = x/δ: mid-side N = 1 − ξ², corner N = ξ(ξ+1)/2, x from the middle.
     let (sin, cos) = half.sin_cos();
@@ -143,8 +145,8 @@ fn rows_interpolate_a_quadratic_approach_between_the_nodes() {
     let sample = flat(&CORNERS, Order::Quadratic, 1, Profile::Uniform(0.1));
     let approach = |s: f64| 1.0 + 0.5 * s - 0.2 * s * s;
     let u: Vec<f64> = sample.nodes.iter().map(|node| approach(node.coordinate)).collect();
-    for (name, element) in elements() {
-        for point in element.points(&sample) {
+    for (name, points_of) in elements() {
+        for point in points_of(&sample) {
             assert!((point.approach(&u) - approach(point.position)).abs() <= 1e-14, "{name} at {}", point.position);
         }
     }
@@ -153,9 +155,9 @@ fn rows_interpolate_a_quadratic_approach_between_the_nodes() {
 #[test]
 fn points_are_sorted_carry_the_exact_gap_of_their_position_and_press_both_bodies_alike() {
     for order in ORDERS {
-        for (name, element) in elements() {
+        for (name, points_of) in elements() {
             let sample = flat(&CORNERS, order, 2, Profile::Parabola { radius: 5.0 });
-            let (points, count) = (element.points(&sample), sample.nodes.len());
+            let (points, count) = (points_of(&sample), sample.nodes.len());
             assert!(points.windows(2).all(|two| two[0].position <= two[1].position), "{name}");
             for point in &points {
                 let exact = point.position * point.position / 10.0;
@@ -185,7 +187,7 @@ fn quadratures_have_their_numbers_of_points_at_their_places() {
         (Quadrature::Lobatto, Order::Quadratic, vec![-1.0, 0.0, 1.0]),
     ];
     for (quadrature, order, places) in wanted {
-        let points = Line { quadrature }.points(&flat(&[0.0, 2.0], order, 1, Profile::Uniform(0.0)));
+        let points = line::points(&flat(&[0.0, 2.0], order, 1, Profile::Uniform(0.0)), quadrature);
         assert_eq!(points.len(), places.len());
         for (point, place) in points.iter().zip(places) {
             assert_abs_diff_eq!(point.position, 1.0 + place, epsilon = 1e-14);
@@ -198,8 +200,8 @@ fn layer_between_parallel_faces_has_the_rows_of_the_line_and_equal_springs() {
     for order in ORDERS {
         for quadrature in RULES {
             let sample = flat(&[0.0, 0.5, 1.0], order, 2, Profile::Uniform(0.1));
-            let line = Line { quadrature }.points(&sample);
-            let layer = Layer { quadrature, thickness: 0.05 }.points(&sample);
+            let line = line::points(&sample, quadrature);
+            let layer = layer::points(&sample, quadrature, 0.05);
             let dofs = 2 * sample.nodes.len();
             for (a, b) in line.iter().zip(&layer) {
                 for (x, y) in expanded(a, dofs).iter().zip(expanded(b, dofs)) {
@@ -217,7 +219,7 @@ fn layer_spring_is_its_modulus_over_its_thickness() {
     // k_i = E_n/t(ξ_i), t = t₀ + g, with E_n = k_n · mean t: the ratio of two springs is the inverse one of their t.
     let t0 = 0.05;
     let sample = flat(&[0.0, 1.0, 2.0], Order::Quadratic, 1, Profile::Parabola { radius: 5.0 });
-    let points = Layer { quadrature: Quadrature::Gauss, thickness: t0 }.points(&sample);
+    let points = layer::points(&sample, Quadrature::Gauss, t0);
     // Edges are 1 mm long, so that t₀ is 0.05 mm.
     let thickness = |point: &ContactPoint| t0 + point.position * point.position / 10.0;
     let mean = points.iter().map(thickness).sum::<f64>() / points.len() as f64;
@@ -231,7 +233,7 @@ fn layer_spring_is_its_modulus_over_its_thickness() {
 fn layer_thickness_grows_with_the_edge_and_ignores_interference() {
     let springs = |profile: Profile| -> Vec<f64> {
         let sample = flat(&[0.0, 1.0, 4.0], Order::Linear, 1, profile);
-        let points = Layer { quadrature: Quadrature::Gauss, thickness: 0.1 }.points(&sample);
+        let points = layer::points(&sample, Quadrature::Gauss, 0.1);
         points.iter().map(|p| p.relative_stiffness).collect()
     };
     // Without a gap t is 0.1 and 0.3: mean 0.2.
@@ -249,7 +251,7 @@ fn layer_rows_on_an_arc_turn_the_nodal_normals_on_the_director() {
     let sample = arc(&[0.4, 1.0], Order::Quadratic, radius, profile);
     let length = 0.6 * radius;
     let shapes = |x: f64| [x * (x - 1.0) / 2.0, 1.0 - x * x, x * (x + 1.0) / 2.0];
-    for point in (Layer { quadrature: Quadrature::Gauss, thickness: t0 }).points(&sample) {
+    for point in layer::points(&sample, Quadrature::Gauss, t0) {
         let values = shapes((point.position - 0.7) / 0.3);
         let normals: Vec<Vector2<f64>> = sample.nodes.iter().map(|s| Vector2::from(s.normal)).collect();
         let across = (0..3).fold(Vector2::zeros(), |sum: Vector2<f64>, a| {
@@ -268,8 +270,8 @@ fn layer_rows_on_an_arc_turn_the_nodal_normals_on_the_director() {
 #[test]
 fn shares_of_the_points_add_up_to_the_edges_and_to_the_points() {
     for order in ORDERS {
-        for (name, element) in elements() {
-            let points = element.points(&flat(&CORNERS, order, 1, Profile::Uniform(0.0)));
+        for (name, points_of) in elements() {
+            let points = points_of(&flat(&CORNERS, order, 1, Profile::Uniform(0.0)));
             let mut edges = vec![0.0; CORNERS.len() - 1];
             for point in &points {
                 let shared: f64 = point.shares.iter().map(|(_, area)| area).sum();
@@ -288,7 +290,7 @@ fn as_many_gauss_points_as_nodes_ask_for_more_pressures_than_the_nodes_can_balan
     for order in ORDERS {
         for (quadrature, unique) in [(Quadrature::Gauss, true), (Quadrature::GaussFull, false)] {
             let sample = flat(&CORNERS, order, 1, Profile::Uniform(0.0));
-            let points = Line { quadrature }.points(&sample);
+            let points = line::points(&sample, quadrature);
             let count = sample.nodes.len();
             // Columns are the nodal forces of each point's pressure.
             let matrix = DMatrix::from_fn(count, points.len(), |i, j| expanded(&points[j], count)[i]);

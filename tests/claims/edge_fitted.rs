@@ -1,15 +1,13 @@
 //! Meshes with lines on the ends of the contact: how many digits they give, and for how many dofs; how far they are iterated, and what no mesh is
 //! fitted to.
 
-use std::sync::Arc;
-
 use contact_vv::accuracy;
 use contact_vv::case::library::{Bars, Patch, TruncatedHertz};
 use contact_vv::measure::{Quantity, nodal, profile, relative_error};
 use contact_vv::mesh::{Mesh, Order, Resolution};
 use contact_vv::oracle::analytic::hertz::Hertz;
 use contact_vv::scene::{
-    Body, Component, Ends, Face, Line, Load, Material, Path, Place, Scene, Shape, StressField, Support,
+    Action, Body, Component, Ends, Face, Load, Material, Path, Place, Scene, Shape, Support, VectorField,
 };
 use contact_vv::solve::edge_fitted::Answer;
 use contact_vv::solve::{Fitted, Formulation, Run};
@@ -51,19 +49,19 @@ fn two_blocks(young: [f64; 2], poisson: [f64; 2]) -> (Scene, Hertz) {
     let modulus = 1.0 / (1.0 / modulus(0) + 1.0 / modulus(1));
     let hertz = Hertz { load: Hertz::load_for(one.half_width(), one.radius, modulus), radius: one.radius, modulus };
     let side = one.size * one.half_width();
-    let upper = StressField(Arc::new(move |[x, y]: [f64; 2]| hertz.stress(x, y)));
-    let lower = StressField(Arc::new(move |[x, y]: [f64; 2]| {
+    let upper = VectorField::of(move |[x, y]: [f64; 2]| hertz.stress(x, y));
+    let lower = VectorField::of(move |[x, y]: [f64; 2]| {
         let [along, across, shear] = hertz.stress(x, -y);
         [along, across, -shear]
-    }));
+    });
     let symmetric = scene.bodies[0].supports[0].clone();
-    let body = |k: usize, y: [f64; 2], contact, field: &StressField, more: Option<Support>| Body {
+    let body = |k: usize, y: [f64; 2], contact, field: &VectorField<3>, more: Option<Support>| Body {
         density: 1.0,
         name: ["upper", "lower"][k].into(),
         shape: Shape::Rectangle { x: [0.0, side], y, contact },
         material: Material { young: young[k], poisson: poisson[k] },
         supports: [symmetric.clone()].into_iter().chain(more).collect(),
-        loads: ["right", "far"].map(|side| Load::Stress { boundary: side.into(), field: field.clone() }).to_vec(),
+        loads: ["right", "far"].map(|side| Load::on(side, Action::Stress(field.clone()))).to_vec(),
     };
     let ground = held_at([0.0, -side], Component::Y, 0.0);
     let bodies =
@@ -126,16 +124,15 @@ fn off_the_middle(shift: f64) -> (Scene, Hertz) {
     let (one, hertz) = under(OFF);
     let side = one.size * one.half_width();
     let centre = shift * one.half_width();
-    let field = StressField(Arc::new(move |[x, y]: [f64; 2]| hertz.stress(x - centre, y)));
+    let field = VectorField::of(move |[x, y]: [f64; 2]| hertz.stress(x - centre, y));
     let mut scene = one.scene_under(field.clone());
     let body = &mut scene.bodies[0];
     body.shape = Shape::Rectangle { x: [-side, side], y: [0.0, side], contact: Face::Bottom };
-    body.loads =
-        ["left", "right", "far"].map(|side| Load::Stress { boundary: side.into(), field: field.clone() }).to_vec();
+    body.loads = ["left", "right", "far"].map(|side| Load::on(side, Action::Stress(field.clone()))).to_vec();
     body.supports = vec![Support { at: Place::Point([-side, side]), component: Component::X, value: 0.0 }];
     let pair = &mut scene.contacts[0];
     pair.symmetric = false;
-    pair.path = Path::Straight(Line { origin: [centre, 0.0], both_sides: true });
+    pair.path = Path::Straight { origin: [centre, 0.0], both_sides: true };
     (scene, hertz)
 }
 
@@ -172,7 +169,7 @@ fn around_a_contact_that_is_known_frames_fill_the_body_and_touch_all_its_sides()
         let mut scene = one.clone();
         let y = if contact == Face::Bottom { [0.0, side] } else { [-side, 0.0] };
         scene.bodies[0].shape = Shape::Rectangle { x: [left, side], y, contact };
-        scene.contacts[0].path = Path::Straight(Line { origin: [0.0, 0.0], both_sides: places.len() > 1 });
+        scene.contacts[0].path = Path::Straight { origin: [0.0, 0.0], both_sides: places.len() > 1 };
         scene.contacts[0].ends = Ends { places: places.clone(), layers: 3, off: 0.0 };
         for order in Order::ALL {
             let mesh = Mesh::of(&scene, resolution(1, 0, order)).expect("mesh");
@@ -240,7 +237,7 @@ fn columns_beyond_a_contact_on_both_sides_grow_from_its_last_cell_where_frames_h
     let mut scene = TruncatedHertz::default().scene();
     // Not as deep as half of the contact.
     scene.bodies[0].shape = Shape::Rectangle { x: [-20.0, 20.0], y: [0.0, 1.0], contact: Face::Bottom };
-    scene.contacts[0].path = Path::Straight(Line { origin: [0.0, 0.0], both_sides: true });
+    scene.contacts[0].path = Path::Straight { origin: [0.0, 0.0], both_sides: true };
     scene.contacts[0].ends = Ends { places: vec![-2.5, 2.5], layers: 0, off: 0.0 };
     let mesh = Mesh::of(&scene, resolution(1, 0, Order::Linear)).expect("mesh");
     let mut columns: Vec<f64> = mesh.points.iter().filter(|point| point[1] == 0.0).map(|point| point[0]).collect();

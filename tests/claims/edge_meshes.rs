@@ -4,7 +4,7 @@ use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
 use contact_vv::measure::relative_error;
 use contact_vv::mesh::{Mesh, Order, spacing};
-use contact_vv::scene::{Ends, Face, Line, Path, Scene, Sector, Shape};
+use contact_vv::scene::{Ends, Face, Path, Scene, Sector, Shape};
 use contact_vv::solve::{Element, Fitted, Formulation, Iteration, Run};
 
 use crate::outputs::scene;
@@ -15,7 +15,7 @@ use crate::workbench::{area, length, of_shape, parsed, resolution, ring};
 fn disc(sector: Sector, contact: Face, places: Vec<f64>, layers: usize) -> Scene {
     let shape = Shape::Disc { centre: [0.0, 10.0], radius: 10.0, sector, contact };
     let both_sides = sector.has_both_sides();
-    let path = Path::Straight(Line { origin: [0.0, 0.0], both_sides });
+    let path = Path::Straight { origin: [0.0, 0.0], both_sides };
     let mut scene = of_shape(shape, path, 1.5, vec![], vec![]);
     scene.contacts[0].ends = Ends { places, layers, off: 0.0 };
     scene

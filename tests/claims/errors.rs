@@ -1,7 +1,6 @@
 //! Wrong input is refused in words that name the place, the key, the value found and the remedy.
 
 use std::path::Path;
-use std::sync::Arc;
 
 use contact_vv::case::Case;
 use contact_vv::case::library::{self, Cylinder, FlatPunch, Patch, PinRod};
@@ -9,7 +8,7 @@ use contact_vv::checkout::root;
 use contact_vv::elasticity::ElasticSystem;
 use contact_vv::error::{Error, Kind};
 use contact_vv::mesh::{Mesh, Order, Resolution};
-use contact_vv::scene::{Component, Load, Scene, StressField, Support};
+use contact_vv::scene::{Action, Component, Load, Scene, Support, VectorField};
 use contact_vv::solve::{Discretisation, Element, Formulation, Iteration, Run};
 use contact_vv::stability::conditioning;
 
@@ -87,7 +86,7 @@ fn supports_and_loads_that_have_no_place_or_meet_the_contact_are_refused_with_wh
     let left = || vec![held("left", Component::X, 0.0)];
     let loaded = |load: Load| block([4.0, 3.0], left(), vec![load]);
     let supported = |supports: Vec<Support>| block([4.0, 3.0], supports, vec![]);
-    let field = StressField(Arc::new(|_| [0.0; 3]));
+    let field = VectorField::of(|_| [0.0; 3]);
     let face = |side: &'static str, component| Load::RigidFace { boundary: side.into(), component, force: 1.0 };
     let mut oblique = PinRod::default().scene();
     oblique.bodies[0].supports.push(held("contact", Component::X, 0.0));
@@ -95,8 +94,8 @@ fn supports_and_loads_that_have_no_place_or_meet_the_contact_are_refused_with_wh
     let end = "end the candidate stretch before that node";
     let cases: [(Scene, &[&str]); 9] = [
         (supported(vec![held("roof", Component::X, 0.0)]), roof),
-        (loaded(Load::Traction { boundary: "roof".into(), traction: [0.0; 2] }), roof),
-        (loaded(Load::Stress { boundary: "roof".into(), field }), roof),
+        (loaded(Load::on("roof", Action::Uniform([0.0; 2]))), roof),
+        (loaded(Load::on("roof", Action::Stress(field))), roof),
         (loaded(face("roof", Component::Y)), roof),
         (
             supported(vec![held_at([1.25, 0.77], Component::X, 0.0)]),
@@ -164,9 +163,9 @@ fn bodies_pulled_apart_are_named_on_every_mesh() {
     // What is left of the rigid motion's stiffness is round-off of either sign; neither may pass for a support.
     for elements in [1, 2, 4, 8, 12] {
         let mut cylinder = Cylinder::default().scene();
-        cylinder.bodies[0].loads = vec![Load::Traction { boundary: "cut".into(), traction: [0.0, 5.0] }];
+        cylinder.bodies[0].loads = vec![Load::on("cut", Action::Uniform([0.0, 5.0]))];
         let mut punch = FlatPunch::default().scene();
-        punch.bodies[0].loads = vec![Load::Traction { boundary: "far".into(), traction: [0.0, 5.0] }];
+        punch.bodies[0].loads = vec![Load::on("far", Action::Uniform([0.0, 5.0]))];
         for (scene, body) in [(cylinder, "`cylinder`"), (punch, "`block`")] {
             let sample = meshed(scene, elements, Order::Quadratic);
             let solution = sample.solve(&Formulation::verification()).map(|solution| solution.outcome);

@@ -8,11 +8,11 @@ use contact_vv::condensation::Plain;
 use contact_vv::condensation::dense::DenseFactor;
 use contact_vv::condensation::trailing::Trailing;
 use contact_vv::elasticity::element::CellStiffness;
-use contact_vv::elasticity::{ElasticSystem, Freedom, Numbering};
+use contact_vv::elasticity::{ElasticSystem, Freedom, numbered};
 use contact_vv::mesh::{Mesh, Order};
-use contact_vv::scene::{Component, Load, Scene};
+use contact_vv::scene::{Action, Component, Load, Scene};
 use contact_vv::solution::{Solution, Work};
-use contact_vv::solve::{Change, Discretisation, Element, Formulation, Iteration, Origin};
+use contact_vv::solve::{Change, Discretisation, Element, Formulation, Iteration};
 use faer::Mat;
 use nalgebra::{DMatrix, DVector};
 
@@ -123,7 +123,7 @@ fn elimination_and_recovery_solve_what_the_library_solves_by_itself() {
             .collect();
         let retained: Vec<f64> =
             (system.bodies.iter().zip(&plain)).flat_map(|(body, u)| u[body.retained.clone()].to_vec()).collect();
-        for (found, wanted) in condensed.recover(&retained).iter().zip(&plain) {
+        for (found, wanted) in condensed.recover(1.0, &retained).iter().zip(&plain) {
             let size = wanted.iter().fold(1e-30, |a: f64, u| a.max(u.abs()));
             assert!(distance(found, wanted) <= 1e-9 * size, "{name}: {:e}", distance(found, wanted) / size);
         }
@@ -152,7 +152,7 @@ fn halves_of_a_large_body_add_up_to_the_matrix_that_is_added_densely() {
     let scene = block([4.0, 3.0], supports, vec![]);
     let mesh = Mesh::of(&scene, resolution(40, 0, Order::Linear)).expect("mesh");
     assert!(mesh.cells() > 1024, "too small to be halved: {} cells", mesh.cells());
-    let numbering = Numbering::of(&scene, &mesh).expect("numbered");
+    let numbering = numbered(&scene, &mesh).expect("numbered");
     let system = ElasticSystem::assemble_numbered(&scene, &mesh, numbering, &|_| 1.0).expect("system");
     for index in 0..system.bodies.len() {
         let (wanted, force) = added_densely(&scene, &mesh, index, &system);
@@ -221,9 +221,9 @@ fn several_solutions_are_recovered_at_once_as_one_by_one() {
         let condensed = &discretisation.condensed;
         let mut number = noise(13);
         let retained: Vec<Vec<f64>> = (0..4).map(|_| (0..condensed.retained()).map(|_| number()).collect()).collect();
-        let all = condensed.recover_all(&retained.iter().map(Vec::as_slice).collect::<Vec<_>>());
+        let all = condensed.recover_all(1.0, &retained.iter().map(Vec::as_slice).collect::<Vec<_>>());
         for (k, one) in retained.iter().enumerate() {
-            for (body, wanted) in all.iter().zip(condensed.recover(one)) {
+            for (body, wanted) in all.iter().zip(condensed.recover(1.0, one)) {
                 assert!(distance(&body[k], &wanted) <= 0.0, "solution {k}");
             }
         }
@@ -270,7 +270,7 @@ fn another_load_and_clearance_are_solved_as_the_changed_scene_is() {
         let earlier = discretisation.solve(&formulation).expect("solved");
         for (load, clearance) in [(1.0, 0.0), (0.8, 0.0), (1.1, 0.02 * scene.reference.gap)] {
             let change = Change { load, clearance };
-            let again = discretisation.solve_from(Origin::From(&earlier), &formulation, change).expect("solved again");
+            let again = discretisation.solve_from(Some(&earlier), &formulation, change).expect("solved again");
             let mut changed = meshed(under(&scene, load), elements, Order::Quadratic);
             changed.interfaces[0].nodes.iter_mut().for_each(|node| node.gap += clearance);
             let wanted = pressures(&changed.solve(&formulation).expect("solved"));
@@ -287,7 +287,7 @@ fn under(scene: &Scene, factor: f64) -> Scene {
     let mut changed = scene.clone();
     for applied in changed.bodies.iter_mut().flat_map(|body| &mut body.loads) {
         match applied {
-            Load::Traction { traction, .. } => traction.iter_mut().for_each(|t| *t *= factor),
+            Load::OnSide { action: Action::Uniform(traction), .. } => traction.iter_mut().for_each(|t| *t *= factor),
             Load::RigidFace { force, .. } => *force *= factor,
             other => panic!("{other:?} is not expected here"),
         }
@@ -301,7 +301,7 @@ fn change_that_is_no_number_or_that_the_formulation_cannot_take_is_refused() {
     let discretisation = meshed(scene, 4, Order::Quadratic);
     let solve = |formulation: &Formulation, load, clearance| {
         let earlier = discretisation.solve(formulation).expect("solved");
-        let again = discretisation.solve_from(Origin::From(&earlier), formulation, Change { load, clearance });
+        let again = discretisation.solve_from(Some(&earlier), formulation, Change { load, clearance });
         again.map(|_| ()).expect_err("refused").to_string()
     };
     let kinematic = Formulation::new(Element::Node, Iteration::Kinematic);

@@ -3,8 +3,7 @@
 use std::collections::BTreeSet;
 
 use contact_vv::checkout::root;
-use contact_vv::drawing::colour_map::{CLASSES, ON_CLASSES};
-use contact_vv::drawing::palette::{self, CARD, CURVES, Dash, GREY, INK, Marker};
+use contact_vv::drawing::palette::{self, CARD, CLASSES, CURVES, Dash, GREY, INK, Marker, ON_CLASSES};
 use contact_vv::drawing::theme::Rgb;
 use contact_vv::drawing::{
     Axis, Bars, Cell, Chart, ClassMap, Colour, Direction, Drawing, Guide, MapPanel, Remark, Ribbon, Series, Style,
@@ -129,10 +128,10 @@ fn dark(svg: &str, light: &str) -> String {
 #[test]
 fn text_and_lines_of_written_charts_stand_out_on_their_card() {
     for (number, drawing) in drawings().iter().enumerate() {
-        let svg = drawing.svg().expect("drawn");
+        let svg = drawing.as_ref().expect("drawn");
         assert!(svg.contains("<style>\n@media(prefers-color-scheme:dark){\n["), "{number}");
         for theme in Theme::ALL {
-            let on = |light: &str| if theme == Theme::Light { light.to_owned() } else { dark(&svg, light) };
+            let on = |light: &str| if theme == Theme::Light { light.to_owned() } else { dark(svg, light) };
             let card = CARD.on(theme);
             assert_eq!(on(&CARD.on(Theme::Light).to_string()), card.to_string());
             let tags = || svg.split('<').filter_map(|part| part.split_once('>')).map(|(tag, _)| tag);
@@ -167,18 +166,17 @@ fn text_and_lines_of_written_charts_stand_out_on_their_card() {
 fn colour_that_would_be_two_on_dark_pages_is_refused() {
     let mut chart = full();
     chart.remarks[0].colour = Colour::new(0x0072B2, 0x112233);
-    let refused = chart.drawing().svg().expect_err("two partners").to_string();
+    let refused = chart.drawing().expect_err("two partners").to_string();
     assert!(refused.contains("#0072B2 is both #112233 and #5AA9E6 on dark pages"), "{refused}");
 }
 
 #[test]
 fn numbers_of_a_schematic_stand_where_it_asks_for_them() {
     let svg = "<svg><text fill=\"#222222\">R = {R} mm</text></svg>";
-    let drawn = schematic("one", svg, &[("R", -0.1 - 0.2)]).svg().expect("drawn");
+    let drawn = schematic("one", svg, &[("R", -0.1 - 0.2)]).expect("drawn");
     assert!(drawn.ends_with("<text fill=\"#222222\">R = −0.3 mm</text></svg>"), "{drawn}");
     assert_eq!(dark(&drawn, "#222222"), "#E8E8E5");
-    let refused =
-        |svg: &str, numbers: &[(&str, f64)]| schematic("one", svg, numbers).svg().expect_err("refused").to_string();
+    let refused = |svg: &str, numbers: &[(&str, f64)]| schematic("one", svg, numbers).expect_err("refused").to_string();
     assert!(refused(svg, &[]).contains("`R` has no number"));
     assert!(refused(svg, &[("R", f64::NAN)]).contains("`R` = NaN has no place"));
     assert!(refused(svg, &[("R", 1.0), ("q", 1.0)]).contains("`q` = 1 has no place"));
@@ -187,13 +185,13 @@ fn numbers_of_a_schematic_stand_where_it_asks_for_them() {
 
 #[test]
 fn everything_that_is_drawn_is_in_the_legend() {
-    let svg = full().drawing().svg().expect("drawn");
+    let svg = full().drawing().expect("drawn");
     for text in
         ["curve 0", "curve 5", "a guide", "a ribbon", "bars", "rings", "7 ms", "hollow: not converged", "A note."]
     {
         assert!(svg.contains(&format!("\n{text}\n")), "no `{text}`");
     }
-    let svg = map().drawing().svg().expect("drawn");
+    let svg = map().drawing().expect("drawn");
     for text in ["class 0", "class 6", "the boundary", "across [–]", "up", "10⁻⁶"] {
         assert!(svg.contains(&format!("\n{text}\n")), "no `{text}`");
     }
@@ -343,7 +341,7 @@ fn words_beside_points_give_way_to_signs_and_to_one_another() {
     for at in [points[5], points[6], points[7], points[11]] {
         chart.remarks.push(Remark { at, text: "some words".into(), ring: None, colour: palette::LAYER });
     }
-    let svg = chart.drawing().svg().expect("drawn");
+    let svg = chart.drawing().expect("drawn");
     assert_eq!(svg.matches("some words").count(), 4);
     assert!(covered(&svg).is_empty(), "{:?}", covered(&svg));
     // A sign where the words stand is seen.
@@ -400,7 +398,7 @@ fn cells_of_a_class_are_one_area_with_its_holes() {
     let cell = |class: usize| Cell { class, label: String::new(), predicted: None };
     let rows = classes.map(|row| ("1".to_string(), row.map(cell).to_vec())).to_vec();
     let panels = vec![MapPanel { title: "a panel".into(), rows }];
-    let svg = ClassMap { panels, ..map() }.drawing().svg().expect("drawn");
+    let svg = ClassMap { panels, ..map() }.drawing().expect("drawn");
     let paths = |class: usize| {
         let own = format!("\" fill=\"{0}\" stroke=\"{0}\"", CLASSES[class].on(Theme::Light));
         let before = svg.split(&own).next().expect("a path").rsplit("<path d=\"").next().expect("a path");

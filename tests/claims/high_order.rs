@@ -48,7 +48,7 @@ fn displacements_of_the_degree_are_found_to_round_off() {
         let mut mesh = mesh;
         mesh.bodies[0].candidates.clear();
         let system = ElasticSystem::assemble(&scene, &mesh).expect("system");
-        let u = system.nodal_displacements(&[solved(&system.bodies[0])]);
+        let u = system.nodal_displacements(1.0, &[solved(&system.bodies[0])]);
         for (point, found) in mesh.points.iter().zip(&u) {
             assert!(distance(found, &harmonic(p, *point)) <= 1e-15, "{order:?} at {point:?}");
         }

@@ -4,7 +4,6 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::path::Path;
-use std::sync::Arc;
 
 use contact_vv::accuracy::{self, Asked, Quantity};
 use contact_vv::case::Case;
@@ -12,7 +11,7 @@ use contact_vv::elasticity::dilatation::ORDINARY;
 use contact_vv::elasticity::element::{self, CellStiffness, Tabulated};
 use contact_vv::elasticity::{quadrature, stress};
 use contact_vv::mesh::{Mesh, Order};
-use contact_vv::scene::{Component, Face, LARGEST_POISSON, Load, Material, PlaneHypothesis, StressField};
+use contact_vv::scene::{Action, Component, Face, LARGEST_POISSON, Load, Material, PlaneHypothesis, VectorField};
 use contact_vv::solve::Formulation;
 use nalgebra::DVector;
 
@@ -133,10 +132,10 @@ fn uniform_strain_passes_through_bent_cells_of_any_ratio_under_tractions_or_the_
             let material = Material { poisson, ..STEEL };
             let d = material.stiffness(plane);
             let wanted: [f64; 3] = std::array::from_fn(|i| d[i][0] * 1e-3 - d[i][1] * 3e-4 + d[i][2] * 11e-4);
-            let ([sx, sy, txy], field) = (wanted, StressField(Arc::new(move |_| wanted)));
+            let ([sx, sy, txy], field) = (wanted, VectorField::of(move |_| wanted));
             let sides = [("right", [sx, txy]), ("left", [-sx, -txy]), ("top", [txy, sy]), ("bottom", [-txy, -sy])];
-            let tractions = sides.map(|(side, traction)| Load::Traction { boundary: side.into(), traction });
-            let fields = sides.map(|(side, _)| Load::Stress { boundary: side.into(), field: field.clone() });
+            let tractions = sides.map(|(side, traction)| Load::on(side, Action::Uniform(traction)));
+            let fields = sides.map(|(side, _)| Load::on(side, Action::Stress(field.clone())));
             let supports = vec![
                 held_at([0.0, 0.0], Component::X, 0.0),
                 held_at([0.0, 0.0], Component::Y, 0.0),
@@ -172,8 +171,8 @@ fn ring_errors(
 ) -> [f64; 2] {
     let (a, b, p) = (2.0, 4.0, 0.5);
     let supports = vec![held("start", Component::X, 0.0), held("end", Component::Y, 0.0)];
-    let pressure = StressField(Arc::new(move |_| [-p, -p, 0.0]));
-    let loads = vec![Load::Stress { boundary: "contact".into(), field: pressure }];
+    let pressure = VectorField::of(move |_| [-p, -p, 0.0]);
+    let loads = vec![Load::on("contact", Action::Stress(pressure))];
     let mut scene = ring([a, b], Face::Bottom, FRAC_PI_2, supports, loads);
     scene.plane = plane;
     scene.bodies[0].material = material;

@@ -32,7 +32,7 @@ impl Algorithm for Playback {
         self.at += 1;
         self.loads.push(load[0]);
         let displacement = vec![self.approach];
-        let internal = problem.internal_force(&displacement);
+        let internal = problem.stiffness.times(&displacement);
         Some(Iterate { approach: displacement.clone(), displacement, pressure: vec![pressure], internal })
     }
 }
@@ -406,6 +406,6 @@ fn spring_force_of_an_iterate_is_the_carried_force_plus_stiffness_times_strain()
 }
 
 pub fn iterate_of(problem: &ContactProblem, displacement: [f64; 2], approach: [f64; 2], pressure: [f64; 2]) -> Iterate {
-    let internal = problem.internal_force(&displacement);
+    let internal = problem.stiffness.times(&displacement);
     Iterate { displacement: displacement.to_vec(), approach: approach.to_vec(), pressure: pressure.to_vec(), internal }
 }

@@ -312,8 +312,8 @@ fn no_cell_of_a_ring_is_wider_beyond_its_candidates_than_its_coarsest() {
     let ring = parsed(text).scene;
     for (scene, elements) in [(&scene, 2), (&ring, 2), (&ring, 3), (&ring, 8)] {
         let plan = Plan::around([-0.8, 0.8], 1.5, elements, Order::Quadratic, level(elements));
-        let scene = plan.scene(scene);
-        let mesh = Mesh::of(&scene, plan.resolution()).expect("mesh");
+        let (scene, resolution) = plan.laid(scene);
+        let mesh = Mesh::of(&scene, resolution).expect("mesh");
         let body = scene.bodies.len() - 1;
         let centre = match scene.bodies[body].shape {
             Shape::Eye { hole, .. } => hole.centre,

@@ -29,7 +29,7 @@ fn solved(name: &str) -> Solved {
 impl Solved {
     fn svg(&self) -> String {
         let sheet = solve::sheet(&self.problem, &self.discretisation, &self.run).expect("composed");
-        sheet.drawing().svg().expect("drawn")
+        sheet.drawing().expect("drawn")
     }
 }
 
@@ -171,7 +171,7 @@ fn charts_hold_the_pressures_and_the_iteration_error_of_every_step() {
     let [guide] = chart.guides.as_slice() else { panic!("one guide") };
     assert_eq!(guide.direction, Direction::Horizontal);
     assert_abs_diff_eq!(guide.at, run.formulation.settings.tolerance, epsilon = 0.0);
-    assert_eq!(ill_formed(&chart.drawing().svg().expect("drawn")), None);
+    assert_eq!(ill_formed(&chart.drawing().expect("drawn")), None);
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use approx::assert_abs_diff_eq;
 use contact_vv::case::library::{Patch, PinRod};
-use contact_vv::contact::{ContactElement, Interface, Node};
+use contact_vv::contact::{Interface, node};
 use contact_vv::elasticity::ElasticSystem;
 use contact_vv::error::{Part, Place};
 use contact_vv::mesh::{Mesh, Order};
@@ -46,14 +46,14 @@ fn uniform_pressure_presses_consistently_on_both_sides_whatever_their_meshes() {
             let sample = interface(&scene, 10, order);
             let own = sample.nodes.len();
             let primary = &mesh.bodies[1].candidates;
-            for (name, element) in elements() {
+            for (name, points_of) in elements() {
                 let mut force = vec![0.0; own + primary.len()];
-                element.points(&sample).iter().for_each(|point| point.add_row(point.weight, &mut force));
+                points_of(&sample).iter().for_each(|point| point.add_row(point.weight, &mut force));
                 for (body, forces) in [(0, &force[..own]), (1, &force[own..])] {
                     let mut alone = scene.clone();
                     alone.bodies[0].density = scene.bodies[body].density;
                     alone.contacts[0].second = None;
-                    let areas = Node.points(&interface(&alone, 10, order)).into_iter().map(|point| point.weight);
+                    let areas = node::points(&interface(&alone, 10, order)).into_iter().map(|point| point.weight);
                     for (found, wanted) in forces.iter().zip(areas) {
                         assert!((found - wanted).abs() <= 1e-12, "{name}, {density}, body {body}: {found}, {wanted}");
                     }

@@ -28,7 +28,7 @@ fn bar(plane: &str, gap: f64, supports: &str, loads: &str) -> String {
 }
 
 fn forces(discretisation: &Discretisation, solution: &Solution) -> Vec<f64> {
-    discretisation.reactions(solution).expect("reactions").iter().map(|reaction| reaction.force).collect()
+    discretisation.reactions(1.0, solution).expect("reactions").iter().map(|reaction| reaction.force).collect()
 }
 
 fn forces_of(text: &str) -> Vec<f64> {
@@ -53,7 +53,7 @@ fn run_that_ends_before_the_last_increment_has_the_reactions_of_its_own_share() 
     let text = text.replace("[solve]", "[solve]\nincrements = 4\nmax-iterations = 2\nstiffness = 1e4");
     let (discretisation, run) = solved_as_it_says(&parsed(&text));
     assert!(!run.solution.converged() && run.share() < 1.0, "{:?} after {}", run.solution.outcome, run.share());
-    let reactions = discretisation.reactions_under(run.share(), &run.solution).expect("reactions");
+    let reactions = discretisation.reactions(run.share(), &run.solution).expect("reactions");
     let touch = contact(&discretisation, &run.solution, 0);
     let [x, y] = [0.5, -0.25].map(|density| run.share() * density * 600.0);
     assert!(touch[1] > 1.0, "{touch:?}");

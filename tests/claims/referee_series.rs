@@ -70,7 +70,7 @@ fn picture_shows_what_was_handed_in_on_the_truth() {
     assert!((pressures.series[1].points[0].1 - peak).abs() <= 1e-9 * peak);
     let apart = pressures.series[0].points[0].1 - peak;
     assert!((differences.series[0].points[0].1 - apart).abs() <= 1e-9 * peak);
-    assert!(sheet.drawing().svg().expect("drawn").contains("Difference from the truth"));
+    assert!(sheet.drawing().expect("drawn").contains("Difference from the truth"));
 }
 
 #[test]

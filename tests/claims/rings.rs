@@ -16,7 +16,7 @@ use contact_vv::oracle::analytic::revolution::half_space::Potential;
 use contact_vv::oracle::analytic::revolution::indentation::Indentation;
 use contact_vv::oracle::analytic::revolution::sphere::Sphere;
 use contact_vv::scene::{
-    Component, Displaced, Face, Grading, Line, Material, MonotoneCubic, Path as Way, Place, PlaneHypothesis, Profile,
+    Component, Displaced, Face, Grading, Material, MonotoneCubic, Path as Way, Place, PlaneHypothesis, Profile,
     ReferenceValues, Scene, Shape,
 };
 use contact_vv::solve::{Discretisation, Formulation, Run};
@@ -28,7 +28,7 @@ use crate::workbench::{held, meshed, stressed, told, turned};
 const ORDERS: [Order; 4] = [Order::Linear, Order::Quadratic, Order::Quartic, Order::Octic];
 
 fn across(origin: [f64; 2]) -> Way {
-    Way::Straight(Line { origin, both_sides: true })
+    Way::Straight { origin, both_sides: true }
 }
 
 /// A ring on a flat, and a sleeve around a rigid shaft, whose contact is a line along the axis; with the areas of their contacts.

@@ -7,7 +7,7 @@ use approx::assert_relative_eq;
 use contact_vv::case::{Case, Meshed, Verdict};
 use contact_vv::checkout::root;
 use contact_vv::cli::new::Template;
-use contact_vv::scene::{Load, Profile};
+use contact_vv::scene::{Action, Load, Profile};
 use contact_vv::solve::Run;
 use serde_json::Value as Schema;
 
@@ -176,7 +176,7 @@ fn pressures_are_their_laws_and_press_inwards() {
         parsed(&(units.to_owned() + &loaded(&format!("pressure = {{ at = \"far\", law = {law} }}"))))
     };
     let at = |file: &Case, point: [f64; 2]| match &file.scene.bodies[0].loads[0] {
-        Load::Stress { field, .. } => (field.0)(point),
+        Load::OnSide { action: Action::Stress(field), .. } => (field.0)(point),
         other => panic!("{other:?}"),
     };
     let series = "{ cosine = { centre = [3, 4], coefficients = [7, 5, 2] } }";
@@ -207,7 +207,9 @@ fn tractions_have_a_law_for_each_component_in_any_unit() {
     let laws = "x = { polynomial = { along = \"x\", coefficients = [0, 2] } }, y = { uniform = -3 }";
     for (units, unit, stress) in [("", 1.0, 1.0), ("units = { length = \"cm\", stress = \"GPa\" }\n", 10.0, 1e3)] {
         let file = with(laws, units);
-        let Load::TractionField { field, .. } = &file.scene.bodies[0].loads[0] else { panic!("a field") };
+        let Load::OnSide { action: Action::Field(field), .. } = &file.scene.bodies[0].loads[0] else {
+            panic!("a field")
+        };
         let [x, y] = (field.0)([unit * 5.0, unit * 7.0]);
         assert_relative_eq!(x, stress * 10.0, max_relative = 1e-12);
         assert_relative_eq!(y, -stress * 3.0, max_relative = 1e-12);

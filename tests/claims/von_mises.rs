@@ -4,7 +4,7 @@ use contact_vv::accuracy::{Barred, Quantity, bars};
 use contact_vv::case::Case;
 use contact_vv::case::library::PressFit;
 use contact_vv::mesh::{Order, Resolution};
-use contact_vv::scene::{Load, Material, PlaneHypothesis, Scene, StressField};
+use contact_vv::scene::{Action, Load, Material, PlaneHypothesis, Scene, VectorField};
 use contact_vv::solve::{Discretisation, Formulation, Run, VonMises, shapes};
 use contact_vv::study::promised::bars::setup;
 use contact_vv::study::random::{Family, Site};
@@ -69,7 +69,7 @@ fn largest_stresses_of_pressed_rings_are_those_of_lame() {
 }
 
 /// The largest von Mises stress that a field has in a body, at places of its cells.
-fn of_field(discretisation: &Discretisation, body: usize, StressField(field): &StressField) -> f64 {
+fn of_field(discretisation: &Discretisation, body: usize, VectorField(field): &VectorField<3>) -> f64 {
     const PARTS: usize = 8;
     let (scene, mesh) = (&discretisation.scene, &discretisation.mesh);
     let natural = |k: usize| 2.0 * (k as f64 + 0.5) / PARTS as f64 - 1.0;
@@ -105,8 +105,9 @@ fn bars_of_largest_stresses_hold_on_random_scenes_of_closed_form() {
     for (site, discretisation, told) in sites.collect::<Vec<_>>().into_par_iter().map(with_bars).collect::<Vec<_>>() {
         for body in 0..discretisation.scene.bodies.len() {
             let loads = &discretisation.scene.bodies[body].loads;
-            let field =
-                loads.iter().find_map(|load| if let Load::Stress { field, .. } = load { Some(field) } else { None });
+            let field = loads.iter().find_map(|load| {
+                if let Load::OnSide { action: Action::Stress(field), .. } = load { Some(field) } else { None }
+            });
             let Some(found) = of_body(&told, body) else { continue };
             let Some(field) = field else { continue };
             let truth = of_field(&discretisation, body, field);

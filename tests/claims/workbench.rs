@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::f64::consts::FRAC_PI_2;
 use std::path::Path;
-use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+use std::sync::{Mutex, OnceLock, PoisonError};
 
 use contact_vv::case::library::{
     Bars, Cylinder, CylinderModel, FlatPunch, Patch, PinPlate, PinRod, PressFit, TruncatedHertz, find, own_weight,
@@ -14,8 +14,8 @@ use contact_vv::mesh::{BodyMesh, Edge, Mesh, Order, Resolution};
 use contact_vv::oracle::{Quantity, Reading};
 use contact_vv::referee::Truth;
 use contact_vv::scene::{
-    self, Body, Circle, Component, ContactPair, Face, Grading, Load, Material, Place, PlaneHypothesis, Profile,
-    ReferenceValues, Scene, Shape, StressField, Support,
+    self, Action, Body, Circle, Component, ContactPair, Face, Grading, Load, Material, Place, PlaneHypothesis, Profile,
+    ReferenceValues, Scene, Shape, Support, VectorField,
 };
 use contact_vv::solve::{Discretisation, Element, Formulation, Iteration};
 use nalgebra::{DMatrix, DVector};
@@ -38,7 +38,7 @@ pub fn resolution(elements: usize, refinement: u32, order: Order) -> Resolution 
 
 /// Every scene of the library, with the coarsest resolution that makes sense for it.
 pub fn library() -> Vec<(Scene, usize)> {
-    let none = StressField(Arc::new(|_| [0.0; 3]));
+    let none = VectorField::of(|_| [0.0; 3]);
     vec![
         (Patch::default().scene(), 2),
         (Bars::default().scene(), 2),
@@ -84,8 +84,8 @@ pub fn stressed(
     sides: &[&'static str],
     field: impl Fn([f64; 2]) -> [f64; 3] + Send + Sync + 'static,
 ) -> impl Iterator<Item = Load> {
-    let field = StressField(Arc::new(field));
-    sides.iter().map(move |side| Load::Stress { boundary: (*side).into(), field: field.clone() })
+    let field = VectorField::of(field);
+    sides.iter().map(move |side| Load::on(*side, Action::Stress(field.clone())))
 }
 
 /// A soft body of revolution on a rigid side, under the traction of a uniform stress on the sides that are named.
@@ -176,7 +176,7 @@ pub fn solved(body: &BodySystem) -> Vec<f64> {
 /// Nodal displacements of a scene of one body that its supports hold.
 pub fn displaced(scene: &Scene, mesh: &Mesh) -> Vec<[f64; 2]> {
     let system = ElasticSystem::assemble(scene, mesh).expect("system");
-    system.nodal_displacements(&[solved(&system.bodies[0])])
+    system.nodal_displacements(1.0, &[solved(&system.bodies[0])])
 }
 
 /// The case of a scene file's text.

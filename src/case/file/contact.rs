@@ -11,7 +11,7 @@ use crate::case::file::value::Value;
 use crate::case::file::{compared, gap, named};
 use crate::error::Error;
 use crate::scene::contact_pair::CONTACT;
-use crate::scene::{Body, BoundaryName, Circle, ContactPair, DrawnGap, Ends, Line, Path, PlaneHypothesis, Profile};
+use crate::scene::{Body, BoundaryName, Circle, ContactPair, DrawnGap, Ends, Path, PlaneHypothesis, Profile};
 
 /// One table, or several.
 pub(super) const CONTACTS: Form = Own(&[ONE, List(&ONE)], |value| match value.get_ref() {
@@ -184,7 +184,7 @@ pub(super) fn way(table: Value) -> Result<(Path, f64), Error> {
     let stretch = table.at("stretch");
     let Some(arc) = table.get("arc") else {
         let origin = table.get("origin").map_or(Ok([0.0; 2]), Value::point)?;
-        let path = Path::Straight(Line { origin, both_sides: table.asked("both-sides").is_some() });
+        let path = Path::Straight { origin, both_sides: table.asked("both-sides").is_some() };
         return Ok((path, stretch.length()?));
     };
     let path = Path::Arc(Circle { centre: arc.at("centre").point()?, radius: arc.at("radius").length()? });

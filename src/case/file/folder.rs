@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use crate::error::Error;
-use crate::error::nearest::nearest;
+use crate::error::nearest;
 
 /// The file of a folder whose name is most like that of one that is not there.
 pub fn nearest_to(missing: &Path) -> Option<PathBuf> {

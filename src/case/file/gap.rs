@@ -84,9 +84,9 @@ pub(super) fn refuse_strange(path: &Path, profile: &Profile, gap: Value) -> Resu
         }
         (Path::Arc(_), Profile::Pin { .. }) => "give `arc` the radius of the hole, that of the pin and the clearance",
         (Path::Arc(_), _) => "on an arc the gap is `uniform`, `drawn`, from the bodies, a `hole` or a `pin`",
-        (Path::Straight(_), Profile::Hole { .. }) => "a hole needs the pin's circle as `arc`",
-        (Path::Straight(_), Profile::Pin { .. }) => "a pin needs the hole's circle as `arc`",
-        (Path::Straight(_), _) => return Ok(()),
+        (Path::Straight { .. }, Profile::Hole { .. }) => "a hole needs the pin's circle as `arc`",
+        (Path::Straight { .. }, Profile::Pin { .. }) => "a pin needs the hole's circle as `arc`",
+        (Path::Straight { .. }, _) => return Ok(()),
     };
     Err(gap.refused("this gap cannot be used on the path of the contact", remedy))
 }

@@ -285,11 +285,11 @@ impl Bench<'_> {
     fn lame(&self) -> Result<(), Error> {
         // Rings about y = 0 meet along a line at their radius.
         let of = |shape: &Shape| match self.pair.path {
-            Path::Straight(_) => along_y(shape),
+            Path::Straight { .. } => along_y(shape),
             Path::Arc(arc) => extent(shape, arc.centre),
         };
         let radius_of_fit = match (self.pair.path, self.pair.second) {
-            (Path::Straight(line), Some(_)) => line.origin[1],
+            (Path::Straight { origin, .. }, Some(_)) => origin[1],
             _ => self.arc("two elastic rings")?.radius,
         };
         let [bore, fit, outside] = self.numbers.at("radii").exactly()?;

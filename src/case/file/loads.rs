@@ -1,7 +1,6 @@
 //! Loads of a body.
 
 use std::f64::consts::PI;
-use std::sync::Arc;
 
 use crate::case::file::form::Form::{List, Number, OneOf, Table, Text};
 use crate::case::file::form::{Form, PAIR, may, must};
@@ -10,7 +9,7 @@ use crate::case::file::value::Value;
 use crate::error::Error;
 use crate::oracle::analytic::hertz::Hertz;
 use crate::oracle::analytic::revolution::half_space::Potential;
-use crate::scene::{Action, Along, Load, Material, PlaneHypothesis, Shape, SidePart, StressField, TractionField};
+use crate::scene::{Action, Along, Load, Material, PlaneHypothesis, Shape, SidePart, VectorField};
 
 /// One load.
 pub(super) const LOAD: Form = OneOf(&[
@@ -66,10 +65,7 @@ pub(super) fn load(of: (PlaneHypothesis, Material), shape: &Shape, given: Value)
         "pressure" => {
             refuse_inside(shape, table.at("at"))?;
             let (boundary, field) = (boundary()?, pressure(table.at("law"))?);
-            match part(table)? {
-                None => Load::Stress { boundary, field },
-                part => Load::OnSide { boundary, part, action: Action::Stress(field) },
-            }
+            Load::OnSide { boundary, part: part(table)?, action: Action::Stress(field) }
         }
         "moment" => Load::OnSide {
             boundary: boundary()?,
@@ -78,7 +74,7 @@ pub(super) fn load(of: (PlaneHypothesis, Material), shape: &Shape, given: Value)
         },
         "hertz" => {
             refuse_inside(shape, table.at("at"))?;
-            Load::Stress { boundary: boundary()?, field: hertz(of, table)? }
+            Load::on(boundary()?, Action::Stress(hertz(of, table)?))
         }
         "body-force" => Load::BodyForce(table.pair()?.map(|f| units.specific_weight() * f)),
         "force" => {
@@ -109,18 +105,14 @@ fn traction(shape: &Shape, table: Value) -> Result<Load, Error> {
         [None, None, x, y] if x.is_some() || y.is_some() => {
             let component = |given: Option<Value>| given.map_or_else(|| Ok(Box::new(|_: [f64; 2]| 0.0) as Law), law);
             let (x, y) = (component(x)?, component(y)?);
-            Action::Field(TractionField(Arc::new(move |point| [x(point), y(point)])))
+            Action::Field(VectorField::of(move |point| [x(point), y(point)]))
         }
         _ => {
             let remedy = "give `value = [tx, ty]`, a total `force = [fx, fy]`, or a law for `x`, `y` or both";
             return Err(table.at("at").refused("the traction has no value, or two", remedy));
         }
     };
-    Ok(match (part, action) {
-        (None, Action::Uniform(traction)) => Load::Traction { boundary, traction },
-        (None, Action::Field(field)) => Load::TractionField { boundary, field },
-        (part, action) => Load::OnSide { boundary, part, action },
-    })
+    Ok(Load::OnSide { boundary, part, action })
 }
 
 /// The part of a side that a load acts on; none where it acts on all of it.
@@ -150,18 +142,18 @@ fn part(load: Value) -> Result<Option<SidePart>, Error> {
 }
 
 /// The stress `σ = −p I`, whose traction on any side is the pressure.
-fn pressure(given: Value) -> Result<StressField, Error> {
+fn pressure(given: Value) -> Result<VectorField<3>, Error> {
     let at = law(given)?;
-    Ok(StressField(Arc::new(move |point| {
+    Ok(VectorField::of(move |point| {
         let p = at(point);
         [-p, -p, 0.0]
-    })))
+    }))
 }
 
 /// The stresses under `p = p₀ √(1 − (x/a)²)` on a half-plane above or below the contact \[MPa\].
 ///
 /// Of bodies of revolution those below `p = p₀ √(1 − (r/a)²)` on a half-space, which depend on Poisson's ratio too.
-fn hertz((plane, material): (PlaneHypothesis, Material), table: Value) -> Result<StressField, Error> {
+fn hertz((plane, material): (PlaneHypothesis, Material), table: Value) -> Result<VectorField<3>, Error> {
     let peak = table.units.stress * table.at("peak-pressure").positive()?;
     let a = table.at("half-width").length()?;
     let [x0, y0] = table.get("centre").map_or(Ok([0.0; 2]), Value::point)?;
@@ -170,19 +162,19 @@ fn hertz((plane, material): (PlaneHypothesis, Material), table: Value) -> Result
             let message = "these stresses are those below a circle around the axis x = 0";
             return Err(table.refused(message, "give a `centre` at x = 0, of bodies that are turned about x = 0"));
         }
-        return Ok(StressField(Arc::new(move |[r, y]| {
+        return Ok(VectorField::of(move |[r, y]| {
             let below = Potential::hertz(a, r, (y - y0).abs()).times(peak / a).stress(material.poisson);
             let [radial, axial, shear] = below.in_plane();
             [radial, axial, shear * (y - y0).signum()]
-        })));
+        }));
     }
     // Stresses depend on P and a alone: a² = 4PR/πE* holds with E* = 1.
     let load = 0.5 * PI * a * peak;
     let hertz = Hertz { load, radius: PI * a * a / (4.0 * load), modulus: 1.0 };
-    Ok(StressField(Arc::new(move |[x, y]| {
+    Ok(VectorField::of(move |[x, y]| {
         let [along, across, shear] = hertz.stress(x - x0, (y - y0).abs());
         [along, across, shear * (y - y0).signum()]
-    })))
+    }))
 }
 
 /// A stress as a function of the place \[MPa\].

@@ -170,7 +170,7 @@ fn lame(t: Value, scene: &Scene, pair: &ContactPair) -> Result<PressFit, Error> 
 fn lame_of_revolution(t: Value, (scene, pair): (&Scene, &ContactPair), radial: usize) -> Result<SharedOracle, Error> {
     let fit = lame(t, scene, pair)?;
     match pair.path {
-        Path::Straight(_) if radial == 1 => Ok(Arc::new(fit)),
+        Path::Straight { .. } if radial == 1 => Ok(Arc::new(fit)),
         Path::Arc(_) if radial == 0 => Ok(Arc::new(PressFit { shape: Shape::Sphere, ..fit })),
         _ => {
             let message = "`lame` is of rings about y = 0 along a straight path, and of spheres along an arc about a centre on the axis";

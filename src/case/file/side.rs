@@ -123,8 +123,8 @@ impl Side {
     /// How far along the path's direction the side begins \[mm\].
     pub(super) fn depth(&self, path: &Path) -> f64 {
         match (&self.place, path) {
-            (Place::Straight { height, .. } | Place::Disc { height, .. }, Path::Straight(line)) => {
-                line.origin[1] - height
+            (Place::Straight { height, .. } | Place::Disc { height, .. }, Path::Straight { origin, .. }) => {
+                origin[1] - height
             }
             (Place::Disc { circle, .. } | Place::Arc(circle), _) => circle.radius,
             (Place::Straight { .. }, _) => f64::NAN,
@@ -197,17 +197,17 @@ impl Side {
                     "the contact begins on the symmetry line: move the bodies there, or give `both-sides = true`",
                 ),
             ),
-            (Place::Straight { height, .. }, Path::Straight(_)) if !wanted.near(*height, y0) => misfit(
+            (Place::Straight { height, .. }, Path::Straight { .. }) if !wanted.near(*height, y0) => misfit(
                 format!("does not lie at {level}"),
                 "the contact runs along that line: move the bodies there, give its `origin`, or `gap = \"drawn\"`",
             ),
-            (Place::Disc { circle, .. }, Path::Straight(_)) if !on_axis(circle.centre[0], circle.radius) => misfit(
+            (Place::Disc { circle, .. }, Path::Straight { .. }) if !on_axis(circle.centre[0], circle.radius) => misfit(
                 format!("does not touch at {line}"),
                 wanted.remedy(format!(
                     "give the body a centre at {line}, where its mesh is finest, or the contact another `origin`"
                 )),
             ),
-            (Place::Disc { height, circle }, Path::Straight(_))
+            (Place::Disc { height, circle }, Path::Straight { .. })
                 if !wanted.near(*height, y0) && wanted.near(2.0 * circle.centre[1] - height, y0) =>
             {
                 misfit(
@@ -215,7 +215,7 @@ impl Side {
                     "give a disc the other `contact`, \"top\" or \"bottom\"; a ring has none, it touches at its lowest point: turn the whole scene upside down, with loads and supports, or give the ring as a `mesh`",
                 )
             }
-            (Place::Disc { height, .. }, Path::Straight(_)) if !wanted.near(*height, y0) => misfit(
+            (Place::Disc { height, .. }, Path::Straight { .. }) if !wanted.near(*height, y0) => misfit(
                 format!("does not touch {level}"),
                 "the contact runs along that line: give the body a centre one radius above or below (above, of a ring: it touches at its lowest point), or the contact its `origin`",
             ),
@@ -263,7 +263,7 @@ impl Side {
     /// Refuses a candidate stretch that goes on where the side has ended.
     pub(super) fn refuse_short(&self, name: Value, path: &Path, (stretch, given): (f64, Value)) -> Result<(), Error> {
         let (length, shown) = match (path, &self.place) {
-            (Path::Straight(_), _) => (self.length, self.length / name.units.length),
+            (Path::Straight { .. }, _) => (self.length, self.length / name.units.length),
             (Path::Arc(_), Place::Arc(_) | Place::Pieces(_)) => (self.length, self.length.to_degrees()),
             (Path::Arc(_), _) => return Ok(()),
         };

@@ -1,12 +1,11 @@
 //! Elastic cylinder on a rigid plane (the paper's example a).
 use std::f64::consts::PI;
-use std::sync::Arc;
 
 use crate::case::library::shared::{ENGINEERING, hertz_checks};
 use crate::case::{Case, Check, Quantity, Reference};
 use crate::mesh::Resolution;
 use crate::oracle::analytic::hertz::Hertz;
-use crate::scene::{Component, Face, Load, Material, PlaneHypothesis, Scene, Sector, Shape, StressField};
+use crate::scene::{Action, Component, Face, Load, Material, PlaneHypothesis, Scene, Sector, Shape, VectorField};
 use crate::solve::Formulation;
 
 /// Elastic cylinder pressed on a rigid plane by a uniform load (paper, example a).
@@ -71,10 +70,8 @@ impl Cylinder {
             CylinderModel::BetweenPlates => {
                 Load::RigidFace { boundary: "cut".into(), component: Component::Y, force: -0.5 * self.load() }
             }
-            CylinderModel::Half => Load::Traction { boundary: "middle".into(), traction: [0.0, -q] },
-            CylinderModel::HalfLoadedAbove => {
-                Load::Stress { boundary: "top".into(), field: StressField(Arc::new(move |_| [0.0, -q, 0.0])) }
-            }
+            CylinderModel::Half => Load::on("middle", Action::Uniform([0.0, -q])),
+            CylinderModel::HalfLoadedAbove => Load::on("top", Action::Stress(VectorField::of(move |_| [0.0, -q, 0.0]))),
         };
         let body = &mut scene.bodies[0];
         body.loads = vec![load];

@@ -6,7 +6,7 @@ use crate::case::{Against, Case, Check};
 use crate::measure::Quantity;
 use crate::oracle::analytic::punch;
 use crate::scene::{
-    ContactPair, Face, Grading, Load, Material, Path, PlaneHypothesis, Profile, ReferenceValues, Scene,
+    Action, ContactPair, Face, Grading, Load, Material, Path, PlaneHypothesis, Profile, ReferenceValues, Scene,
 };
 
 /// A rigid flat punch with sharp corners pressed on a large block.
@@ -35,7 +35,7 @@ impl FlatPunch {
         let side = self.size * a;
         let pressure = self.load / (PI * a);
         let modulus = self.material.plane_modulus(PlaneHypothesis::Strain);
-        let load = Load::Traction { boundary: "far".into(), traction: [0.0, -0.5 * self.load / side] };
+        let load = Load::on("far", Action::Uniform([0.0, -0.5 * self.load / side]));
         Scene {
             name: "flat-punch".into(),
             plane: PlaneHypothesis::Strain,

@@ -1,13 +1,12 @@
 //! Blocks of revolution that carry the tractions of a half-space, pressed by a rigid profile: a sphere, a cone.
 use std::f64::consts::PI;
-use std::sync::Arc;
 
 use crate::case::library::TruncatedHertz;
 use crate::case::library::shared::{ENGINEERING, hertz_checks};
 use crate::case::{Against, Case, Check, Quantity};
 use crate::measure::Quantity as Number;
 use crate::oracle::analytic::revolution::indentation::Indentation;
-use crate::scene::{Material, PlaneHypothesis, Profile, ReferenceValues, Scene, StressField};
+use crate::scene::{Material, PlaneHypothesis, Profile, ReferenceValues, Scene, VectorField};
 use crate::solve::Formulation;
 
 /// A block pressed by a rigid profile of revolution, with the closed-form tractions of its half-space on its other sides.
@@ -54,7 +53,7 @@ impl Indented {
         let plain = TruncatedHertz::default();
         let stretch = self.stretch.min(plain.size);
         let block = TruncatedHertz { radius: self.drawn, young, poisson, a_over_r: 1.0, stretch, ..plain };
-        let mut scene = block.scene_under(StressField(Arc::new(stress)));
+        let mut scene = block.scene_under(VectorField::of(stress));
         scene.plane = PlaneHypothesis::Axisymmetric;
         let pair = &mut scene.contacts[0];
         (pair.symmetric, pair.profile) = (false, self.profile.clone());

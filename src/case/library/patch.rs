@@ -4,7 +4,7 @@ use crate::case::library::shared::{block, even, flat_contact, moved};
 use crate::case::{Against, Case, Check, Quantity};
 use crate::mesh::{Order, Resolution};
 use crate::oracle::analytic::uniform::Uniform;
-use crate::scene::{Face, Load, Material, PlaneHypothesis, ReferenceValues, Scene};
+use crate::scene::{Action, Face, Load, Material, PlaneHypothesis, ReferenceValues, Scene};
 use crate::solve::Formulation;
 
 /// Two equal blocks pressed on one another by a uniform pressure across a uniform clearance.
@@ -29,7 +29,7 @@ impl Patch {
     pub fn scene(&self) -> Scene {
         let modulus = 0.5 * self.material.plane_modulus(PlaneHypothesis::Strain);
         let gap = self.pressure * self.side / modulus;
-        let load = Load::Traction { boundary: "far".into(), traction: [0.0, -self.pressure] };
+        let load = Load::on("far", Action::Uniform([0.0, -self.pressure]));
         Scene {
             name: "patch".into(),
             plane: PlaneHypothesis::Strain,

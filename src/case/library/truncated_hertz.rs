@@ -1,12 +1,12 @@
 //! Hertz without its model error: a block that carries the tractions of the half-plane.
 use std::f64::consts::PI;
-use std::sync::Arc;
 
 use crate::case::library::shared::{ENGINEERING, block, hertz_checks};
 use crate::case::{Against, Case, Check, Quantity};
 use crate::oracle::analytic::hertz::Hertz;
 use crate::scene::{
-    ContactPair, Face, Grading, Load, Material, Path, PlaneHypothesis, Profile, ReferenceValues, Scene, StressField,
+    Action, ContactPair, Face, Grading, Load, Material, Path, PlaneHypothesis, Profile, ReferenceValues, Scene,
+    VectorField,
 };
 use crate::solve::Formulation;
 
@@ -54,14 +54,14 @@ impl TruncatedHertz {
     /// The block lies above the contact line y = 0, so that y is the depth.
     pub fn scene(&self) -> Scene {
         let hertz = self.closed_form();
-        self.scene_under(StressField(Arc::new(move |[x, depth]: [f64; 2]| hertz.stress(x, depth))))
+        self.scene_under(VectorField::of(move |[x, depth]: [f64; 2]| hertz.stress(x, depth)))
     }
 
     /// The same under other stresses of a half-plane.
-    pub fn scene_under(&self, half_space: StressField) -> Scene {
+    pub fn scene_under(&self, half_space: VectorField<3>) -> Scene {
         let a = self.half_width();
         let side = self.size * a;
-        let field = |boundary: &'static str| Load::Stress { boundary: boundary.into(), field: half_space.clone() };
+        let field = |boundary: &'static str| Load::on(boundary, Action::Stress(half_space.clone()));
         let loads = vec![field("right"), field("far")];
         Scene {
             name: "truncated-hertz".into(),

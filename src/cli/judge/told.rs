@@ -3,7 +3,7 @@
 use crate::case::{Judged, Verdict};
 use crate::cli::terminal::{say, table, table_on, width};
 use crate::markdown;
-use crate::measure::order::{Observed, Why};
+use crate::measure::order::Why;
 use crate::referee::series::Series;
 use crate::referee::{Ruled, Truth, Verdicts};
 use crate::uncertainty::COVERAGE;
@@ -46,9 +46,9 @@ pub fn series(truth: &Truth, found: &Series) {
     for one in &found.along {
         for k in 0..one.values.len() {
             let order = k.checked_sub(1).map_or("–".into(), |before| match one.orders[before] {
-                Observed::Order(order) => markdown::significant(order, 3),
-                Observed::Withheld(Why::NotMonotone) => "not monotone".into(),
-                Observed::Withheld(Why::Floor) => "below what the truth is known to".into(),
+                Ok(order) => markdown::significant(order, 3),
+                Err(Why::NotMonotone) => "not monotone".into(),
+                Err(Why::Floor) => "below what the truth is known to".into(),
             });
             let error = markdown::signed(100.0 * one.errors[k], 3) + " %";
             table.add_row([

@@ -167,5 +167,5 @@ fn reactions(discretisation: &Discretisation, run: &Run) -> Result<Vec<ReactionR
             force: reaction.force,
         }
     };
-    Ok(discretisation.reactions_under(run.share(), &run.solution)?.into_iter().map(reading).collect())
+    Ok(discretisation.reactions(run.share(), &run.solution)?.into_iter().map(reading).collect())
 }

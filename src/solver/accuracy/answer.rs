@@ -90,6 +90,16 @@ pub struct Tried {
     pub estimate: f64,
 }
 
+impl Tried {
+    /// A mesh of which nothing is known but what it was for, its order, and the candidates of its contact.
+    pub(super) fn unsolved(purpose: &'static str, order: Order, stretch: f64) -> Self {
+        let contacts = vec![TriedContact { stretch, peak: f64::NAN, half_width: f64::NAN }];
+        let [elements, dofs, coarser, iterations] = [0; 4];
+        let [growth, estimate] = [f64::NAN; 2];
+        Self { purpose, order, elements, growth, dofs, coarser, iterations, contacts, estimate }
+    }
+}
+
 /// What one mesh says of one contact.
 #[derive(Clone, Copy, Debug)]
 pub struct TriedContact {

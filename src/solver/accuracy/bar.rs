@@ -15,15 +15,15 @@
 //! The parts of iteration and penalty are differences to the solution of the same discrete problem, which is exact.
 
 use crate::accuracy::family::{Evidence, Family, LOST, discrete_of};
-use crate::accuracy::reading::{self, Reading, of_discrete, value_of};
-use crate::accuracy::recovered::{Recovered, recovered};
+use crate::accuracy::reading::{self, Reading, of_discrete, recovered, value_of};
 use crate::accuracy::watch::up_to;
 use crate::algorithm::StiffnessRule;
 use crate::error::Error;
 use crate::measure::{Measures, Quantity, larger};
+use crate::scene::Scene;
 use crate::solution::PointState;
 use crate::solve::run::BALANCED;
-use crate::solve::{Change, Discretisation, Displaced, Element, Formulation, Origin, Permits, Run};
+use crate::solve::{Change, Discretisation, Displaced, Element, Formulation, Permits, Run};
 
 /// Part of the bar of a largest value within which those elsewhere may be the true one: their errors are alike.
 const FLAT: f64 = 0.5;
@@ -251,11 +251,11 @@ fn of_displacements(
     family: &Family,
     wanted: &[Displaced],
 ) -> Result<Vec<Barred>, Error> {
-    let Recovered { readings, shears } = recovered(discretisation, run, wanted)?;
+    let (readings, shears) = recovered(discretisation, run, wanted)?;
     let of = |formulation: &Formulation| -> Result<Vec<Reading>, Error> {
-        match Run::from_origin(Origin::From(&run.solution), discretisation, formulation, Change::NONE) {
+        match Run::from(Some(&run.solution), discretisation, formulation, Change::NONE) {
             Ok(other) if family.is_found(&other) && is_same(&other, run) => Ok(readings.clone()),
-            Ok(other) if family.is_found(&other) => Ok(recovered(discretisation, &other, wanted)?.readings),
+            Ok(other) if family.is_found(&other) => Ok(recovered(discretisation, &other, wanted)?.0),
             // Not found: its numbers are unknown.
             _ => Ok(Vec::new()),
         }
@@ -335,5 +335,48 @@ fn of_candidates(run: &Run, contact: usize, quantity: &Quantity, sizes: &[f64]) 
             Some(0.5 * (begin + end))
         }
         _ => None,
+    }
+}
+
+/// How one number is told.
+pub struct Told {
+    /// The contact, or the body.
+    pub of: String,
+    /// What it is.
+    pub quantity: String,
+    /// The unit it is shown in.
+    pub unit: &'static str,
+    /// From its unit to the one it is shown in.
+    pub factor: f64,
+}
+
+impl Told {
+    /// A number of a run on a scene.
+    pub fn of(scene: &Scene, run: &Run, one: &Barred) -> Self {
+        let pair = &scene.contacts[one.contact];
+        let (unit, factor) = one.quantity.unit(!pair.path.is_straight());
+        let key = one.quantity.key();
+        let below = |what: &str| match scene.contacts.len() {
+            1 => what.to_owned(),
+            _ => format!("{what} below {}", pair.name),
+        };
+        let of_body = |body: usize| scene.bodies[body].name.clone();
+        let (of, quantity) = match &one.quantity {
+            Quantity::Reaction { body, support } => {
+                let support = &scene.bodies[*body].supports[*support];
+                (of_body(*body), format!("{key} at {}, {}", support.at, support.component))
+            }
+            Quantity::Displacement(Displaced { body, at, component }) => {
+                (of_body(*body), format!("{key} at {at}, {component}"))
+            }
+            Quantity::Shear { body } => (of_body(*body), below("largest shear")),
+            Quantity::ShearDepth { body } => (of_body(*body), below("depth of largest shear")),
+            Quantity::VonMises { body } => (of_body(*body), "largest von Mises".into()),
+            Quantity::Begin(k) | Quantity::End(k) if run.contacts[one.contact].measures.stretches.len() > 1 => {
+                (pair.name.clone(), format!("{key} of stretch {}", k + 1))
+            }
+            _ => (pair.name.clone(), key.into_owned()),
+        };
+        Self { of, quantity, unit, factor }
     }
 }

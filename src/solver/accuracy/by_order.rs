@@ -5,7 +5,6 @@
 //! judged.
 
 use crate::accuracy::coarser::finer;
-use crate::accuracy::laid::Laid;
 use crate::accuracy::longest::longest;
 use crate::accuracy::rungs::{Rung, Rungs};
 use crate::accuracy::{Asked, Quantity};
@@ -21,19 +20,19 @@ const PURPOSE: &str = "order";
 /// Meshes whose peak and second-moment width are as good as is asked: the smallest relative error asked for with which one is the first, order
 /// and layers.
 const OF_PEAK: [(f64, Fitted); 4] = [
-    (1e-3, of(Order::Quintic, 1)),
-    (1e-4, of(Order::Sextic, 1)),
-    (1e-5, of(Order::Septic, 2)),
-    (0.0, of(Order::Octic, 3)),
+    (1e-3, Fitted::of(Order::Quintic, 1)),
+    (1e-4, Fitted::of(Order::Sextic, 1)),
+    (1e-5, Fitted::of(Order::Septic, 2)),
+    (0.0, Fitted::of(Order::Octic, 3)),
 ];
 /// Those whose half-width is: what is left in it falls to a third with every layer, whatever the order.
 const OF_ENDS: [(f64, Fitted); 6] = [
-    (5e-3, of(Order::Quintic, 1)),
-    (7e-4, of(Order::Quintic, 2)),
-    (2e-4, of(Order::Quintic, 3)),
-    (5e-5, of(Order::Sextic, 3)),
-    (5e-6, of(Order::Septic, 6)),
-    (0.0, of(Order::Octic, 8)),
+    (5e-3, Fitted::of(Order::Quintic, 1)),
+    (7e-4, Fitted::of(Order::Quintic, 2)),
+    (2e-4, Fitted::of(Order::Quintic, 3)),
+    (5e-5, Fitted::of(Order::Sextic, 3)),
+    (5e-6, Fitted::of(Order::Septic, 6)),
+    (0.0, Fitted::of(Order::Octic, 8)),
 ];
 
 /// Part of what is asked that ends at rest may leave, as a move that they no longer make, over the half-width: its square is what matters.
@@ -47,10 +46,6 @@ const PATIENCE: [usize; 2] = [1, 2];
 const NEAR: f64 = 3.0;
 /// Bar over what is asked up to which smaller cells are tried where a higher order gains nothing.
 const FAR: f64 = 20.0;
-
-const fn of(order: Order, layers: usize) -> Fitted {
-    Fitted { order, layers }
-}
 
 /// Whether such meshes are tried.
 pub(super) fn applies(scene: &Scene, formulation: &Formulation, asked: &Asked) -> bool {
@@ -169,8 +164,7 @@ fn next(before: &Discretisation, rung: &Rung, smaller: bool, rungs: &mut Rungs) 
         false => finer(scene, resolution),
     };
     edge_fitted::lay_on_ends(&mut scene, &rung.run, at_rest(rungs.asked));
-    let growth = scene.grading.along;
-    let solved = rungs.solve(Laid { scene, resolution, growth }, PURPOSE);
+    let solved = rungs.solve((scene, resolution), PURPOSE);
     let (mut discretisation, mut rung) = solved.map_err(|error| rungs.is_refused(&error)).ok()?;
     for (pair, contact) in discretisation.scene.contacts.iter_mut().zip(&rung.run.contacts) {
         pair.ends.off = edge_fitted::off(pair, &contact.measures.stretches);

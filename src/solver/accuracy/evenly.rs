@@ -3,10 +3,9 @@
 //! Cells that are given are cut both ways, and so is all of the mesh beside them. Where all bodies are meshed here, the elements on the
 //! contacts are made smaller by any ratio and the growth follows them, which needs far fewer cells.
 
-use crate::accuracy::laid::Laid;
+use crate::accuracy::fitted;
 use crate::accuracy::longest::longest;
 use crate::accuracy::rungs::Rungs;
-use crate::accuracy::{ends, fitted, sizes};
 use crate::error::{Error, Kind, Place};
 use crate::mesh::size::expected;
 use crate::mesh::{Order, Resolution};
@@ -38,7 +37,7 @@ pub(super) fn first(scene: &Scene) -> (Scene, Resolution) {
     let mut first = scene.clone();
     let [along, depth, coarsest] = GROWTH;
     first.grading = Grading { unit: 1.0, along, depth, first: 1.0, coarsest, end: 1.0 };
-    sizes::fit(&mut first, 1.0);
+    fit(&mut first, 1.0);
     let given = scene.bodies.iter().find_map(|body| match &body.shape {
         Shape::Given(mesh) => Some(mesh.order()),
         _ => None,
@@ -67,7 +66,7 @@ impl Evenly {
         for attempt in 0..TRIES {
             found.look_from_afar();
             let laid = found.laid(FIRST);
-            if let Some(what) = laid.too_large(rungs.asked.most_cells) {
+            if let Some(what) = rungs.too_large(&laid) {
                 let remedy =
                     "guess the candidate stretches better, or give `elements` and `per` instead of the accuracy";
                 return Err(Error::at(Place::Solve(found.scene.name.clone()), what, remedy));
@@ -112,18 +111,15 @@ impl Evenly {
     }
 
     /// The scene with so many elements on the shortest half-contact; a given mesh is halved for as many.
-    pub(super) fn laid(&self, elements: usize) -> Laid {
+    pub(super) fn laid(&self, elements: usize) -> (Scene, Resolution) {
         let (mut scene, Self { resolution, .. }) = (self.scene.clone(), self);
         let ratio = elements as f64 / resolution.elements as f64;
         if self.is_halved() {
             let refinement = ratio.log2().round().max(0.0) as u32;
-            let growth = if self.given().all(|given| given) { f64::NAN } else { scene.grading.along };
-            let growth = growth.powf(0.5_f64.powf(f64::from(refinement)));
-            return Laid { scene, resolution: Resolution { refinement, ..*resolution }, growth };
+            return (scene, Resolution { refinement, ..*resolution });
         }
         scene.grading = resolution.order.refined(&scene.grading, ratio);
-        let growth = scene.grading.along;
-        Laid { scene, resolution: Resolution { elements, ..*resolution }, growth }
+        (scene, Resolution { elements, ..*resolution })
     }
 
     /// Lengthens the candidates guessed shortest, by which elements are sized, until a first mesh is a cheap one.
@@ -134,7 +130,7 @@ impl Evenly {
             let may = pairs.filter(|(pair, longest)| pair.stretch < **longest * (1.0 - 1e-9));
             let Some((pair, longest)) = may.min_by(|(a, _), (b, _)| length(a).total_cmp(&length(b))) else { return };
             pair.stretch = (2.0 * pair.stretch).min(*longest);
-            sizes::fit(&mut self.scene, 1.0);
+            fit(&mut self.scene, 1.0);
         }
     }
 
@@ -142,20 +138,19 @@ impl Evenly {
     fn fits(&mut self, run: &Run) -> bool {
         let mut known = true;
         for contact in 0..self.scene.contacts.len() {
-            let part = run.solution.part(contact);
             let pair = &mut self.scene.contacts[contact];
-            let [begin, end] = ends::ends(part, pair);
-            let [pressed, _] = ends::pressed(part, pair);
+            let [begin, end] = fitted::ends(run, contact);
+            let [pressed, _] = fitted::pressed(run, contact);
             let given = |body: usize| self.scene.bodies[body].shape.has_given_mesh();
             if pressed == 0 || pair.bodies().all(given) {
                 continue;
             }
-            let filled = ends::filled(part, pair).contains(&true);
+            let filled = fitted::is_filled(run, contact);
             let wanted = if filled { LONGER * pair.stretch } else { MARGIN * end.max(-begin) };
             known &= pressed >= TOLD || filled && pair.stretch >= self.longest[contact];
             pair.stretch = wanted.min(self.longest[contact]);
         }
-        sizes::fit(&mut self.scene, MARGIN);
+        fit(&mut self.scene, MARGIN);
         let elements = self.resolution.elements as f64;
         for (pair, longest) in self.scene.contacts.iter_mut().zip(&self.longest) {
             let size = self.scene.grading.unit / (self.scene.bodies[pair.first].density * elements);
@@ -174,4 +169,39 @@ impl Evenly {
         pair.stretch = (LONGER * pair.stretch).min(longest);
         longer
     }
+}
+
+/// Gives all contacts of bodies that touch, directly or through others, elements of one size, that of the shortest of them:
+/// nodes of both sides then face one another, and other bodies have the size that they need. The grading unit is the longest
+/// of these lengths; candidates are `margin` times as long as what they are sized for.
+fn fit(scene: &mut Scene, margin: f64) {
+    let groups = touching(scene);
+    let shortest = |group: usize| {
+        let own = scene.contacts.iter().filter(|pair| groups[pair.first] == group);
+        own.map(|pair| pair.stretch * pair.path.metric()).fold(f64::INFINITY, f64::min) / margin
+    };
+    let coarsest = |group: usize| {
+        let own = scene.bodies.iter().zip(&groups).filter(|(_, other)| **other == group);
+        own.map(|(body, _)| body.density).fold(f64::INFINITY, f64::min)
+    };
+    let unit = scene.contacts.iter().map(|pair| shortest(groups[pair.first])).fold(0.0, f64::max);
+    // Bodies that a user made denser than the others they touch stay so.
+    let density = |(body, group): (usize, &usize)| match shortest(*group) {
+        length if length.is_finite() => scene.bodies[body].density / coarsest(*group) * unit / length,
+        _ => scene.bodies[body].density,
+    };
+    let densities: Vec<f64> = groups.iter().enumerate().map(density).collect();
+    scene.bodies.iter_mut().zip(densities).for_each(|(body, density)| body.density = density);
+    scene.grading.unit = unit;
+}
+
+/// For each body the first of those that it touches, directly or through others.
+fn touching(scene: &Scene) -> Vec<usize> {
+    let mut groups: Vec<usize> = (0..scene.bodies.len()).collect();
+    for pair in &scene.contacts {
+        let joined: Vec<usize> = pair.bodies().map(|body| groups[body]).collect();
+        let first = joined.iter().copied().min().unwrap_or(0);
+        groups.iter_mut().filter(|group| joined.contains(group)).for_each(|group| *group = first);
+    }
+    groups
 }

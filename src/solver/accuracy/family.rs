@@ -4,8 +4,7 @@ use rayon::prelude::*;
 
 use crate::accuracy::coarser::{coarser, finer, gentler};
 use crate::accuracy::counted::{Kind, Row};
-use crate::accuracy::reading::{Reading, of_discrete, value_of};
-use crate::accuracy::recovered::recovered;
+use crate::accuracy::reading::{Reading, of_discrete, recovered, value_of};
 use crate::elasticity::dilatation::Split;
 use crate::measure::{Measures, Quantity, Stretch, larger, relative_error};
 use crate::mesh::Order;
@@ -563,7 +562,7 @@ fn said((mesh, run): (&Discretisation, &Run), wanted: Option<&[Displaced]>, on_e
     }
     let mut readings = of_discrete(mesh, run, 1);
     if let Some(wanted) = wanted {
-        readings.extend(recovered(mesh, run, wanted).ok()?.readings);
+        readings.extend(recovered(mesh, run, wanted).ok()?.0);
     }
     let (cells, dofs, imbalance) = (mesh.mesh.cells(), run.dofs, run.imbalance());
     Some(Other { sizes: sizes(mesh), cells, dofs, readings, imbalance })

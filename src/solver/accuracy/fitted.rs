@@ -1,4 +1,4 @@
-//! Meshes fitted to the contact: its ends at a fixed place within an element, so that errors fall smoothly with the mesh.
+//! Where the contact found on a mesh begins and ends, and meshes fitted to it: its ends at a fixed place within an element, so that errors fall smoothly with the mesh.
 //!
 //! On a mesh that does not know the contact its end lies anywhere within an element, and the error of the second-moment width
 //! wanders with it by several times its mean: on truncated Hertz with 8 8-node cells per half-width from −0.20 % to
@@ -7,8 +7,7 @@
 //! A contact across x = 0 need not lie in its middle, and the candidates are the same on both sides of it. In geometric
 //! progression from x = 0 on they have both ends at that place.
 
-use crate::accuracy::ends;
-use crate::accuracy::laid::Laid;
+use crate::measure::ACTIVE;
 use crate::mesh::{Order, Resolution};
 use crate::scene::{Grading, Scene};
 use crate::solve::run::Run;
@@ -66,12 +65,11 @@ impl Fitted {
     /// Takes the ends of the contact from a run, unless an outermost candidate is pressed although the bodies allow more: the
     /// penetration beyond it is seen at nodes only, and the next one may lie where the surfaces have parted again.
     pub(super) fn looks(&mut self, scene: &Scene, run: &Run) -> bool {
-        let (part, pair) = (run.solution.part(0), scene.contact());
-        let is_short = pair.stretch < self.longest * (1.0 - 1e-9) && ends::filled(part, pair).contains(&true);
+        let is_short = scene.contact().stretch < self.longest * (1.0 - 1e-9) && is_filled(run, 0);
         if is_short {
             return self.widens();
         }
-        self.ends = ends::ends(part, pair);
+        self.ends = ends(run, 0);
         false
     }
 
@@ -138,25 +136,15 @@ impl Plan {
         0.5_f64.powf(0.5 * self.level)
     }
 
-    /// The scene on this mesh.
-    pub fn scene(&self, scene: &Scene) -> Scene {
+    /// The scene on this mesh, and how fine it is.
+    pub fn laid(&self, scene: &Scene) -> (Scene, Resolution) {
         let mut fitted = scene.clone();
         let [along, depth] = self.growth();
         let coarsest = self.slower() * if scene.bends() { BENDING } else { STEEPEST[2] };
         let unit = self.stretch * scene.contact().path.metric() * self.elements as f64 / self.candidates as f64;
         fitted.grading = Grading { unit, along, depth, first: 1.0, coarsest, end: self.end };
         fitted.contacts[0].stretch = self.stretch;
-        fitted
-    }
-
-    /// The same with how fine it is.
-    pub(super) fn laid(&self, scene: &Scene) -> Laid {
-        Laid { scene: self.scene(scene), resolution: self.resolution(), growth: self.growth()[0] }
-    }
-
-    /// How fine it is.
-    pub fn resolution(&self) -> Resolution {
-        Resolution { elements: self.elements, refinement: 0, order: self.order }
+        (fitted, Resolution { elements: self.elements, refinement: 0, order: self.order })
     }
 }
 
@@ -183,4 +171,34 @@ fn slope(inner: f64, places: [f64; 2]) -> f64 {
         *if short(middle) { &mut high } else { &mut low } = middle;
     }
     low
+}
+
+/// Candidate elements within a contact, from the symmetry line on where there is one, and from x = 0 to its outer end.
+pub fn pressed(run: &Run, contact: usize) -> [usize; 2] {
+    let (edges, measures) = (run.solution.edges_of(contact), &run.contacts[contact].measures);
+    let floor = ACTIVE * measures.largest.pressure;
+    let first = edges.iter().position(|edge| edge.pressure > floor);
+    let last = edges.iter().rposition(|edge| edge.pressure > floor);
+    let (Some(first), Some(last)) = (first, last) else { return [0, 0] };
+    if !measures.across {
+        return [last + 1, last + 1];
+    }
+    let middle = edges.len() / 2;
+    [last + 1 - first, (last + 1).saturating_sub(middle).max(middle.saturating_sub(first))]
+}
+
+/// Whether it reaches an outermost candidate; on a symmetry line it does not end.
+pub fn is_filled(run: &Run, contact: usize) -> bool {
+    let stretches = &run.contacts[contact].measures.stretches;
+    stretches.first().is_some_and(|one| one.reaches[0]) || stretches.last().is_some_and(|one| one.reaches[1])
+}
+
+/// Where it begins and ends \[mm, or rad\]: as far to the left as to the right of a symmetry line. NaN where there is none.
+pub fn ends(run: &Run, contact: usize) -> [f64; 2] {
+    let measures = &run.contacts[contact].measures;
+    match measures.stretches.first() {
+        None => [f64::NAN; 2],
+        Some(first) if measures.across => [first.begin, measures.edge()],
+        Some(_) => [-measures.edge(), measures.edge()],
+    }
 }

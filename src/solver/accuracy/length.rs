@@ -1,10 +1,9 @@
 //! Where one contact begins and ends, found on cheap meshes from a guess of the candidate stretch.
 
-use crate::accuracy::ends;
-use crate::accuracy::fitted::{Fitted, ORDER, Plan};
+use crate::accuracy::Tried;
+use crate::accuracy::fitted::{self, Fitted, ORDER, Plan};
 use crate::accuracy::longest::longest;
 use crate::accuracy::rungs::{Rung, Rungs};
-use crate::accuracy::{Tried, TriedContact};
 use crate::error::{Error, Kind, Part};
 use crate::mesh::Resolution;
 use crate::scene::Scene;
@@ -26,18 +25,7 @@ const PURPOSE: &str = "contact length";
 
 /// The scene on the first mesh of the search.
 pub(super) fn first(scene: &Scene) -> (Scene, Resolution) {
-    let plan = Plan::even(ORDER, FIRST, scene.contact().stretch, 0.0);
-    (plan.scene(scene), plan.resolution())
-}
-
-/// What is next after a first mesh.
-enum Guess {
-    /// The contact is known well enough.
-    Known,
-    /// So many elements on a stretch of this length.
-    Again(usize, f64),
-    /// Nothing, for this reason.
-    Stopped(String),
+    Plan::even(ORDER, FIRST, scene.contact().stretch, 0.0).laid(scene)
 }
 
 /// Meshes fitted to the contact found; where it is not found, the last mesh with the reason.
@@ -55,7 +43,10 @@ pub(super) fn found(scene: &Scene, rungs: &mut Rungs) -> Result<Result<Fitted, (
                 continue;
             }
             Err(error) if stretch < longest && is_short(scene, &error) => {
-                rungs.tried.push(beyond(&plan));
+                // A stretch beyond which contact went on.
+                let Plan { order, elements, stretch: beyond, .. } = plan;
+                let growth = plan.growth()[0];
+                rungs.tried.push(Tried { elements, growth, ..Tried::unsolved(PURPOSE, order, beyond) });
                 stretch = (2.0 * stretch).min(longest);
                 continue;
             }
@@ -71,13 +62,13 @@ pub(super) fn found(scene: &Scene, rungs: &mut Rungs) -> Result<Result<Fitted, (
             Ok((_, rung)) => rung,
         };
         match guess(&plan, &rung, longest) {
-            Guess::Known => {
-                let ends = ends::ends(rung.run.solution.part(0), rung.scene.contact());
+            Ok(None) => {
+                let ends = fitted::ends(&rung.run, 0);
                 rungs.first = Some(rung);
                 return Ok(Ok(Fitted { scene: scene.clone(), longest, ends }));
             }
-            Guess::Stopped(reason) => return Ok(Err((rung, reason))),
-            Guess::Again(finer, other) => (elements, stretch) = (finer, other),
+            Err(reason) => return Ok(Err((rung, reason))),
+            Ok(Some(next)) => (elements, stretch) = next,
         }
         last = Some(rung);
     }
@@ -108,44 +99,35 @@ fn turns(scene: &Scene) -> bool {
     scene.contact().path.has_both_sides()
 }
 
-/// What a first mesh tells of the contact.
-fn guess(plan: &Plan, rung: &Rung, longest: f64) -> Guess {
+/// Elements and stretch of the next mesh; none where the contact is known well enough, an error where no mesh is next.
+fn guess(plan: &Plan, rung: &Rung, longest: f64) -> Result<Option<(usize, f64)>, String> {
     let Plan { elements, stretch, .. } = *plan;
     let (solution, pair) = (&rung.run.solution, rung.scene.contact());
-    let [pressed, outermost] = ends::pressed(solution.part(0), pair);
-    let filled = ends::filled(solution.part(0), pair).contains(&true);
+    let [pressed, outermost] = fitted::pressed(&rung.run, 0);
+    let filled = fitted::is_filled(&rung.run, 0);
     let across = pair.path.has_both_sides();
     let told = pressed >= if across { 2 * TOLD } else { TOLD };
     // Across x = 0 one or two points hold no body against turning.
     let is_found = rung.run.is_found(UNBALANCED);
     if !is_found && (told || !across) {
-        return Guess::Stopped(format!("the first iteration ended so: {}", solution.outcome));
+        return Err(format!("the first iteration ended so: {}", solution.outcome));
     }
     if pressed == 0 {
-        return Guess::Stopped("no candidate is pressed".into());
+        return Err("no candidate is pressed".into());
     }
     if filled && stretch < longest * (1.0 - 1e-9) {
-        return Guess::Again(elements, (2.0 * stretch).min(longest));
+        return Ok(Some((elements, (2.0 * stretch).min(longest))));
     }
     if is_found && (told || filled) {
-        return Guess::Known;
+        return Ok(None);
     }
     match outermost + 1 {
-        enough if enough < elements => Guess::Again(elements, stretch * enough as f64 / elements as f64),
+        enough if enough < elements => Ok(Some((elements, stretch * enough as f64 / elements as f64))),
         // A shorter stretch would end within the contact.
-        _ if elements < FINEST => Guess::Again(2 * elements, stretch),
-        _ => Guess::Stopped(format!(
+        _ if elements < FINEST => Ok(Some((2 * elements, stretch))),
+        _ => Err(format!(
             "the contact takes {pressed} of {} candidate elements, far from x = 0: put x = 0 nearer to it",
             2 * elements
         )),
     }
-}
-
-/// A stretch beyond which contact went on.
-fn beyond(plan: &Plan) -> Tried {
-    let [dofs, coarser, iterations] = [0; 3];
-    let contacts = vec![TriedContact { stretch: plan.stretch, peak: f64::NAN, half_width: f64::NAN }];
-    let Plan { order, elements, .. } = *plan;
-    let growth = plan.growth()[0];
-    Tried { purpose: PURPOSE, order, elements, growth, dofs, coarser, iterations, contacts, estimate: f64::NAN }
 }

@@ -1,24 +1,19 @@
 //! The error bar of an answer; and the cheapest mesh that meets an accuracy asked, found from coarse to fine.
 //!
-//! * [`reading`] — the numbers that are quoted of a run; `recovered` — those that take the displacement of every node.
-//! * [`mod@bar`] — how far each may be from the truth.
+//! * [`reading`] — the numbers that are quoted of a run.
+//! * [`mod@bar`] — how far each may be from the truth, and how it is told: of what, its name, and its unit.
 //! * [`mod@family`] — what coarser meshes say of it.
 //! * [`mod@coarser`] — the same scene on coarser meshes.
 //! * [`counted`] — how far differences between meshes tell the error.
 //! * [`answer`] — what is asked, and what is answered.
-//! * [`ends`] — where the contact found so far begins and ends.
+//! * [`fitted`] — where the contact found so far begins and ends, and meshes fitted to it.
 //! * `length` — that found from a guess, on cheap meshes.
-//! * [`fitted`] — meshes fitted to it.
 //! * [`mod@longest`] — how far candidates may go.
 //! * `evenly` — several contacts, and bodies whose mesh is given.
-//! * `sizes` — sizes of elements where there are several contacts.
-//! * `laid` — a scene laid out for a mesh.
-//! * `layout` — which of the two families, and the next of its meshes.
 //! * `rungs` — the meshes of a search, each solved from the active set of the one before.
 //! * `by_order` — cells of higher and higher order that end with the contacts, each mesh judged by the next.
-//! * `search` — finer and finer meshes, until the bars of one are within what is asked.
+//! * `search` — finer and finer meshes of one of the two families, until the bars of one are within what is asked.
 //! * [`mod@reference`] — numbers to five digits, by meshes fitted to the contact.
-//! * [`told`] — of what a number is, its name, and its unit.
 //! * `watch` — which meshes are solved, and what is told of each before it is.
 //! * `slow` — the mesh chosen by kinematic load, and run by another algorithm.
 //!
@@ -35,22 +30,16 @@ pub mod bar;
 mod by_order;
 pub mod coarser;
 pub mod counted;
-pub mod ends;
 mod evenly;
 pub mod family;
 pub mod fitted;
-mod laid;
-mod layout;
 mod length;
 pub mod longest;
 pub mod reading;
-mod recovered;
 pub mod reference;
 mod rungs;
 mod search;
-mod sizes;
 mod slow;
-pub mod told;
 mod watch;
 
 use crate::error::{Error, Place};
@@ -60,9 +49,8 @@ use crate::solve::{Formulation, Iteration};
 
 pub use crate::measure::Quantity;
 pub use answer::{Answer, Asked, Tried, TriedContact};
-pub use bar::{Bar, Barred, Bars, bars, bars_up_to, of_family};
+pub use bar::{Bar, Barred, Bars, Told, bars, bars_up_to, of_family};
 pub use family::{Evidence, Family};
-pub use told::Told;
 pub use watch::{Next, Tell};
 
 /// Smallest and largest relative error that may be asked for.

@@ -9,27 +9,13 @@ use crate::mesh::{Order, Resolution};
 use crate::scene::Scene;
 use crate::solve::{Discretisation, Fitted, Formulation, Run};
 
-/// A mesh: order and layers, and cells on each piece of the contact side.
-#[derive(Clone, Copy, Debug)]
-pub struct Mesh {
-    /// Order and layers.
-    pub fitted: Fitted,
-    /// Cells on each piece of the contact side, between its ends.
-    pub cells: usize,
-}
-
-impl Mesh {
-    const fn of(order: Order, layers: usize, cells: usize) -> Self {
-        Self { fitted: Fitted { order, layers }, cells }
-    }
-}
-
-/// The mesh whose numbers are the answer; then one of another order, one with fewer layers, and one of other cells.
-pub const MESHES: [Mesh; 4] = [
-    Mesh::of(Order::Octic, 5, 3),
-    Mesh::of(Order::Septic, 5, 3),
-    Mesh::of(Order::Octic, 4, 3),
-    Mesh::of(Order::Octic, 5, 2),
+/// The mesh whose numbers are the answer; then one of another order, one with fewer layers, and one of other cells on each piece of the
+/// contact side, between its ends.
+pub const MESHES: [(Fitted, usize); 4] = [
+    (Fitted::of(Order::Octic, 5), 3),
+    (Fitted::of(Order::Septic, 5), 3),
+    (Fitted::of(Order::Octic, 4), 3),
+    (Fitted::of(Order::Octic, 5), 2),
 ];
 /// Move of an end, over the half-width, at which it is at rest.
 const AT_REST: f64 = 1e-6;
@@ -105,7 +91,7 @@ pub fn answer(scene: &Scene) -> Result<Answer, Error> {
         _ => true,
     };
     let numbers: Vec<&Quantity> = NUMBERS.iter().filter(is_defined).collect();
-    let solved = MESHES.into_par_iter().map(|Mesh { fitted, cells }| {
+    let solved = MESHES.into_par_iter().map(|(fitted, cells)| {
         let answer = fitted.solve_with_ends(scene, &formulation, AT_REST)?;
         let end = answer.stretches[0].last().map_or(f64::NAN, |stretch| stretch[1]);
         let resolution = Resolution { elements: cells, refinement: 0, order: fitted.order };

@@ -2,16 +2,16 @@
 
 use crate::accuracy::answer::{largest, quoted};
 use crate::accuracy::bar::{judged, of_contacts};
-use crate::accuracy::laid::Laid;
 use crate::accuracy::watch::{Tell, Watch};
-use crate::accuracy::{Answer, Asked, Barred, Quantity, Tried, TriedContact, ends};
+use crate::accuracy::{Answer, Asked, Barred, Quantity, Tried, TriedContact, fitted};
 use crate::error::{Error, Kind};
 use crate::measure::larger;
 use crate::mesh::Resolution;
+use crate::mesh::size::{MOST, cells_of, dense, expected};
 use crate::scene::{ContactPair, Scene};
 use crate::solution::Solution;
 use crate::solve::run::{Contact, Run};
-use crate::solve::{Change, Discretisation, Formulation, Origin, edge_fitted};
+use crate::solve::{Change, Discretisation, Formulation, edge_fitted};
 
 /// Meshes in a row whose peak has no limit, from which on none is sought for it: on a coarse one a sharp top may look like that.
 const WITHOUT_LIMIT: usize = 2;
@@ -135,18 +135,25 @@ impl<'a> Rungs<'a> {
         self.asked.quantities.contains(&Quantity::PeakPressure)
     }
 
+    /// Why a mesh is too large to be solved.
+    pub(super) fn too_large(&self, (scene, resolution): &(Scene, Resolution)) -> Option<String> {
+        let (cells, [_, candidates]) = (cells_of(scene, *resolution), expected(scene, *resolution));
+        let (most_cells, [_, most]) = (self.asked.most_cells, MOST);
+        let fits = cells <= most_cells && dense(scene, *resolution) <= most;
+        (!fits).then(|| {
+            format!("the next mesh would have about {cells:.1e} cells and {candidates:.0} candidate elements, more than {most_cells:.0e} or {most}")
+        })
+    }
+
     /// Solves on a mesh from the active set of the one before.
-    pub(super) fn solve(&mut self, laid: Laid, purpose: &'static str) -> Result<(Discretisation, Rung), Error> {
-        let Laid { scene, resolution, growth } = laid;
+    pub(super) fn solve(
+        &mut self,
+        (scene, resolution): (Scene, Resolution),
+        purpose: &'static str,
+    ) -> Result<(Discretisation, Rung), Error> {
         let discretisation = self.watch.discretised(scene, resolution)?;
-        let run = match &self.last {
-            Some(before) => Run::from_origin(Origin::From(before), &discretisation, &self.formulation, Change::NONE)?,
-            None => Run::of(&discretisation, &self.formulation)?,
-        };
+        let run = Run::from(self.last.as_ref(), &discretisation, &self.formulation, Change::NONE)?;
         let rung = self.remember(&discretisation, run, purpose);
-        if let Some(tried) = self.tried.last_mut() {
-            tried.growth = growth;
-        }
         Ok((discretisation, rung))
     }
 
@@ -155,35 +162,21 @@ impl<'a> Rungs<'a> {
         self.watch.took(&run);
         self.last = Some(run.solution.clone());
         let (scene, resolution) = (discretisation.scene.clone(), discretisation.resolution);
-        let pressed = |(contact, pair)| ends::pressed(run.solution.part(contact), pair)[1];
         self.tried.push(Tried {
-            purpose,
-            order: resolution.order,
-            elements: scene.contacts.iter().enumerate().map(pressed).min().unwrap_or(0),
-            growth: scene.grading.along,
+            elements: (0..scene.contacts.len()).map(|contact| fitted::pressed(&run, contact)[1]).min().unwrap_or(0),
+            growth: growth(&scene, resolution),
             dofs: run.dofs,
-            coarser: 0,
             iterations: run.solution.work.iterations,
             contacts: Tried::contacts(&scene, &run),
-            estimate: f64::NAN,
+            ..Tried::unsolved(purpose, resolution.order, f64::NAN)
         });
         Rung { scene, resolution, run, number: self.tried.len() - 1, estimates: vec![], error: f64::NAN }
     }
 
     /// Takes a mesh on which the ends of a contact were sought into the list.
     pub(super) fn sought(&mut self, on: &edge_fitted::Tried) {
-        let nothing = TriedContact { stretch: f64::NAN, peak: f64::NAN, half_width: f64::NAN };
-        self.tried.push(Tried {
-            purpose: "ends of the contact",
-            order: on.order,
-            elements: 0,
-            growth: f64::NAN,
-            dofs: on.dofs,
-            coarser: 0,
-            iterations: 1,
-            contacts: vec![nothing],
-            estimate: f64::NAN,
-        });
+        let unsolved = Tried::unsolved("ends of the contact", on.order, f64::NAN);
+        self.tried.push(Tried { dofs: on.dofs, iterations: 1, ..unsolved });
     }
 
     /// Answers with a mesh; a peak that was not looked at may have no limit.
@@ -209,6 +202,12 @@ impl<'a> Rungs<'a> {
         };
         Ok(Answer { scene, resolution, run, estimates, unmet, next, tried: self.tried })
     }
+}
+
+/// Growth of a mesh along the surface; NaN where that of every body is given.
+fn growth(scene: &Scene, resolution: Resolution) -> f64 {
+    let is_given = scene.bodies.iter().all(|body| body.shape.has_given_mesh());
+    if is_given { f64::NAN } else { scene.grading.along.powf(0.5_f64.powf(f64::from(resolution.refinement))) }
 }
 
 /// A relative error in percent, rounded up to two digits.

@@ -1,16 +1,13 @@
 //! Finer and finer meshes of one family, until the error bars of one are within what is asked.
 
-use crate::accuracy::by_order;
-use crate::accuracy::evenly;
-use crate::accuracy::fitted;
-use crate::accuracy::layout::Layout;
-use crate::accuracy::length;
+use crate::accuracy::evenly::{self, Evenly};
+use crate::accuracy::fitted::{self, Fitted};
 use crate::accuracy::rungs::{Rung, Rungs};
-use crate::accuracy::{Answer, Asked, Tell};
+use crate::accuracy::{Answer, Asked, Tell, by_order, length};
 use crate::error::{Error, Kind, Place};
 use crate::mesh::Resolution;
 use crate::scene::Scene;
-use crate::solve::Formulation;
+use crate::solve::{Formulation, Run};
 
 /// Iteration tolerance over the error asked for.
 const ITERATION: f64 = 0.01;
@@ -58,23 +55,40 @@ fn refine(mut layout: Layout, mut rungs: Rungs, scene: &Scene, other: Option<Run
     let mut why = "the mesh leaves too large an error".to_owned();
     let mut idle = 0;
     for _ in 0..MOST {
-        let rung = match attempt(&mut layout, &mut rungs, elements)? {
-            Attempt::Short => continue,
-            Attempt::TooLarge(_) if best.is_none() && elements > fitted::FEWEST => {
+        let laid = layout.laid(elements);
+        let solved = match rungs.too_large(&laid) {
+            Some(reason) => Err(reason),
+            None => match rungs.solve(laid, "mesh") {
+                Err(error @ Error { kind: Kind::DegenerateCell, .. }) => {
+                    why = error.to_string();
+                    break;
+                }
+                // The candidates are longer now.
+                Err(error) if layout.lengthens(&error) => continue,
+                Err(error) if !rungs.is_refused(&error) => return Err(error),
+                other => other.map_err(|error| error.message),
+            },
+        };
+        let (discretisation, mut rung) = match solved {
+            Ok(solved) => solved,
+            Err(_) if best.is_none() && elements > fitted::FEWEST => {
                 elements = (elements / 2).max(fitted::FEWEST);
                 continue;
             }
-            Attempt::TooLarge(reason) => {
+            Err(reason) => {
                 why = reason;
                 break;
             }
-            Attempt::Stopped(reason, unsolved) => {
-                why = reason;
-                best = best.or(unsolved);
-                break;
-            }
-            Attempt::Solved(rung) => rung,
         };
+        if !rung.run.solution.converged() {
+            why = format!("the iteration ended so on the last mesh: {}", rung.run.solution.outcome);
+            best = best.or(Some(rung));
+            break;
+        }
+        if layout.looks(&rung.scene, &rung.run) {
+            continue;
+        }
+        rungs.look(&discretisation, &mut rung)?;
         if rung.is_open() {
             return rungs.answer(rung, Some("no contact: every candidate is open".into()));
         }
@@ -109,44 +123,77 @@ fn refine(mut layout: Layout, mut rungs: Rungs, scene: &Scene, other: Option<Run
     }
 }
 
-/// What became of a mesh that was to be solved.
-enum Attempt {
-    /// It was, with its bars.
-    Solved(Rung),
-    /// Contact reached the end of its candidates, which are longer now.
-    Short,
-    /// It has too many cells.
-    TooLarge(String),
-    /// It was not solved, for this reason; with the state in which its iteration ended.
-    Stopped(String, Option<Rung>),
-}
-
-/// Solves on a mesh within the limits, and looks at its bars.
-fn attempt(layout: &mut Layout, rungs: &mut Rungs, elements: usize) -> Result<Attempt, Error> {
-    let laid = layout.laid(elements);
-    if let Some(reason) = laid.too_large(rungs.asked.most_cells) {
-        return Ok(Attempt::TooLarge(reason));
-    }
-    let (discretisation, mut rung) = match rungs.solve(laid, "mesh") {
-        Ok(solved) => solved,
-        Err(error @ Error { kind: Kind::DegenerateCell, .. }) => return Ok(Attempt::Stopped(error.to_string(), None)),
-        Err(error) if layout.lengthens(&error) => return Ok(Attempt::Short),
-        Err(error) if rungs.is_refused(&error) => return Ok(Attempt::TooLarge(error.message)),
-        Err(error) => return Err(error),
-    };
-    if !rung.run.solution.converged() {
-        let reason = format!("the iteration ended so on the last mesh: {}", rung.run.solution.outcome);
-        return Ok(Attempt::Stopped(reason, Some(rung)));
-    }
-    if layout.looks(&rung.scene, &rung.run) {
-        return Ok(Attempt::Short);
-    }
-    rungs.look(&discretisation, &mut rung)?;
-    Ok(Attempt::Solved(rung))
-}
-
 /// By how much the elements must be smaller for bars that are so many times what is asked.
 fn ratio(excess: f64) -> f64 {
     let [least, most] = RATIO;
     if excess.is_nan() { UNKNOWN } else { excess.powf(1.0 / ORDER).clamp(least, most) }
+}
+
+/// Family of meshes.
+enum Layout {
+    /// Fitted to one contact.
+    Fitted(Fitted),
+    /// Of equal candidates on several contacts, or halved from one that is given.
+    Evenly(Evenly),
+}
+
+impl Layout {
+    /// The layout of a scene, by cheap meshes that show where its contacts are; where one is not found, the last mesh with the reason.
+    fn found(scene: &Scene, rungs: &mut Rungs) -> Result<Result<Self, (Rung, String)>, Error> {
+        match evenly::applies(scene) {
+            true => Ok(Ok(Self::Evenly(Evenly::found(scene, rungs)?))),
+            false => Ok(length::found(scene, rungs)?.map(Self::Fitted)),
+        }
+    }
+
+    /// The scene with candidates that hold its contacts.
+    fn held(&self, scene: &Scene) -> Scene {
+        match self {
+            Self::Fitted(fitted) => fitted.plan(fitted::FEWEST).laid(scene).0,
+            Self::Evenly(evenly) => evenly.held(scene),
+        }
+    }
+
+    /// The scene with so many elements within the contact.
+    fn laid(&self, elements: usize) -> (Scene, Resolution) {
+        match self {
+            Self::Fitted(fitted) => fitted.plan(elements).laid(&fitted.scene),
+            Self::Evenly(evenly) => evenly.laid(elements),
+        }
+    }
+
+    /// Elements of the first mesh whose bars are looked at.
+    fn begins(&self, asked: f64) -> usize {
+        match self {
+            Self::Fitted(_) => fitted::elements(asked),
+            Self::Evenly(evenly) => evenly.begins(asked),
+        }
+    }
+
+    /// Elements of the next mesh.
+    fn finer(&self, elements: usize, ratio: f64) -> usize {
+        match self {
+            Self::Evenly(evenly) if evenly.is_halved() => 2 * elements,
+            _ => ((elements as f64 * ratio).ceil() as usize).max(elements + 1),
+        }
+    }
+
+    /// Lengthens candidates that an error tells are too short; whether it does.
+    fn lengthens(&mut self, error: &Error) -> bool {
+        match self {
+            Self::Fitted(fitted) => {
+                let is_short = matches!(error.kind, Kind::ContactBeyondCandidates { .. });
+                is_short && fitted.widens()
+            }
+            Self::Evenly(evenly) => evenly.lengthens(error),
+        }
+    }
+
+    /// Takes what a run tells of the contact; whether its candidates were too short, and are longer now.
+    fn looks(&mut self, scene: &Scene, run: &Run) -> bool {
+        match self {
+            Self::Fitted(fitted) => fitted.looks(scene, run),
+            Self::Evenly(_) => false,
+        }
+    }
 }

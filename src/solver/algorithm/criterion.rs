@@ -3,7 +3,7 @@
 //! Only the first says something of the answer. The others are those that the paper can have had, which does not tell its own.
 
 use crate::algorithm::{ContactProblem, Iterate, target};
-use crate::measure::larger;
+use crate::measure::largest;
 use crate::named::named_enum;
 use crate::solution::Seen;
 
@@ -46,7 +46,7 @@ pub fn seen(problem: &ContactProblem, before: Option<&Iterate>, iterate: &Iterat
         // An infinite gap is open, whatever is left in its spring.
         if gap > 0.0 && *pressure > 0.0 { gap.min(w) * pressure } else { 0.0 }
     });
-    let conditions = [penetration, tension, largest(across) / (w * p)].into_iter().fold(0.0, larger);
+    let conditions = largest([penetration, tension, largest(across) / (w * p)]);
     let Some(before) = before else { return Seen { conditions, ..Seen::NOTHING } };
     let moved = iterate.displacement.iter().zip(&before.displacement).map(|(u, earlier)| u - earlier);
     let displacement = norm(moved) / norm(iterate.displacement.iter().copied());
@@ -54,16 +54,11 @@ pub fn seen(problem: &ContactProblem, before: Option<&Iterate>, iterate: &Iterat
     Seen {
         conditions,
         displacement,
-        residuals: [displacement, penetration, tension].into_iter().fold(0.0, larger),
+        residuals: largest([displacement, penetration, tension]),
         state: if is_same { 0.0 } else { 1.0 },
     }
 }
 
 fn norm(numbers: impl Iterator<Item = f64>) -> f64 {
     numbers.map(|x| x * x).sum::<f64>().sqrt()
-}
-
-/// The largest of some numbers and zero; NaN where one is.
-fn largest(numbers: impl Iterator<Item = f64>) -> f64 {
-    numbers.fold(0.0, larger)
 }

@@ -38,16 +38,9 @@ impl Forces {
     /// A back-substitution for each point.
     pub fn of(problem: &ContactProblem, factor: &SystemFactor, work: &mut Work) -> Self {
         let (m, n) = (problem.points.len(), problem.load.len());
-        let mut yields = Mat::zeros(m, m);
-        for (j, point) in problem.points.iter().enumerate() {
-            let mut unit = vec![0.0; n];
-            point.add_row(point.weight, &mut unit);
-            let displacement = factor.solve(&unit);
-            (0..m).for_each(|i| yields[(i, j)] = problem.points[i].approach(&displacement));
-        }
         work.back_substitutions += m;
         work.operations += (2 * m) as f64 * (n as f64).powi(2);
-        Self { yields, resists: StiffnessUnit::Bodies.of(problem) }
+        Self { yields: problem.flexibility(factor), resists: StiffnessUnit::Bodies.of(problem) }
     }
 
     /// Change of the carried forces; none where no point is to be closed, or the step is not finite.

@@ -2,11 +2,11 @@
 
 use std::ops::Range;
 
-use crate::algorithm::ending::{State, Watchers};
+use crate::algorithm::ending::{State, Watch, unsolved};
 use crate::algorithm::exact::Law;
 use crate::algorithm::target::{self, Target};
 use crate::algorithm::{Algorithm, ContactProblem, Criterion, Iterate, Springs};
-use crate::algorithm::{bound, criterion, parts, unheld};
+use crate::algorithm::{bound, criterion, parts};
 use crate::error::Error;
 use crate::solution::{Increment, Iterated, IterationError, Outcome, Share, Solution, States, Work};
 
@@ -70,26 +70,19 @@ struct Run<'a> {
     rigid: Option<Target>,
 }
 
-/// What is remembered of the iterates of an increment.
+/// What is known of an increment.
 #[derive(Default)]
 struct Course {
-    /// What is known of the discrete solution.
-    known: Known,
-    /// What its states show of an end.
-    watchers: Watchers,
-    /// Index of its first iteration in the history.
-    first: usize,
-}
-
-/// What is known of one increment.
-#[derive(Default)]
-struct Known {
+    /// The discrete solution, and whether it was looked for.
     target: Option<Target>,
-    /// Whether it was looked for.
     looked: bool,
-    /// Iterates whose error is not yet known.
+    /// Iterates whose error is not yet known, and the points that the last of them presses.
     waiting: Vec<Iterate>,
     pressed: Vec<bool>,
+    /// What its states show of an end.
+    watch: Watch,
+    /// Index of its first iteration in the history.
+    first: usize,
 }
 
 impl<'a> Run<'a> {
@@ -131,7 +124,7 @@ impl<'a> Run<'a> {
                     outcome = Outcome::Diverged;
                     break;
                 }
-                return Err(unheld::why(self.problem, springs, self.work.iterations));
+                return Err(unsolved(self.problem, springs, self.work.iterations));
             };
             self.work.iterations += 1;
             self.record(increment, &iterate, stiffness);
@@ -141,7 +134,7 @@ impl<'a> Run<'a> {
                 outcome = Outcome::Diverged;
                 break;
             }
-            self.judge(&mut course.known, &load, law, &iterate, is_met);
+            self.judge(&mut course, &load, law, &iterate, is_met);
             let state = State::of(&iterate);
             self.last = Some(iterate);
             if let Some(ended) = self.ended(&mut course, state) {
@@ -152,7 +145,7 @@ impl<'a> Run<'a> {
         if let (Law::Springs, Some(last)) = (law, &self.last) {
             self.rigid = Target::of(self.problem, &load, Law::Rigid, &target::pressed(self.problem, last));
         }
-        self.target = course.known.target;
+        self.target = course.target;
         Ok(outcome)
     }
 
@@ -171,30 +164,30 @@ impl<'a> Run<'a> {
             _ if self.is_met() => return Some(if within { Outcome::Converged } else { Outcome::Stopped }),
             _ => {}
         }
-        course.watchers.ended(state, &self.history[course.first..], course.known.looked)
+        course.watch.ended(state, &self.history[course.first..], course.looked)
     }
 
     /// Looks for the discrete solution once it is near, and tells the error of every iteration since.
-    fn judge(&mut self, known: &mut Known, load: &[f64], law: Law, iterate: &Iterate, is_last: bool) {
-        if known.target.is_none() && known.looked {
+    fn judge(&mut self, course: &mut Course, load: &[f64], law: Law, iterate: &Iterate, is_last: bool) {
+        if course.target.is_none() && course.looked {
             return;
         }
-        known.waiting.push(iterate.clone());
-        if !known.looked {
+        course.waiting.push(iterate.clone());
+        if !course.looked {
             let pressed = target::pressed(self.problem, iterate);
             let is_last = is_last || self.work.iterations >= self.settings.max_iterations;
-            known.looked = known.waiting.len() >= LOOK || pressed == known.pressed || is_last;
-            known.pressed = pressed;
-            if known.looked {
-                known.target = Target::of(self.problem, load, law, &known.pressed);
+            course.looked = course.waiting.len() >= LOOK || pressed == course.pressed || is_last;
+            course.pressed = pressed;
+            if course.looked {
+                course.target = Target::of(self.problem, load, law, &course.pressed);
             }
         }
-        if let Some(target) = &known.target {
-            let first = self.history.len() - known.waiting.len();
-            for (iteration, iterate) in self.history[first..].iter_mut().zip(&known.waiting) {
+        if let Some(target) = &course.target {
+            let first = self.history.len() - course.waiting.len();
+            for (iteration, iterate) in self.history[first..].iter_mut().zip(&course.waiting) {
                 iteration.error = target.error(self.problem, iterate);
             }
-            known.waiting.clear();
+            course.waiting.clear();
         }
     }
 

@@ -1,9 +1,7 @@
 //! How to find it: the three iterations, their rules, and one loop that counts, stops and judges.
 //!
-//! * [`problem`] — what an algorithm sees: matrices, points and scales, no geometry.
-//! * [`springs`] — the springs between two iterations, and what an iteration finds.
-//! * [`unit`](mod@unit) — what their initial stiffness is a multiple of.
-//! * [`rule`] — how the springs' strain drives their stiffness or force.
+//! * [`problem`] — what an algorithm sees: matrices, points, springs and scales, no geometry; what an iteration finds.
+//! * [`rule`] — how the springs' strain drives their stiffness or force, and what its start is a multiple of.
 //! * [`varying`], [`constant`], [`kinematic`] — equations (3.2)–(3.14), one iteration each.
 //! * [`logarithms`], [`forces`] — Newton's method for varying and for constant stiffness: not of the paper, and named.
 //! * [`kept`], [`settling`] — their factors, where few springs change and where most come to rest.
@@ -12,8 +10,7 @@
 //! * [`bound`] — a bound on that, in the energy norm.
 //! * [`parts`] — points and edges contact by contact, and the means over edges.
 //! * [`criterion`] — what else an iteration can be stopped by.
-//! * [`mod@iterate`] — the loop; `ending` — how it ends short of its criterion; `unheld` — systems that cannot be solved;
-//!   [`iteration`] — the choice of the algorithm.
+//! * [`mod@iterate`] — the loop; `ending` — how it ends short of its criterion; [`iteration`] — the choice of the algorithm.
 //!
 //! ```
 //! use signorini::algorithm::{Constant, Settings, StiffnessRule, iterate};
@@ -46,10 +43,7 @@ pub mod parts;
 pub mod problem;
 pub mod rule;
 pub mod settling;
-pub mod springs;
 pub mod target;
-mod unheld;
-pub mod unit;
 pub mod varying;
 
 use crate::solution::Work;
@@ -60,11 +54,9 @@ pub use exact::{Exact, Law};
 pub use iterate::{Settings, iterate, iterate_from};
 pub use iteration::Iteration;
 pub use kinematic::Kinematic;
-pub use problem::{ContactProblem, Scale};
-pub use rule::{Acceleration, Leeway, Spring, StiffnessRule};
-pub use springs::{Iterate, Springs};
+pub use problem::{ContactProblem, Iterate, Scale, Springs};
+pub use rule::{Acceleration, Leeway, Spring, StiffnessRule, StiffnessUnit};
 pub use target::Target;
-pub use unit::StiffnessUnit;
 pub use varying::Varying;
 
 /// An iteration algorithm: one iteration from springs to an iterate and to the next springs.

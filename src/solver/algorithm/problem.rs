@@ -1,8 +1,7 @@
-//! What an algorithm sees: the condensed system, the contact points, and what its springs start from.
+//! What an algorithm sees: the condensed system, the contact points, and its springs; and what an iteration with these finds.
 
 use faer::Mat;
 
-use crate::algorithm::{Iterate, Springs};
 use crate::condensation::stiffness::{Stiffness, SystemFactor};
 use crate::contact::{ContactEdge, ContactPoint};
 use crate::solution::Work;
@@ -24,6 +23,28 @@ pub struct ContactProblem<'a> {
     pub compliance: Vec<f64>,
     /// Initial stiffness of each point [MPa/mm].
     pub initial: Vec<f64>,
+}
+
+/// The springs as they stand between two iterations.
+#[derive(Clone, Debug)]
+pub struct Springs {
+    /// Stiffness `k` per area of each point [MPa/mm]; zero is open.
+    pub stiffness: Vec<f64>,
+    /// Force per area `r` carried by each point beside its spring \[MPa\].
+    pub force: Vec<f64>,
+}
+
+/// What one iteration finds.
+#[derive(Clone, Debug)]
+pub struct Iterate {
+    /// Displacements of the retained dofs \[mm\].
+    pub displacement: Vec<f64>,
+    /// Approach of each point \[mm\].
+    pub approach: Vec<f64>,
+    /// Spring force per area of each point, tension negative \[MPa\].
+    pub pressure: Vec<f64>,
+    /// Internal force `S u` of the displacements \[N\].
+    pub internal: Vec<f64>,
 }
 
 /// Reference values of the scene, which springs start from; what has converged is told without them.
@@ -135,7 +156,7 @@ impl ContactProblem<'_> {
             sums += point.weight * p.abs();
             pressure.push(p);
         }
-        let mut internal = self.internal_force(&u);
+        let mut internal = self.stiffness.times(&u);
         let mut solves = 1;
         if summands > CANCELLING * (sums + absolute(load)) {
             let change = factor.solve(&self.imbalance(load, &internal, &pressure));
@@ -143,7 +164,7 @@ impl ContactProblem<'_> {
             for ((p, point), k) in pressure.iter_mut().zip(self.points).zip(stiffness) {
                 *p += k * point.approach(&change);
             }
-            internal = self.internal_force(&u);
+            internal = self.stiffness.times(&u);
             solves += 1;
         }
         work.back_substitutions += solves;
@@ -152,14 +173,16 @@ impl ContactProblem<'_> {
         Iterate { approach, displacement: u, pressure, internal }
     }
 
-    /// `S u` \[N\].
-    pub fn internal_force(&self, u: &[f64]) -> Vec<f64> {
-        self.stiffness.times(u)
-    }
-
-    /// `|S| |u|`: the size of the terms in `S u` \[N\].
-    pub fn terms_of_internal_force(&self, u: &[f64]) -> Vec<f64> {
-        self.stiffness.terms(u)
+    /// `C_ij = b_i (S + Σ A k b bᵀ)⁻¹ b_j A_j` by a factor of that matrix: approach of a point by the pressure on another [mm/MPa].
+    pub fn flexibility(&self, factor: &SystemFactor) -> Mat<f64> {
+        let mut flexibility = Mat::zeros(self.points.len(), self.points.len());
+        for (j, point) in self.points.iter().enumerate() {
+            let mut force = vec![0.0; self.load.len()];
+            point.add_row(point.weight, &mut force);
+            let moved = factor.solve(&force);
+            self.points.iter().enumerate().for_each(|(i, other)| flexibility[(i, j)] = other.approach(&moved));
+        }
+        flexibility
     }
 
     /// What both bodies resist at a point, one behind the other: `1/Σ (b²/S_dd)` of the diagonal of S [N/mm].

@@ -24,21 +24,57 @@ pub struct Target {
     /// The solution.
     pub exact: Exact,
     contacts: Vec<OfContact>,
+    /// Approach that the own force of each contact makes, `Σ F*/(E* t)` \[mm\].
+    approaches: Vec<f64>,
     /// Largest force of a contact; of the load where no contact carries one \[N\].
     largest_force: f64,
 }
 
-/// The solution of one contact.
+/// What an iterate says of one contact.
 #[derive(Clone, Debug)]
 struct OfContact {
     points: Range<usize>,
-    edges: Range<usize>,
     means: Vec<EdgeState>,
     /// Largest pressure, as it is quoted \[MPa\].
     peak: f64,
-    moments: Moments,
-    /// `Σ F*/(E* t)` \[mm\].
-    approach: f64,
+    /// `Σ A p` \[N\].
+    force: f64,
+    /// `Σ A p s/Σ A p`; 0 where the contact begins at s = 0.
+    centre: f64,
+    /// Second-moment width about it; 0 on a single point.
+    width: f64,
+}
+
+impl OfContact {
+    /// Contact by contact.
+    fn all(problem: &ContactProblem, states: &[PointState]) -> Vec<Self> {
+        let ranges = parts::points(problem.points).zip(parts::edges(problem.edges));
+        let one = |(points, edges): (Range<usize>, Range<usize>)| {
+            let own = &states[points.clone()];
+            let across = own.first().is_some_and(|state| state.position < 0.0);
+            let centre = if across { profile::centre(own) } else { 0.0 };
+            let means = parts::means(&problem.edges[edges], &problem.points[points.clone()], own);
+            Self {
+                points,
+                peak: peak::of(&means, centre).pressure,
+                means,
+                force: own.iter().map(|state| state.weight * state.pressure).sum(),
+                centre,
+                width: profile::second_moment_width(own, centre),
+            }
+        };
+        ranges.map(one).collect()
+    }
+
+    /// The larger of the errors of width and centre, over the wanted width; 0 where that vanishes.
+    fn apart(&self, wanted: &Self) -> f64 {
+        let far = (self.width - wanted.width).abs().max((self.centre - wanted.centre).abs());
+        match () {
+            _ if self.width.is_nan() || self.centre.is_nan() => f64::NAN,
+            _ if wanted.width > 0.0 => far / wanted.width,
+            _ => 0.0,
+        }
+    }
 }
 
 impl Target {
@@ -49,37 +85,34 @@ impl Target {
         // What is round-off of a contact's force is none, wherever the solution is asked.
         let told = exact.iterate.pressure.iter_mut().zip(&states);
         told.filter(|(_, state)| state.pressure <= 0.0).for_each(|(pressure, _)| *pressure = pressure.min(0.0));
-        let ranges = parts::points(problem.points).zip(parts::edges(problem.edges));
-        let contacts = ranges.enumerate().map(|(contact, (points, edges))| {
-            let moments = Moments::of(&states[points.clone()]);
-            let approach = moments.force * problem.compliance[contact];
-            let own = &problem.points[points.clone()];
-            let means = parts::means(&problem.edges[edges.clone()], own, &states[points.clone()]);
-            let peak = peak::of(&means, moments.centre).pressure;
-            OfContact { points, edges, means, peak, moments, approach }
-        });
-        let contacts: Vec<OfContact> = contacts.collect();
-        let largest = contacts.iter().map(|contact| contact.moments.force).fold(0.0, f64::max);
+        let contacts = OfContact::all(problem, &states);
+        let approaches =
+            contacts.iter().zip(&problem.compliance).map(|(contact, compliance)| contact.force * compliance);
+        let approaches = approaches.collect();
+        let largest = contacts.iter().map(|contact| contact.force).fold(0.0, f64::max);
         let applied: f64 = load.iter().map(|f| f.abs()).sum();
-        Some(Self { exact, contacts, largest_force: if largest > 0.0 { largest } else { applied } })
+        let largest_force = if largest > 0.0 { largest } else { applied };
+        Some(Self { exact, contacts, approaches, largest_force })
     }
 
     /// How far an iterate is from the solution, at the worst contact.
     pub fn error(&self, problem: &ContactProblem, iterate: &Iterate) -> IterationError {
         let states = states(problem.points, iterate);
-        let each = self.contacts.iter().map(|contact| self.error_of(contact, problem, iterate, &states));
+        let each = OfContact::all(problem, &states).into_iter().enumerate();
+        let each = each.map(|(contact, found)| self.error_of(contact, &found, problem, iterate, &states));
         each.fold(IterationError::NONE, IterationError::worse)
     }
 
     fn error_of(
         &self,
-        contact: &OfContact,
+        index: usize,
+        found: &OfContact,
         problem: &ContactProblem,
         iterate: &Iterate,
         states: &[PointState],
     ) -> IterationError {
-        let wanted = &contact.moments;
-        if wanted.force <= 0.0 {
+        let contact = &self.contacts[index];
+        if contact.force <= 0.0 {
             let own_contact = problem.points[contact.points.start].contact;
             let carried = contact.points.clone().map(|i| problem.points[i].weight * iterate.pressure[i].abs());
             let force: f64 = carried.sum();
@@ -87,10 +120,7 @@ impl Target {
             let force = if force <= round_off { 0.0 } else { force / self.largest_force };
             return IterationError { force, ..IterationError::NONE };
         }
-        let found = Moments::of(&states[contact.points.clone()]);
-        let own = &problem.points[contact.points.clone()];
-        let means = parts::means(&problem.edges[contact.edges.clone()], own, &states[contact.points.clone()]);
-        let peak = peak::of(&means, found.centre).pressure;
+        let OfContact { means, peak, .. } = found;
         let (mut work, mut force, mut cut) = (0.0, 0.0, 0.0);
         for i in contact.points.clone() {
             let weight = problem.points[i].weight;
@@ -102,50 +132,20 @@ impl Target {
         }
         IterationError {
             peak: (peak / contact.peak - 1.0).abs(),
-            force: profile::misplaced(&means, &contact.means) + cut / force,
-            width: found.apart(wanted),
-            approach: work / (force * contact.approach),
+            force: profile::misplaced(means, &contact.means) + cut / force,
+            width: found.apart(contact),
+            approach: work / (force * self.approaches[index]),
         }
     }
 
     /// Approach that the own force of a contact makes \[mm\].
     pub fn approach(&self, contact: usize) -> f64 {
-        self.contacts[contact].approach
+        self.approaches[contact]
     }
 
     /// Points and edges as a solution tells them.
     pub fn told(&self, problem: &ContactProblem) -> States {
         told(problem, &self.exact.iterate)
-    }
-}
-
-/// Force, centre and width of the pressures of one contact.
-#[derive(Clone, Copy, Debug)]
-struct Moments {
-    /// `Σ A p` \[N\].
-    force: f64,
-    /// `Σ A p s/Σ A p`; 0 where the contact begins at s = 0.
-    centre: f64,
-    /// Second-moment width about it; 0 on a single point.
-    width: f64,
-}
-
-impl Moments {
-    fn of(states: &[PointState]) -> Self {
-        let across = states.first().is_some_and(|state| state.position < 0.0);
-        let centre = if across { profile::centre(states) } else { 0.0 };
-        let force = states.iter().map(|state| state.weight * state.pressure).sum();
-        Self { force, centre, width: profile::second_moment_width(states, centre) }
-    }
-
-    /// The larger of the errors of width and centre, over the wanted width; 0 where that vanishes.
-    fn apart(&self, wanted: &Self) -> f64 {
-        let far = (self.width - wanted.width).abs().max((self.centre - wanted.centre).abs());
-        match () {
-            _ if self.width.is_nan() || self.centre.is_nan() => f64::NAN,
-            _ if wanted.width > 0.0 => far / wanted.width,
-            _ => 0.0,
-        }
     }
 }
 

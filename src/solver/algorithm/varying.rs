@@ -23,15 +23,10 @@ pub struct Varying {
 impl Varying {
     /// The algorithm before its first iteration.
     pub fn new(rule: StiffnessRule) -> Self {
-        Self::changing(rule, Leeway::default())
+        Self::accelerated(rule, Leeway::default(), Acceleration::None)
     }
 
-    /// The same with another bound, or stiffnesses of elements.
-    pub fn changing(rule: StiffnessRule, leeway: Leeway) -> Self {
-        Self::accelerated(rule, leeway, Acceleration::None)
-    }
-
-    /// The same with an acceleration.
+    /// The same with another bound, or stiffnesses of elements, and an acceleration.
     pub fn accelerated(rule: StiffnessRule, leeway: Leeway, acceleration: Acceleration) -> Self {
         Self { rule, leeway, acceleration, logarithms: Logarithms::default(), kept: Settling::default() }
     }
@@ -92,6 +87,7 @@ impl Algorithm for Varying {
         }
         Some(iterate)
     }
+
     /// Accelerated, springs that were open under the load before start as they did at first: by the rule alone they would take as
     /// many iterations to press again as they took to fall.
     fn reload(&mut self, problem: &ContactProblem, springs: &mut Springs) {

@@ -5,8 +5,7 @@
 //! * [`dense`] — dense Cholesky factorisation, for the algorithms.
 //! * [`trailing`] — the same where only the last rows change.
 //! * [`stiffness`] — S of all bodies, dense or sparse, and its factors with springs.
-//! * [`plain`] — one solve by the library alone, the unit of all timings.
-//! * [`uncondensed`] — the same without condensation, for checks.
+//! * [`plain`] — one solve by the library alone, the unit of all timings; and one without condensation, for checks.
 //!
 //! ```
 //! use signorini::scene::{Material, Scene};
@@ -26,7 +25,6 @@ pub mod factor;
 pub mod plain;
 pub mod stiffness;
 pub mod trailing;
-pub mod uncondensed;
 
 use std::ops::Range;
 
@@ -38,9 +36,8 @@ use crate::error::Error;
 use crate::mesh::size::is_sparse;
 
 use eliminated::Eliminated;
-pub use plain::Plain;
+pub use plain::{Plain, solve_uncondensed};
 use stiffness::{Blocks, Stiffness};
-pub use uncondensed::{CoupledSpring, solve_uncondensed};
 
 /// `S u = f̂` on the retained dofs of all bodies, body after body.
 #[derive(Debug)]
@@ -110,22 +107,14 @@ impl Condensed {
         self.bodies.iter().map(|body| body.factor().entries()).sum()
     }
 
-    /// All unknowns of each body from the retained ones, by one back-substitution: `K_ii u_i = f_i − K_ic u_c`.
-    pub fn recover(&self, retained: &[f64]) -> Vec<Vec<f64>> {
-        self.recover_under(1.0, retained)
-    }
-
-    /// The same under `factor` times the load.
-    pub fn recover_under(&self, factor: f64, retained: &[f64]) -> Vec<Vec<f64>> {
-        self.recovered(factor, &[retained]).into_iter().flatten().collect()
+    /// All unknowns of each body from the retained ones under `factor` times the load, by one back-substitution:
+    /// `K_ii u_i = f_i − K_ic u_c`.
+    pub fn recover(&self, factor: f64, retained: &[f64]) -> Vec<Vec<f64>> {
+        self.recover_all(factor, &[retained]).into_iter().flatten().collect()
     }
 
     /// The same for several solutions in one pass through the factors: body after body, solution after solution.
-    pub fn recover_all(&self, retained: &[&[f64]]) -> Vec<Vec<Vec<f64>>> {
-        self.recovered(1.0, retained)
-    }
-
-    fn recovered(&self, factor: f64, retained: &[&[f64]]) -> Vec<Vec<Vec<f64>>> {
+    pub fn recover_all(&self, factor: f64, retained: &[&[f64]]) -> Vec<Vec<Vec<f64>>> {
         let parts = self.bodies.iter().zip(self.offsets.windows(2));
         let of_body = |ends: &[usize]| -> Vec<&[f64]> { retained.iter().map(|u| &u[ends[0]..ends[1]]).collect() };
         parts.map(|(body, ends)| body.recover(factor, &of_body(ends))).collect()

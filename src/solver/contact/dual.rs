@@ -1,14 +1,35 @@
-//! What lies opposite a contact node where the meshes do not match: the mean of the primary displacement, weighted by the node's
-//! dual shape function.
+//! From the candidates of both bodies to an interface, whose nodes are given what they face: where the meshes do not match, the mean of
+//! the primary displacement, weighted by the node's dual shape function.
 
 use nalgebra::DMatrix;
 
+use crate::condensation::Condensed;
 use crate::contact::Interface;
 use crate::contact::primary::PrimarySurface;
 use crate::elasticity::quadrature;
+use crate::error::Error;
+use crate::mesh::Mesh;
+use crate::scene::Scene;
 
 /// Fewest Gauss points on each piece of an edge: products of two shape functions of 3-node edges are polynomials of degree four.
 const FEWEST: usize = 4;
+
+impl Interface {
+    /// The interface of every contact of a scene.
+    pub fn all(scene: &Scene, mesh: &Mesh, condensed: &Condensed) -> Result<Vec<Self>, Error> {
+        (0..scene.contacts.len()).map(|contact| Self::between(scene, mesh, condensed, contact)).collect()
+    }
+
+    /// Projects the candidates of the first body of a contact on to the second; their nodes need not match.
+    pub fn between(scene: &Scene, mesh: &Mesh, condensed: &Condensed, contact: usize) -> Result<Self, Error> {
+        let mut interface = Self::projected(scene, mesh, condensed, contact)?;
+        if let Some(primary) = &interface.primary {
+            let rows = rows(&interface, primary);
+            interface.nodes.iter_mut().zip(rows).for_each(|(node, row)| node.opposite = row);
+        }
+        Ok(interface)
+    }
+}
 
 /// For each node the primary dofs with `(1/D_a) ∫ φ_a N_b ds`, `D_a = ∫ N_a ds`.
 ///
@@ -16,7 +37,7 @@ const FEWEST: usize = 4;
 /// `Σ φ_a = 1` (Wohlmuth 2000); lengths of bodies of revolution are times `2πr`, and a node on the axis, which may have none,
 /// meets what is there. Where every node faces a node this is that node alone; elsewhere equal pressures at the
 /// nodes are a uniform pressure on both sides, and the patch test holds.
-pub(super) fn rows(interface: &Interface, primary: &PrimarySurface) -> Vec<Vec<(usize, f64)>> {
+fn rows(interface: &Interface, primary: &PrimarySurface) -> Vec<Vec<(usize, f64)>> {
     let nodes = interface.nodes.len();
     if let Some(pairs) = pairs(interface, primary) {
         return pairs;

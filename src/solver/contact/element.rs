@@ -1,6 +1,6 @@
 //! The choice of the contact element.
 
-use crate::contact::{ContactElement, Layer, Line, Node, Quadrature};
+use crate::contact::{ContactPoint, Interface, Quadrature, layer, line, node};
 use crate::named::named_enum;
 
 named_enum! {
@@ -16,12 +16,13 @@ named_enum! {
 }
 
 impl Element {
-    /// The element with its quadrature and its thickness over the length of an edge, as far as it has them.
-    pub fn with(self, quadrature: Quadrature, thickness: f64) -> Box<dyn ContactElement> {
+    /// The contact points of an interface, in the order of the contact coordinate, with a quadrature and a thickness over the length of an
+    /// edge, as far as the element has them.
+    pub fn points(self, interface: &Interface, quadrature: Quadrature, thickness: f64) -> Vec<ContactPoint> {
         match self {
-            Self::Line => Box::new(Line { quadrature }),
-            Self::Layer => Box::new(Layer { quadrature, thickness }),
-            Self::Node => Box::new(Node),
+            Self::Line => line::points(interface, quadrature),
+            Self::Layer => layer::points(interface, quadrature, thickness),
+            Self::Node => node::points(interface),
         }
     }
 }

@@ -1,11 +1,10 @@
-//! Nodes and edges of the candidate stretch, and what they face.
+//! Nodes and edges of the candidate stretch, what they face, and where on an edge contact conditions are enforced.
 
 use std::f64::consts::TAU;
 
 use crate::condensation::Condensed;
-use crate::contact::point::ContactEdge;
 use crate::contact::primary::{PrimarySurface, natural};
-use crate::contact::quadrature::Quadrature;
+use crate::contact::{ContactEdge, ContactPoint};
 use crate::elasticity::{quadrature, shape_functions};
 use crate::error::{Error, Part};
 use crate::mesh::{Candidate, Mesh, candidates};
@@ -15,6 +14,31 @@ use crate::scene::{ContactPair, Profile, Scene};
 const NO_AREA: f64 = 1e-9;
 /// Gauss points that find the centre of the area of an edge of 2 nodes: exactly, its radius being linear.
 const FINE: usize = 2;
+
+/// Where on an edge the contact conditions are enforced.
+///
+/// As many Gauss points as the edge has nodes are more than its normal displacements can follow: pressures are then not
+/// unique and oscillate as springs stiffen. The default takes one point fewer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
+pub enum Quadrature {
+    /// Gauss, one point fewer than the edge has nodes: 1 on 2-node, 2 on 3-node edges; the default.
+    Gauss,
+    /// Gauss, as many points as nodes: 2 on 2-node, 3 on 3-node edges.
+    GaussFull,
+    /// Lobatto: the nodes themselves.
+    Lobatto,
+}
+
+impl Quadrature {
+    /// Points and weights for an edge of `nodes` nodes.
+    pub fn rule(self, nodes: usize) -> Vec<(f64, f64)> {
+        match self {
+            Self::Gauss => quadrature::gauss(nodes - 1),
+            Self::GaussFull => quadrature::gauss(nodes),
+            Self::Lobatto => quadrature::lobatto(nodes),
+        }
+    }
+}
 
 /// The candidate stretch of one contact: contact nodes and the edges between them.
 #[derive(Clone, Debug)]
@@ -58,17 +82,6 @@ impl ContactNode {
     pub fn row(&self) -> impl Iterator<Item = (usize, f64)> + '_ {
         std::iter::once((self.dof, 1.0)).chain(self.opposite.iter().copied())
     }
-}
-
-/// A normal displacement that takes part in the approach of a point.
-#[derive(Clone, Copy, Debug)]
-pub struct Term {
-    /// Retained dof.
-    pub dof: usize,
-    /// Shape function.
-    pub value: f64,
-    /// Normal of the node, out of the first body.
-    pub normal: [f64; 2],
 }
 
 impl Interface {
@@ -196,15 +209,34 @@ impl Interface {
         cuts.windows(2).flat_map(piece).collect()
     }
 
-    /// The displacements in the approach of a point of an edge: own ones by `N_a`, opposite ones by projection.
-    pub fn terms(&self, edge: &[usize], shapes: &[f64], position: f64) -> Vec<Term> {
-        let own = edge.iter().zip(shapes).map(|(&a, &value)| {
-            let node = &self.nodes[a];
-            Term { dof: node.dof, value, normal: node.normal }
-        });
+    /// The points of a rule on all edges, in the order of the contact coordinate, each with the row and the relative stiffness that it has
+    /// by its edge, its shape functions and place there, and its gap.
+    pub fn points(
+        &self,
+        quadrature: Quadrature,
+        mut of: impl FnMut(&[usize], (&[f64], f64), f64) -> (Vec<(usize, f64)>, f64),
+    ) -> Vec<ContactPoint> {
+        let mut points = Vec::new();
+        for (index, edge) in self.edges.iter().enumerate() {
+            for (xi, weight) in self.ruled(edge, quadrature) {
+                let (shapes, position, length) = self.at(edge, xi);
+                let gap = self.gap(edge, &shapes, position);
+                let (row, relative_stiffness) = of(edge, (&shapes, position), gap);
+                let weight = self.area(weight, length);
+                let (contact, shares) = (self.contact, vec![(index, weight)]);
+                points.push(ContactPoint { contact, row, position, weight, gap, relative_stiffness, shares });
+            }
+        }
+        points.sort_by(|a, b| a.position.total_cmp(&b.position));
+        points
+    }
+
+    /// The normal displacements in the approach of a point of an edge, own ones by `N_a`, opposite ones by projection: retained dof, shape
+    /// function, and normal of the node, out of the first body.
+    pub fn terms(&self, edge: &[usize], (shapes, position): (&[f64], f64)) -> Vec<(usize, f64, [f64; 2])> {
+        let own = edge.iter().zip(shapes).map(|(&a, &value)| (self.nodes[a].dof, value, self.nodes[a].normal));
         let primary = self.primary.iter().filter_map(|primary| primary.at(position)).flatten();
-        let primary = primary.map(|(node, value)| Term { dof: node.dof, value, normal: node.normal });
-        own.chain(primary).collect()
+        own.chain(primary.map(|(node, value)| (node.dof, value, node.normal))).collect()
     }
 
     /// Initial gap at a point of an edge: that of the profile, or the drawn one interpolated by `N_a` \[mm\].

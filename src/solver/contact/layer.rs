@@ -2,7 +2,7 @@
 
 use nalgebra::Vector2;
 
-use crate::contact::{ContactElement, ContactPoint, Interface, Quadrature};
+use crate::contact::{ContactPoint, Interface, Quadrature};
 
 /// A thin element of thickness `t(ξ) = t₀ + g(ξ)` (`t₀` where the bodies interfere), moduli `E_n` across and `G = 0`
 /// along it, and no membrane stiffness.
@@ -11,42 +11,18 @@ use crate::contact::{ContactElement, ContactPoint, Interface, Quadrature};
 /// `ε = e·∇u·e` with the director `e = ∂x/∂η / |∂x/∂η|`, and `σ = E_n ε = (E_n/t) w` with `w = t ε`.
 /// For parallel faces `w` is the line element's approach; what sets the layer apart is its spring
 /// `k_i = E_n / t(ξ_i)`: stiff where the gap is narrow, soft where it is wide.
-#[derive(Clone, Copy, Debug)]
-pub struct Layer {
-    /// Quadrature on η = 0.
-    pub quadrature: Quadrature,
-    /// `t₀` over the length of the edge.
-    pub thickness: f64,
-}
-
-impl ContactElement for Layer {
-    fn points(&self, interface: &Interface) -> Vec<ContactPoint> {
-        let mut points = Vec::new();
-        let mut thicknesses = Vec::new();
-        for (index, edge) in interface.edges.iter().enumerate() {
-            let t0 = self.thickness * length(interface, edge);
-            for (xi, weight) in interface.ruled(edge, self.quadrature) {
-                let (shapes, position, length) = interface.at(edge, xi);
-                let gap = interface.gap(edge, &shapes, position);
-                let t = t0 + gap.max(0.0);
-                let area = interface.area(weight, length);
-                points.push(ContactPoint {
-                    contact: interface.contact,
-                    row: normal_row(interface, edge, t0, (&shapes, position)),
-                    position,
-                    weight: area,
-                    gap,
-                    relative_stiffness: 1.0 / t,
-                    shares: vec![(index, area)],
-                });
-                thicknesses.push(t);
-            }
-        }
-        let mean = thicknesses.iter().sum::<f64>() / thicknesses.len() as f64;
-        points.iter_mut().for_each(|point| point.relative_stiffness *= mean);
-        points.sort_by(|a, b| a.position.total_cmp(&b.position));
-        points
-    }
+///
+/// Its thickness `t₀` is given over the length of the edge, and the quadrature is that on η = 0.
+pub fn points(interface: &Interface, quadrature: Quadrature, thickness: f64) -> Vec<ContactPoint> {
+    let mut thicknesses = Vec::new();
+    let mut points = interface.points(quadrature, |edge, at, gap| {
+        let t0 = thickness * length(interface, edge);
+        thicknesses.push(t0 + gap.max(0.0));
+        (normal_row(interface, edge, t0, at), 1.0 / (t0 + gap.max(0.0)))
+    });
+    let mean = thicknesses.iter().sum::<f64>() / thicknesses.len() as f64;
+    points.iter_mut().for_each(|point| point.relative_stiffness *= mean);
+    points
 }
 
 fn length(interface: &Interface, edge: &[usize]) -> f64 {
@@ -65,6 +41,6 @@ fn normal_row(interface: &Interface, edge: &[usize], t0: f64, (shapes, position)
         Vector2::from(node.normal) * (0.5 * value * (t0 + node.gap.max(0.0)))
     };
     let director = edge.iter().zip(shapes).map(across).sum::<Vector2<f64>>().normalize();
-    let terms = interface.terms(edge, shapes, position).into_iter();
-    terms.map(|term| (term.dof, term.value * director.dot(&Vector2::from(term.normal)))).collect()
+    let terms = interface.terms(edge, (shapes, position)).into_iter();
+    terms.map(|(dof, value, normal)| (dof, value * director.dot(&Vector2::from(normal)))).collect()
 }

@@ -1,18 +1,17 @@
 //! How bodies touch: each contact element turns the candidate edges into a list of contact points.
 //!
 //! * [`point`] — what a contact element makes.
-//! * [`interface`] — nodes and edges of the candidate stretch.
-//! * `pairing` — from the candidates of both bodies to an interface.
-//! * `dual` — what lies opposite a contact node where meshes do not match.
+//! * [`interface`] — nodes and edges of the candidate stretch, and where on an edge conditions are enforced.
+//! * `dual` — from the candidates of both bodies to an interface, also where meshes do not match.
 //! * [`primary`] — projection on to the edges of the other body.
 //! * [`node`] — one spring per node pair (paper, Fig. 5).
 //! * [`mod@line`] — distributed springs between two element edges (Fig. 3).
 //! * [`layer`] — a thin element of fictitious material (Fig. 4).
-//! * [`mod@quadrature`] — where on an edge they are enforced; [`element`] — the choice of the contact element.
+//! * [`element`] — the choice of the contact element.
 //!
 //! ```
 //! use signorini::scene::{Material, Scene};
-//! use signorini::contact::{ContactElement, Interface, Node};
+//! use signorini::contact::{Interface, node};
 //! use signorini::elasticity::ElasticSystem;
 //! use signorini::mesh::{Mesh, Order, Resolution};
 //!
@@ -21,7 +20,7 @@
 //! let condensed = ElasticSystem::assemble(&scene, &mesh)?.condense()?;
 //! let interfaces = Interface::all(&scene, &mesh, &condensed)?;
 //! // The areas of the points are that of the candidates.
-//! let area: f64 = Node.points(&interfaces[0]).iter().map(|point| point.weight).sum();
+//! let area: f64 = node::points(&interfaces[0]).iter().map(|point| point.weight).sum();
 //! let whole = scene.contact().stretch * scene.thickness;
 //! assert!((area - whole).abs() <= 1e-9 * whole);
 //! # Ok::<(), signorini::error::Error>(())
@@ -33,21 +32,9 @@ pub mod interface;
 pub mod layer;
 pub mod line;
 pub mod node;
-mod pairing;
 pub mod point;
 pub mod primary;
-pub mod quadrature;
 
 pub use element::Element;
-pub use interface::Interface;
-pub use layer::Layer;
-pub use line::Line;
-pub use node::Node;
+pub use interface::{Interface, Quadrature};
 pub use point::{ContactEdge, ContactPoint};
-pub use quadrature::Quadrature;
-
-/// A contact element: from the edges of an interface to contact points.
-pub trait ContactElement {
-    /// The contact points of an interface, in the order of the contact coordinate.
-    fn points(&self, interface: &Interface) -> Vec<ContactPoint>;
-}

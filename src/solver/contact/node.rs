@@ -1,46 +1,39 @@
 //! Node contact element: one spring between a node and what lies opposite.
 
 use crate::contact::interface::ContactNode;
-use crate::contact::{ContactElement, ContactPoint, Interface};
+use crate::contact::{ContactPoint, Interface};
 use crate::elasticity::quadrature;
+
+/// Radius up to which a node is on the axis \[mm\]: what rounding leaves.
+const ON_AXIS: f64 = 1e-9;
 
 /// One contact point per node pair, with the consistent tributary area `A_a = ∫ N_a (n·n_a) ds · thickness`:
 /// 1/6, 4/6, 1/6 of a straight 3-node edge, the Lobatto weights of one of any order.
 ///
 /// On an arc the factor `n·n_a` makes a uniform pressure give equal pressures at corner and mid-side nodes; without it
 /// they differ by 0.3 Δ², Δ being half the angle of an edge.
-#[derive(Clone, Copy, Debug)]
-pub struct Node;
-
-/// Radius up to which a node is on the axis \[mm\]: what rounding leaves.
-const ON_AXIS: f64 = 1e-9;
-
-impl ContactElement for Node {
-    fn points(&self, interface: &Interface) -> Vec<ContactPoint> {
-        let mut shares: Vec<Vec<(usize, f64)>> = vec![Vec::new(); interface.nodes.len()];
-        for (index, edge) in interface.edges.iter().enumerate() {
-            for (k, &a) in edge.iter().enumerate() {
-                shares[a].push((index, tributary_area(interface, edge, k)));
-            }
+pub fn points(interface: &Interface) -> Vec<ContactPoint> {
+    let mut shares: Vec<Vec<(usize, f64)>> = vec![Vec::new(); interface.nodes.len()];
+    for (index, edge) in interface.edges.iter().enumerate() {
+        for (k, &a) in edge.iter().enumerate() {
+            shares[a].push((index, tributary_area(interface, edge, k)));
         }
-        // On the axis of revolution the node of an edge of order 2 or more has no area, `∫ N r dr = 0` but for what a curved
-        // edge adds, and carries nothing.
-        let is_high = interface.edges.iter().any(|edge| edge.len() > 2);
-        let has_area = |node: &ContactNode| !(is_high && interface.is_on_axis(node.coordinate, ON_AXIS));
-        let nodes = interface.nodes.iter().zip(shares);
-        nodes
-            .filter(|(node, _)| has_area(node))
-            .map(|(node, shares)| ContactPoint {
-                contact: interface.contact,
-                row: node.row().collect(),
-                position: node.coordinate,
-                weight: shares.iter().map(|(_, area)| area).sum(),
-                gap: node.gap,
-                relative_stiffness: 1.0,
-                shares,
-            })
-            .collect()
     }
+    // On the axis of revolution the node of an edge of order 2 or more has no area, `∫ N r dr = 0` but for what a curved
+    // edge adds, and carries nothing.
+    let is_high = interface.edges.iter().any(|edge| edge.len() > 2);
+    let has_area = |node: &ContactNode| !(is_high && interface.is_on_axis(node.coordinate, ON_AXIS));
+    let nodes = interface.nodes.iter().zip(shares).filter(|(node, _)| has_area(node));
+    let point = |(node, shares): (&ContactNode, Vec<(usize, f64)>)| ContactPoint {
+        contact: interface.contact,
+        row: node.row().collect(),
+        position: node.coordinate,
+        weight: shares.iter().map(|(_, area)| area).sum(),
+        gap: node.gap,
+        relative_stiffness: 1.0,
+        shares,
+    };
+    nodes.map(point).collect()
 }
 
 /// `∫ N_k (n·n_k) ds · thickness`, of bodies of revolution `∫ N_k 2πr ds`, over one edge \[mm²\].

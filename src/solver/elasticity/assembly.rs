@@ -5,8 +5,7 @@ use std::ops::Range;
 
 use faer::sparse::{SparseColMat, SymbolicSparseColMat};
 
-use crate::elasticity::degenerate::degenerate;
-use crate::elasticity::element::CellStiffness;
+use crate::elasticity::element::{CellStiffness, degenerate};
 use crate::elasticity::{Dofs, Freedom, Index, NodeGraph};
 use crate::error::Error;
 use crate::mesh::Mesh;

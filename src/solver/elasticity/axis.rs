@@ -71,14 +71,7 @@ pub fn refuse(scene: &Scene, mesh: &Mesh, body: usize) -> Result<(), Error> {
             Load::RigidFace { component, .. } if *component == radial => return refused(cancels, &pressure),
             _ => {}
         }
-        let (Load::Traction { boundary, .. }
-        | Load::TractionField { boundary, .. }
-        | Load::Stress { boundary, .. }
-        | Load::OnSide { boundary, .. }
-        | Load::RigidFace { boundary, .. }) = load
-        else {
-            continue;
-        };
+        let (Load::OnSide { boundary, .. } | Load::RigidFace { boundary, .. }) = load else { continue };
         if mesh.nodes_at(scene, body, &Place::Boundary(boundary.clone()))?.into_iter().all(&on_axis) {
             let message = format!("`{boundary}` lies on the axis of revolution, where a side has no area");
             return refused(&message, "load another side");

@@ -145,13 +145,8 @@ impl Dofs {
         equations.filter(|&equation| !std::mem::replace(&mut seen[equation], true)).collect()
     }
 
-    /// Cartesian displacement of every node of the body \[mm\].
-    pub fn displacements(&self, solution: &[f64]) -> Vec<[f64; 2]> {
-        self.displacements_under(1.0, solution)
-    }
-
-    /// The same where prescribed displacements are `share` times theirs.
-    pub fn displacements_under(&self, share: f64, solution: &[f64]) -> Vec<[f64; 2]> {
+    /// Cartesian displacement of every node of the body, where prescribed displacements are `share` times theirs \[mm\].
+    pub fn displacements(&self, share: f64, solution: &[f64]) -> Vec<[f64; 2]> {
         let value = |dof| match dof {
             Freedom::Equation(equation) => solution[equation],
             Freedom::Prescribed(value) => share * value,

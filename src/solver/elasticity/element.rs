@@ -6,8 +6,9 @@ use nalgebra::Matrix2;
 
 use crate::elasticity::dilatation::{Modes, Sample, Split};
 use crate::elasticity::{quadrature, shape_functions};
+use crate::error::{Error, Kind};
 use crate::mesh::Order;
-use crate::scene::{Material, PlaneHypothesis};
+use crate::scene::{Material, PlaneHypothesis, Scene};
 
 /// `k = ∫ Bᵀ D B t dA` [N/mm] of cells of order p (p + 1 Gauss points each way); dofs are u_x, u_y node by node.
 ///
@@ -259,12 +260,7 @@ impl CellStiffness {
     ) -> Result<(), f64> {
         let points: [[f64; 2]; N] = std::array::from_fn(|_| points.next().unwrap_or([f64::NAN; 2]));
         let mut pairs = [[[[0.0; N]; 2]; 2]; N];
-        if let Some(radial) = self.radial {
-            let sums = AddPairsOfRevolution::<N, G> { kernel: self, points: &points, radial, pairs: &mut pairs };
-            self.processor.dispatch(sums)?;
-        } else {
-            self.processor.dispatch(AddPairs::<N, G> { kernel: self, points: &points, pairs: &mut pairs })?;
-        }
+        self.processor.dispatch(AddPairs::<N, G> { kernel: self, points: &points, pairs: &mut pairs })?;
         for (row, pair) in k.chunks_exact_mut(2 * N).zip(pairs.as_flattened()) {
             for (entries, b) in row.chunks_exact_mut(2).zip(0..N) {
                 (entries[0], entries[1]) = (pair[0][b], pair[1][b]);
@@ -314,24 +310,10 @@ impl<const N: usize, const G: usize> pulp::WithSimd for AddPairs<'_, N, G> {
 
     #[inline(always)]
     fn with_simd<S: pulp::Simd>(self, _: S) -> Self::Output {
-        self.kernel.add_pairs::<N, G>(self.points, self.pairs)
-    }
-}
-
-/// The same of a body of revolution.
-struct AddPairsOfRevolution<'a, const N: usize, const G: usize> {
-    kernel: &'a CellStiffness,
-    points: &'a [[f64; 2]; N],
-    radial: usize,
-    pairs: &'a mut [[[[f64; N]; 2]; 2]; N],
-}
-
-impl<const N: usize, const G: usize> pulp::WithSimd for AddPairsOfRevolution<'_, N, G> {
-    type Output = Result<(), f64>;
-
-    #[inline(always)]
-    fn with_simd<S: pulp::Simd>(self, _: S) -> Self::Output {
-        self.kernel.add_pairs_of_revolution::<N, G>(self.points, self.radial, self.pairs)
+        match self.kernel.radial {
+            Some(radial) => self.kernel.add_pairs_of_revolution::<N, G>(self.points, radial, self.pairs),
+            None => self.kernel.add_pairs::<N, G>(self.points, self.pairs),
+        }
     }
 }
 
@@ -350,6 +332,13 @@ fn dilating<const N: usize, const G: usize>(
 /// Hoop strain `u_r/r`, which on the axis tends to the radial one, `∂u_r/∂r`.
 pub fn hoop_strain(radius: f64, outwards: f64, radial: f64) -> f64 {
     if radius > 0.0 { outwards / radius } else { radial }
+}
+
+/// Error of a cell turned inside out or of no area.
+pub(super) fn degenerate(scene: &Scene, body: usize, cell: usize, jacobian: f64) -> Error {
+    let message = format!("cell {cell} has Jacobian determinant {jacobian:.3e} at a quadrature point");
+    let remedy = "make the grading gentler or the elements smaller";
+    Error { kind: Kind::DegenerateCell, ..Error::at(scene.place_of_body(body), message, remedy) }
 }
 
 /// `z ← z + a x`.

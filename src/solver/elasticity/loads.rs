@@ -1,11 +1,9 @@
-//! Consistent nodal forces of tractions, stress fields, body forces and concentrated forces.
+//! Consistent nodal forces of what acts on a side, or on a part of it, of body forces and concentrated forces.
 
-use crate::elasticity::degenerate::degenerate;
 use crate::elasticity::dofs::Dofs;
-use crate::elasticity::side_loads::{LoadedSide, Taker};
 use crate::elasticity::{element, point, quadrature, shape_functions};
-use crate::error::Error;
-use crate::mesh::Mesh;
+use crate::error::{Error, Place};
+use crate::mesh::{Edge, Mesh};
 use crate::scene::{Action, Load, Scene, SidePart};
 
 /// Load vector of a body, from the forces applied at its nodes and those on rigid faces \[N\].
@@ -50,15 +48,11 @@ pub fn at_nodes(scene: &Scene, mesh: &Mesh, body: usize) -> Result<Vec<[f64; 2]>
 /// Hands the consistent forces of a load, one of its body by its index, to the nodes; those of a rigid face belong to no
 /// single node.
 fn hand_out(scene: &Scene, mesh: &Mesh, body: usize, index: usize, take: Taker) -> Result<(), Error> {
-    let mut on_side = |boundary: &str, part: Option<&SidePart>, action: &Action| -> Result<(), Error> {
-        LoadedSide::of(scene, mesh, (body, index), boundary, part)?.hand_out(action, take);
-        Ok(())
-    };
     match &scene.bodies[body].loads[index] {
-        Load::Traction { boundary, traction } => on_side(boundary, None, &Action::Uniform(*traction)),
-        Load::TractionField { boundary, field } => on_side(boundary, None, &Action::Field(field.clone())),
-        Load::Stress { boundary, field } => on_side(boundary, None, &Action::Stress(field.clone())),
-        Load::OnSide { boundary, part, action } => on_side(boundary, part.as_ref(), action),
+        Load::OnSide { boundary, part, action } => {
+            LoadedSide::of(scene, mesh, (body, index), boundary, part.as_ref())?.hand_out(action, take);
+            Ok(())
+        }
         Load::BodyForce(density) => body_force(scene, mesh, body, *density, take),
         Load::Force { at, force } => {
             for (node, value) in point::shapes_at(scene, mesh, body, *at)? {
@@ -77,7 +71,7 @@ fn body_force(scene: &Scene, mesh: &Mesh, body: usize, density: [f64; 2], take: 
         let points: Vec<[f64; 2]> = nodes.iter().map(|&n| mesh.points[n]).collect();
         for &(at, weight) in &rule {
             let (_, determinant) =
-                element::gradients(&points, at).map_err(|jacobian| degenerate(scene, body, cell, jacobian))?;
+                element::gradients(&points, at).map_err(|jacobian| element::degenerate(scene, body, cell, jacobian))?;
             let shapes = shape_functions::cell(points.len(), at);
             let of = |k: usize| shapes.iter().zip(&points).map(|((value, _), point)| value * point[k]).sum();
             let volume = weight * determinant * scene.depth([of(0), of(1)]);
@@ -87,4 +81,187 @@ fn body_force(scene: &Scene, mesh: &Mesh, body: usize, density: [f64; 2], take: 
         }
     }
     Ok(())
+}
+
+/// Gauss points per edge for given stress fields: the Hertz field is integrated to 1e-7 and better on the meshes here.
+const EDGE_POINTS: usize = 16;
+/// Halvings after which the end of a part has all its digits.
+const HALVINGS: usize = 60;
+/// How far a part may seem to go beyond its side, over the length of both.
+const ROUNDING: f64 = 1e-9;
+
+/// What takes the force on a node, in x and y \[N\].
+type Taker<'a> = &'a mut dyn FnMut(usize, [f64; 2]);
+
+/// The edges that carry a load, each with the stretch of its natural coordinate that does.
+struct LoadedSide<'a> {
+    scene: &'a Scene,
+    mesh: &'a Mesh,
+    pieces: Vec<(&'a Edge, [f64; 2])>,
+    rule: Vec<(f64, f64)>,
+}
+
+/// A Gauss point of a loaded side.
+struct Sample<'a> {
+    edge: &'a Edge,
+    shapes: Vec<(f64, f64)>,
+    point: [f64; 2],
+    slope: [f64; 2],
+    weight: f64,
+}
+
+impl<'a> LoadedSide<'a> {
+    /// All of a side, or the part of it that is named; a part that goes on where the side has ended is refused.
+    fn of(
+        scene: &'a Scene,
+        mesh: &'a Mesh,
+        (body, load): (usize, usize),
+        boundary: &str,
+        part: Option<&SidePart>,
+    ) -> Result<Self, Error> {
+        let edges = mesh.boundary(scene, body, boundary)?;
+        let whole = |edge: &'a Edge| (edge, [-1.0, 1.0]);
+        let pieces = edges.iter().map(whole).collect();
+        let mut side = Self { scene, mesh, pieces, rule: quadrature::gauss(EDGE_POINTS) };
+        if let Some(part) = part {
+            side.refuse_beyond(part, boundary, || scene.place_of_load(body, load))?;
+            side.pieces = edges.iter().flat_map(|edge| side.within(edge, part)).collect();
+        }
+        Ok(side)
+    }
+
+    /// Hands the consistent forces `f_a = ∫ N_a t ds · thickness`, `∫ N_a t 2πr ds` on a body of revolution, of what acts to the nodes.
+    fn hand_out(&self, action: &Action, take: Taker) {
+        match action {
+            Action::Uniform(traction) => self.integrate(&|_, _, length| traction.map(|t| t * length), take),
+            Action::Field(field) => self.integrate(&|point, _, length| (field.0)(point).map(|t| t * length), take),
+            Action::Stress(field) => {
+                let stress = |point: [f64; 2], normal: [f64; 2], _: f64| {
+                    let [x, y, xy] = (field.0)(point);
+                    [x * normal[0] + xy * normal[1], xy * normal[0] + y * normal[1]]
+                };
+                self.integrate(&stress, take);
+            }
+            Action::Total(force) => {
+                let area = self.area();
+                self.integrate(&|_, _, length| force.map(|f| f * length / area), take);
+            }
+            Action::Moment(moment) => {
+                let length = self.integral(|_| 1.0);
+                let [x, y] = [0, 1].map(|k| self.integral(|point| point[k]) / length);
+                let second = self.integral(|point| (point[0] - x).powi(2) + (point[1] - y).powi(2));
+                let turn = moment / (second * self.scene.thickness);
+                self.integrate(&|point, _, length| [-(point[1] - y), point[0] - x].map(|r| r * turn * length), take);
+            }
+        }
+    }
+
+    /// `traction(point, n ds/dξ, ds/dξ)` returns `t ds/dξ`, with `n ds = (dy, −dx)`.
+    fn integrate(&self, traction: &dyn Fn([f64; 2], [f64; 2], f64) -> [f64; 2], take: Taker) {
+        for Sample { edge, shapes, point, slope, weight } in self.samples() {
+            let t = traction(point, [slope[1], -slope[0]], slope[0].hypot(slope[1]));
+            let depth = self.scene.depth(point);
+            for (&node, (value, _)) in edge.iter().zip(&shapes) {
+                take(node, t.map(|t| t * value * weight * depth));
+            }
+        }
+    }
+
+    /// Area of the side \[mm²\].
+    fn area(&self) -> f64 {
+        match self.scene.is_of_revolution() {
+            true => self.integral(|point| self.scene.depth(point)),
+            false => self.scene.thickness * self.integral(|_| 1.0),
+        }
+    }
+
+    /// `∫ f ds`.
+    fn integral(&self, of: impl Fn([f64; 2]) -> f64) -> f64 {
+        let each =
+            self.samples().map(|sample| of(sample.point) * sample.slope[0].hypot(sample.slope[1]) * sample.weight);
+        each.sum()
+    }
+
+    fn samples(&self) -> impl Iterator<Item = Sample<'_>> {
+        self.pieces.iter().flat_map(move |&(edge, [begin, end])| {
+            let [middle, half] = [0.5 * (begin + end), 0.5 * (end - begin)];
+            self.rule.iter().map(move |&(at, weight)| {
+                let (shapes, point, slope) = self.at(edge, middle + half * at);
+                Sample { edge, shapes, point, slope, weight: half * weight }
+            })
+        })
+    }
+
+    /// Shape functions, place and slope `dx/dξ` at a natural coordinate of an edge.
+    fn at(&self, edge: &Edge, xi: f64) -> (Vec<(f64, f64)>, [f64; 2], [f64; 2]) {
+        let shapes = shape_functions::edge(edge.len(), xi);
+        let (mut point, mut slope) = ([0.0; 2], [0.0; 2]);
+        for (&node, (value, derivative)) in edge.iter().zip(&shapes) {
+            for k in 0..2 {
+                point[k] += value * self.mesh.points[node][k];
+                slope[k] += derivative * self.mesh.points[node][k];
+            }
+        }
+        (shapes, point, slope)
+    }
+
+    /// The stretches of an edge that lie within a part.
+    fn within(&self, edge: &'a Edge, part: &SidePart) -> Vec<(&'a Edge, [f64; 2])> {
+        let of = |xi: f64| part.coordinate(self.at(edge, xi).1);
+        let mut cuts = vec![-1.0, 1.0];
+        cuts.extend(self.turning(edge, part));
+        cuts.sort_by(f64::total_cmp);
+        for ends in cuts.clone().windows(2) {
+            cuts.extend([part.from, part.to].into_iter().filter_map(|bound| crossing(&of, [ends[0], ends[1]], bound)));
+        }
+        cuts.sort_by(f64::total_cmp);
+        let stretches = cuts.windows(2).map(|ends| [ends[0], ends[1]]);
+        let inside = |ends: &[f64; 2]| {
+            let middle = of(0.5 * (ends[0] + ends[1]));
+            ends[1] > ends[0] && middle > part.from && middle < part.to
+        };
+        stretches.filter(inside).map(|ends| (edge, ends)).collect()
+    }
+
+    /// Where the coordinate of a part turns back within an edge: its slope along x or y is linear in ξ.
+    fn turning(&self, edge: &Edge, part: &SidePart) -> Option<f64> {
+        let slope = |xi: f64| {
+            let (_, point, direction) = self.at(edge, xi);
+            part.slope(point, direction)
+        };
+        let [a, b] = [slope(-1.0), slope(1.0)];
+        (a * b < 0.0).then(|| -1.0 + 2.0 * a / (a - b))
+    }
+
+    /// Refuses a part that begins before its side, or goes on beyond it.
+    fn refuse_beyond(&self, part: &SidePart, boundary: &str, place: impl Fn() -> Place) -> Result<(), Error> {
+        let nodes = self.pieces.iter().flat_map(|(edge, _)| edge.iter());
+        let all: Vec<f64> = nodes.map(|&node| part.coordinate(self.mesh.points[node])).collect();
+        let [low, high] =
+            [all.iter().copied().fold(f64::INFINITY, f64::min), all.iter().copied().fold(f64::NEG_INFINITY, f64::max)];
+        let slack = ROUNDING * (high - low).abs().max(part.to.abs()).max(part.from.abs());
+        if part.from >= low - slack && part.to <= high + slack && high - low > slack {
+            return Ok(());
+        }
+        let [from, to, low, high] = [part.from, part.to, low, high].map(|end| part.shown(end));
+        let message =
+            format!("the part from {from} to {to} is not all on `{boundary}`, which goes from {low} to {high}");
+        let remedy = "choose `from` and `to` within the side, and the coordinate that runs along it";
+        Err(Error::at(place(), message, remedy))
+    }
+}
+
+/// Where a function that rises or falls between two ends has a value; none where it does not reach it between them.
+fn crossing(of: &dyn Fn(f64) -> f64, [begin, end]: [f64; 2], value: f64) -> Option<f64> {
+    let rises = of(begin) < of(end);
+    let (mut low, mut high) = (begin, end);
+    let below = |xi: f64| (of(xi) < value) == rises;
+    if !below(begin) || below(end) {
+        return None;
+    }
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (low + high);
+        *if below(middle) { &mut low } else { &mut high } = middle;
+    }
+    Some(0.5 * (low + high))
 }

@@ -7,10 +7,9 @@
 //! * [`graph`] — which nodes share a cell, and the order in which they are eliminated.
 //! * [`dofs`] — which displacement components are unknown, numbered in that order.
 //! * [`assembly`] — the stiffness matrix.
-//! * [`loads`] — consistent nodal forces, `side_loads` — those of what acts on a side or a part of it.
+//! * [`loads`] — consistent nodal forces.
 //! * [`mod@point`] — where in the cells a point lies.
-//! * [`rigid_motion`] — refuses bodies that are free to move.
-//! * [`free_motion`] — motions that no support stops.
+//! * [`rigid_motion`] — motions that no support stops, and bodies refused for them.
 //! * [`stress`] — nodal stresses.
 //! * [`axis`] — the axis of bodies of revolution.
 //! * [`reactions`] — what supports exert.
@@ -32,11 +31,9 @@
 
 pub mod assembly;
 pub mod axis;
-mod degenerate;
 pub mod dilatation;
 pub mod dofs;
 pub mod element;
-pub mod free_motion;
 pub mod graph;
 pub mod loads;
 pub mod point;
@@ -44,7 +41,6 @@ pub mod quadrature;
 pub mod reactions;
 pub mod rigid_motion;
 pub mod shape_functions;
-mod side_loads;
 pub mod stress;
 
 use std::ops::Range;
@@ -82,50 +78,32 @@ pub struct BodySystem {
     pub retained: Range<usize>,
 }
 
-/// The unknowns of every body, numbered in the order in which they are eliminated.
-#[derive(Clone, Debug)]
-pub struct Numbering {
-    bodies: Vec<(NodeGraph, Dofs)>,
-}
-
-impl Numbering {
-    /// Orders and numbers the unknowns of every body; refuses bodies that could move as a whole.
-    pub fn of(scene: &Scene, mesh: &Mesh) -> Result<Self, Error> {
-        let number = |body: usize| {
-            let graph = NodeGraph::of(mesh, body);
-            axis::refuse(scene, mesh, body)?;
-            let dofs = Dofs::number(scene, mesh, body, &graph)?;
-            rigid_motion::refuse_free(scene, mesh, body, &dofs)?;
-            Ok((graph, dofs))
-        };
-        Ok(Self { bodies: (0..scene.bodies.len()).map(number).collect::<Result<_, Error>>()? })
-    }
-
-    /// Number of unknown displacement components.
-    pub fn dofs(&self) -> usize {
-        self.bodies.iter().map(|(_, dofs)| dofs.equations).sum()
-    }
+/// The unknowns of every body, numbered in the order in which they are eliminated; refuses bodies that could move as a whole.
+pub fn numbered(scene: &Scene, mesh: &Mesh) -> Result<Vec<(NodeGraph, Dofs)>, Error> {
+    let number = |body: usize| {
+        let graph = NodeGraph::of(mesh, body);
+        axis::refuse(scene, mesh, body)?;
+        let dofs = Dofs::number(scene, mesh, body, &graph)?;
+        rigid_motion::refuse_free(scene, mesh, body, &dofs)?;
+        Ok((graph, dofs))
+    };
+    (0..scene.bodies.len()).map(number).collect()
 }
 
 impl ElasticSystem {
     /// Assembles stiffness and loads of every body of the mesh of a scene.
     pub fn assemble(scene: &Scene, mesh: &Mesh) -> Result<Self, Error> {
-        Self::assemble_numbered(scene, mesh, Numbering::of(scene, mesh)?, &|_| 1.0)
+        Self::assemble_numbered(scene, mesh, numbered(scene, mesh)?, &|_| 1.0)
     }
 
-    /// The same with the stiffness of every cell times a factor of its index.
-    pub fn assemble_scaled(scene: &Scene, mesh: &Mesh, factor: &(dyn Fn(usize) -> f64 + Sync)) -> Result<Self, Error> {
-        Self::assemble_numbered(scene, mesh, Numbering::of(scene, mesh)?, factor)
-    }
-
-    /// The same with unknowns that are already numbered.
+    /// The same with unknowns that are already numbered, and the stiffness of every cell times a factor of its index.
     pub fn assemble_numbered(
         scene: &Scene,
         mesh: &Mesh,
-        numbering: Numbering,
+        numbered: Vec<(NodeGraph, Dofs)>,
         factor: &(dyn Fn(usize) -> f64 + Sync),
     ) -> Result<Self, Error> {
-        let bodies = numbering.bodies.into_iter().enumerate();
+        let bodies = numbered.into_iter().enumerate();
         let bodies = bodies.map(|(body, (graph, dofs))| BodySystem::assemble(scene, mesh, body, &graph, dofs, factor));
         Ok(Self { bodies: bodies.collect::<Result<_, _>>()? })
     }
@@ -135,15 +113,10 @@ impl ElasticSystem {
         self.bodies.iter().map(|body| body.dofs.equations).sum()
     }
 
-    /// Nodal displacements \[mm\] from the solution of each body, in mesh order.
-    pub fn nodal_displacements(&self, solutions: &[Vec<f64>]) -> Vec<[f64; 2]> {
-        self.nodal_displacements_under(1.0, solutions)
-    }
-
-    /// The same where prescribed displacements are `share` times theirs.
-    pub fn nodal_displacements_under(&self, share: f64, solutions: &[Vec<f64>]) -> Vec<[f64; 2]> {
+    /// Nodal displacements \[mm\] from the solution of each body, in mesh order, where prescribed displacements are `share` times theirs.
+    pub fn nodal_displacements(&self, share: f64, solutions: &[Vec<f64>]) -> Vec<[f64; 2]> {
         let per_body = self.bodies.iter().zip(solutions);
-        per_body.flat_map(|(body, solution)| body.dofs.displacements_under(share, solution)).collect()
+        per_body.flat_map(|(body, solution)| body.dofs.displacements(share, solution)).collect()
     }
 }
 
@@ -186,33 +159,27 @@ impl BodySystem {
 
     /// `|K| |u|` for a vector of unknowns: the size of the terms in `K u` \[N\].
     pub fn terms_of_product(&self, u: &[f64]) -> Vec<f64> {
-        let mut out = vec![0.0; u.len()];
-        let matrix = self.stiffness.as_ref();
-        for (column, &u_column) in u.iter().enumerate() {
-            let rows = matrix.row_idx_of_col(column);
-            for (row, &value) in rows.zip(matrix.val_of_col(column)) {
-                out[row] += (value * u_column).abs();
-                if row != column {
-                    out[column] += (value * u[row]).abs();
-                }
-            }
-        }
-        out
+        self.summed(u, f64::abs)
     }
 
     /// `K u` for a vector of unknowns \[N\].
     pub fn product(&self, u: &[f64]) -> Vec<f64> {
-        let mut out = vec![0.0; u.len()];
+        self.summed(u, |term| term)
+    }
+
+    /// `Σ_j of(K_ij u_j)` of every row.
+    fn summed(&self, u: &[f64], of: impl Fn(f64) -> f64) -> Vec<f64> {
+        let mut sums = vec![0.0; u.len()];
         let matrix = self.stiffness.as_ref();
         for (column, &u_column) in u.iter().enumerate() {
             let rows = matrix.row_idx_of_col(column);
             for (row, &value) in rows.zip(matrix.val_of_col(column)) {
-                out[row] += value * u_column;
+                sums[row] += of(value * u_column);
                 if row != column {
-                    out[column] += value * u[row];
+                    sums[column] += of(value * u[row]);
                 }
             }
         }
-        out
+        sums
     }
 }

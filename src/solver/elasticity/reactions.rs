@@ -3,27 +3,16 @@
 use std::collections::BTreeMap;
 
 use crate::elasticity::axis;
-use crate::elasticity::degenerate::degenerate;
-use crate::elasticity::element::CellStiffness;
+use crate::elasticity::element::{CellStiffness, degenerate};
 use crate::error::Error;
 use crate::mesh::Mesh;
 use crate::scene::Scene;
 
 /// Internal force `Σ k_e u_e` of a body at each of its nodes, in x and y \[N\]: what must act on a node to hold the cells
-/// around it as deformed as they are.
+/// around it as deformed as they are. It is complete at the nodes of the mesh that are wanted.
 ///
 /// `displacement` is that of every node of the mesh \[mm\].
 pub fn internal_forces(
-    scene: &Scene,
-    mesh: &Mesh,
-    body: usize,
-    displacement: &[[f64; 2]],
-) -> Result<Vec<[f64; 2]>, Error> {
-    internal_forces_at(scene, mesh, body, displacement, &|_| true)
-}
-
-/// The same from the cells around some nodes of the mesh: what it says of others is incomplete.
-pub fn internal_forces_at(
     scene: &Scene,
     mesh: &Mesh,
     body: usize,

@@ -1,7 +1,6 @@
 //! Nodal stresses: from Gauss points to the nodes, averaged over the cells that meet at a node.
 
-use crate::elasticity::degenerate::degenerate;
-use crate::elasticity::element::{CellStiffness, Tabulated};
+use crate::elasticity::element::{CellStiffness, Tabulated, degenerate};
 use crate::elasticity::{quadrature, shape_functions};
 use crate::error::Error;
 use crate::mesh::{Mesh, Order, lobatto};

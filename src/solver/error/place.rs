@@ -1,10 +1,9 @@
-//! What an error is about.
+//! What an error is about: a part of a scene, a place in a text file, a contact coordinate.
 
 use std::fmt;
-use std::path::PathBuf;
+use std::ops::Range;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
-
-use super::Located;
 
 /// What an error is about: data for whoever knows where that stands in a file, words for everyone else.
 #[derive(Clone, Debug)]
@@ -86,5 +85,59 @@ impl From<&str> for Place {
 impl From<Located> for Place {
     fn from(located: Located) -> Self {
         Self::Line(Arc::new(located))
+    }
+}
+
+/// A place in a text file.
+#[derive(Clone, Debug)]
+pub struct Located {
+    /// The file.
+    pub file: PathBuf,
+    /// What it holds.
+    pub text: String,
+    /// The bytes of the place in it.
+    pub place: Range<usize>,
+}
+
+impl Located {
+    /// A place by its bytes, within the text.
+    pub fn new((file, text): (&Path, &str), place: Range<usize>) -> Self {
+        let [start, stop] = [place.start, place.end].map(|at| at.min(text.len()));
+        Self { file: file.into(), text: text.into(), place: start..stop.max(start) }
+    }
+}
+
+/// File and line, from 1.
+impl fmt::Display for Located {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let before = &self.text.as_bytes()[..self.place.start];
+        write!(f, "{}:{}", self.file.display(), 1 + before.iter().filter(|byte| **byte == b'\n').count())
+    }
+}
+
+/// A contact coordinate: a length, printed in mm, or an angle, printed in degrees.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Coordinate {
+    /// Along a straight path \[mm\].
+    Length(f64),
+    /// Along an arc \[rad\].
+    Angle(f64),
+}
+
+impl Coordinate {
+    /// The number itself \[mm, or rad on an arc\].
+    pub fn value(self) -> f64 {
+        match self {
+            Self::Length(value) | Self::Angle(value) => value,
+        }
+    }
+}
+
+impl fmt::Display for Coordinate {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Length(length) => write!(f, "{length:.6} mm"),
+            Self::Angle(angle) => write!(f, "{:.6}°", angle.to_degrees()),
+        }
     }
 }

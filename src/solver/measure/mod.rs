@@ -100,10 +100,9 @@ impl Measures {
         let sides = if across { 2.0 } else { 1.0 };
         let in_pairs = || {
             let peak = peak::of(edges, centre);
-            let [through_points, at_origin] = [peak::by_parabola(edges, peak.pressure), peak::pressure_at(edges, 0.0)];
-            nodal::Reading { peak, through_points, at_origin }
+            (peak, [peak::by_parabola(edges, peak.pressure), peak::pressure_at(edges, 0.0)])
         };
-        let nodal::Reading { peak, through_points, at_origin } = nodal::read(part, centre).unwrap_or_else(in_pairs);
+        let (peak, [through_points, at_origin]) = nodal::read(part, centre).unwrap_or_else(in_pairs);
         Self {
             second_moment_width: profile::second_moment_width(points, centre)
                 * if is_circle { OF_ELLIPSOID } else { 1.0 },
@@ -163,7 +162,7 @@ pub fn relative_error(value: f64, reference: f64) -> f64 {
 /// What turns the contact coordinate into what people read: 1 on planes (mm), degrees per radian on arcs.
 pub fn display_factor(path: &Path) -> f64 {
     match path {
-        Path::Straight(_) => 1.0,
+        Path::Straight { .. } => 1.0,
         Path::Arc(_) => 180.0 / PI,
     }
 }

@@ -33,19 +33,9 @@ const DEPARTS: f64 = 1e-4;
 /// Part of a stretch, from its end on, in which points tell where it ends.
 const OUTER: f64 = 0.35;
 
-/// A profile read from its points.
-#[derive(Clone, Copy, Debug)]
-pub struct Reading {
-    /// The largest pressure.
-    pub peak: Peak,
-    /// The same by the quartic through the five points around the highest \[MPa\].
-    pub through_points: f64,
-    /// Pressure at s = 0 \[MPa\].
-    pub at_origin: f64,
-}
-
-/// What the points of a contact tell, where they are many; where the pressure is the same all around, its peak is at `centre`.
-pub fn read(part: Part, centre: f64) -> Option<Reading> {
+/// What the points of a contact tell, where they are many: its largest pressure, at `centre` where the pressure is the same all around; the
+/// same by the quartic through the five points around the highest, and the pressure at s = 0 \[MPa\].
+pub fn read(part: Part, centre: f64) -> Option<(Peak, [f64; 2])> {
     if !are_many(part) {
         return None;
     }
@@ -59,19 +49,11 @@ pub fn read(part: Part, centre: f64) -> Option<Reading> {
         true => around(&points, origin, DROP, FEWEST).value(0.0).unwrap_or(f64::NAN),
         false => 0.0,
     };
+    let through_points = around(&points, highest, 0.0, THROUGH).top().pressure;
     if let Some(pressure) = on_axis(part).filter(|_| highest == origin) {
-        let peak = Peak { position: 0.0, pressure };
-        return Some(Reading {
-            peak,
-            through_points: around(&points, highest, 0.0, THROUGH).top().pressure,
-            at_origin: pressure,
-        });
+        return Some((Peak { position: 0.0, pressure }, [through_points, pressure]));
     }
-    Some(Reading {
-        peak: if flat { Peak { position: centre, ..peak } } else { peak },
-        through_points: around(&points, highest, 0.0, THROUGH).top().pressure,
-        at_origin,
-    })
+    Some((if flat { Peak { position: centre, ..peak } } else { peak }, [through_points, at_origin]))
 }
 
 /// Pressure on the axis of a body of revolution, whose largest it is, by the means that the nodes of the first edge carry.

@@ -24,24 +24,8 @@ pub enum Why {
     Floor,
 }
 
-/// What is observed between two successive meshes.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub enum Observed {
-    /// The order of accuracy.
-    Order(f64),
-    /// None, and why.
-    Withheld(Why),
-}
-
-impl Observed {
-    /// The order; NaN, which no check passes, where it is withheld.
-    pub fn value(self) -> f64 {
-        match self {
-            Self::Order(order) => order,
-            Self::Withheld(_) => f64::NAN,
-        }
-    }
-}
+/// The order of accuracy that is observed between two successive meshes, or why it is withheld.
+pub type Observed = Result<f64, Why>;
 
 /// Observed orders `ln(e₁/e₂)/ln(h₁/h₂)` of errors with their signs between each two successive sizes, the largest size first.
 ///
@@ -54,9 +38,9 @@ pub fn pairs(sizes: &[f64], errors: &[f64], floor: f64) -> Vec<Observed> {
     let known = errors.iter().all(|error| error.is_finite()) && floor.is_finite();
     let falls = read.windows(2).all(|two| two[0] * two[1] > 0.0 && two[1].abs() < two[0].abs());
     let pair = |k: usize| match (known && falls, k + 1 < read.len()) {
-        (false, _) => Observed::Withheld(Why::NotMonotone),
-        (true, false) => Observed::Withheld(Why::Floor),
-        (true, true) => Observed::Order((errors[k] / errors[k + 1]).ln() / (sizes[k] / sizes[k + 1]).ln()),
+        (false, _) => Err(Why::NotMonotone),
+        (true, false) => Err(Why::Floor),
+        (true, true) => Ok((errors[k] / errors[k + 1]).ln() / (sizes[k] / sizes[k + 1]).ln()),
     };
     (0..errors.len().saturating_sub(1)).map(pair).collect()
 }

@@ -73,79 +73,55 @@ pub enum Quantity {
     },
 }
 
+/// The unit of a place or a width: of a length on a straight path, of an angle on an arc.
+const ALONG: &str = "along the contact";
+
 impl Quantity {
-    /// Name in scene files and results.
+    /// Name in scene files and results, noun phrase, and unit.
+    const fn told(&self) -> [&'static str; 3] {
+        const ACROSS: &str = "force across the load, of one half";
+        match self {
+            Self::PeakPressure => ["peak-pressure", "peak pressure", "MPa"],
+            Self::PeakPlace => ["peak-place", "place of the peak pressure", ALONG],
+            Self::HalfWidth => ["half-width", "half-width", ALONG],
+            Self::SecondMomentWidth => ["second-moment-width", "second-moment width", ALONG],
+            Self::Centre => ["centre", "centre of pressure", ALONG],
+            Self::Begin(_) => ["begin", "begin of the contact", ALONG],
+            Self::End(_) => ["end", "end of the contact", ALONG],
+            Self::Resultant => ["resultant", "contact resultant", "N"],
+            Self::Moment => ["moment", "moment of the pressures", "N mm"],
+            Self::Across => [ACROSS, ACROSS, "N"],
+            Self::Pressure { .. } => ["pressure", "contact pressure", "MPa"],
+            Self::HoopStress { .. } => ["hoop-stress", "hoop stress", "MPa"],
+            Self::PinHoopStress { .. } => ["pin-hoop-stress", "hoop stress of the pin", "MPa"],
+            Self::Reaction { .. } => ["reaction", "reaction", "N"],
+            Self::Displacement(_) => ["displacement", "displacement", "mm"],
+            Self::Approach => ["approach", "approach", "mm"],
+            Self::Shear { .. } => ["shear", "largest shear stress below the contact", "MPa"],
+            Self::ShearDepth { .. } => ["shear-depth", "depth of the largest shear stress", "mm"],
+            Self::VonMises { .. } => ["von-mises", "largest von Mises stress", "MPa"],
+        }
+    }
+
+    /// Name in scene files and results, a pressure's with its place.
     pub fn key(&self) -> Cow<'static, str> {
-        Cow::Borrowed(match self {
-            Self::PeakPressure => "peak-pressure",
-            Self::PeakPlace => "peak-place",
-            Self::HalfWidth => "half-width",
-            Self::SecondMomentWidth => "second-moment-width",
-            Self::Centre => "centre",
-            Self::Begin(_) => "begin",
-            Self::End(_) => "end",
-            Self::Resultant => "resultant",
-            Self::Moment => "moment",
-            Self::Across => "force across the load, of one half",
-            Self::Pressure { at } => return format!("pressure at s = {at}").into(),
-            Self::HoopStress { .. } => "hoop-stress",
-            Self::PinHoopStress { .. } => "pin-hoop-stress",
-            Self::Reaction { .. } => "reaction",
-            Self::Displacement(_) => "displacement",
-            Self::Approach => "approach",
-            Self::Shear { .. } => "shear",
-            Self::ShearDepth { .. } => "shear-depth",
-            Self::VonMises { .. } => "von-mises",
-        })
+        match self {
+            Self::Pressure { at } => format!("pressure at s = {at}").into(),
+            _ => self.told()[0].into(),
+        }
     }
 
     /// The noun phrase, without the place; on an arc a half-width is an angle.
     pub fn name(&self, on_arc: bool) -> &'static str {
-        match self {
-            Self::PeakPressure => "peak pressure",
-            Self::PeakPlace => "place of the peak pressure",
-            Self::HalfWidth if on_arc => "half-angle",
-            Self::HalfWidth => "half-width",
-            Self::SecondMomentWidth => "second-moment width",
-            Self::Centre => "centre of pressure",
-            Self::Begin(_) => "begin of the contact",
-            Self::End(_) => "end of the contact",
-            Self::Resultant => "contact resultant",
-            Self::Moment => "moment of the pressures",
-            Self::Across => "force across the load, of one half",
-            Self::Pressure { .. } => "contact pressure",
-            Self::HoopStress { .. } => "hoop stress",
-            Self::PinHoopStress { .. } => "hoop stress of the pin",
-            Self::Reaction { .. } => "reaction",
-            Self::Displacement(_) => "displacement",
-            Self::Approach => "approach",
-            Self::Shear { .. } => "largest shear stress below the contact",
-            Self::ShearDepth { .. } => "depth of the largest shear stress",
-            Self::VonMises { .. } => "largest von Mises stress",
-        }
+        if on_arc && *self == Self::HalfWidth { "half-angle" } else { self.told()[1] }
     }
 
     /// The unit that it is shown in, and the factor from ours to that: angles are shown in degrees.
     pub fn unit(&self, on_arc: bool) -> (&'static str, f64) {
-        match self {
-            Self::PeakPressure
-            | Self::Pressure { .. }
-            | Self::HoopStress { .. }
-            | Self::PinHoopStress { .. }
-            | Self::Shear { .. }
-            | Self::VonMises { .. } => ("MPa", 1.0),
-            Self::Resultant | Self::Across | Self::Reaction { .. } => ("N", 1.0),
-            Self::Moment => ("N mm", 1.0),
-            Self::Displacement(_) | Self::Approach | Self::ShearDepth { .. } => ("mm", 1.0),
-            Self::PeakPlace
-            | Self::HalfWidth
-            | Self::SecondMomentWidth
-            | Self::Centre
-            | Self::Begin(_)
-            | Self::End(_) => match on_arc {
-                true => ("°", 1f64.to_degrees()),
-                false => ("mm", 1.0),
-            },
+        match self.told()[2] {
+            ALONG if on_arc => ("°", 1f64.to_degrees()),
+            ALONG => ("mm", 1.0),
+            unit => (unit, 1.0),
         }
     }
 

@@ -1,10 +1,29 @@
-//! A structured block: four sides given point by point, the inside by transfinite interpolation.
+//! A structured block: four sides given point by point, the inside by transfinite interpolation; points of outlines, met to the last bit
+//! on symmetry lines.
+
+use std::f64::consts::FRAC_PI_2;
 
 use crate::mesh::{Order, spacing};
-use crate::scene::BoundaryName;
+use crate::scene::{BoundaryName, Curve};
 
 /// Point of the plane \[mm\].
 pub type Point = [f64; 2];
+
+/// Point at the fraction `t` between two points.
+pub(crate) fn between(a: Point, b: Point, t: f64) -> Point {
+    [a[0] + (b[0] - a[0]) * t, a[1] + (b[1] - a[1]) * t]
+}
+
+/// Point at radius `r` and angle `θ` from the downward vertical about a centre.
+pub(crate) fn polar(centre: Point, radius: f64, angle: f64) -> Point {
+    [centre[0] + radius * exact_sin(angle), centre[1] - radius * exact_sin(FRAC_PI_2 - angle)]
+}
+
+/// `sin` that is exactly zero at multiples of π, so that symmetry lines are met to the last bit.
+pub(crate) fn exact_sin(angle: f64) -> f64 {
+    let sin = angle.sin();
+    if sin.abs() < 1e-15 { 0.0 } else { sin }
+}
 
 /// One side of a block: its lattice points, and the boundary it belongs to.
 #[derive(Clone, Debug)]
@@ -169,4 +188,20 @@ fn chords(points: &[Point]) -> Vec<f64> {
         covered.push(length);
     }
     covered.iter().map(|c| c / length).collect()
+}
+
+/// Point at the fraction `t` of a side of a cell: of an arc about a centre, of the parabola through its middle, of a line.
+pub(super) fn on_side([a, b]: [Point; 2], middle: Option<Point>, centre: Option<Point>, t: f64) -> Point {
+    match (centre, middle) {
+        _ if t <= 0.0 => a,
+        _ if t >= 1.0 => b,
+        (Some(centre), None) => Curve::Arc { centre, ends: [a, b] }.point(t),
+        (Some(centre), Some(m)) if t <= 0.5 => Curve::Arc { centre, ends: [a, m] }.point(2.0 * t),
+        (Some(centre), Some(m)) => Curve::Arc { centre, ends: [m, b] }.point(2.0 * t - 1.0),
+        (None, None) => Curve::Line([a, b]).point(t),
+        (None, Some(m)) => {
+            let [first, second, last] = [(1.0 - t) * (1.0 - 2.0 * t), 4.0 * t * (1.0 - t), t * (2.0 * t - 1.0)];
+            [0, 1].map(|k| first * a[k] + second * m[k] + last * b[k])
+        }
+    }
 }

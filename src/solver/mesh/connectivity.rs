@@ -1,6 +1,6 @@
 //! Nodes, cells and boundaries of all bodies.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap};
 use std::ops::Range;
 
 use crate::error::Error;
@@ -63,6 +63,20 @@ impl Mesh {
     pub fn cell(&self, index: usize) -> &[usize] {
         let n = self.order.nodes_per_cell();
         &self.connectivity[index * n..(index + 1) * n]
+    }
+
+    /// Sides of the cells of a body that belong to one of them only, the body to their left.
+    pub fn outline(&self, body: usize) -> Vec<Edge> {
+        let sides = self.order.sides();
+        let mut alone: HashMap<[usize; 2], Option<(usize, &[usize])>> = HashMap::new();
+        for (cell, side) in self.bodies[body].cells.clone().flat_map(|cell| sides.each_ref().map(|side| (cell, side))) {
+            let [a, b] = [side[0], side[1]].map(|k| self.cell(cell)[k]);
+            alone.entry([a.min(b), a.max(b)]).and_modify(|known| *known = None).or_insert(Some((cell, side)));
+        }
+        let edge = |(cell, side): (usize, &[usize])| side.iter().map(|&k| self.cell(cell)[k]).collect();
+        let mut outline: Vec<Edge> = alone.into_values().flatten().map(edge).collect();
+        outline.sort_unstable();
+        outline
     }
 
     /// Nodes of a boundary, or the node at a point, of one body; `place` names the user of the boundary in errors.

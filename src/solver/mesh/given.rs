@@ -2,11 +2,11 @@
 
 use std::collections::BTreeMap;
 
-use super::block::{Block, Point, Side};
+use super::block::{Block, Side, on_side};
 use super::spacing;
 use super::{BodyMesh, Mesh, Order};
 use crate::error::Error;
-use crate::scene::{BoundaryName, Curve, GivenMesh, Scene, Shape};
+use crate::scene::{BoundaryName, GivenMesh, Scene, Shape};
 
 impl Mesh {
     /// Adds a body with the nodes, cells and boundaries it came with.
@@ -92,21 +92,5 @@ impl GivenMesh {
             left: side(cell, 3).backwards(),
         };
         self.cells.iter().map(block).collect()
-    }
-}
-
-/// Point at the fraction `t` of a side of a cell: of an arc about a centre, of the parabola through its middle, of a line.
-fn on_side([a, b]: [Point; 2], middle: Option<Point>, centre: Option<Point>, t: f64) -> Point {
-    match (centre, middle) {
-        _ if t <= 0.0 => a,
-        _ if t >= 1.0 => b,
-        (Some(centre), None) => Curve::Arc { centre, ends: [a, b] }.point(t),
-        (Some(centre), Some(m)) if t <= 0.5 => Curve::Arc { centre, ends: [a, m] }.point(2.0 * t),
-        (Some(centre), Some(m)) => Curve::Arc { centre, ends: [m, b] }.point(2.0 * t - 1.0),
-        (None, None) => Curve::Line([a, b]).point(t),
-        (None, Some(m)) => {
-            let [first, second, last] = [(1.0 - t) * (1.0 - 2.0 * t), 4.0 * t * (1.0 - t), t * (2.0 * t - 1.0)];
-            [0, 1].map(|k| first * a[k] + second * m[k] + last * b[k])
-        }
     }
 }

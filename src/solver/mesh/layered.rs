@@ -7,7 +7,7 @@
 use super::block::{Block, Point, Side};
 use super::outline::eye;
 use super::{Order, lobatto};
-use crate::scene::ends::LAYER;
+use crate::scene::contact_pair::LAYER;
 use crate::scene::{Load, Scene};
 
 /// Difference of contact coordinates, over the stretch, that rounding explains.

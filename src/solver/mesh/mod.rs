@@ -1,6 +1,5 @@
 //! Where: structured, graded, exactly curved meshes of quadrilaterals of order 1, 2 and 4 to 8.
 //!
-//! * [`resolution`] — how fine, and of which order.
 //! * [`connectivity`] — nodes, cells and boundaries.
 //! * [`spacing`] — one-dimensional laws of element size.
 //! * [`block`] — transfinite interpolation inside four sides.
@@ -10,7 +9,7 @@
 //! * `given` — meshes made elsewhere, and their halving.
 //! * `sound` — whether given meshes hang together.
 //! * [`candidates`] — the contact nodes with their normals.
-//! * [`order`] — element order: the nodes of a cell.
+//! * [`order`] — element order: the nodes of a cell; how fine a mesh is.
 //! * [`lobatto`] — the points on which cells of order 4 and more have them.
 //! * [`size`] — how large a mesh would be.
 //! * [`variant`] — the same mesh mirrored, renumbered or shaken.
@@ -32,7 +31,6 @@ pub mod candidates;
 pub mod connectivity;
 pub mod lobatto;
 pub mod order;
-pub mod resolution;
 pub mod size;
 pub mod spacing;
 pub mod variant;
@@ -47,8 +45,7 @@ use crate::error::Error;
 use crate::scene::{Scene, Shape};
 
 pub use connectivity::{BodyMesh, Candidate, Edge, Mesh};
-pub use order::Order;
-pub use resolution::Resolution;
+pub use order::{Order, Resolution};
 
 impl Mesh {
     /// Meshes every body of a scene.

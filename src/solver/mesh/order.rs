@@ -1,4 +1,4 @@
-//! Element order: the nodes of a cell, and what it asks of the grading.
+//! Element order: the nodes of a cell, and what it asks of the grading; how fine a mesh is.
 
 use crate::mesh::lobatto;
 use crate::named::named_enum;
@@ -126,4 +126,15 @@ impl Order {
         let [along, depth] = [grading.along, grading.depth].map(|growth| growth.powf(faster));
         Grading { along, depth, coarsest: grading.coarsest * faster, ..*grading }
     }
+}
+
+/// How fine a mesh is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Resolution {
+    /// Elements per half-width, or per 10 mm of arc on pins.
+    pub elements: usize,
+    /// Times every element of that mesh is halved both ways.
+    pub refinement: u32,
+    /// Element order.
+    pub order: Order,
 }

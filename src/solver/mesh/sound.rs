@@ -1,7 +1,5 @@
 //! Whether the mesh of a body hangs together: one piece, no two nodes at one place, no node inside a side of a cell.
 
-use std::collections::HashMap;
-
 use super::{Edge, Mesh};
 use crate::error::Error;
 use crate::scene::Scene;
@@ -23,7 +21,7 @@ pub(super) fn refuse_loose(mesh: &Mesh, scene: &Scene) -> Result<(), Error> {
             let message = format!("the mesh does not hang together: {what} ({x:.6}, {y:.6}) mm");
             Err(Error::at(scene.place_of_body(index), message, JOINED))
         };
-        let outline = outline(mesh, index);
+        let outline = mesh.outline(index);
         if let Some(node) = doubled(mesh, &outline) {
             return refused("two nodes stand at", node);
         }
@@ -35,22 +33,6 @@ pub(super) fn refuse_loose(mesh: &Mesh, scene: &Scene) -> Result<(), Error> {
         }
     }
     Ok(())
-}
-
-/// Sides that belong to one cell only.
-fn outline(mesh: &Mesh, body: usize) -> Vec<Edge> {
-    let mut sides: HashMap<[usize; 2], Option<Edge>> = HashMap::new();
-    for cell in mesh.bodies[body].cells.clone() {
-        let nodes = mesh.cell(cell);
-        for side in mesh.order.sides() {
-            let edge: Edge = side.iter().map(|&k| nodes[k]).collect();
-            let [a, b] = [edge[0], edge[1]];
-            sides.entry([a.min(b), a.max(b)]).and_modify(|known| *known = None).or_insert(Some(edge));
-        }
-    }
-    let mut outline: Vec<Edge> = sides.into_values().flatten().collect();
-    outline.sort_unstable();
-    outline
 }
 
 /// Nodes of the outline by ascending x.

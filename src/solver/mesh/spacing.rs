@@ -122,11 +122,7 @@ pub fn fitted(from: f64, to: f64, n: usize, first: f64) -> Vec<f64> {
     let (mut low, mut high) = (0.2_f64, 5.0_f64);
     for _ in 0..200 {
         let ratio = 0.5 * (low + high);
-        if covered(ratio) < length {
-            low = ratio;
-        } else {
-            high = ratio;
-        }
+        *if covered(ratio) < length { &mut low } else { &mut high } = ratio;
     }
     let sizes = (0..n).map(|k| low.powi(k as i32)).collect();
     positions(from, to, sizes)

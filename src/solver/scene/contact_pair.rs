@@ -1,12 +1,10 @@
-//! Who touches whom: the path, the initial gap along it and the candidate stretch.
+//! Who touches whom: the path, the initial gap along it, the candidate stretch, and where the contact is expected to end.
 
 use std::sync::Arc;
 
 use crate::scene::BoundaryName;
 use crate::scene::drawn::DrawnGap;
-use crate::scene::ends::Ends;
 use crate::scene::path::Path;
-use crate::scene::range::ROUNDING;
 use crate::scene::spline::MonotoneCubic;
 
 /// Contact of one body with another, or with a rigid profile.
@@ -36,6 +34,25 @@ pub struct ContactPair {
     /// Where its closed stretches are expected to end, as far as the mesh shall know.
     pub ends: Ends,
 }
+
+/// Places on which mesh lines shall lie, with layers of ever smaller cells towards them.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Ends {
+    /// Contact coordinates, ascending; none where the mesh knows nothing of the contact \[mm, or rad on an arc\].
+    pub places: Vec<f64>,
+    /// Layers of cells towards each, every one [`LAYER`] times as wide as the one before.
+    pub layers: usize,
+    /// How far they may lie from where the contact ends, over its half-width.
+    pub off: f64,
+}
+
+/// Width of a layer of cells over that of the one around it.
+///
+/// Towards a square root the best factor of cells of high order is about 0.15 to 0.4, and flat (Babuška & Guo 1988).
+pub const LAYER: f64 = 0.35;
+
+/// Part of a length by which it may seem to go beyond its end.
+pub const ROUNDING: f64 = 1e-9;
 
 /// Initial normal gap as a function of the contact coordinate.
 #[derive(Clone, Debug)]

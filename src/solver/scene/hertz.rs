@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use crate::scene::{
-    Body, Component, ContactPair, Face, Grading, Load, Material, Path, Place, PlaneHypothesis, Profile,
+    Action, Body, Component, ContactPair, Face, Grading, Load, Material, Path, Place, PlaneHypothesis, Profile,
     ReferenceValues, Scene, Sector, Shape, Support,
 };
 
@@ -32,7 +32,7 @@ impl Scene {
         let plane = PlaneHypothesis::Strain;
         let load = PI * half_width.powi(2) * material.plane_modulus(plane) / (4.0 * radius);
         let shape = Shape::Disc { centre: [0.0, radius], radius, sector: Sector::Quarter, contact: Face::Bottom };
-        let pressed = Load::Traction { boundary: "cut".into(), traction: [0.0, -load / (2.0 * radius)] };
+        let pressed = Load::on("cut", Action::Uniform([0.0, -load / (2.0 * radius)]));
         let stretch = STRETCH * half_width;
         Self {
             name: "cylinder".into(),
@@ -75,7 +75,7 @@ impl Scene {
         scene.plane = PlaneHypothesis::Axisymmetric;
         scene.bodies[0].name = "sphere".into();
         let traction = [0.0, -load / (PI * radius * radius)];
-        scene.bodies[0].loads = vec![Load::Traction { boundary: "cut".into(), traction }];
+        scene.bodies[0].loads = vec![Load::on("cut", Action::Uniform(traction))];
         scene.contacts[0].symmetric = false;
         scene.reference = ReferenceValues::hertz_sphere(contact_radius, load, radius);
         scene

@@ -1,7 +1,6 @@
 //! Elastic constants, and what a scene in two coordinates stands for.
 
-use crate::error::{self, Error};
-use crate::scene::range::positive;
+use crate::error::{self, Error, positive};
 
 /// Plane strain, plane stress, or bodies of revolution.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -67,15 +66,12 @@ impl PlaneHypothesis {
 
     /// The Poisson's ratios that bodies may have, in words.
     pub fn poisson_range(self) -> String {
-        match self {
-            Self::Strain => format!(
-                "above -1 and at most {LARGEST_POISSON} in plane strain, which serves for bodies that keep their volume"
-            ),
-            Self::Axisymmetric | Self::AxisymmetricAboutX => format!(
-                "above -1 and at most {LARGEST_POISSON} in bodies of revolution, which serves for those that keep their volume"
-            ),
-            Self::Stress => "between -1 and 1, both excluded".into(),
-        }
+        let of = match self {
+            Self::Strain => "plane strain, which serves for bodies",
+            Self::Axisymmetric | Self::AxisymmetricAboutX => "bodies of revolution, which serves for those",
+            Self::Stress => return "between -1 and 1, both excluded".into(),
+        };
+        format!("above -1 and at most {LARGEST_POISSON} in {of} that keep their volume")
     }
 }
 

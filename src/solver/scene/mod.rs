@@ -3,16 +3,12 @@
 //! * [`material`] — elastic constants and the plane hypothesis.
 //! * [`shape`] — the outlines the mesher knows.
 //! * [`place`] — boundaries, points and directions.
-//! * [`load`] — supports and loads of a body.
-//! * [`side_part`] — a part of a side.
+//! * [`load`] — supports and loads of a body, on a side or a part of it.
 //! * [`contact_pair`] — who touches whom, along which path, with which initial gap.
-//! * [`ends`] — where its closed stretches are expected to end.
-//! * [`path`] — the curve along which contact runs.
-//! * [`circle`] — a circle, and the rays that meet it.
+//! * [`path`] — the curve along which contact runs, and circles.
 //! * [`drawn`] — the gap between sides as they are drawn.
 //! * [`spline`] — a monotone cubic through points.
 //! * [`given`] — a mesh made elsewhere.
-//! * `range` — what a number must be.
 //! * `revolution` — what bodies of revolution cannot have.
 //! * [`variant`] — the same scene in other units, mirrored, or with its bodies swapped.
 //!
@@ -27,39 +23,31 @@
 //! assert!(scene.validate().is_err());
 //! ```
 
-pub mod circle;
 pub mod contact_pair;
 pub mod drawn;
-pub mod ends;
 pub mod given;
 mod hertz;
 pub mod load;
 pub mod material;
 pub mod path;
 pub mod place;
-mod range;
 pub mod revolution;
 pub mod shape;
-pub mod side_part;
 pub mod spline;
 pub mod variant;
 
 use std::f64::consts::TAU;
 
-use crate::error::{self, Error, Part};
+use crate::error::{self, Error, Part, positive};
 
-pub use circle::Circle;
-pub use contact_pair::{ContactPair, Profile};
+pub use contact_pair::{ContactPair, Ends, Profile, ROUNDING};
 pub use drawn::{Curve, DrawnGap};
-pub use ends::Ends;
 pub use given::{GivenMesh, HalfTold};
-pub use load::{Action, Load, StressField, Support, TractionField};
+pub use load::{Action, Along, Load, SidePart, Support, VectorField};
 pub use material::{LARGEST_POISSON, Material, PlaneHypothesis};
-pub use path::{Line, Path};
+pub use path::{Circle, Path};
 pub use place::{BoundaryName, Component, Displaced, Place};
-pub use range::{ROUNDING, positive};
 pub use shape::{BlockShape, Face, Grading, Sector, Shape};
-pub use side_part::{Along, SidePart};
 pub use spline::MonotoneCubic;
 
 /// A contact problem: everything that is asked, nothing about how it is solved.

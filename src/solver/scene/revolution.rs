@@ -1,7 +1,7 @@
 //! What a scene of bodies of revolution cannot have.
 
 use crate::error::{Error, Part, Place};
-use crate::scene::range::ROUNDING;
+use crate::scene::contact_pair::ROUNDING;
 use crate::scene::{Path, Scene};
 
 impl Scene {
@@ -36,15 +36,15 @@ pub const NO_HALF: [&str; 2] = [
 pub fn beside(path: &Path, radial: usize, stretch: f64) -> Option<[&'static str; 2]> {
     let [x, _] = path.origin();
     match path {
-        Path::Straight(line) if radial == 0 && line.both_sides && x - stretch < 0.0 - ROUNDING * stretch => Some([
+        Path::Straight { both_sides: true, .. } if radial == 0 && x - stretch < 0.0 - ROUNDING * stretch => Some([
             "the candidates go on beyond x = 0: bodies of revolution lie on one side of their axis, and so does their contact",
             "around the axis leave `both-sides` out; off it give an `origin` that lies farther out than `stretch`",
         ]),
-        Path::Straight(line) if radial == 0 && !line.both_sides && x.abs() > 0.0 => Some([
+        Path::Straight { both_sides: false, .. } if radial == 0 && x.abs() > 0.0 => Some([
             "off the axis the contact of bodies of revolution is a ring, and has both sides",
             "give `both-sides = true` and an `origin` within the ring, or let the path begin on the axis, at x = 0",
         ]),
-        Path::Straight(_) if radial == 1 && path.point(0.0)[1] <= 0.0 => Some([
+        Path::Straight { .. } if radial == 1 && path.point(0.0)[1] <= 0.0 => Some([
             "the contact lies on the axis of revolution y = 0, where a side has no area",
             "give an `origin` at the radius of the contact",
         ]),

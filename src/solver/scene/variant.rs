@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use crate::scene::{
-    Action, Along, BlockShape, Body, Circle, Component, GivenMesh, Line, Load, MonotoneCubic, Path, Place, Profile,
-    Scene, Shape, SidePart, StressField, TractionField,
+    Action, Along, BlockShape, Circle, GivenMesh, Load, MonotoneCubic, Path, Place, Profile, Scene, Shape, SidePart,
+    VectorField,
 };
 
 /// Metres per millimetre.
@@ -13,7 +13,17 @@ const METRE: f64 = 1e-3;
 impl Scene {
     /// The scene in metres and pascals instead of millimetres and megapascals; forces stay in newtons.
     pub fn in_metres(&self) -> Self {
-        let (length, pressure) = (METRE, 1.0 / (METRE * METRE));
+        self.told([METRE; 2], 1.0 / (METRE * METRE))
+    }
+
+    /// The scene seen in a mirror on x = 0; its mesh is [`Mesh::mirrored`](crate::mesh::Mesh::mirrored), so that shapes stay as they are.
+    pub fn mirrored(&self) -> Self {
+        self.told([-1.0, 1.0], 1.0)
+    }
+
+    /// The scene with x and y times factors, equal but for the sign of the first, and pressures times another.
+    fn told(&self, factors: [f64; 2], pressure: f64) -> Self {
+        let [_, length] = factors;
         let mut scene = self.clone();
         scene.thickness *= if scene.is_of_revolution() { 1.0 } else { length };
         scene.grading.unit *= length;
@@ -21,43 +31,28 @@ impl Scene {
         scene.reference.gap *= length;
         scene.reference.pressure *= pressure;
         for pair in &mut scene.contacts {
-            match pair.path {
-                Path::Arc(_) => {}
-                Path::Straight(_) => {
-                    pair.stretch *= length;
-                    pair.ends.places.iter_mut().for_each(|place| *place *= length);
-                }
+            if pair.path.is_straight() {
+                pair.stretch *= length;
+                pair.ends.places.iter_mut().for_each(|place| *place *= length);
             }
-            pair.path = scaled_path(&pair.path, length);
+            pair.path = told_path(&pair.path, factors);
             pair.profile = scaled_profile(&pair.profile, length);
             pair.clearance *= length;
+            if factors[0] < 0.0 && pair.path.has_both_sides() {
+                pair.profile = mirrored_profile(&pair.profile);
+                pair.ends.places = pair.ends.places.iter().rev().map(|place| -place).collect();
+            }
         }
         for body in &mut scene.bodies {
             body.shape = scaled_shape(&body.shape, length);
             body.material.young *= pressure;
             for support in &mut body.supports {
-                support.value *= length;
+                support.value *= factors[support.component.index()];
                 if let Place::Point(point) = &mut support.at {
-                    *point = point.map(|x| x * length);
+                    *point = told_point(*point, factors);
                 }
             }
-            body.loads.iter_mut().for_each(|load| scale_load(load, length, pressure));
-        }
-        scene
-    }
-
-    /// The scene seen in a mirror on x = 0; its mesh is [`Mesh::mirrored`](crate::mesh::Mesh::mirrored).
-    pub fn mirrored(&self) -> Self {
-        let mut scene = self.clone();
-        for body in &mut scene.bodies {
-            mirror_body(body);
-        }
-        for pair in &mut scene.contacts {
-            pair.path = mirrored_path(&pair.path);
-            if pair.path.has_both_sides() {
-                pair.profile = mirrored_profile(&pair.profile);
-                pair.ends.places = pair.ends.places.iter().rev().map(|place| -place).collect();
-            }
+            body.loads.iter_mut().for_each(|load| tell_load(load, factors, pressure));
         }
         scene
     }
@@ -75,101 +70,51 @@ impl Scene {
     }
 }
 
-fn scale_load(load: &mut Load, length: f64, pressure: f64) {
+fn told_point(point: [f64; 2], factors: [f64; 2]) -> [f64; 2] {
+    [0, 1].map(|k| 0.0 + point[k] * factors[k])
+}
+
+fn tell_load(load: &mut Load, factors: [f64; 2], pressure: f64) {
+    let [x, length] = factors;
+    // A vector along x turns round in a mirror.
+    let turned = [x / length, 1.0];
+    let told = |vector: [f64; 2], factor: f64| [0, 1].map(|k| vector[k] * factor * turned[k]);
     match load {
-        Load::Traction { traction, .. } => *traction = traction.map(|t| t * pressure),
-        Load::TractionField { field, .. } => *field = scaled_tractions(field, length, pressure),
-        Load::Stress { field, .. } => *field = scaled_stresses(field, length, pressure),
         Load::OnSide { part, action, .. } => {
-            *part = part.map(|part| scaled_part(part, length));
+            *part = part.map(|part| told_part(part, factors));
             match action {
-                Action::Uniform(traction) => *traction = traction.map(|t| t * pressure),
-                Action::Field(field) => *field = scaled_tractions(field, length, pressure),
-                Action::Stress(field) => *field = scaled_stresses(field, length, pressure),
-                Action::Total(_) => {}
-                Action::Moment(moment) => *moment *= length,
-            }
-        }
-        Load::BodyForce(density) => *density = density.map(|b| b * pressure / length),
-        Load::Force { at, .. } => *at = at.map(|x| x * length),
-        Load::RigidFace { .. } => {}
-    }
-}
-
-fn scaled_tractions(field: &TractionField, length: f64, pressure: f64) -> TractionField {
-    let inner = field.0.clone();
-    TractionField(Arc::new(move |at: [f64; 2]| inner(at.map(|x| x / length)).map(|t| t * pressure)))
-}
-
-fn scaled_stresses(field: &StressField, length: f64, pressure: f64) -> StressField {
-    let inner = field.0.clone();
-    StressField(Arc::new(move |at: [f64; 2]| inner(at.map(|x| x / length)).map(|s| s * pressure)))
-}
-
-fn scaled_part(part: SidePart, length: f64) -> SidePart {
-    match part.along {
-        Along::Axis(_) => SidePart { from: part.from * length, to: part.to * length, ..part },
-        Along::Angle { centre } => SidePart { along: Along::Angle { centre: centre.map(|x| x * length) }, ..part },
-    }
-}
-
-fn mirror_body(body: &mut Body) {
-    for support in &mut body.supports {
-        if support.component == Component::X {
-            support.value = -support.value;
-        }
-        if let Place::Point(point) = &mut support.at {
-            point[0] = -point[0];
-        }
-    }
-    for load in &mut body.loads {
-        match load {
-            Load::Traction { traction, .. } => traction[0] = -traction[0],
-            Load::TractionField { field, .. } => *field = mirrored_tractions(field),
-            Load::Stress { field, .. } => *field = mirrored_stresses(field),
-            Load::OnSide { part, action, .. } => {
-                *part = part.map(mirrored_part);
-                match action {
-                    Action::Uniform(vector) | Action::Total(vector) => vector[0] = -vector[0],
-                    Action::Field(field) => *field = mirrored_tractions(field),
-                    Action::Stress(field) => *field = mirrored_stresses(field),
-                    Action::Moment(moment) => *moment = -*moment,
+                Action::Uniform(traction) => *traction = told(*traction, pressure),
+                Action::Field(field) => *field = told_field(field, factors, turned.map(|sign| sign * pressure)),
+                Action::Stress(field) => {
+                    *field = told_field(field, factors, [1.0, 1.0, turned[0]].map(|sign| sign * pressure));
                 }
-            }
-            Load::BodyForce(density) => density[0] = -density[0],
-            Load::Force { at, force } => (at[0], force[0]) = (-at[0], -force[0]),
-            Load::RigidFace { component, force, .. } => {
-                if *component == Component::X {
-                    *force = -*force;
-                }
+                Action::Total(force) => *force = told(*force, 1.0),
+                Action::Moment(moment) => *moment *= x,
             }
         }
+        Load::BodyForce(density) => *density = told(density.map(|b| b * pressure / length), 1.0),
+        Load::Force { at, force } => (*at, *force) = (told_point(*at, factors), told(*force, 1.0)),
+        Load::RigidFace { component, force, .. } => *force *= turned[component.index()],
     }
 }
 
-fn mirrored_tractions(field: &TractionField) -> TractionField {
+/// A field at the places that it had, each component times a factor.
+fn told_field<const N: usize>(field: &VectorField<N>, [x, y]: [f64; 2], by: [f64; N]) -> VectorField<N> {
     let inner = field.0.clone();
-    TractionField(Arc::new(move |[x, y]: [f64; 2]| {
-        let [tx, ty] = inner([-x, y]);
-        [-tx, ty]
-    }))
+    VectorField::of(move |at| {
+        let own = inner([at[0] / x, at[1] / y]);
+        std::array::from_fn(|k| own[k] * by[k])
+    })
 }
 
-fn mirrored_stresses(field: &StressField) -> StressField {
-    let inner = field.0.clone();
-    StressField(Arc::new(move |[x, y]: [f64; 2]| {
-        let [sx, sy, sxy] = inner([-x, y]);
-        [sx, sy, -sxy]
-    }))
-}
-
-fn mirrored_part(part: SidePart) -> SidePart {
-    let turned = SidePart { from: -part.to, to: -part.from, ..part };
-    match part.along {
-        Along::Axis(Component::X) => turned,
-        Along::Axis(Component::Y) => part,
-        Along::Angle { centre: [x, y] } => SidePart { along: Along::Angle { centre: [-x, y] }, ..turned },
-    }
+fn told_part(part: SidePart, factors: [f64; 2]) -> SidePart {
+    let (along, factor) = match part.along {
+        Along::Axis(component) => (part.along, factors[component.index()]),
+        Along::Angle { centre } => (Along::Angle { centre: told_point(centre, factors) }, factors[0] / factors[1]),
+    };
+    let [from, to] = [part.from * factor, part.to * factor];
+    let [from, to] = if factor < 0.0 { [to, from] } else { [from, to] };
+    SidePart { along, from, to }
 }
 
 /// Tables and drawn sides may be no even functions of s; a table that begins at 0 stands for both sides.
@@ -184,25 +129,19 @@ fn mirrored_profile(profile: &Profile) -> Profile {
             Profile::Smooth(Arc::new(MonotoneCubic { points, slopes }))
         }
         Profile::Bodies(drawn) => {
-            let path = mirrored_path(&drawn.path);
-            Profile::Bodies(Arc::new(drawn.moved(path, |[x, y]| [0.0 - x, y])))
+            let factors = [-1.0, 1.0];
+            let path = told_path(&drawn.path, factors);
+            Profile::Bodies(Arc::new(drawn.moved(path, |point| told_point(point, factors))))
         }
         other => other.clone(),
     }
 }
 
-fn mirrored_path(path: &Path) -> Path {
-    let mirrored = |[x, y]: [f64; 2]| [0.0 - x, y];
-    match *path {
-        Path::Arc(circle) => Path::Arc(Circle { centre: mirrored(circle.centre), ..circle }),
-        Path::Straight(line) => Path::Straight(Line { origin: mirrored(line.origin), ..line }),
-    }
-}
-
-fn scaled_path(path: &Path, length: f64) -> Path {
-    match *path {
-        Path::Arc(circle) => Path::Arc(scaled_circle(circle, length)),
-        Path::Straight(line) => Path::Straight(Line { origin: line.origin.map(|x| x * length), ..line }),
+fn told_path(path: &Path, factors: [f64; 2]) -> Path {
+    let moved = path.moved_to(told_point(path.origin(), factors));
+    match moved {
+        Path::Arc(Circle { centre, radius }) => Path::Arc(Circle { centre, radius: radius * factors[1] }),
+        straight => straight,
     }
 }
 
@@ -220,7 +159,7 @@ fn scaled_profile(profile: &Profile, length: f64) -> Profile {
             Profile::Smooth(Arc::new(MonotoneCubic { points, slopes: cubic.slopes.clone() }))
         }
         Profile::Bodies(ref drawn) => {
-            let path = scaled_path(&drawn.path, length);
+            let path = told_path(&drawn.path, [length; 2]);
             Profile::Bodies(Arc::new(drawn.moved(path, |point| point.map(|x| x * length))))
         }
         Profile::Punch { half_width } => Profile::Punch { half_width: half_width * length },

@@ -27,20 +27,9 @@ const BETWEEN: f64 = 2e-2;
 /// Penetration over the displacements that it is the difference of, which rounding explains.
 const ROUNDING: f64 = 1e-9;
 
-/// How deep the surfaces penetrate beyond an outermost candidate, at the worst place.
-#[derive(Clone, Copy, Debug)]
-pub struct Beyond {
-    /// Contact coordinate of that candidate \[mm, or rad on an arc\].
-    pub end: f64,
-    /// Contact coordinate of the place \[mm, or rad on an arc\].
-    pub position: f64,
-    /// Penetration `w − g` there \[mm\]; negative is a gap.
-    pub penetration: f64,
-}
-
 /// An end of the candidates that the surfaces may go on beyond.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum End {
+enum End {
     /// The first candidate, on paths with both sides.
     First,
     /// The last candidate.
@@ -65,7 +54,7 @@ impl End {
 }
 
 /// The sides of a contact as a solution displaces them.
-pub struct Sides<'a> {
+struct Sides<'a> {
     discretisation: &'a Discretisation,
     interface: &'a Interface,
     clearance: f64,
@@ -103,7 +92,7 @@ impl Strip {
 
 impl<'a> Sides<'a> {
     /// Those of an interface, given the displacement of every node \[mm\].
-    pub fn of(
+    fn of(
         discretisation: &'a Discretisation,
         interface: &'a Interface,
         change: Change,
@@ -114,9 +103,9 @@ impl<'a> Sides<'a> {
         Ok(Self { discretisation, interface, clearance: change.clearance, displacement, edges })
     }
 
-    /// The deepest penetration beyond an end of the candidates; none where the surface of either body ends with them: a patch, a ring,
-    /// a punch.
-    pub fn deepest_beyond(&self, at: End) -> Option<Beyond> {
+    /// The deepest penetration beyond an end of the candidates: contact coordinates of that end and of the place, and `w − g` there \[mm\];
+    /// none where the surface of either body ends with them: a patch, a ring, a punch.
+    fn deepest_beyond(&self, at: End) -> Option<[f64; 3]> {
         let end = at.outermost(&self.interface.nodes)?.coordinate;
         let is_beyond = |strip: &&Strip| {
             let [low, high] = strip.ends();
@@ -128,12 +117,12 @@ impl<'a> Sides<'a> {
         // The candidate itself is no place beyond: the other side may end with it.
         let away = |[s, _]: &[f64; 2]| at.outwards(*s) - at.outwards(end) > SAME * end.abs();
         let places = self.edges[0].iter().filter(is_beyond).flat_map(|strip| self.inside(strip)).filter(away);
-        let deepest = places.max_by(|a, b| a[1].total_cmp(&b[1]))?;
-        Some(Beyond { end, position: deepest[0], penetration: deepest[1] })
+        let [position, penetration] = places.max_by(|a, b| a[1].total_cmp(&b[1]))?;
+        Some([end, position, penetration])
     }
 
     /// The deepest penetration within the candidate edges, between their points: contact coordinate and depth \[mm\].
-    pub fn deepest_between(&self) -> Option<[f64; 2]> {
+    fn deepest_between(&self) -> Option<[f64; 2]> {
         let nodes = &self.interface.nodes;
         let (first, last) = (nodes.first()?.coordinate, nodes.last()?.coordinate);
         let is_within = |strip: &&Strip| {
@@ -222,7 +211,7 @@ fn beside(sides: &Sides, solution: &Solution, tolerance: f64) -> Result<Vec<Unse
     let (points, edges) = (solution.points_of(interface.contact), solution.edges_of(interface.contact));
     let mut unseen = Vec::new();
     for &at in End::of(&interface.pair) {
-        let Some(Beyond { end, position, penetration }) = sides.deepest_beyond(at) else { continue };
+        let Some([end, position, penetration]) = sides.deepest_beyond(at) else { continue };
         let touches = at.outermost(points).is_some_and(|point| point.gap <= accepted);
         let share = share_at(edges, at);
         let closed = touches && (share > ASIDE || share.is_nan());

@@ -1,12 +1,12 @@
 //! Ends of a contact where the faces end at a corner that is pressed: the geometry tells whether the pressure has a limit there.
 
-use crate::elasticity::shape_functions;
 use crate::error::Error;
 use crate::measure::ACTIVE;
 use crate::mesh::{Edge, candidates};
-use crate::scene::{ContactPair, Load, Place, Profile};
+use crate::scene::{ContactPair, Profile};
 use crate::solution::EdgeState;
 use crate::solve::Discretisation;
+use crate::solve::outline::Outline;
 use crate::solve::run::{Run, Unbounded};
 use crate::solve::wedge::{Wedge, exponent};
 
@@ -107,32 +107,21 @@ impl Face<'_> {
 
     /// Interior angle at a node where the face ends, and what holds the side beside it; none where the outline does not tell.
     fn corner(&self, node: usize) -> Option<(f64, Option<[f64; 2]>)> {
-        let [leaving, arriving] = self.outline(node)?;
+        let outline = Outline::of(self.discretisation, self.body);
+        let [arriving, leaving] = outline.at(node)?;
         let is_face = |edge: &Edge| self.edges.iter().any(|own| own[..2] == edge[..2]);
-        let points = &self.discretisation.mesh.points;
         // Directions away from the node; the body lies to the left of the leaving one.
-        let face_leaves = is_face(&leaving);
-        let [from, to] = [tangent(points, &leaving, -1.0), tangent(points, &arriving, 1.0).map(|x| 0.0 - x)];
+        let face_leaves = is_face(leaving);
+        let [from, to] = [outline.tangent(leaving, -1.0), outline.tangent(arriving, 1.0).map(|x| 0.0 - x)];
         let (face, side) = if face_leaves { (from, to) } else { (to, from) };
         let face = self.along_path(node, face);
         let cross = face[0] * side[1] - face[1] * side[0];
         let turn = cross.atan2(face[0] * side[0] + face[1] * side[1]);
         let angle = (if face_leaves { turn } else { 0.0 - turn }).rem_euclid(2.0 * std::f64::consts::PI);
         let outwards = if face_leaves { [0.0 - side[1], side[0]] } else { [side[1], 0.0 - side[0]] };
-        Some((angle, self.held(if face_leaves { &arriving } else { &leaving }, side, outwards)))
-    }
-
-    /// Edges of the outline at a node, the body to their left: the one that begins there, and the one that ends there.
-    fn outline(&self, node: usize) -> Option<[Edge; 2]> {
-        let mesh = &self.discretisation.mesh;
-        let sides = mesh.order.sides();
-        let cells =
-            mesh.bodies[self.body].cells.clone().map(|cell| mesh.cell(cell)).filter(|cell| cell.contains(&node));
-        let edges: Vec<Edge> =
-            cells.flat_map(|cell| sides.each_ref().map(|side| side.iter().map(|&k| cell[k]).collect())).collect();
-        let is_outer = |edge: &&Edge| !edges.iter().any(|other| other[0] == edge[1] && other[1] == edge[0]);
-        let of = |end: usize| edges.iter().filter(is_outer).find(|edge| edge[end] == node).cloned();
-        Some([of(0)?, of(1)?])
+        // In one direction at most: contact is to find the other displacement.
+        let fixed = outline.fixed(if face_leaves { arriving } else { leaving });
+        Some((angle, (0..2).find(|&k| fixed[k]).map(|k| [side[k], outwards[k]])))
     }
 
     /// A direction along the face; on an arc that of the path, which chords of it miss by half of what they turn.
@@ -144,32 +133,4 @@ impl Face<'_> {
         let sign = (nx * direction[1] - ny * direction[0]).signum();
         [0.0 - sign * ny, sign * nx]
     }
-
-    /// In which direction an edge beside the face is held, along it and out of the body: by a support, or as a face that stays flat. Only
-    /// one may be, since contact is to find the other displacement.
-    fn held(&self, edge: &Edge, along: [f64; 2], outwards: [f64; 2]) -> Option<[f64; 2]> {
-        let body = &self.discretisation.scene.bodies[self.body];
-        let boundaries = &self.discretisation.mesh.bodies[self.body].boundaries;
-        let holds =
-            |name: &str| boundaries.get(name).is_some_and(|edges| edges.iter().any(|own| own[..2] == edge[..2]));
-        let supported = body.supports.iter().filter_map(|support| match &support.at {
-            Place::Boundary(name) => Some((name, support.component)),
-            Place::Point(_) => None,
-        });
-        let flat = body.loads.iter().filter_map(|load| match load {
-            Load::RigidFace { boundary, component, .. } => Some((boundary, *component)),
-            _ => None,
-        });
-        let (_, component) = supported.chain(flat).find(|(name, _)| holds(name))?;
-        Some([along[component.index()], outwards[component.index()]])
-    }
-}
-
-/// Unit direction of an edge, from its first node to its last, at a natural coordinate of it.
-pub(super) fn tangent(points: &[[f64; 2]], edge: &Edge, xi: f64) -> [f64; 2] {
-    let shapes = shape_functions::edge(edge.len(), xi);
-    let slope = |k: usize| -> f64 { shapes.iter().zip(edge).map(|((_, slope), &node)| slope * points[node][k]).sum() };
-    let [dx, dy] = [slope(0), slope(1)];
-    let length = dx.hypot(dy);
-    [dx / length, dy / length]
 }

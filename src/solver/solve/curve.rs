@@ -41,8 +41,8 @@ impl Discretisation {
 
     fn curve_point(&self, run: &Run, increment: &Increment) -> Result<CurvePoint, Error> {
         let share = increment.number as f64 / run.formulation.settings.increments as f64;
-        let unknowns = self.condensed.recover_under(share, &increment.displacement);
-        let displacement = self.system.nodal_displacements_under(share, &unknowns);
+        let unknowns = self.condensed.recover(share, &increment.displacement);
+        let displacement = self.system.nodal_displacements(share, &unknowns);
         let contact = |index: usize| {
             let part = increment.states.part(&run.solution.contacts[index]);
             let measures = Measures::of(&self.scene, index, part);

@@ -1,14 +1,15 @@
-//! A scene meshed, assembled and condensed: what all nine formulations share, and on which they solve.
+//! A scene meshed, assembled and condensed: what all nine formulations share, and on which they solve; under another load or clearance
+//! pressures only, at the price of a few dense steps.
 
 use crate::algorithm::{ContactProblem, Scale};
 use crate::clock::{Clock, Seconds, Stage};
 use crate::condensation::Condensed;
 use crate::contact::{ContactEdge, ContactPoint, Interface};
-use crate::elasticity::{ElasticSystem, Numbering};
+use crate::elasticity::{ElasticSystem, numbered};
 use crate::error::Error;
 use crate::mesh::{Mesh, Resolution};
 use crate::scene::{ContactPair, Scene};
-use crate::solve::{Change, Formulation};
+use crate::solve::Formulation;
 
 /// What refuses a mesh of so many dofs before anything of it is assembled.
 pub type Permits<'a> = &'a (dyn Fn(usize) -> Result<(), Error> + Sync);
@@ -52,9 +53,9 @@ impl Discretisation {
 
     fn made(scene: Scene, resolution: Resolution, permits: Permits, mut clock: Clock) -> Result<Self, Error> {
         let mesh = clock.time(Stage::Mesh, || Mesh::of(&scene, resolution))?;
-        let numbering = clock.time(Stage::Ordering, || Numbering::of(&scene, &mesh))?;
-        permits(numbering.dofs())?;
-        let assembled = || ElasticSystem::assemble_numbered(&scene, &mesh, numbering, &|_| 1.0);
+        let numbered = clock.time(Stage::Ordering, || numbered(&scene, &mesh))?;
+        permits(numbered.iter().map(|(_, dofs)| dofs.equations).sum())?;
+        let assembled = || ElasticSystem::assemble_numbered(&scene, &mesh, numbered, &|_| 1.0);
         let system = clock.time(Stage::Assembly, assembled)?;
         Self::condensed(scene, resolution, mesh, system, clock)
     }
@@ -89,7 +90,9 @@ impl Discretisation {
 
     /// Contact points and condensed load after a change.
     pub(super) fn changed(&self, formulation: &Formulation, change: Change) -> (Vec<ContactPoint>, Vec<f64>) {
-        (change.of_points(self.points(formulation)), change.of_load(&self.condensed.load))
+        let mut points = self.points(formulation);
+        points.iter_mut().for_each(|point| point.gap += change.clearance);
+        (points, self.condensed.load.iter().map(|f| f * change.load).collect())
     }
 
     /// What the algorithms see of this scene under a formulation.
@@ -132,5 +135,29 @@ impl Discretisation {
         };
         problem.initial = formulation.stiffness_unit.of(&problem).into_iter().enumerate().map(initial).collect();
         problem
+    }
+}
+
+/// What has changed since the condensation; the bodies, their supports and the places of their loads have not.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Change {
+    /// All loads and prescribed displacements times this.
+    pub load: f64,
+    /// Added to the gap everywhere \[mm\].
+    pub clearance: f64,
+}
+
+impl Change {
+    /// Nothing has changed.
+    pub const NONE: Self = Self { load: 1.0, clearance: 0.0 };
+
+    /// Refuses numbers that are none.
+    pub(super) fn validate(self, scene: &str) -> Result<(), Error> {
+        for (key, value) in [("load factor", self.load), ("clearance", self.clearance)] {
+            if !value.is_finite() {
+                return Err(Error::value(scene, key, value, "a finite number is needed", "give a number"));
+            }
+        }
+        Ok(())
     }
 }

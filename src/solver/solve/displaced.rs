@@ -123,10 +123,6 @@ fn loaded(load: &Load) -> Vec<(Place, Component)> {
         own.map(|component| (at.clone(), component)).collect()
     };
     match load {
-        Load::Traction { boundary, traction } => along(Place::Boundary(boundary.clone()), *traction),
-        Load::TractionField { boundary, .. } | Load::Stress { boundary, .. } => {
-            along(Place::Boundary(boundary.clone()), [1.0; 2])
-        }
         Load::OnSide { boundary, action, .. } => match action {
             Action::Uniform(vector) | Action::Total(vector) => along(Place::Boundary(boundary.clone()), *vector),
             Action::Field(_) | Action::Stress(_) => along(Place::Boundary(boundary.clone()), [1.0; 2]),

@@ -96,9 +96,9 @@ impl Discretisation {
         let holding = self.holding(body)?;
         let first = part.nodes.start;
         let mut is_held = vec![false; part.nodes.len()];
-        holding.iter().flat_map(|one| &one.nodes).for_each(|(node, _)| is_held[node - first] = true);
-        let internal = reactions::internal_forces_at(scene, mesh, body, displacement, &|node| is_held[node - first])?;
-        for Holding { nodes, given } in holding {
+        holding.iter().flat_map(|(nodes, _)| nodes).for_each(|(node, _)| is_held[node - first] = true);
+        let internal = reactions::internal_forces(scene, mesh, body, displacement, &|node| is_held[node - first])?;
+        for (nodes, given) in holding {
             let mut held = Sum::default();
             let mut passed = [0.0; 2];
             for (node, k) in nodes {
@@ -136,15 +136,12 @@ impl Discretisation {
             nodes.sort_unstable();
             nodes.dedup();
             let free = nodes.into_iter().map(|node| (node, k)).filter(|one| !supported.contains_key(one));
-            all.push(Holding { nodes: free.collect(), given: Some((k, *force)) });
+            all.push((free.collect(), Some((k, *force))));
         }
-        all.push(Holding { nodes: supported.into_keys().collect(), given: None });
+        all.push((supported.into_keys().collect(), None));
         Ok(all)
     }
 }
 
 /// Nodes that are held, each in a component; of a rigid face the component and the force on it \[N\].
-struct Holding {
-    nodes: Vec<(usize, usize)>,
-    given: Option<(usize, f64)>,
-}
+type Holding = (Vec<(usize, usize)>, Option<(usize, f64)>);

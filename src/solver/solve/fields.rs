@@ -21,8 +21,8 @@ impl Discretisation {
     /// Displacement of every node \[mm\] under a share of loads and prescribed displacements, by one back-substitution per
     /// body.
     pub fn displacement_under(&self, share: f64, solution: &Solution) -> Vec<[f64; 2]> {
-        let unknowns = self.condensed.recover_under(share, &solution.displacement);
-        self.system.nodal_displacements_under(share, &unknowns)
+        let unknowns = self.condensed.recover(share, &solution.displacement);
+        self.system.nodal_displacements(share, &unknowns)
     }
 
     /// Displacement \[mm\] and stress \[MPa\] at every node, by one back-substitution per body.
@@ -32,8 +32,8 @@ impl Discretisation {
 
     /// The same under a share of loads and prescribed displacements, as where an iteration ended before the last increment.
     pub fn recover_under(&self, share: f64, solution: &Solution) -> Result<Fields, Error> {
-        let unknowns = self.condensed.recover_under(share, &solution.displacement);
-        let displacement = self.system.nodal_displacements_under(share, &unknowns);
+        let unknowns = self.condensed.recover(share, &solution.displacement);
+        let displacement = self.system.nodal_displacements(share, &unknowns);
         let stress = stress::at_nodes(&self.scene, &self.mesh, &displacement)?;
         Ok(Fields { displacement, stress, unknowns })
     }

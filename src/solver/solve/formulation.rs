@@ -159,8 +159,8 @@ impl Formulation {
 
     /// Contact points of interfaces.
     pub(super) fn points(&self, interfaces: &[Interface]) -> Vec<ContactPoint> {
-        let element = self.element.with(self.quadrature, self.layer_thickness);
-        interfaces.iter().flat_map(|interface| element.points(interface)).collect()
+        let points = |one| self.element.points(one, self.quadrature, self.layer_thickness);
+        interfaces.iter().flat_map(points).collect()
     }
 
     /// Iterates a problem from given springs, which are left as they stand after the last iteration.

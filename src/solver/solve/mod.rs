@@ -1,14 +1,10 @@
 //! One road from a scene to a solution, and what a formulation of it is: contact element × algorithm × rule × stiffness.
 //!
 //! * [`formulation`] — one way of solving a contact problem.
-//! * `validity` — what it is not defined for.
-//! * [`discretisation`] — a scene meshed, assembled and condensed; on it formulations solve.
-//! * [`change`] — another load or clearance.
-//! * [`origin`] — where the contact iteration starts, `start` — the springs this makes.
-//! * `road` — from a discretisation to a solution.
-//! * `active_set` — which points were closed on another mesh.
+//! * [`discretisation`] — a scene meshed, assembled and condensed; on it formulations solve, after a change of load or clearance too.
+//! * `road` — from a discretisation to a solution, from the active set of another one.
 //! * `unheld` — what no support holds and contact cannot.
-//! * `refusals` — problems that have no solution.
+//! * `refusals` — what formulations are not defined for, and problems that have no solution.
 //! * [`candidate_end`] — surfaces that meet beyond the candidates, or between contact points.
 //! * [`edge_fitted`] — meshes whose lines lie on the ends of the contact, found on the way.
 //! * [`fields`] — displacements and stresses of a solution.
@@ -20,10 +16,9 @@
 //! * [`mod@number`] — how every number that one quotes is taken from a solution.
 //! * `uncondensed` — its pressures once more without condensation.
 //! * [`curve`] — what every load increment came to.
-//! * [`run`] — one scene solved by one formulation, measured.
-//! * [`ended`] — how that ended.
+//! * [`run`] — one scene solved by one formulation, measured, and how that ended.
 //! * [`unbounded`] — peaks without a limit.
-//! * `corner` — those at a corner that is pressed.
+//! * `corner` — those at a corner that is pressed, of the `outline` of a body.
 //! * [`wedge`] — how the pressure grows towards it.
 //!
 //! ```
@@ -39,30 +34,25 @@
 //! # Ok::<(), signorini::error::Error>(())
 //! ```
 
-mod active_set;
 pub mod candidate_end;
-pub mod change;
 mod corner;
 pub mod curve;
 pub mod discretisation;
 pub mod displaced;
 pub mod edge_fitted;
-pub mod ended;
 pub mod equilibrium;
 pub mod fields;
 pub mod formulation;
 pub mod number;
-pub mod origin;
+mod outline;
 pub mod reactions;
 mod refusals;
 mod road;
 pub mod run;
 pub mod shear;
-mod start;
 pub mod unbounded;
 mod uncondensed;
 mod unheld;
-mod validity;
 pub mod von_mises;
 pub mod wedge;
 pub mod without_limit;
@@ -72,16 +62,13 @@ pub use crate::algorithm::{Iteration, Settings};
 pub use crate::contact::Element;
 pub use crate::elasticity::shape_functions::values as shapes;
 pub use crate::scene::Displaced;
-pub use change::Change;
-pub use discretisation::{Discretisation, Permits};
+pub use discretisation::{Change, Discretisation, Permits};
 pub use edge_fitted::Fitted;
-pub use ended::Ended;
 pub use equilibrium::Equilibrium;
 pub use fields::Fields;
 pub use formulation::Formulation;
-pub use origin::Origin;
 pub use reactions::Reaction;
-pub use run::Run;
+pub use run::{Ended, Run};
 pub use shear::Shear;
 pub use von_mises::VonMises;
 pub use without_limit::WithoutLimit;

@@ -35,7 +35,7 @@ impl Discretisation {
             }
             Quantity::HoopStress { at } => self.hoop_stress(run, contact, *at)?,
             Quantity::Reaction { body, support } => {
-                let reactions = self.reactions_under(run.share(), &run.solution)?;
+                let reactions = self.reactions(run.share(), &run.solution)?;
                 let own = reactions.iter().find(|reaction| [reaction.body, reaction.support] == [*body, *support]);
                 own.map_or(f64::NAN, |reaction| reaction.force)
             }

@@ -17,16 +17,12 @@ pub struct Reaction {
 }
 
 impl Discretisation {
-    /// The reaction of every support, from the equilibrium of the nodes that it holds: `R = Σ (f_int − f_load)`.
+    /// The reaction of every support under a share of loads and prescribed displacements, as where an iteration ended before the last
+    /// increment, from the equilibrium of the nodes that it holds: `R = Σ (f_int − f_load)`.
     ///
     /// Contact has no part in it: it acts along the normals of the candidates, which no support may hold. Loads, contact
     /// and reactions of a body add up to zero, as far as the contact pressures balance the load.
-    pub fn reactions(&self, solution: &Solution) -> Result<Vec<Reaction>, Error> {
-        self.reactions_under(1.0, solution)
-    }
-
-    /// The same under a share of loads and prescribed displacements, as where an iteration ended before the last increment.
-    pub fn reactions_under(&self, share: f64, solution: &Solution) -> Result<Vec<Reaction>, Error> {
+    pub fn reactions(&self, share: f64, solution: &Solution) -> Result<Vec<Reaction>, Error> {
         self.reactions_of(share, &self.displacement_under(share, solution))
     }
 
@@ -51,7 +47,7 @@ impl Discretisation {
         let first = mesh.bodies[body].nodes.start;
         let mut is_held = vec![false; mesh.bodies[body].nodes.len()];
         holders.keys().for_each(|(node, _)| is_held[node - first] = true);
-        let internal = reactions::internal_forces_at(scene, mesh, body, displacement, &|node| is_held[node - first])?;
+        let internal = reactions::internal_forces(scene, mesh, body, displacement, &|node| is_held[node - first])?;
         let applied = &self.system.bodies[body].applied;
         for ((node, component), support) in holders {
             forces[support] += internal[node - first][component] - share * applied[node - first][component];

@@ -1,12 +1,13 @@
-//! One problem solved by one formulation, measured.
+//! One problem solved by one formulation, measured; and how that ended: by the outcome of its iteration, or by the error that broke it off.
 
 use crate::algorithm::StiffnessRule;
 use crate::clock::{Clock, Seconds, Stage};
 use crate::contact::Interface;
-use crate::error::{Coordinate, Error};
-use crate::measure::{Measures, larger, whole};
+use crate::error::{Coordinate, Error, Kind};
+use crate::measure::{Measures, larger, largest, whole};
+use crate::named::named_enum;
 use crate::solution::{Outcome, Solution, States};
-use crate::solve::{Change, Discretisation, Equilibrium, Formulation, Origin, edge_fitted};
+use crate::solve::{Change, Discretisation, Equilibrium, Formulation, edge_fitted};
 
 /// Imbalance of a body that the round-off of its stiffness may leave, whatever the tolerance: 2e-7 of a ring fifty times as large as thick.
 pub const BALANCED: f64 = 1e-6;
@@ -103,18 +104,18 @@ impl Run {
 
     /// Solves a discretised scene by a formulation, from its own start, and measures the result.
     pub fn of(discretisation: &Discretisation, formulation: &Formulation) -> Result<Self, Error> {
-        Self::from_origin(Origin::Own, discretisation, formulation, Change::NONE)
+        Self::from(None, discretisation, formulation, Change::NONE)
     }
 
-    /// The same from some start, after a change of load or clearance.
-    pub fn from_origin(
-        origin: Origin,
+    /// The same from the active set of an earlier solution, after a change of load or clearance.
+    pub fn from(
+        earlier: Option<&Solution>,
         discretisation: &Discretisation,
         formulation: &Formulation,
         change: Change,
     ) -> Result<Self, Error> {
         let mut clock = Clock::silent().after(&discretisation.seconds);
-        let solution = clock.time(Stage::Iteration, || discretisation.solve_from(origin, formulation, change))?;
+        let solution = clock.time(Stage::Iteration, || discretisation.solve_from(earlier, formulation, change))?;
         let mut run = Self {
             formulation: formulation.clone(),
             dofs: discretisation.system.dofs(),
@@ -182,20 +183,54 @@ impl Run {
         };
         largest(self.contacts.iter().map(of))
     }
+}
 
-    /// Decades between the last iteration error and the tolerance, and between the last but one and the tolerance.
-    pub fn decision_margin(&self) -> [f64; 2] {
-        let tolerance = self.formulation.settings.tolerance;
-        let mut last = self.solution.history.iter().rev().map(|iteration| iteration.error.largest());
-        let mut decades = || last.next().map_or(f64::NAN, |error| (error.max(1e-99) / tolerance).log10());
-        let end = decades();
-        [end, decades()]
+named_enum! {
+    /// How a run ended, in the words of records and legends, from good to bad.
+    pub enum Ended {
+        /// Within the limit of iterations.
+        Converged = "converged",
+        /// Stopped by its criterion, above the tolerance.
+        Stopped = "stopped",
+        /// Not converged when the cap of iterations was reached.
+        Capped = "capped",
+        /// Nothing changes any more, and the error is above the tolerance.
+        Stalled = "stalled",
+        /// Returned to an earlier state.
+        Cycling = "cycling",
+        /// The error grows without end, or is no number.
+        Diverged = "diverged",
+        /// No spring left to hold a body, or springs too soft to: the named error.
+        Unsupported = "unsupported",
+        /// Converged with contact beyond the candidates: the named error.
+        Beyond = "beyond",
     }
 }
 
-/// The largest of some errors; NaN where one is not known.
-fn largest(errors: impl Iterator<Item = f64>) -> f64 {
-    errors.fold(0.0, larger)
+impl Ended {
+    /// How a run ended, and after how many iterations; the error where that is of the input, and not of an iteration.
+    pub fn of(run: &Result<Run, Error>) -> Result<(Self, usize), Error> {
+        let error = match run {
+            Ok(Run { solution, .. }) => {
+                let ended = match solution.outcome {
+                    Outcome::Converged => Self::Converged,
+                    Outcome::Stopped => Self::Stopped,
+                    Outcome::Capped => Self::Capped,
+                    Outcome::Cycling { .. } => Self::Cycling,
+                    Outcome::Diverged => Self::Diverged,
+                    Outcome::Stalled => Self::Stalled,
+                };
+                return Ok((ended, solution.work.iterations));
+            }
+            Err(error) => error,
+        };
+        match error.kind {
+            Kind::NoSpringLeft { iterations } => Ok((Self::Unsupported, iterations)),
+            Kind::SpringsTooSoft => Ok((Self::Unsupported, 0)),
+            Kind::ContactBeyondCandidates { .. } => Ok((Self::Beyond, 0)),
+            _ => Err(error.clone()),
+        }
+    }
 }
 
 /// What was found of every contact.

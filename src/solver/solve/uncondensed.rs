@@ -1,6 +1,6 @@
 //! The pressures of a solution once more, from the full system without condensation.
 
-use crate::condensation::{self, CoupledSpring};
+use crate::condensation;
 use crate::error::Error;
 use crate::solution::Solution;
 use crate::solve::{Discretisation, Formulation};
@@ -21,11 +21,7 @@ impl Discretisation {
             .map(|((state, point), &p)| (point.gap - state.gap, p, if p.abs() > 0.0 { stiffness } else { 0.0 }))
             .collect();
         let springs: Vec<_> = (points.iter().zip(&states))
-            .map(|(point, &(w, p, k))| CoupledSpring {
-                row: point.row.clone(),
-                constant: point.weight * k,
-                force: point.weight * (k * w - p),
-            })
+            .map(|(point, &(w, p, k))| ((point.weight * k, point.row.as_slice()), point.weight * (k * w - p)))
             .collect();
         let unknowns = condensation::solve_uncondensed(&self.system, &springs)?;
         let retained: Vec<f64> = (self.system.bodies.iter().zip(&unknowns))

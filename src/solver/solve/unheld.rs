@@ -1,8 +1,7 @@
 //! What no support holds and contact cannot: the reason why a scene has no solution.
 
 use crate::elasticity::Dofs;
-use crate::elasticity::free_motion::FreeMotion;
-use crate::elasticity::rigid_motion::STOPPED_BY;
+use crate::elasticity::rigid_motion::{FreeMotion, STOPPED_BY};
 use crate::error::Error;
 use crate::solve::Discretisation;
 

@@ -12,14 +12,13 @@
 //! A side fixed along its normal is a line of symmetry, beside which the corner is one of 2θ. Finite tractions change none of it; where
 //! shear on a side ends, stresses grow as a logarithm, which is not looked for.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::HashSet;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
-use crate::elasticity::axis;
 use crate::error::Error;
 use crate::mesh::{Edge, candidates};
 use crate::scene::{Load, Place};
-use crate::solve::corner::tangent;
+use crate::solve::outline::Outline;
 use crate::solve::{Discretisation, Run};
 
 /// Part of the largest force that a support at a point must exert to leave a stress without limit.
@@ -119,7 +118,7 @@ impl Discretisation {
             let [arriving, leaving] = outline.at(node)?;
             let turn = |node: usize| outline.angle(node).map_or(0.0, |angle| angle - PI);
             let next = [arriving[0], leaving[1]].map(turn);
-            let sides = [outline.side(arriving), outline.side(leaving)];
+            let sides = [arriving, leaving].map(|edge| side(&outline, edge));
             let is_smooth = turn(node).abs() <= next[0].abs() + next[1].abs() + ROUNDING;
             let angle = outline.angle(node)? - next[0].max(0.0) - next[1].max(0.0);
             let is_wide = angle > widest(sides, kolosov) + ROUNDING;
@@ -131,78 +130,15 @@ impl Discretisation {
     }
 }
 
-/// The outline of a body, itself to the left of every edge.
-struct Outline<'a> {
-    discretisation: &'a Discretisation,
-    /// Edges by the node that they begin at.
-    leaving: HashMap<usize, Edge>,
-    /// The same by that they end at.
-    arriving: HashMap<usize, Edge>,
-    /// Components in which an edge is fixed, by its first and last node.
-    fixed: HashMap<[usize; 2], [bool; 2]>,
-}
-
-impl<'a> Outline<'a> {
-    fn of(discretisation: &'a Discretisation, body: usize) -> Self {
-        let (scene, mesh) = (&discretisation.scene, &discretisation.mesh);
-        let sides = mesh.order.sides();
-        let cells = || mesh.bodies[body].cells.clone().map(|cell| mesh.cell(cell));
-        let all: HashSet<[usize; 2]> =
-            cells().flat_map(|cell| sides.each_ref().map(|side| [cell[side[0]], cell[side[1]]])).collect();
-        let (mut leaving, mut arriving) = (HashMap::new(), HashMap::new());
-        for (cell, side) in cells().flat_map(|cell| sides.each_ref().map(|side| (cell, side))) {
-            let [from, to] = [cell[side[0]], cell[side[1]]];
-            if !all.contains(&[to, from]) {
-                let edge: Edge = side.iter().map(|&k| cell[k]).collect();
-                leaving.insert(from, edge.clone());
-                arriving.insert(to, edge);
-            }
-        }
-        let mut fixed: HashMap<[usize; 2], [bool; 2]> = HashMap::new();
-        let own = &scene.bodies[body];
-        let supported = own.supports.iter().filter_map(|support| match &support.at {
-            Place::Boundary(name) => Some((name, support.component)),
-            Place::Point(_) => None,
-        });
-        let flat = own.loads.iter().filter_map(|load| match load {
-            Load::RigidFace { boundary, component, .. } => Some((boundary, *component)),
-            _ => None,
-        });
-        for (name, component) in supported.chain(flat) {
-            for edge in mesh.bodies[body].boundaries.get(name).into_iter().flatten() {
-                fixed.entry([edge[0], edge[1]]).or_default()[component.index()] = true;
-            }
-        }
-        let on_axis = axis::holds(scene, mesh, body);
-        for edge in leaving.values().filter(|edge| edge[..2].iter().all(|node| on_axis(*node))) {
-            fixed.entry([edge[0], edge[1]]).or_default()[axis::radial(scene).index()] = true;
-        }
-        Self { discretisation, leaving, arriving, fixed }
-    }
-
-    /// The edges that end and begin at a node.
-    fn at(&self, node: usize) -> Option<[&Edge; 2]> {
-        Some([self.arriving.get(&node)?, self.leaving.get(&node)?])
-    }
-
-    /// Interior angle at a node \[rad\].
-    fn angle(&self, node: usize) -> Option<f64> {
-        let [arriving, leaving] = self.at(node)?;
-        let points = &self.discretisation.mesh.points;
-        let ([x, y], [u, v]) = (tangent(points, arriving, 1.0), tangent(points, leaving, -1.0));
-        Some(PI - (x * v - y * u).atan2(x * u + y * v))
-    }
-
-    /// How an edge is fixed.
-    fn side(&self, edge: &Edge) -> Side {
-        let direction = match self.fixed.get(&[edge[0], edge[1]]) {
-            None | Some([false, false]) => return Side::Free,
-            Some([true, true]) => return Side::Fixed,
-            Some([true, false]) => 0,
-            Some([false, true]) => 1,
-        };
-        let [dx, dy] = tangent(&self.discretisation.mesh.points, edge, 0.0);
-        let normal = [dy, dx][direction].abs();
-        if normal >= NORMAL { Side::Normal } else { Side::Oblique }
-    }
+/// How an edge is fixed.
+fn side(outline: &Outline, edge: &Edge) -> Side {
+    let direction = match outline.fixed(edge) {
+        [false, false] => return Side::Free,
+        [true, true] => return Side::Fixed,
+        [true, false] => 0,
+        [false, true] => 1,
+    };
+    let [dx, dy] = outline.tangent(edge, 0.0);
+    let normal = [dy, dx][direction].abs();
+    if normal >= NORMAL { Side::Normal } else { Side::Oblique }
 }

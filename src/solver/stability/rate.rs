@@ -118,20 +118,9 @@ pub fn iterations(rate: f64, tolerance: f64) -> f64 {
     if rate < 1.0 { (tolerance.ln() / rate.ln()).max(1.0) } else { f64::INFINITY }
 }
 
-/// `C_ij = b_i (S + Σ A k b bᵀ)⁻¹ b_j A_j` [mm/MPa]; none where the matrix is not positive definite.
+/// The flexibility of the contact with some springs; none where the matrix is not positive definite.
 pub(super) fn flexibility(problem: &ContactProblem, stiffness: &[f64]) -> Option<Mat<f64>> {
-    let factor = problem.factorise(stiffness, &mut Work::default())?;
-    let n = problem.points.len();
-    let mut flexibility = Mat::zeros(n, n);
-    for (j, point) in problem.points.iter().enumerate() {
-        let mut force = vec![0.0; problem.load.len()];
-        point.add_row(point.weight, &mut force);
-        let moved = factor.solve(&force);
-        for (i, other) in problem.points.iter().enumerate() {
-            flexibility[(i, j)] = other.approach(&moved);
-        }
-    }
-    Some(flexibility)
+    Some(problem.flexibility(&problem.factorise(stiffness, &mut Work::default())?))
 }
 
 /// Largest modulus of the eigenvalues.

@@ -7,7 +7,7 @@ use crate::case::{Check, Quantity, Reference, notes};
 use crate::error::{Error, Kind};
 use crate::measure::{Measures, larger, largest};
 use crate::mesh::Order;
-use crate::scene::{Load, Scene};
+use crate::scene::{Action, Load, Scene};
 use crate::solution::Outcome;
 use crate::solve::{Discretisation, Formulation};
 use crate::study::limits::push::{
@@ -37,7 +37,7 @@ fn count(results: &[Result<Solved, Error>], is_right: fn(&Result<Solved, Error>)
 fn cylinder(factor: f64) -> Result<Discretisation, Error> {
     let mut scene = Cylinder::default().scene();
     for load in scene.bodies.iter_mut().flat_map(|body| &mut body.loads) {
-        if let Load::Traction { traction, .. } = load {
+        if let Load::OnSide { action: Action::Uniform(traction), .. } = load {
             *traction = traction.map(|t| t * factor);
         }
     }
@@ -277,7 +277,7 @@ fn block() -> TruncatedHertz {
 fn pressed(factor: f64) -> Scene {
     let (load, width) = (factor * block().load(), 2.0 * block().half_width());
     let mut scene = block().scene();
-    scene.bodies[0].loads = vec![Load::Traction { boundary: "far".into(), traction: [0.0, -0.5 * load / width] }];
+    scene.bodies[0].loads = vec![Load::on("far", Action::Uniform([0.0, -0.5 * load / width]))];
     scene
 }
 

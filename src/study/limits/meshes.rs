@@ -1,7 +1,5 @@
 //! Limits of the mesh: cells that lock or are distorted, and meshes that differ on the two sides.
 
-use std::sync::Arc;
-
 use crate::case::library::{Patch, TruncatedHertz};
 use crate::case::{Check, Quantity, Reference};
 use crate::elasticity::ElasticSystem;
@@ -9,7 +7,7 @@ use crate::error::{Error, Kind};
 use crate::measure::{larger, largest, profile};
 use crate::mesh::{Mesh, Order, Resolution};
 use crate::scene::{
-    Component, Face, Grading, LARGEST_POISSON, Load, Place, Profile, Scene, Shape, StressField, Support,
+    Action, Component, Face, Grading, LARGEST_POISSON, Load, Place, Profile, Scene, Shape, Support, VectorField,
 };
 use crate::solve::run::{INSIDE, Run};
 use crate::solve::{Discretisation, Element, Formulation, Iteration};
@@ -192,12 +190,12 @@ fn two_blocks(ratio: f64) -> Scene {
     let corner = Place::Point([0.0, -ratio * side]);
     lower.supports.push(Support { at: corner, component: Component::Y, value: 0.0 });
     for load in &mut lower.loads {
-        if let Load::Stress { field, .. } = load {
+        if let Load::OnSide { action: Action::Stress(field), .. } = load {
             let upper = field.0.clone();
-            *field = StressField(Arc::new(move |[x, y]: [f64; 2]| {
+            *field = VectorField::of(move |[x, y]: [f64; 2]| {
                 let [along, across, shear] = upper([x, -y]);
                 [along, across, -shear]
-            }));
+            });
         }
     }
     scene.bodies.push(lower);

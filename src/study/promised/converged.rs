@@ -14,7 +14,7 @@ use crate::error::{Error, Kind};
 use crate::markdown;
 use crate::solution::EnergyError;
 use crate::solve::Ended;
-use crate::solve::{Change, Discretisation, Formulation, Iteration, Origin, Run, Settings};
+use crate::solve::{Change, Discretisation, Formulation, Iteration, Run, Settings};
 use crate::study::drawn;
 use crate::study::records::{Millionths, Survey, Surveyed, are_like};
 
@@ -161,7 +161,7 @@ pub fn records(site: &Site) -> Result<Vec<Record>, Error> {
         let mut record = Record { scene, stretch, load, tolerance, classes, iterations, errors };
         for (k, formulation) in Formulation::nine().into_iter().enumerate() {
             let formulation = formulation.tolerance(tolerance);
-            let run = Run::from_origin(Origin::Own, &discretisation, &formulation, Change { load, ..Change::NONE });
+            let run = Run::from(None, &discretisation, &formulation, Change { load, ..Change::NONE });
             if let Err(Error { kind: Kind::Input | Kind::NothingPresses, .. }) = run {
                 continue;
             }

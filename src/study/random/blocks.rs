@@ -12,13 +12,13 @@ use crate::oracle::analytic::punch;
 use crate::oracle::analytic::waves::Waves;
 use crate::oracle::boundary::HalfPlane;
 use crate::scene::{
-    Body, Component, ContactPair, Face, Grading, Line, Load, Material, Path, Place, PlaneHypothesis, Profile,
-    ReferenceValues, Scene, Shape, StressField, Support,
+    Action, Body, Component, ContactPair, Face, Grading, Load, Material, Path, Place, PlaneHypothesis, Profile,
+    ReferenceValues, Scene, Shape, Support, VectorField,
 };
 use crate::study::random::family::{Draw, Sample};
 
 /// The surface to both sides of x = 0.
-const BOTH_SIDES: Path = Path::Straight(Line { origin: [0.0, 0.0], both_sides: true });
+const BOTH_SIDES: Path = Path::Straight { origin: [0.0, 0.0], both_sides: true };
 /// Part of the height of a block at which a point on its axis is looked at.
 const LOOKED_INTO: f64 = 0.3;
 
@@ -40,7 +40,7 @@ pub fn cosine(draw: &mut Draw, material: Material, guess: f64) -> Sample {
     let (peak, half_width) = (waves.pressure(0.0), share * wavelength);
     let side = 0.5 * wavelength;
     let supports = ["left", "right"].map(|side| fixed(side, Component::X, 0.0)).into();
-    let loads = vec![Load::Traction { boundary: "far".into(), traction: [0.0, -waves.mean] }];
+    let loads = vec![Load::on("far", Action::Uniform([0.0, -waves.mean]))];
     let profile = Profile::Cosine { amplitude, wavelength };
     let scene = scene(
         "waves",
@@ -78,8 +78,8 @@ pub fn rolling(draw: &mut Draw, material: Material, guess: f64) -> Sample {
     let centre = a * draw.between(-1.5, 1.5);
     let [left, right, height] = [-1.0, 1.0, 1.0].map(|side| side * a * draw.between(6.0, 14.0));
     let hertz = Hertz { load: Hertz::load_for(a, radius, modulus), radius, modulus };
-    let field = StressField(Arc::new(move |[x, depth]: [f64; 2]| hertz.stress(x - centre, depth)));
-    let loads = ["left", "right", "far"].map(|side| Load::Stress { boundary: side.into(), field: field.clone() });
+    let field = VectorField::of(move |[x, depth]: [f64; 2]| hertz.stress(x - centre, depth));
+    let loads = ["left", "right", "far"].map(|side| Load::on(side, Action::Stress(field.clone())));
     let reach = (centre - left).min(right - centre);
     let pair = ContactPair::new(None, BOTH_SIDES, Profile::Parabola { radius }, (guess * a).min(reach));
     let held = Support { at: Place::Point([centre + right, height]), component: Component::X, value: 0.0 };
@@ -151,13 +151,13 @@ pub fn eccentric(draw: &mut Draw, material: Material) -> Sample {
     // ∫p = 2 p̄ L, ∫p s = 2 p' L³/3, ∫p s² = 2 p̄ L³/3.
     let centre = slope * half * half / (3.0 * mean);
     let half_width = 2.0 * (half * half / 3.0 - centre * centre).sqrt();
-    let field = StressField(Arc::new(move |[x, _]: [f64; 2]| [0.0, -pressure(x), 0.0]));
+    let field = VectorField::of(move |[x, _]: [f64; 2]| [0.0, -pressure(x), 0.0]);
     // ε_y = σ_y/E', ε_x = −ν' ε_y and no shear: u_y = −p y/E', u_x = (ν' (p̄ x + p' x²/2) + p' (y² − H²)/2)/E'.
     let (modulus, ratio) =
         (material.plane_modulus(PlaneHypothesis::Strain), material.poisson / (1.0 - material.poisson));
     let far = || Place::Boundary("far".into());
     let held = Support { at: Place::Point([0.0, height]), component: Component::X, value: 0.0 };
-    let loads = vec![Load::Stress { boundary: "far".into(), field }];
+    let loads = vec![Load::on("far", Action::Stress(field))];
     let scene = scene(
         "block under an eccentric load",
         vec![rectangle(material, [[-half, half], [0.0, height]], vec![held], loads)],
@@ -190,8 +190,8 @@ pub fn flat_punch(draw: &mut Draw, material: Material) -> Sample {
     let load = modulus * half_width * draw.decades(1e-5, 1e-2);
     let solution = punch::FlatPunch { load, half_width };
     let mut scene = FlatPunch { half_width, size, material, load }.scene();
-    let field = StressField(Arc::new(move |[x, depth]: [f64; 2]| solution.stress(x, depth)));
-    let sides = ["right", "far"].map(|side| Load::Stress { boundary: side.into(), field: field.clone() });
+    let field = VectorField::of(move |[x, depth]: [f64; 2]| solution.stress(x, depth));
+    let sides = ["right", "far"].map(|side| Load::on(side, Action::Stress(field.clone())));
     scene.bodies[0].loads = sides.into();
     let truths = [
         (Quantity::PeakPressure, f64::INFINITY),
@@ -353,13 +353,13 @@ fn outermost_end(contact: &HalfPlane) -> f64 {
 fn block(contact: &Arc<HalfPlane>, material: Material, above: bool, [left, right, height]: [f64; 3]) -> Body {
     let contact = contact.clone();
     let up = if above { 1.0 } else { -1.0 };
-    let field = StressField(Arc::new(move |[x, y]: [f64; 2]| {
+    let field = VectorField::of(move |[x, y]: [f64; 2]| {
         let [along, into, shear] = contact.stress(x, up * y);
         [along, into, up * shear]
-    }));
+    });
     let whole = left < 0.0;
     let sides: &[&'static str] = if whole { &["left", "right", "far"] } else { &["right", "far"] };
-    let loads = sides.iter().map(|side| Load::Stress { boundary: (*side).into(), field: field.clone() });
+    let loads = sides.iter().map(|side| Load::on(*side, Action::Stress(field.clone())));
     let held = |at, component| Support { at, component, value: 0.0 };
     let corner = |x: f64| Place::Point([x, up * height]);
     let along = if whole { corner(right) } else { Place::Boundary("left".into()) };

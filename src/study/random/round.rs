@@ -1,7 +1,6 @@
 //! Cylinders, pins and rings; layers and rows under rigid profiles, half of a contact each.
 
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, PI};
-use std::sync::Arc;
 
 use crate::case::library::{Cylinder, CylinderModel, PinPlate, PressFit, body, fixed};
 use crate::measure::Quantity;
@@ -11,8 +10,8 @@ use crate::oracle::analytic::persson::PinInHole;
 use crate::oracle::boundary::strip::OnStrip;
 use crate::oracle::boundary::{Ring, Strip};
 use crate::scene::{
-    Circle, Component, ContactPair, Face, Load, Material, Path, Place, PlaneHypothesis, Profile, ReferenceValues,
-    Scene, Sector, Shape, Support, TractionField,
+    Action, Circle, Component, ContactPair, Face, Load, Material, Path, Place, PlaneHypothesis, Profile,
+    ReferenceValues, Scene, Sector, Shape, Support, VectorField,
 };
 use crate::study::random::blocks::{GROWING, even, of_hertz, rectangle, scene};
 use crate::study::random::family::{Draw, Sample};
@@ -68,8 +67,7 @@ pub fn cylinders(draw: &mut Draw, upper: Material, guess: f64) -> Sample {
     let (mut scene, [half_width, radius, above]) = discs(draw, upper, guess);
     let modulus = scene.contact_modulus();
     let hertz = Hertz { load: Hertz::load_for(half_width, radius, modulus), radius, modulus };
-    scene.bodies[0].loads =
-        vec![Load::Traction { boundary: "cut".into(), traction: [0.0, -hertz.load / (2.0 * above)] }];
+    scene.bodies[0].loads = vec![Load::on("cut", Action::Uniform([0.0, -hertz.load / (2.0 * above)]))];
     scene.reference = ReferenceValues::hertz(half_width, hertz.load, radius);
     Sample::of(scene, of_hertz(&hertz))
 }
@@ -143,8 +141,7 @@ pub fn ring(draw: &mut Draw, material: Material, guess: f64) -> Sample {
     let outer = inner * draw.between(1.3, 3.0);
     let clearance = inner * draw.decades(1e-5, 1e-3);
     let profile = Profile::Pin { radius: inner - clearance, clearance };
-    let Material { young, poisson } = material;
-    let elastic = Ring { radii: [inner, outer], young, poisson, plane, pressure: 0.0 };
+    let elastic = Ring { radii: [inner, outer], material, plane, pressure: 0.0 };
     let contact = loop {
         let half_angle = draw.between(8.0, 80.0).to_radians();
         if let Some(contact) = elastic.on_pin(&profile, half_angle) {
@@ -166,7 +163,7 @@ pub fn ring(draw: &mut Draw, material: Material, guess: f64) -> Sample {
         contact: Face::Bottom,
     };
     let supports = ["start", "end"].map(|side| fixed(side, Component::X, 0.0)).into();
-    let loads = vec![Load::TractionField { boundary: "outer".into(), field: TractionField(Arc::new(pressed)) }];
+    let loads = vec![Load::on("outer", Action::Field(VectorField::of(pressed)))];
     let scene = scene(
         "ring on a pin",
         vec![body("ring", shape, material, supports, loads)],
@@ -223,7 +220,7 @@ pub fn row(draw: &mut Draw, material: Material, guess: f64) -> Sample {
         let height = period * draw.between(HEIGHTS[0], HEIGHTS[1]);
         if let Some(contact) = Strip::Row(period).pressed(modulus, &profile, a, 0.5 * period) {
             let right = fixed("right", Component::X, 0.0);
-            let mean = Load::Traction { boundary: "far".into(), traction: [0.0, -contact.load() / period] };
+            let mean = Load::on("far", Action::Uniform([0.0, -contact.load() / period]));
             let size = [0.5 * period, height];
             return sample("row", (material, profile, guess), &contact, size, vec![right], vec![mean]);
         }

@@ -6,7 +6,7 @@ use crate::case::library::Indented;
 use crate::measure::Quantity;
 use crate::oracle::analytic::revolution::indentation::Indentation;
 use crate::oracle::analytic::revolution::sphere::Sphere;
-use crate::scene::{Load, Material, PlaneHypothesis, Profile, ReferenceValues};
+use crate::scene::{Action, Load, Material, PlaneHypothesis, Profile, ReferenceValues};
 use crate::study::random::blocks::even;
 use crate::study::random::family::{Draw, Sample};
 use crate::study::random::round::discs;
@@ -59,7 +59,7 @@ pub fn spheres(draw: &mut Draw, upper: Material, guess: f64) -> Sample {
     let modulus = scene.contact_modulus();
     let hertz = Sphere { load: Sphere::load_for(a, radius, modulus), radius, modulus };
     let traction = [0.0, -hertz.load / (PI * above * above)];
-    scene.bodies[0].loads = vec![Load::Traction { boundary: "cut".into(), traction }];
+    scene.bodies[0].loads = vec![Load::on("cut", Action::Uniform(traction))];
     scene.reference = ReferenceValues::hertz_sphere(a, hertz.load, radius);
     Sample::of(scene, of_sphere(&hertz))
 }

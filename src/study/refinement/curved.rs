@@ -13,7 +13,7 @@ use crate::markdown::{self, Column};
 use crate::measure::order::Observed;
 use crate::measure::profile::relative_l2;
 use crate::mesh::{Mesh, Order, Resolution};
-use crate::oracle::analytic::michell::{Harmonic, Side};
+use crate::oracle::analytic::michell::Harmonic;
 use crate::oracle::analytic::shell;
 use crate::scene::{Profile, Scene, Shape};
 use crate::solve::{Discretisation, Element, Formulation, Iteration, Run};
@@ -46,8 +46,8 @@ impl Rings {
         let &PressFit { inner: bore, interface, outer: outside, interference, materials, plane } = &numbers;
         let ([inner, outer], uniform) = (materials, numbers.closed_form());
         let harmonics = [
-            Harmonic::pressed(2, Side::Outside, [bore, interface], inner, plane),
-            Harmonic::pressed(2, Side::Inside, [interface, outside], outer, plane),
+            Harmonic::pressed(2, 1, [bore, interface], inner, plane),
+            Harmonic::pressed(2, 0, [interface, outside], outer, plane),
         ];
         let [inwards, outwards] = harmonics.map(|one| one.displacement(interface)[0]);
         let wave = WAVE * interference / (outwards - inwards);
@@ -191,7 +191,7 @@ pub fn table(order: Order, curved: &Curved) -> String {
                     let order = k.checked_sub(1).and_then(|before| pairs[number].get(before));
                     match order {
                         _ if error.is_nan() => "–".into(),
-                        Some(Observed::Order(order)) => format!("{error:.2e} ({order:.2})"),
+                        Some(Ok(order)) => format!("{error:.2e} ({order:.2})"),
                         _ => format!("{error:.2e}"),
                     }
                 })

@@ -45,7 +45,7 @@ pub fn reach<const N: usize>(
     let of_pair = |(two, pair): (&[Level<N>], Observed)| {
         let quantity = Quantity::at(name, between(two[0].elements, two[1].elements));
         let expected = Reference::analytic(&format!("{kind} {order}, a tenth less"), order - SLACK);
-        Check::at_least(quantity, expected, because).judge(pair.value())
+        Check::at_least(quantity, expected, because).judge(pair.unwrap_or(f64::NAN))
     };
     levels.windows(2).zip(orders(levels, number, floor)).map(of_pair).collect()
 }
@@ -127,7 +127,7 @@ pub fn judge_orders(series: &Series) -> Vec<Judged> {
 ///
 /// A pressure that stands for its surroundings of length h has the error `h²/24` of the midpoint rule.
 fn below_second_order(series: &Series) -> Vec<Judged> {
-    let because = if series.orders(1).into_iter().all(|pair| matches!(pair, Observed::Order(_))) {
+    let because = if series.orders(1).into_iter().all(|pair| pair.is_ok()) {
         "the midpoint rule's h²/24"
     } else {
         "the midpoint rule's h²/24; errors that change their sign or do not fall have no order"
@@ -153,9 +153,9 @@ const STAYS: f64 = 0.1;
 pub fn told(observed: Option<&Observed>) -> String {
     match observed {
         None => "–".into(),
-        Some(Observed::Order(order)) => format!("{order:.2}"),
-        Some(Observed::Withheld(Why::NotMonotone)) => "withheld".into(),
-        Some(Observed::Withheld(Why::Floor)) => "withheld: floor".into(),
+        Some(Ok(order)) => format!("{order:.2}"),
+        Some(Err(Why::NotMonotone)) => "withheld".into(),
+        Some(Err(Why::Floor)) => "withheld: floor".into(),
     }
 }
 
@@ -194,7 +194,7 @@ pub fn table_of_orders(series: &Series) -> String {
 /// Whether the contact's edge wanders within its element, where the errors of the second-moment width are not monotone; nothing where
 /// they are.
 fn why_withheld(series: &Series, orders: &[Observed]) -> String {
-    if !orders.iter().any(|pair| matches!(pair, Observed::Withheld(Why::NotMonotone))) {
+    if !orders.contains(&Err(Why::NotMonotone)) {
         return String::new();
     }
     let edges = || series.edges.iter().copied();

@@ -9,12 +9,12 @@ use serde::{Deserialize, Serialize};
 use crate::case::library::Cylinder;
 use crate::clock::{Clock, Seconds, Stage};
 use crate::condensation::Plain;
-use crate::elasticity::{ElasticSystem, Numbering};
+use crate::elasticity::{ElasticSystem, numbered};
 use crate::error::Error;
 use crate::measure::order::slope;
 use crate::mesh::{Mesh, Order, Resolution};
 use crate::solution::Solution;
-use crate::solve::{Change, Discretisation, Formulation, Origin};
+use crate::solve::{Change, Discretisation, Formulation};
 use crate::study::seconds::{Spread, quantile, ratios};
 
 /// Elements per half-width and refinement of the meshes of some 10⁴, 10⁵ and 10⁶ degrees of freedom, and how often each is measured.
@@ -152,15 +152,15 @@ fn once(elements: usize, refinement: u32) -> Result<(Counts, Seconds, [f64; 2]),
     let discretisation = discretised(elements, refinement)?;
     let mut clock = Clock::silent().after(&discretisation.seconds);
     let solution = clock.time(Stage::Iteration, || discretisation.solve(&Formulation::verification()))?;
-    let recovered = || std::hint::black_box(discretisation.condensed.recover(&solution.displacement));
+    let recovered = || std::hint::black_box(discretisation.condensed.recover(1.0, &solution.displacement));
     clock.time(Stage::Recovery, recovered);
     let change = Change { load: 1.05, clearance: 0.02 * discretisation.scene.reference.gap };
     let again = Instant::now();
-    std::hint::black_box(discretisation.solve_from(Origin::From(&solution), &Formulation::verification(), change)?);
+    std::hint::black_box(discretisation.solve_from(Some(&solution), &Formulation::verification(), change)?);
     let again = again.elapsed().as_secs_f64();
     let counts = counted(&discretisation, (elements, refinement), solution.work.iterations);
     let Discretisation { scene, mesh, .. } = discretisation;
-    let numbering = Numbering::of(&scene, &mesh)?;
+    let numbering = numbered(&scene, &mesh)?;
     let assembly_on_all = on(ALL, || {
         let clock = Instant::now();
         std::hint::black_box(ElasticSystem::assemble_numbered(&scene, &mesh, numbering, &|_| 1.0)?);
@@ -173,7 +173,7 @@ fn once(elements: usize, refinement: u32) -> Result<(Counts, Seconds, [f64; 2]),
 pub fn memory_of_one_solve(elements: usize, refinement: u32) -> Result<f64, Error> {
     let discretisation = discretised(elements, refinement)?;
     let solution = discretisation.solve(&Formulation::verification())?;
-    std::hint::black_box(discretisation.condensed.recover(&solution.displacement));
+    std::hint::black_box(discretisation.condensed.recover(1.0, &solution.displacement));
     let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
     let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"));
     let kilobytes = line.and_then(|text| text.trim().strip_suffix("kB")?.trim().parse::<f64>().ok());
@@ -208,7 +208,7 @@ fn nine_over_one(elements: usize, refinement: u32) -> Result<f64, Error> {
         let each = formulations.par_iter().with_max_len(1).map(|formulation| discretisation.solve(formulation));
         let solutions = each.collect::<Result<Vec<Solution>, Error>>()?;
         let retained: Vec<&[f64]> = solutions.iter().map(|solution| solution.displacement.as_slice()).collect();
-        std::hint::black_box(discretisation.condensed.recover_all(&retained));
+        std::hint::black_box(discretisation.condensed.recover_all(1.0, &retained));
         Ok(clock.elapsed().as_secs_f64())
     };
     let (one, nine) = (solved(&[Formulation::verification()])?, solved(&Formulation::nine())?);

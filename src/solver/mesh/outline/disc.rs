@@ -3,11 +3,10 @@
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
-use super::frames::{Core, Frames, Rim};
+use super::frames::{Frames, Rim};
 use super::known_ends::KnownEnds;
 use super::layout::Layout;
-use super::points::{between, polar};
-use crate::mesh::block::{Block, Point, Side};
+use crate::mesh::block::{Block, Point, Side, between, polar};
 use crate::mesh::spacing;
 use crate::scene::Sector;
 
@@ -74,9 +73,9 @@ fn framed(layout: &Layout, centre: Point, radius: f64, sector: Sector) -> Option
     if columns.iter().any(|x| x.abs() > REACH) {
         return None;
     }
-    let core = Core { columns, depth: DEPTH * ends.reach() / radius, has_left };
+    let within = (columns, DEPTH * ends.reach() / radius, has_left);
     let begin = if has_left { -1.0 } else { 0.0 };
-    let frames = Frames::around(core, [begin, 1.0], 1.0, LARGER)?;
+    let frames = Frames::around(within, ([begin, 1.0], 1.0), LARGER)?;
 
     let [left, right] = frames.columns().map(|columns| coarse(layout, centre, radius, columns));
     let mirrored = |point: &Point| [2.0 * centre[0] - point[0], point[1]];

@@ -3,9 +3,8 @@
 use std::f64::consts::PI;
 
 use super::layout::{Layout, last_two};
-use super::points::{between, polar};
 use super::ring::on_ray;
-use crate::mesh::block::{Block, Point, Side};
+use crate::mesh::block::{Block, Point, Side, between, polar};
 use crate::mesh::spacing;
 use crate::scene::Shape;
 

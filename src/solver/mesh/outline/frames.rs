@@ -15,8 +15,7 @@
 use std::cmp::Ordering;
 
 use super::layout::Layout;
-use super::points::between;
-use crate::mesh::block::{Block, Point, Side};
+use crate::mesh::block::{Block, Point, Side, between};
 use crate::mesh::spacing;
 use crate::scene::Face;
 use crate::scene::contact_pair::CONTACT;
@@ -35,10 +34,10 @@ pub(super) fn blocks(layout: &Layout, x: [f64; 2], y: [f64; 2], contact: Face) -
     let ends = layout.same_ends().filter(|_| !layout.opposite)?;
     let columns = ends.of_box(x[0])?;
     let has_left = layout.path.has_both_sides() || columns[0] > x[0];
-    let core = Core { columns, depth: ends.half_width(), has_left };
+    let within = (columns, ends.half_width(), has_left);
     let opposite = if contact == Face::Bottom { y[1] } else { y[0] };
     let far = layout.points.iter().filter(|point| point[1] == opposite).map(|point| point[0]).collect();
-    let frames = Frames { far, ..Frames::around(core, x, y[1] - y[0], LARGER)? };
+    let frames = Frames { far, ..Frames::around(within, (x, y[1] - y[0]), LARGER)? };
     // The far side to the last bit, as supports and other bodies know it.
     let height = |depth: f64| match (contact, depth < y[1] - y[0]) {
         (Face::Bottom, true) => y[0] + depth,
@@ -66,20 +65,14 @@ pub(super) struct Frames {
     far: Vec<f64>,
 }
 
-/// The box on the contact.
-pub(super) struct Core {
-    /// Positions across it.
-    pub columns: Vec<f64>,
-    pub depth: f64,
-    /// Whether there are cells on its left: it does not begin on a symmetry line.
-    pub has_left: bool,
-}
-
 impl Frames {
-    /// Around a box in a body that reaches from `left` to `right` and is so deep, each about so much larger than the one inside it; none
-    /// where the body is too small for a frame, or too high.
-    pub(super) fn around(core: Core, [left, right]: [f64; 2], depth: f64, larger: f64) -> Option<Self> {
-        let Core { columns, depth: first, has_left } = core;
+    /// Around a box of some columns and a depth, with cells on its left or without, in a body that reaches from `left` to `right` and is so
+    /// deep, each about so much larger than the one inside it; none where the body is too small for a frame, or too high.
+    pub(super) fn around(
+        (columns, first, has_left): (Vec<f64>, f64, bool),
+        ([left, right], depth): ([f64; 2], f64),
+        larger: f64,
+    ) -> Option<Self> {
         let [begin, end] = [columns[0], columns[columns.len() - 1]];
         let middle = if has_left { 0.5 * (begin + end) } else { left };
         let [wide, leftwards] = [(right - middle) / (end - middle), (middle - left) / (middle - begin)];

@@ -103,7 +103,7 @@ impl<'a> Layout<'a> {
     pub fn arc(&self, radius: f64, until: &[f64]) -> Vec<f64> {
         let mut angles: Vec<f64> = match self.path {
             _ if !self.several.is_empty() => self.angles_of_all(radius),
-            Path::Straight(_) => self.candidates().iter().map(|x| (x / radius).asin()).collect(),
+            Path::Straight { .. } => self.candidates().iter().map(|x| (x / radius).asin()).collect(),
             Path::Arc(_) => self.candidates(),
         };
         for &end in until {

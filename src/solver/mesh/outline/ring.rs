@@ -4,8 +4,7 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use super::layout::Layout;
-use super::points::{between, exact_sin};
-use crate::mesh::block::{Block, Point, Side};
+use crate::mesh::block::{Block, Point, Side, between, exact_sin};
 use crate::mesh::spacing;
 use crate::scene::{Circle, Face, ROUNDING, Shape};
 

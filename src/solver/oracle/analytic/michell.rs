@@ -9,15 +9,6 @@ use nalgebra::{Matrix4, Vector4};
 use super::Plane;
 use crate::scene::Material;
 
-/// The circle that is pressed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Side {
-    /// The inner one.
-    Inside,
-    /// The outer one.
-    Outside,
-}
-
 /// One harmonic, n ≥ 2.
 #[derive(Clone, Copy, Debug)]
 pub struct Harmonic {
@@ -32,10 +23,17 @@ pub struct Harmonic {
 }
 
 impl Harmonic {
-    /// The ring of inner and outer radius \[mm\] under a pressure of 1 MPa times `cos nθ`, without shear; NaN where both radii are one.
-    pub fn pressed(n: usize, side: Side, radii: [f64; 2], Material { young, poisson }: Material, plane: Plane) -> Self {
+    /// The ring of inner and outer radius \[mm\] under a pressure of 1 MPa times `cos nθ`, without shear, on the one or the other; NaN where
+    /// both radii are one.
+    pub fn pressed(
+        n: usize,
+        side: usize,
+        radii: [f64; 2],
+        Material { young, poisson }: Material,
+        plane: Plane,
+    ) -> Self {
         let n = n as f64;
-        let loaded = radii[usize::from(side == Side::Outside)];
+        let loaded = radii[side];
         let mut own = Self {
             n,
             radii,
@@ -51,7 +49,7 @@ impl Harmonic {
             traction * own.grown(k, radius) * (loaded / radius).powi(2)
         });
         let mut tractions = Vector4::zeros();
-        tractions[if side == Side::Inside { 0 } else { 2 }] = -1.0;
+        tractions[2 * side] = -1.0;
         own.terms = matrix.lu().solve(&tractions).map_or([f64::NAN; 4], Into::into);
         own
     }

@@ -146,11 +146,7 @@ fn bisect(mut low: f64, mut high: f64, target: f64) -> f64 {
         if !(low < middle && middle < high) {
             return middle;
         }
-        if relative_clearance(middle) > target {
-            low = middle;
-        } else {
-            high = middle;
-        }
+        *if relative_clearance(middle) > target { &mut low } else { &mut high } = middle;
     }
 }
 

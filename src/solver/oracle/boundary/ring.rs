@@ -10,7 +10,7 @@ use std::f64::consts::{LN_2, PI};
 use nalgebra::{DMatrix, DVector};
 
 use crate::oracle::analytic::Plane;
-use crate::oracle::analytic::michell::{Harmonic, Side};
+use crate::oracle::analytic::michell::Harmonic;
 use crate::oracle::analytic::shell::{Shape, Shell};
 use crate::scene::{Material, Profile};
 
@@ -28,10 +28,8 @@ const PLACES: usize = 200;
 pub struct Ring {
     /// Inner and outer radius \[mm\].
     pub radii: [f64; 2],
-    /// Young's modulus \[MPa\].
-    pub young: f64,
-    /// Poisson's ratio.
-    pub poisson: f64,
+    /// Its material.
+    pub material: Material,
     /// Plane state.
     pub plane: Plane,
     /// Pressure that acts on all of its outside \[MPa\].
@@ -56,19 +54,15 @@ impl Ring {
             0 => self.under([1.0, 0.0]),
             1 => 0.0,
             _ => {
-                let pressed = Harmonic::pressed(n, Side::Inside, self.radii, self.material(), self.plane);
+                let pressed = Harmonic::pressed(n, 0, self.radii, self.material, self.plane);
                 pressed.displacement(self.radii[0])[0]
             }
         }
     }
 
-    fn material(&self) -> Material {
-        Material { young: self.young, poisson: self.poisson }
-    }
-
     /// How far the inside moves outwards under pressures inside and outside \[mm\].
     fn under(&self, pressures: [f64; 2]) -> f64 {
-        let (shape, material) = (Shape::of_ring(self.plane), self.material());
+        let (shape, material) = (Shape::of_ring(self.plane), self.material);
         Shell { shape, radii: self.radii, pressures, material }.displacement(self.radii[0])
     }
 
@@ -77,9 +71,10 @@ impl Ring {
     pub fn on_pin(self, gap: &Profile, half_angle: f64) -> Option<OnPin> {
         let half = 0.5 * half_angle;
         let [inner, _] = self.radii;
-        let scale = inner * (1.0 + self.poisson) / self.young;
+        let Material { young, poisson } = self.material;
+        let scale = inner * (1.0 + poisson) / young;
         // 2a/E*: (κ + 1)/4μ per unit of the radius.
-        let far = 0.5 * scale * (self.plane.kolosov(self.poisson) + 1.0);
+        let far = 0.5 * scale * (self.plane.kolosov(poisson) + 1.0);
         let parts = moments(half.sin());
         let left = |n: usize| match n {
             0 => self.compliance(0) / PI,

@@ -1,6 +1,8 @@
-//! Order and layers of a fitted mesh, for so many digits.
+//! Order and layers of a fitted mesh, for so many digits; what no mesh is fitted to, and what to do.
 
+use crate::error::Error;
 use crate::mesh::Order;
+use crate::scene::Scene;
 
 /// Cells and layers of a fitted mesh.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
@@ -12,6 +14,11 @@ pub struct Fitted {
 }
 
 impl Fitted {
+    /// Cells of an order in so many layers.
+    pub const fn of(order: Order, layers: usize) -> Self {
+        Self { order, layers }
+    }
+
     /// For so many digits of peak and second-moment width: order `digits + 2`; a layer up to four digits, one more for each beyond.
     pub fn of_digits(digits: usize) -> Self {
         let order = Order::numbered(digits + 2).unwrap_or(if digits < 4 { Order::Quartic } else { Order::Octic });
@@ -30,4 +37,23 @@ impl Fitted {
     pub fn misfit(order: Order) -> f64 {
         0.5 * 10f64.powi(2 - i32::from(order.number()))
     }
+}
+
+/// What to do where a mesh cannot be fitted.
+pub(super) const REMEDY: &str = "leave out --fitted";
+
+/// Refuses meshes made elsewhere.
+pub(super) fn refuse_given(scene: &Scene) -> Result<(), Error> {
+    let given = scene.bodies.iter().position(|body| body.shape.has_given_mesh());
+    given.map_or(Ok(()), |body| {
+        let message = "--fitted cannot be used: the mesh of this body is given, and its lines stay where they are";
+        Err(Error::at(scene.place_of_body(body), message, format!("{REMEDY}, or give the body another shape")))
+    })
+}
+
+/// An error that another mesh than that of the scene brought about.
+pub(super) fn on_fitted(error: Error) -> Error {
+    let message = format!("{} (on a mesh that --fitted makes)", error.message);
+    let remedy = format!("{}; or {REMEDY}", error.remedy);
+    Error { message, remedy, ..error }
 }

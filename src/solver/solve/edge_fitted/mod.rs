@@ -2,24 +2,18 @@
 //!
 //! The solution is analytic but for the square root in which the pressure ends. On a mesh that ends a cell there, cells of high
 //! order see nothing of it: the error falls with the order as if it were not there. Where the contact ends is found on the way:
-//! all points up to an expected end are closed, and the pressure there tells how far off that is (`root`). The error of peak
+//! all points up to an expected end are closed, and the pressure there tells how far off that is. The error of peak
 //! and width is of second order in it.
 //!
-//! * `fitted` — order and layers of such a mesh.
+//! * `fitted` — order and layers of such a mesh, and what it is not made for.
 //! * `search` — the ends sought on coarse meshes, then on the one asked for.
-//! * `refused` — what no mesh is fitted to.
-//! * `closed` — the closed stretches, a mesh with lines on their ends, and how far these shall move.
-//! * `told` — where a contact ends on a mesh with a line there.
-//! * `root` — where a contact ends, from its pressures near an expected end.
+//! * `closed` — the closed stretches, a mesh with lines on their ends, how far these shall move, and where the contact ends there.
 
 mod closed;
 mod fitted;
-mod refused;
-mod root;
 mod search;
-mod told;
 
+pub(super) use closed::of_lines;
 pub use fitted::Fitted;
 pub use search::{Answer, Sought, Tried};
 pub(crate) use search::{lay_on_ends, off};
-pub(super) use told::of_lines;

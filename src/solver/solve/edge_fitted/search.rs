@@ -1,8 +1,7 @@
 //! The ends of the contact sought on coarse fitted meshes, then on the one that is asked for.
 
 use super::closed::{Closed, half_width, places};
-use super::fitted::Fitted;
-use super::refused::{REMEDY, on_fitted, refuse_given};
+use super::fitted::{Fitted, REMEDY, on_fitted, refuse_given};
 use crate::error::{Error, Kind};
 use crate::measure::{Stretch, larger};
 use crate::mesh::size::solvable;
@@ -156,7 +155,7 @@ impl Fitted {
                 ends.join(scene, (enough * 2f64.powi(left as i32)).min(TOGETHER));
                 let mut discretisation = ends.discretised(scene, mesh, elements, permits)?;
                 let moves = ends.moves(&discretisation)?;
-                let moved = moves.iter().flatten().flatten().fold(0.0_f64, |most, one| most.max(one.by.abs()));
+                let moved = moves.iter().flatten().flatten().fold(0.0_f64, |most, [by, _]| most.max(by.abs()));
                 let (dofs, cells) = (discretisation.system.dofs(), discretisation.mesh.cells());
                 tried.push(Tried { order: mesh.order, dofs, cells, moved });
                 let resting = moved <= enough;

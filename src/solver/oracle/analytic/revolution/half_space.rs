@@ -27,7 +27,7 @@ pub struct Stress {
 }
 
 impl Stress {
-    /// `[σ_r, σ_z, τ_rz]` \[MPa\], as a [`crate::scene::StressField`] has them.
+    /// `[σ_r, σ_z, τ_rz]` \[MPa\], as a [`Action::Stress`](crate::scene::Action::Stress) has them.
     pub fn in_plane(&self) -> [f64; 3] {
         [self.radial, self.axial, self.shear]
     }

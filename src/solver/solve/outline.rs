@@ -1,0 +1,75 @@
+//! The outline of a body: its edges, the angles between them, and how they are fixed.
+
+use std::collections::HashMap;
+use std::f64::consts::PI;
+
+use crate::elasticity::{axis, shape_functions};
+use crate::mesh::Edge;
+use crate::scene::{Load, Place};
+use crate::solve::Discretisation;
+
+/// The outline of a body, itself to the left of every edge.
+pub(super) struct Outline<'a> {
+    points: &'a [[f64; 2]],
+    /// Edges by the node that they begin at.
+    pub(super) leaving: HashMap<usize, Edge>,
+    /// The same by that they end at.
+    arriving: HashMap<usize, Edge>,
+    /// Components in which an edge is fixed, by its first and last node.
+    fixed: HashMap<[usize; 2], [bool; 2]>,
+}
+
+impl<'a> Outline<'a> {
+    pub(super) fn of(discretisation: &'a Discretisation, body: usize) -> Self {
+        let (scene, mesh) = (&discretisation.scene, &discretisation.mesh);
+        let edges = mesh.outline(body);
+        let arriving = edges.iter().map(|edge| (edge[1], edge.clone())).collect();
+        let leaving: HashMap<usize, Edge> = edges.into_iter().map(|edge| (edge[0], edge)).collect();
+        let mut fixed: HashMap<[usize; 2], [bool; 2]> = HashMap::new();
+        let own = &scene.bodies[body];
+        let supported = own.supports.iter().filter_map(|support| match &support.at {
+            Place::Boundary(name) => Some((name, support.component)),
+            Place::Point(_) => None,
+        });
+        let flat = own.loads.iter().filter_map(|load| match load {
+            Load::RigidFace { boundary, component, .. } => Some((boundary, *component)),
+            _ => None,
+        });
+        for (name, component) in supported.chain(flat) {
+            for edge in mesh.bodies[body].boundaries.get(name).into_iter().flatten() {
+                fixed.entry([edge[0], edge[1]]).or_default()[component.index()] = true;
+            }
+        }
+        let on_axis = axis::holds(scene, mesh, body);
+        for edge in leaving.values().filter(|edge| edge[..2].iter().all(|node| on_axis(*node))) {
+            fixed.entry([edge[0], edge[1]]).or_default()[axis::radial(scene).index()] = true;
+        }
+        Self { points: &mesh.points, leaving, arriving, fixed }
+    }
+
+    /// The edges that end and begin at a node.
+    pub(super) fn at(&self, node: usize) -> Option<[&Edge; 2]> {
+        Some([self.arriving.get(&node)?, self.leaving.get(&node)?])
+    }
+
+    /// Interior angle at a node \[rad\].
+    pub(super) fn angle(&self, node: usize) -> Option<f64> {
+        let [arriving, leaving] = self.at(node)?;
+        let ([x, y], [u, v]) = (self.tangent(arriving, 1.0), self.tangent(leaving, -1.0));
+        Some(PI - (x * v - y * u).atan2(x * u + y * v))
+    }
+
+    /// Components in which an edge is fixed.
+    pub(super) fn fixed(&self, edge: &Edge) -> [bool; 2] {
+        self.fixed.get(&[edge[0], edge[1]]).copied().unwrap_or_default()
+    }
+
+    /// Unit direction of an edge, from its first node to its last, at a natural coordinate of it.
+    pub(super) fn tangent(&self, edge: &Edge, xi: f64) -> [f64; 2] {
+        let shapes = shape_functions::edge(edge.len(), xi);
+        let nodes = || shapes.iter().zip(edge);
+        let [dx, dy] = [0, 1].map(|k| nodes().map(|((_, slope), &node)| slope * self.points[node][k]).sum::<f64>());
+        let length = dx.hypot(dy);
+        [dx / length, dy / length]
+    }
+}
