@@ -7,8 +7,8 @@ use clap::Args;
 use crate::case::Case;
 use crate::cli::exit::Exit;
 use crate::cli::json::{Answer, Compared, Compares};
-use crate::cli::outputs::{self, Output, STDOUT};
 use crate::cli::terminal::{say, table};
+use crate::cli::writable::{self, Output, STDOUT};
 use crate::cli::{choice, json};
 use crate::clock::Stage;
 use crate::drawing;
@@ -62,7 +62,7 @@ pub fn run(arguments: &Arguments) -> Result<Exit, Error> {
         print(&compared);
     }
     let drawn = arguments.plot.as_ref().filter(|_| !runs.is_empty());
-    let drawing = drawn.map(|_| pictures::compare::drawing(&compared.case, &runs));
+    let drawing = drawn.map(|_| pictures::compared(&compared.case, &runs));
     let document = Answer::Compared(Box::new(compared)).document();
     match &arguments.json {
         Some(_) if to_stdout => say(document),
@@ -154,12 +154,12 @@ impl Arguments {
 
     /// Refuses outputs that cannot be written, or by which something would be lost, before anything is solved.
     fn refuse_unwritable(&self, case: &Case) -> Result<(), Error> {
-        outputs::refuse_plot("compare", &self.plot)?;
+        writable::refuse_plot("compare", &self.plot)?;
         let files = [
             Output::of("--json", &self.json, json::is_comparison),
             Output::of("--plot", &self.plot, drawing::is_drawing),
         ];
-        outputs::refuse("compare", files, &case.read_files(), self.force)
+        writable::refuse("compare", files, &case.read_files(), self.force)
     }
 }
 

@@ -1,12 +1,11 @@
 //! What the user types.
 //!
 //! * [`accuracy`] — what `solve` says of an accuracy that was asked for.
-//! * [`survey`] — runs recorded surveys with a progress bar.
+//! * [`survey`] — runs recorded surveys with a progress bar, and asks other codes for exported cases.
 //! * [`exit`] — how a command ended, as its exit code tells.
 //! * [`timings`] — measures speed against accuracy.
 //! * [`review`] — what moved between two commits.
-//! * [`scoreboard`] — asks other codes for exported cases.
-//! * [`suite`] — runs all trials with a progress bar; [`summary`] — what they found.
+//! * [`suite`] — runs all trials with a progress bar, and tells what they found.
 //! * [`solve`] — one case, with its outputs.
 //! * [`compare`] — one case by all nine formulations.
 //! * [`verify`] — scene files with their checks.
@@ -17,7 +16,7 @@
 //! * [`vtu`] — its fields for ParaView.
 //! * [`new`] — scene files to begin with.
 //! * [`manual`] — shell completions and manual pages.
-//! * [`writable`] — whether results can be written; [`outputs`] — and whether nothing is lost by it.
+//! * [`writable`] — whether results can be written, and whether nothing is lost by it.
 
 pub mod accuracy;
 mod bars;
@@ -29,12 +28,9 @@ pub mod json;
 pub mod judge;
 pub mod manual;
 pub mod new;
-pub mod outputs;
 pub mod review;
-pub mod scoreboard;
 pub mod solve;
 pub mod suite;
-pub mod summary;
 pub mod survey;
 mod terminal;
 pub mod timings;
@@ -235,6 +231,7 @@ enum Part {
 /// Runs the command line. Exit codes: 0 all is well, 1 a check failed or the page is stale, 2 the input is wrong, 3 a run did
 /// not converge or holds no contact.
 pub fn main() -> ExitCode {
+    let well = |()| Exit::Well;
     let outcome = match Cli::parse().command.unwrap_or(Command::Report { check: false, only: None, part: None }) {
         Command::Report { part: Some(Part::Diff(arguments)), .. } => {
             writable::checkout().and_then(|root| review::run(&arguments, &root))
@@ -242,49 +239,34 @@ pub fn main() -> ExitCode {
         Command::Report { only: Some(name), .. } => only_command(&name).map(Exit::checked),
         Command::Report { check, .. } => report_command(check).map(Exit::checked),
         Command::Verdicts => writable::checkout().map(|_| Exit::checked(suite::verdicts())),
-        Command::Atlas => survey::atlas().map(|()| Exit::Well),
-        Command::Converged(of) => survey::run(&promised::converged::SURVEY, of).map(|()| Exit::Well),
-        Command::Met(of) => survey::run(&promised::met::SURVEY, of).map(|()| Exit::Well),
-        Command::Coverage(of) => survey::run(&promised::bars::SURVEY, of).map(|()| Exit::Well),
-        Command::Counted(of) => survey::run(&promised::counted::SURVEY, of).map(|()| Exit::Well),
+        Command::Atlas => survey::atlas().map(well),
+        Command::Converged(of) => survey::run(&promised::converged::SURVEY, of).map(well),
+        Command::Met(of) => survey::run(&promised::met::SURVEY, of).map(well),
+        Command::Coverage(of) => survey::run(&promised::bars::SURVEY, of).map(well),
+        Command::Counted(of) => survey::run(&promised::counted::SURVEY, of).map(well),
         Command::Timings { memory: Some(mesh), .. } => {
-            growth::memory_of_one_solve(mesh[0] as usize, mesh[1]).map(say).map(|()| Exit::Well)
+            growth::memory_of_one_solve(mesh[0] as usize, mesh[1]).map(say).map(well)
         }
-        Command::Timings { points: true, .. } => timings::points().map(|()| Exit::Well),
-        Command::Timings { ask: Some(code), .. } => timings::ask(code).map(|()| Exit::Well),
-        Command::Timings { .. } => timings::run().map(|()| Exit::Well),
-        Command::Scoreboard => scoreboard::run().map(|()| Exit::Well),
+        Command::Timings { points: true, .. } => timings::points().map(well),
+        Command::Timings { ask: Some(code), .. } => timings::ask(code).map(well),
+        Command::Timings { .. } => timings::run().map(well),
+        Command::Scoreboard => survey::scoreboard().map(well),
         Command::Verify { paths, json } => verify::run(&paths, json),
-        Command::Export(arguments) => export::run(&arguments).map(|()| Exit::Well),
+        Command::Export(arguments) => export::run(&arguments).map(well),
         Command::Judge(arguments) => judge::run(&arguments),
         Command::Solve(arguments) => solve::run(&arguments),
         Command::Compare(arguments) => compare::run(&arguments),
-        Command::List { references: true, .. } => {
-            say(sheet::BUILT_IN.trim_end());
-            Ok(Exit::Well)
-        }
-        Command::List { json, .. } => {
-            list(json);
-            Ok(Exit::Well)
-        }
-        Command::New { shape } => {
-            new::print(shape);
-            Ok(Exit::Well)
-        }
-        Command::Schema { of } => {
-            say(match of {
-                json::Schema::Printed => json::schema(),
-                json::Schema::Answer => document::schema(),
-                json::Schema::Scene => file::schema(),
-                json::Schema::References => sheet::schema(),
-            });
-            Ok(Exit::Well)
-        }
-        Command::Completions { shell } => {
-            manual::completions(shell, command());
-            Ok(Exit::Well)
-        }
-        Command::Man { folder, force } => manual::man(folder.as_deref(), command(), force).map(|()| Exit::Well),
+        Command::List { references: true, .. } => Ok(well(say(sheet::BUILT_IN.trim_end()))),
+        Command::List { json, .. } => Ok(well(list(json))),
+        Command::New { shape } => Ok(well(new::print(shape))),
+        Command::Schema { of } => Ok(well(say(match of {
+            json::Schema::Printed => json::schema(),
+            json::Schema::Answer => document::schema(),
+            json::Schema::Scene => file::schema(),
+            json::Schema::References => sheet::schema(),
+        }))),
+        Command::Completions { shell } => Ok(well(manual::completions(shell, command()))),
+        Command::Man { folder, force } => manual::man(folder.as_deref(), command(), force).map(well),
     };
     match outcome {
         Ok(ended) => ended.into(),
@@ -316,7 +298,7 @@ fn report_command(check: bool) -> Result<bool, Error> {
         refuse_read_only(&root)?;
     }
     let findings = suite::run()?;
-    summary::print(&findings);
+    suite::print(&findings);
     let sound = suite::all_pass(&findings);
     let page = report::compose(&findings)?;
     if !check {

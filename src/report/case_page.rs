@@ -4,9 +4,9 @@ use crate::case::{Case, Judged, Verdict};
 use crate::markdown;
 use crate::measure::display_factor;
 use crate::oracle::ReferenceKind;
-use crate::report::grouped::{counted, in_order};
 use crate::report::{checks, links};
 use crate::study::cases::{self, Numbers, charts, page as name_of, remark, sketch};
+use crate::study::grouped::{counted, in_order};
 use crate::study::{Finding, described};
 
 /// A run with its checks.
@@ -110,7 +110,7 @@ fn named<'a>(runs: &'a [Ran<'a>]) -> impl Iterator<Item = (String, &'a Finding, 
 fn checked(runs: &[Ran]) -> String {
     let findings: Vec<&Finding> = runs.iter().map(|(finding, _)| *finding).collect();
     let own = checks::by_case(&findings, |own, _| own);
-    let every = checks::of_every_run(findings.iter().flat_map(|finding| &finding.judged));
+    let every = checks::of_every_run(findings.iter().flat_map(|finding| &finding.judged), false);
     format!(
         "## Checks\n\n{own}What every run must satisfy, for reasons given with [all checks](checks.md):\n\n{every}\n"
     )

@@ -4,12 +4,12 @@ use crate::case::judged::worst;
 use crate::case::{Judged, Verdict};
 use crate::markdown;
 use crate::oracle::ReferenceKind;
-use crate::report::grouped::in_order;
 use crate::report::told;
 use crate::solution::Outcome;
 use crate::solve::{Element, Iteration, Run};
 use crate::study::Finding;
 use crate::study::cases::Numbers;
+use crate::study::grouped::in_order;
 
 /// The run of a finding that is one.
 pub fn run(finding: &Finding) -> Option<&Run> {
@@ -54,7 +54,9 @@ pub fn verdict_matrix(findings: &[Finding], first: Option<Column>, link: impl Fn
     let name = |column: &Column| format!("{}<br>{}", column.0.name(), column.1.name());
     let head: Vec<String> = std::iter::once("case".into()).chain(columns.iter().map(name)).collect();
     let row = |(_, members): &Case| {
-        let cells = columns.iter().map(|column| cell(members, *column));
+        let own =
+            |column: &Column| members.iter().filter(|one| is_of(one, *column)).map(|one| sign(one)).collect::<Vec<_>>();
+        let cells = columns.iter().map(|column| own(column).join(", "));
         std::iter::once(link(members[0])).chain(cells).collect()
     };
     let rows: Vec<Vec<String>> = full_and_others(findings).0.iter().map(row).collect();
@@ -75,10 +77,6 @@ pub fn other_cases(findings: &[Finding], link: impl Fn(&Finding) -> String) -> S
     };
     let rows: Vec<Vec<String>> = full_and_others(findings).1.iter().map(row).collect();
     markdown::table(&["case of one or some formulations", "iterations", "runs"].map(String::from), &rows)
-}
-
-fn cell(members: &[&Finding], column: Column) -> String {
-    members.iter().filter(|finding| is_of(finding, column)).map(|finding| sign(finding)).collect::<Vec<_>>().join(", ")
 }
 
 /// Signs of runs, from good to bad.

@@ -10,7 +10,6 @@
 //! * [`pictures`] — the charts by name.
 //! * [`statements`] — the paper's statements, judged from the numbers of all studies: the first part of the page on the paper.
 //! * [`record`] — what was judged, counted and stated, as tables; [`diff`] — what moved in them between two commits.
-//! * [`grouped`] — what has the same key together.
 //! * [`files`] — writing, and comparing with what is committed.
 
 pub mod case_page;
@@ -18,7 +17,6 @@ pub mod checks;
 pub mod diff;
 pub mod files;
 pub mod front;
-pub mod grouped;
 pub mod links;
 pub mod matrix;
 pub mod page;
@@ -29,5 +27,6 @@ pub mod study_page;
 pub mod symbols;
 pub mod told;
 
+pub use crate::study::grouped;
 pub use files::{difference, write};
 pub use page::{Only, compose};

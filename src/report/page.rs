@@ -6,7 +6,7 @@ use crate::case::Judged;
 use crate::case::library::NAMES;
 use crate::drawing::schematic;
 use crate::error::{Error, meant};
-use crate::report::front::nearness;
+use crate::report::front::{NEARNESS, nearness};
 use crate::report::links::{self, CHARTS, PAGES};
 use crate::report::{case_page, checks, files, front, matrix, record, statements, study_page, symbols};
 use crate::study::sheet::{self, SHEETS, Sheet};
@@ -21,7 +21,7 @@ pub fn compose(findings: &[Finding]) -> Result<Files, Error> {
     let mut charts = drawn::written(&[
         ("contact-problem.svg".into(), problem),
         ("contact-elements.svg".into(), elements),
-        (nearness::CHART[0].into(), nearness::chart(findings)),
+        (NEARNESS[0].into(), nearness(findings)),
     ])?;
     for room in &Room::ALL {
         charts.extend((room.pictures)(findings)?);
@@ -83,8 +83,8 @@ fn of_checks(findings: &[Finding]) -> String {
          error bar everywhere, {COVERAGE} standard uncertainties of the value from refinement; how many bars hold, {} tells.\n\n{}\n{}## Every run\n\n{}",
         links::to_page("what is promised", &study_page::file(promised::Numbers::NAME)),
         matrix::by_kind(findings),
-        drawn::picture(nearness::CHART[0], nearness::CHART[1]),
-        checks::universal(all.iter().copied()),
+        drawn::picture(NEARNESS[0], NEARNESS[1]),
+        checks::of_every_run(all.iter().copied(), true),
     );
     links::page("All checks", "What everything is held against, by kind and by case.", &all, &body)
 }

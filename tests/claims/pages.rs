@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use contact_vv::case::{Check, Judged, Quantity, Reference, Verdict};
 use contact_vv::checkout::root;
 use contact_vv::oracle::ReferenceKind;
-use contact_vv::report::front::{self, against, nearness, right};
+use contact_vv::report::front::{self, against, cumulated, right};
 use contact_vv::report::links::{CHARTS, PAGES};
 use contact_vv::report::{case_page, diff, difference, files, study_page, symbols, told, write};
 use contact_vv::study::sheet::SHEETS;
@@ -207,7 +207,7 @@ fn pages_are_written_compared_and_removed_as_a_folder() {
 
 #[test]
 fn checks_without_an_error_are_beyond_every_share_of_their_tolerance() {
-    let parts = nearness::cumulated(&[0.0, 0.1, 2.0, f64::NAN]);
+    let parts = cumulated(&[0.0, 0.1, 2.0, f64::NAN]);
     let at = |share: f64| parts.iter().rfind(|(x, _)| *x <= share * (1.0 + 1e-9)).expect("a share").1;
     assert_eq!([at(1e-3), at(0.1), at(1.0), at(10.0)], [25.0, 50.0, 50.0, 75.0]);
 }

@@ -7,7 +7,7 @@ use contact_vv::study::seconds::{Machine, Spread, quantile, ratios};
 use contact_vv::study::timings::growth::{self, Counts, Growth, exponent};
 use contact_vv::study::timings::precision::{self, LOADS, Point, Series, answered, half_widths, nominal};
 use contact_vv::study::timings::record::{Beside, Record};
-use contact_vv::study::timings::targets::{Target, targets};
+use contact_vv::study::timings::record::{Target, targets};
 use contact_vv::study::timings::{Again, Numbers};
 
 fn committed() -> Record {

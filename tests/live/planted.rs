@@ -17,7 +17,7 @@ use contact_vv::oracle::cross_code::{PhysicalAnswer, PhysicalScene, scripts};
 use contact_vv::study::Study;
 use contact_vv::study::differences::{Answers, largest_change};
 use contact_vv::study::independent::run::{Compared, Found, LEVELS, Scene, compare};
-use contact_vv::study::present::Entry;
+use contact_vv::study::faults::Entry;
 use contact_vv_live::interpreter::INSTALLED;
 use contact_vv_live::newest::{self, Told};
 use libtest_mimic::{Completion, Trial};

@@ -24,16 +24,17 @@ use std::path::Path;
 use crate::case::{Case, Verdict};
 use crate::cli::exit::Exit;
 use crate::cli::json::{Answer, Solved};
-use crate::cli::outputs::STDOUT;
 use crate::cli::terminal::say;
+use crate::cli::writable::STDOUT;
 use crate::cli::{self, vtu};
 use crate::error::Error;
 use crate::report::pictures;
+use crate::solve::Formulation;
 use crate::study::drawn;
 
 pub use options::Arguments;
 
-use found::{Found, Mesh, Question};
+use found::{Found, Mesh};
 use remedy::{converging, remedy, unbalanced};
 use stages::Stages;
 
@@ -46,17 +47,17 @@ pub fn run(arguments: &Arguments) -> Result<Exit, Error> {
 }
 
 fn solve(arguments: &Arguments, case: Case) -> Result<Exit, Error> {
-    let question = asked(arguments, case)?;
+    let asked = asked(arguments, case)?;
     let stages = Stages::new();
-    let found = Found::of(question, !arguments.no_error_bar, &stages)?;
+    let found = Found::of(asked, !arguments.no_error_bar, &stages)?;
     let document = Answer::Solved(Solved::of(&found).into()).document();
     write_files(arguments, &document, &found)?;
     stages.end();
     shown(arguments, document, &found)
 }
 
-/// What the options make of a case; refused where that cannot be solved or written.
-fn asked(arguments: &Arguments, mut problem: Case) -> Result<Question, Error> {
+/// What the options make of a case, by what it is solved, and what chooses the mesh; refused where that cannot be solved or written.
+fn asked(arguments: &Arguments, mut problem: Case) -> Result<(Case, Formulation, Mesh), Error> {
     arguments.refuse_endings()?;
     arguments.refuse_unwritable(&problem)?;
     let formulation = arguments.formulation(problem.formulation().clone());
@@ -65,7 +66,7 @@ fn asked(arguments: &Arguments, mut problem: Case) -> Result<Question, Error> {
     // A mesh fitted to the contact is asked for in place of what the file asks.
     if let Some(fitted) = arguments.fitted()? {
         let formulation = arguments.as_exact_as(fitted, formulation);
-        return Ok(Question { problem, formulation, mesh: Mesh::Fitted(fitted) });
+        return Ok((problem, formulation, Mesh::Fitted(fitted)));
     }
     let mesh = match arguments.asked(problem.accuracy.clone())? {
         Some(asked) => Mesh::Accurate(asked),
@@ -74,7 +75,7 @@ fn asked(arguments: &Arguments, mut problem: Case) -> Result<Question, Error> {
             Mesh::Given
         }
     };
-    Ok(Question { problem, formulation, mesh })
+    Ok((problem, formulation, mesh))
 }
 
 /// Prints what was found and tells how that ended.

@@ -10,8 +10,8 @@ use super::told::{Change, Told};
 use crate::case::Relation;
 use crate::markdown::{self, significant};
 use crate::oracle::ReferenceKind;
-use crate::report::grouped::{joined, largest_first};
 use crate::report::record::{CheckRow, Mark};
+use crate::study::grouped::{joined, largest_first};
 
 /// Folders of what is recorded.
 const RECORDS: [&str; 2] = ["snapshots", "oracles/frozen"];
@@ -108,10 +108,14 @@ pub fn told(pairs: &Pairs) -> Vec<Told> {
     let came = pairs.came.iter().filter(|row| !is_stale(row)).copied();
     let (failing, passing): (Vec<&CheckRow>, Vec<&CheckRow>) = came.partition(|row| is_failing(row));
     let told = [
-        moved("Verdicts that got WORSE against closed forms, other codes and measurements", is_worse_of_truth, verdict),
+        moved(
+            "Verdicts that got WORSE against closed forms, other codes and measurements",
+            |pair| is_worse(pair) && is_of_truth(pair[1]),
+            verdict,
+        ),
         of_one_record("New checks that FAIL", &failing, 0),
         moved("Tolerances LOOSENED", is_loosened_by_hand, limits),
-        moved("Verdicts that got WORSE", is_worse_of_itself, verdict),
+        moved("Verdicts that got WORSE", |pair| is_worse(pair) && !is_of_truth(pair[1]) && !is_stale(pair[1]), verdict),
         moved("Tolerances wider as the error bars that they follow", is_loosened_as_bar, limits),
         moved("Tolerances tightened", |pair| differ(pair.map(limit)) && !is_loosened(pair), limits),
         moved("Verdicts that got better", |[before, after]| after.verdict < before.verdict, verdict),
@@ -301,12 +305,4 @@ fn is_stale(row: &CheckRow) -> bool {
     row.verdict != Mark::Pass
         && !is_of_truth(row)
         && RECORDS.iter().any(|folder| Path::new(&row.against).starts_with(folder))
-}
-
-fn is_worse_of_truth(pair: &Pair) -> bool {
-    is_worse(pair) && is_of_truth(pair[1])
-}
-
-fn is_worse_of_itself(pair: &Pair) -> bool {
-    is_worse(pair) && !is_of_truth(pair[1]) && !is_stale(pair[1])
 }

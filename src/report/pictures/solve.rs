@@ -106,9 +106,7 @@ pub fn pressure(problem: &Case, run: &Run, contact: usize) -> Chart {
 }
 
 /// What a curve shows: its name, the part of the error, its colour and sign.
-type Kind = (&'static str, fn(&IterationError) -> f64, Colour, Marker);
-
-const KINDS: [Kind; 4] = [
+const KINDS: [(&str, fn(&IterationError) -> f64, Colour, Marker); 4] = [
     ("peak", |error| error.peak, palette::INK, Marker::Diamond),
     ("force", |error| error.force, palette::PURPLE, Marker::Circle),
     ("width", |error| error.width, palette::SKY, Marker::Square),

@@ -164,7 +164,12 @@ const TICKS: [(usize, &str); 5] = [(0, "10⁻⁶"), (6, "10⁻³"), (12, "1"), (
 
 /// How every run of a plane ended, one panel a rule and element, with the predicted boundary.
 fn map(chart: &Chart) -> Drawing {
-    let on_each = |method: Method| Element::ALL.map(|element| map_panel(chart, Method { element, ..method }));
+    let panel = |method: Method| {
+        let rows = chart.of_method(method).map(|row| (row[0].ordinate.to_string(), row.iter().map(cell).collect()));
+        let [element, algorithm] = [method.element.name(), method.algorithm.name()];
+        MapPanel { rows: rows.collect(), title: format!("{element} · {algorithm} · {}", rule(method)) }
+    };
+    let on_each = |method: Method| Element::ALL.map(|element| panel(Method { element, ..method }));
     let limit = Settings::default().max_iterations;
     let [quick, ordinary] = QUICK;
     ClassMap {
@@ -186,12 +191,6 @@ fn map(chart: &Chart) -> Drawing {
         notes: vec![note(chart)],
     }
     .drawing()
-}
-
-fn map_panel(chart: &Chart, method: Method) -> MapPanel {
-    let rows = chart.of_method(method).map(|row| (row[0].ordinate.to_string(), row.iter().map(cell).collect()));
-    let [element, algorithm] = [method.element.name(), method.algorithm.name()];
-    MapPanel { rows: rows.collect(), title: format!("{element} · {algorithm} · {}", rule(method)) }
 }
 
 fn note(chart: &Chart) -> String {

@@ -65,8 +65,6 @@ pub struct Saved {
     pub program: String,
     /// Iterations of both; none where it does not converge.
     pub iterations: [Option<usize>; 2],
-    /// Peak pressure \[MPa\] and second-moment width \[mm\] of the paper's.
-    pub measured: [f64; 2],
     /// Error of p₀ and a of what the program takes.
     pub error: f64,
 }
@@ -227,9 +225,7 @@ fn saved(scene: Plane) -> Result<Numbers, Error> {
         let [before, after] = [&paper, &program].map(|formulation| Run::of(&discretisation, formulation));
         let (before, after) = (before?, after?);
         let iterations = [&before, &after].map(|run| run.solution.converged().then_some(run.solution.work.iterations));
-        let measures = before.measures();
-        let measured = [measures.peak.pressure, measures.second_moment_width];
-        Ok(Saved { paper: paper.name(), program: program.name(), iterations, measured, error: after.iteration_error() })
+        Ok(Saved { paper: paper.name(), program: program.name(), iterations, error: after.iteration_error() })
     };
     Ok(Numbers::Saved(scene, pairs.map(of).collect::<Result<_, Error>>()?))
 }

@@ -6,7 +6,7 @@
 
 pub mod photograph;
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use crate::case::library::{PinPlate, PinRod};
 use crate::case::{Check, Judged, Quantity, Reference};
@@ -61,7 +61,8 @@ impl Study for Numbers {
     fn plan() -> Vec<Planned<Self>> {
         let curves = SOURCES.map(|(source, folder)| {
             Planned::new(source, "digitised curves", move || {
-                Ok(Numbers::Curves { source: source.into(), found: against(&folder_of(folder))? })
+                let folder = root().join("oracles/digitised").join(folder);
+                Ok(Numbers::Curves { source: source.into(), found: against(&folder)? })
             })
         });
         let photograph = Planned::new("photoelastic disc between plates", "isochromatics of a photograph", || {
@@ -105,14 +106,6 @@ fn photographs<'a>(findings: &'a [Found<Numbers>]) -> impl Iterator<Item = &'a P
 /// Elements per 10 mm of arc for a pin of 10 mm radius, on the coarse and the fine mesh; scaled with the source's pin.
 const ELEMENTS: [usize; 2] = [24, 48];
 
-/// Ours at an abscissa \[rad, mm or N\], with the uncertainty of its mesh.
-type Ours = Box<dyn Fn(f64) -> Result<OurPoint, Error>>;
-
-/// Where the curves of a source are looked for.
-pub fn folder_of(name: &str) -> PathBuf {
-    root().join("oracles/digitised").join(name)
-}
-
 /// Compares every curve of a source's folder; why not, where its figures are not at hand.
 pub fn against(folder: &Path) -> Result<Result<Vec<Judged>, String>, Error> {
     match digitised::load(folder)? {
@@ -132,7 +125,8 @@ fn compared(curve: &DigitisedCurve) -> Result<Judged, Error> {
     Ok(check(&curve.file, &curve.file, curve.kind(), model_form(curve).as_deref()).judge(worst(&comparison)))
 }
 
-fn ours(curve: &DigitisedCurve) -> Result<Ours, Error> {
+/// Ours at an abscissa \[rad, mm or N\], with the uncertainty of its mesh.
+fn ours(curve: &DigitisedCurve) -> Result<Box<dyn Fn(f64) -> Result<OurPoint, Error>>, Error> {
     let of_two = |both: [f64; 2]| OurPoint { value: both[1], uncertainty: standard(bound_of_two(both)) };
     let scene = curve.scene.clone();
     if scene.is_sheet {

@@ -4,8 +4,7 @@
 //!
 //! * `precision` — on which meshes truncated Hertz is solved; error against seconds and work, ours and of codes on meshes of their own.
 //! * `growth` — one solve at three sizes, stage by stage, against one plain sparse Cholesky solve; all nine formulations over one.
-//! * `record` — what is kept under `snapshots/timings`, measured on demand by the command `timings`, and what of it is cheapest.
-//! * `targets` — what was asked for, and what was measured.
+//! * `record` — what is kept under `snapshots/timings`, measured on demand by the command `timings`, what of it is cheapest, and what was asked for.
 //!
 //! Below are the trials, the page, the answer of the front page, and the charts. An error is everywhere the larger one of p₀ and a under
 //! the worst of all loads.
@@ -13,7 +12,6 @@
 pub mod growth;
 pub mod precision;
 pub mod record;
-pub mod targets;
 
 use crate::case::{Check, Judged, Quantity, Reference};
 use crate::clock::Stage;
@@ -26,8 +24,7 @@ use crate::study::about::{About, Found, Planned, Study};
 use crate::study::drawn::picture;
 use crate::study::timings::growth::{Counts, Growth, exponent};
 use crate::study::timings::precision::{LOADS, Point, Series, TOLERANCE, cells};
-use crate::study::timings::record::{Beside, Record, cheapest, front, sound};
-use crate::study::timings::targets::{COMPARED, Target, ours, targets};
+use crate::study::timings::record::{Beside, COMPARED, Record, Target, cheapest, front, ours, sound, targets};
 
 /// Name of the trials.
 const CASE: &str = "speed against accuracy";
@@ -194,11 +191,8 @@ fn precision() -> String {
     "\n".to_owned() + &text + &picture(FRONTS[0], FRONTS[1]) + &picture(CLOUD[0], CLOUD[1])
 }
 
-/// What grows with the mesh, by its name.
-type Growing = (&'static str, fn(&Growth) -> f64);
-
 /// Rows of the table of the growth below those of the stages.
-const WHOLE: [Growing; 6] = [
+const WHOLE: [(&str, fn(&Growth) -> f64); 6] = [
     ("contact solve [ms]", |one| 1e3 * one.contact.median),
     ("plain solve [ms]", |one| 1e3 * one.plain.median),
     ("from nothing [ms]", |one| 1e3 * one.seconds(&Stage::ALL)),
