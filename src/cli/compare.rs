@@ -115,7 +115,8 @@ impl Arguments {
             Ok(run) => run,
             Err(error) => {
                 let reason = Some(format!("{}: {}", error.message, error.remedy));
-                return Compares { formulation, outcome: REFUSED.into(), reason, command, ..Compares::default() };
+                let outcome = "refused".into();
+                return Compares { formulation, outcome, reason, command, ..Compares::default() };
             }
         };
         let (solution, work) = (&run.solution, &run.solution.work);
@@ -127,7 +128,7 @@ impl Arguments {
         let seconds = run.seconds.iter().find(|(stage, _)| *stage == Stage::Iteration).map(|(_, seconds)| *seconds);
         Compares {
             formulation,
-            outcome: if run.is_open() { NO_CONTACT.into() } else { solution.outcome.to_string() },
+            outcome: if run.is_open() { "no contact".into() } else { solution.outcome.to_string() },
             iterations: Some(work.iterations),
             factorisations: Some(work.factorisations),
             operations: work.operations.into(),
@@ -162,11 +163,6 @@ impl Arguments {
         writable::refuse("compare", files, &case.read_files(), self.force)
     }
 }
-
-/// Outcome of a formulation that does not begin, or cannot go on.
-const REFUSED: &str = "refused";
-/// Outcome where nothing presses.
-const NO_CONTACT: &str = "no contact";
 
 impl Compares {
     /// Whether it gives an answer.

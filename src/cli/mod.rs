@@ -181,8 +181,8 @@ enum Command {
     ]))]
     New {
         /// The shape of problem; left out, all are listed.
-        #[arg(value_parser = choice(new::Template::TOLD))]
-        shape: Option<new::Template>,
+        #[arg(value_parser = choice(&new::TEMPLATES))]
+        shape: Option<&'static str>,
     },
     /// Print the JSON Schema of all that is printed as JSON, or of what is read.
     #[command(after_help = examples(&[
@@ -193,8 +193,8 @@ enum Command {
     ]))]
     Schema {
         /// What it is the schema of.
-        #[arg(value_parser = choice(json::Schema::TOLD), default_value = json::Schema::Printed.name())]
-        of: json::Schema,
+        #[arg(value_parser = choice(&SCHEMAS), default_value = SCHEMAS[0].1)]
+        of: fn() -> String,
     },
     /// Print the completions for a shell.
     #[command(after_help = examples(&[
@@ -216,6 +216,14 @@ enum Command {
         force: bool,
     },
 }
+
+/// What a schema may be of: how it is made, its name, and what that is.
+const SCHEMAS: [(fn() -> String, &str, &str); 4] = [
+    (json::schema, "printed", "All that is printed as JSON"),
+    (document::schema, "answer", "An answer that `judge` reads"),
+    (file::schema, "scene", "A scene file, for editors"),
+    (sheet::schema, "references", "The reference values that `list --references` prints"),
+];
 
 /// Examples that the help of a command ends with, each as what follows the name of the program.
 fn examples(all: &[&str]) -> String {
@@ -259,12 +267,7 @@ pub fn main() -> ExitCode {
         Command::List { references: true, .. } => Ok(well(say(sheet::BUILT_IN.trim_end()))),
         Command::List { json, .. } => Ok(well(list(json))),
         Command::New { shape } => Ok(well(new::print(shape))),
-        Command::Schema { of } => Ok(well(say(match of {
-            json::Schema::Printed => json::schema(),
-            json::Schema::Answer => document::schema(),
-            json::Schema::Scene => file::schema(),
-            json::Schema::References => sheet::schema(),
-        }))),
+        Command::Schema { of } => Ok(well(say(of()))),
         Command::Completions { shell } => Ok(well(manual::completions(shell, command()))),
         Command::Man { folder, force } => manual::man(folder.as_deref(), command(), force).map(well),
     };

@@ -68,8 +68,12 @@ pub fn table_on<'a>(columns: u16, head: impl IntoIterator<Item = &'a str>) -> Ta
 
 /// A bar over so many pieces of work, on a terminal.
 pub fn progress(pieces: usize) -> ProgressBar {
-    let bar = ProgressBar::new(pieces as u64);
-    match ProgressStyle::with_template("{bar:30} {pos}/{len} {msg}") {
+    styled(ProgressBar::new(pieces as u64), "{bar:30} {pos}/{len} {msg}")
+}
+
+/// A bar by a template.
+pub fn styled(bar: ProgressBar, template: &str) -> ProgressBar {
+    match ProgressStyle::with_template(template) {
         Ok(style) => bar.with_style(style),
         Err(_) => bar,
     }

@@ -19,7 +19,6 @@ use schemars::generate::SchemaSettings;
 use serde::Serialize;
 
 use crate::case::library::NAMES;
-use crate::named::named_enum;
 
 pub use checked::{Checked, Line};
 pub use compared::{Compared, Compares};
@@ -27,20 +26,6 @@ pub use number::Number;
 pub use oracle::OracleReading;
 pub use refereed::Refereed;
 pub use solved::Solved;
-
-named_enum! {
-    /// What a schema is of.
-    pub enum Schema {
-        /// All that is printed as JSON.
-        Printed = "printed",
-        /// An answer that `judge` reads.
-        Answer = "answer",
-        /// A scene file, for editors.
-        Scene = "scene",
-        /// The reference values that `list --references` prints.
-        References = "references",
-    }
-}
 
 /// A case of the library.
 #[derive(Clone, Debug, Serialize, JsonSchema)]

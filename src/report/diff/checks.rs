@@ -121,7 +121,9 @@ pub fn told(pairs: &Pairs) -> Vec<Told> {
         moved("Verdicts that got better", |[before, after]| after.verdict < before.verdict, verdict),
         of_one_record("Checks that are GONE", &pairs.gone, 1),
         of_one_record("New checks", &passing, 0),
-        moved("Checks asked of FEWER runs", is_asked_less, runs),
+        moved("Checks asked of FEWER runs", is_asked_less, |pair| {
+            number(pair, |row| row.runs as f64, |row| format!("{} runs", row.runs))
+        }),
         moved("Checks renamed, with the same numbers", |[before, after]| before.key() != after.key(), name),
         moved("Numbers that moved", |pair| is_moved(pair) && pair[0].verdict == pair[1].verdict, share),
         moved("Error bars that moved", |pair| differ(pair.map(bar)), bars),
@@ -239,10 +241,6 @@ fn is_loosened_by_hand(pair: &Pair) -> bool {
 
 fn is_asked_less([before, after]: &Pair) -> bool {
     after.runs < before.runs
-}
-
-fn runs(pair: &Pair) -> Change {
-    number(pair, |row| row.runs as f64, |row| format!("{} runs", row.runs))
 }
 
 /// Checks of one new name are told in one row.

@@ -134,7 +134,7 @@ pub fn press_fit(draw: &mut Draw, inside: Material) -> Sample {
             (Quantity::Resultant, 2.0 * on_cut),
         ],
     )
-    .held((0, 0), on_cut)
+    .with(Quantity::Reaction { body: 0, support: 0 }, on_cut)
     .moved(0, Place::Boundary("inner".into()), Component::X, inner.displacement(numbers.inner) / FRAC_PI_2)
     .moved(1, Place::Boundary("outer".into()), Component::Y, -outer.displacement(numbers.outer) / FRAC_PI_2)
     .moved(1, Place::Point([within, -within]), Component::X, FRAC_1_SQRT_2 * outer.displacement(middle))
