@@ -288,7 +288,7 @@ pub fn command() -> clap::Command {
 /// Prints the cases of the library.
 fn list(json: bool) {
     if json {
-        return say(Answer::Listed(Listed::all()).document());
+        return say(Answer::Listed(NAMES.map(|(name, title)| Listed { name, title }).into()).document());
     }
     let widest = NAMES.iter().map(|(name, _)| name.len()).max().unwrap_or(0);
     NAMES.iter().for_each(|(name, title)| say(format!("{name:widest$}  {title}")));

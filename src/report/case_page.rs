@@ -42,13 +42,10 @@ pub fn page((name, runs): &Shared, has_sheet: bool) -> String {
         limits(runs, &judged),
     ];
     let title = format!("{name}: {}", case.title);
-    links::page(&title, &asked(runs), &judged, &parts.concat())
-}
-
-fn asked(runs: &[Ran]) -> String {
     let mut names: Vec<&str> = runs.iter().map(|(finding, _)| finding.case.as_str()).collect();
     names.dedup();
-    format!("{}: {}.", names.join("; "), markdown::counted(runs.len(), "run"))
+    let asked = format!("{}: {}.", names.join("; "), markdown::counted(runs.len(), "run"));
+    links::page(&title, &asked, &judged, &parts.concat())
 }
 
 /// Sketch, and the input: the text of the scene file, or the numbers of the scene.

@@ -96,7 +96,11 @@ pub fn of(members: &[Named]) -> String {
     if own.is_empty() {
         return String::new();
     }
-    let (single, several): (Vec<_>, Vec<_>) = requirements(&own).into_iter().partition(|one| rows(one).len() == 1);
+    // Each requirement once, in the order in which they come.
+    let asked = |one: &Judged| (one.check.quantity.name().to_owned(), one.check.relation, one.reference.kind);
+    let requirements = in_order(own.iter().map(|&(name, one)| (asked(one), (name, one))));
+    let requirements = requirements.into_iter().map(|(_, checks)| checks);
+    let (single, several): (Vec<_>, Vec<_>) = requirements.partition(|one| rows(one).len() == 1);
     let several: String = several.iter().map(|one| spread(one, members.len())).collect();
     format!("{}\n\n{}{several}", summary(&own), together(&single, members.len()))
 }
@@ -107,12 +111,6 @@ fn summary(own: &[(&str, &Judged)]) -> String {
         [passed, 0, absent] => format!("○ {passed} checks passed, {absent} not run"),
         [_, failed, _] => format!("✗ {failed} of {} checks failed", own.len()),
     }
-}
-
-/// Each requirement once, in the order in which they come.
-fn requirements<'a>(own: &[(&'a str, &'a Judged)]) -> Vec<Requirement<'a>> {
-    let asked = |one: &'a Judged| (one.check.quantity.name(), one.check.relation, one.reference.kind);
-    in_order(own.iter().map(|&(name, one)| (asked(one), (name, one)))).into_iter().map(|(_, checks)| checks).collect()
 }
 
 /// The names of the columns.

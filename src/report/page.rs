@@ -54,15 +54,6 @@ fn values(findings: &[Finding]) -> Result<Files, Error> {
     Ok(vec![(sheet::JSON.into(), sheet::json(&sheets)), (sheet::CSV.into(), table)])
 }
 
-/// The page and the charts of one study, and its sheets with their values: paths and texts.
-fn of_study(room: &Room, findings: &[Finding]) -> Result<Files, Error> {
-    let page = (format!("{}/{}", PAGES, study_page::file(room.name)), study_page::page(room, findings)?);
-    let sheets: Files = sheets(findings).map(sheet::file).collect();
-    let values = if sheets.is_empty() { vec![] } else { values(findings)? };
-    let charts = within(CHARTS, (room.pictures)(findings)?);
-    Ok(std::iter::once(page).chain(charts).chain(within(SHEETS, sheets)).chain(values).collect())
-}
-
 /// The pages behind the front page: a loop over the studies, of which that of the cases has a page a case.
 fn pages(findings: &[Finding]) -> Result<Files, Error> {
     let mut pages =
@@ -135,7 +126,13 @@ impl Only {
     /// The page first, then its charts and its sheets: paths and texts. Charts of cases are those of their study.
     pub fn files(&self, findings: &[Finding]) -> Result<Files, Error> {
         match self {
-            Self::Study(room) => of_study(room, findings),
+            Self::Study(room) => {
+                let page = (format!("{}/{}", PAGES, study_page::file(room.name)), study_page::page(room, findings)?);
+                let sheets: Files = sheets(findings).map(sheet::file).collect();
+                let values = if sheets.is_empty() { vec![] } else { values(findings)? };
+                let charts = within(CHARTS, (room.pictures)(findings)?);
+                Ok(std::iter::once(page).chain(charts).chain(within(SHEETS, sheets)).chain(values).collect())
+            }
             Self::Case(_) => {
                 let has_sheet = |name: &str| NAMES.iter().any(|(known, _)| *known == name);
                 Ok(within(PAGES, case_pages(findings, has_sheet)).collect())

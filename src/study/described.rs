@@ -156,18 +156,16 @@ fn contact(scene: &Scene, pair: &ContactPair) -> String {
         }
     };
     let half = if pair.symmetric { " The scene is one half of a symmetric one; resultants are of both." } else { "" };
+    let clearance =
+        if pair.clearance > 0.0 { format!(", and {} more everywhere", pair.clearance) } else { String::new() };
     format!(
         "**Contact `{}`** of `{first}` with {other}, without friction. Coordinate s: {along}. Initial normal gap: {}. Contact may occur for |s| ≤ {} \
          {unit}.{half}",
         pair.name,
-        gap(&pair.profile) + &clearance(pair),
+        gap(&pair.profile) + &clearance,
         // Without what conversion to degrees leaves in its last digits.
         (per_unit * pair.stretch * 1e9).round() / 1e9
     )
-}
-
-fn clearance(pair: &ContactPair) -> String {
-    if pair.clearance > 0.0 { format!(", and {} more everywhere", pair.clearance) } else { String::new() }
 }
 
 fn gap(profile: &Profile) -> String {

@@ -183,7 +183,8 @@ pub fn sheet(case: &Case, discretisation: &Discretisation, run: &Run, barred: &[
     let asked = shared.zip(frozen.as_ref()).and_then(|((_, scene), frozen)| frozen.scenes.get(*scene));
     let value = |one: &Barred| {
         let Told { of, quantity, unit, factor } = Told::of(&discretisation.scene, run, one);
-        let closed_form = closed_form(case, one).map(|value| factor * value);
+        let closed_form = case.reading(one.contact, &one.quantity).value;
+        let closed_form = Some(closed_form).filter(|value| value.is_finite()).map(|value| factor * value);
         let series = asked.iter().flat_map(|asked| &asked.series);
         let others =
             series.filter_map(|(script, series)| Some(Other::of_series(*script, other(series, one)?).times(factor)));
@@ -225,11 +226,6 @@ pub fn sheet(case: &Case, discretisation: &Discretisation, run: &Run, barred: &[
         }
     }
     Ok(sheet)
-}
-
-/// What the closed form says of a number; none where there is no such form, or it is silent.
-fn closed_form(case: &Case, one: &Barred) -> Option<f64> {
-    Some(case.reading(one.contact, &one.quantity).value).filter(|value| value.is_finite())
 }
 
 /// What a script found of a number, and its standard uncertainty; none where it does not tell it.

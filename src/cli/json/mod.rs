@@ -18,8 +18,6 @@ use schemars::JsonSchema;
 use schemars::generate::SchemaSettings;
 use serde::Serialize;
 
-use crate::case::library::NAMES;
-
 pub use checked::{Checked, Line};
 pub use compared::{Compared, Compares};
 pub use number::Number;
@@ -31,16 +29,9 @@ pub use solved::Solved;
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct Listed {
     /// Its name, as `solve` takes it.
-    name: &'static str,
+    pub name: &'static str,
     /// What it is.
-    title: &'static str,
-}
-
-impl Listed {
-    /// All of them.
-    pub fn all() -> Vec<Self> {
-        NAMES.map(|(name, title)| Self { name, title }).into()
-    }
+    pub title: &'static str,
 }
 
 /// What contact-vv prints as JSON.

@@ -35,14 +35,11 @@ pub fn print(template: Option<&str>) {
     match template {
         Some(MESH) => say(MESH.trim_end()),
         Some(template) => say(format!("{EDITORS}\n{}", template.trim_end())),
-        None => say(list()),
+        None => {
+            let widest = TEMPLATES.map(|(_, name, _)| name.len()).into_iter().max().unwrap_or(0);
+            let lines = TEMPLATES.map(|(_, name, what)| format!("{name:widest$}  {what}"));
+            let remedy = "`contact-vv new NAME > mine.toml` writes one, `contact-vv solve mine.toml` solves it";
+            say(format!("{}\n\n{remedy}", lines.join("\n")));
+        }
     }
-}
-
-/// A line for each file: its name and what it is.
-fn list() -> String {
-    let widest = TEMPLATES.map(|(_, name, _)| name.len()).into_iter().max().unwrap_or(0);
-    let lines = TEMPLATES.map(|(_, name, what)| format!("{name:widest$}  {what}"));
-    let remedy = "`contact-vv new NAME > mine.toml` writes one, `contact-vv solve mine.toml` solves it";
-    format!("{}\n\n{remedy}", lines.join("\n"))
 }

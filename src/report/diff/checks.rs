@@ -53,8 +53,14 @@ impl<'a> Pairs<'a> {
     /// Matches what is left over: first those of the same tolerance, then those that were renamed and loosened at once; of these
     /// those with the most parts of the key in common first.
     fn rename(&mut self) {
+        // Numbers that many checks have tell nobody apart.
+        let says = |x: f64| x.is_finite() && x.fract().abs() > 0.0;
+        let parts_needed = |row: &CheckRow| KEPT[usize::from(!says(row.value) && !says(row.error))];
+        // The same numbers, held in the same way.
+        let held = |row: &CheckRow| (row.kind.clone(), row.relation, row.verdict);
+        let is_alike = |pair: &Pair| !is_moved(pair) && held(pair[0]) == held(pair[1]);
         let all = self.gone.iter().flat_map(|&old| self.came.iter().map(move |&new| [old, new]));
-        let mut found: Vec<Pair> = all.filter(|one| is_alike(one) && parts_kept(one) >= parts_needed(one)).collect();
+        let mut found: Vec<Pair> = all.filter(|one| is_alike(one) && parts_kept(one) >= parts_needed(one[1])).collect();
         found.sort_by_key(|one| Reverse((!differ(one.map(|row| row.tolerance)), parts_kept(one))));
         for pair in found {
             let place = |rows: &[&CheckRow], row: &CheckRow| rows.iter().position(|one| ptr::eq(*one, row));
@@ -71,22 +77,10 @@ fn parts_kept([before, after]: &Pair) -> usize {
     before.key().iter().zip(after.key()).filter(|(old, new)| **old == *new).count()
 }
 
-/// Numbers that many checks have tell nobody apart.
-fn parts_needed([_, after]: &Pair) -> usize {
-    let says = |x: f64| x.is_finite() && x.fract().abs() > 0.0;
-    KEPT[usize::from(!says(after.value) && !says(after.error))]
-}
-
 /// Whether any number of a check moved.
 fn is_moved(pair: &Pair) -> bool {
     let numbers: [fn(&CheckRow) -> f64; 3] = [|row| row.value, |row| row.reference, |row| row.error];
     numbers.into_iter().any(|number| differ(pair.map(number)))
-}
-
-/// The same numbers, held in the same way.
-fn is_alike(pair: &Pair) -> bool {
-    let [before, after] = pair;
-    !is_moved(pair) && before.kind == after.kind && before.relation == after.relation && before.verdict == after.verdict
 }
 
 /// Whether two numbers of a record differ; what is no number is like what is no number.
@@ -126,7 +120,13 @@ pub fn told(pairs: &Pairs) -> Vec<Told> {
         }),
         moved("Checks renamed, with the same numbers", |[before, after]| before.key() != after.key(), name),
         moved("Numbers that moved", |pair| is_moved(pair) && pair[0].verdict == pair[1].verdict, share),
-        moved("Error bars that moved", |pair| differ(pair.map(bar)), bars),
+        moved(
+            "Error bars that moved",
+            |pair| differ(pair.map(bar)),
+            |pair| {
+                number(pair, bar, |row| if bar(row).is_finite() { markdown::error(bar(row)) } else { "none".into() })
+            },
+        ),
     ];
     told.into_iter().flatten().collect()
 }
@@ -279,10 +279,6 @@ fn share(pair: &Pair) -> Change {
 /// What the value may be off; what has no bar may be off by anything.
 fn bar(row: &CheckRow) -> f64 {
     row.bar.or(row.uncertainty).unwrap_or(f64::INFINITY)
-}
-
-fn bars(pair: &Pair) -> Change {
-    number(pair, bar, |row| if bar(row).is_finite() { markdown::error(bar(row)) } else { "none".into() })
 }
 
 fn is_failing(row: &CheckRow) -> bool {

@@ -206,11 +206,13 @@ fn note(chart: &Chart) -> String {
     )
 }
 
-/// Ended and label of a run.
+/// Ended and label of a run; of an error the least of the labelled ones that is not below it.
 fn cell(record: &Record) -> Cell {
     let [quick, ordinary] = QUICK;
+    let enough = LABELLED.into_iter().find(|labelled| 100.0 * record.off() <= *labelled);
+    let percent = enough.map_or("> 50".into(), |labelled| labelled.to_string());
     let (class, label) = match record.class {
-        Ended::Converged if !record.is_right() => (if record.off() <= OFF { 3 } else { 4 }, percent(record.off())),
+        Ended::Converged if !record.is_right() => (if record.off() <= OFF { 3 } else { 4 }, percent),
         Ended::Converged if record.iterations <= quick => (0, format!("≤{quick}")),
         Ended::Converged if record.iterations <= ordinary => (1, format!("≤{ordinary}")),
         Ended::Converged => (2, format!(">{ordinary}")),
@@ -223,10 +225,4 @@ fn cell(record: &Record) -> Cell {
     };
     let limit = Settings::default().max_iterations as f64;
     Cell { class, label, predicted: record.predicted_iterations.map(|predicted| predicted <= limit) }
-}
-
-/// The least of the labelled errors that is not below this one [%].
-fn percent(error: f64) -> String {
-    let enough = LABELLED.into_iter().find(|labelled| 100.0 * error <= *labelled);
-    enough.map_or("> 50".into(), |labelled| labelled.to_string())
 }

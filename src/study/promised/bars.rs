@@ -252,11 +252,6 @@ fn median(numbers: &[[f64; 2]], round_off: f64) -> f64 {
     ratios.get(ratios.len() / 2).copied().unwrap_or(f64::NAN)
 }
 
-/// How many bars are not known.
-fn unknown(numbers: &[[f64; 2]]) -> usize {
-    numbers.iter().filter(|[_, bar]| bar.is_nan()).count()
-}
-
 /// Share of errors that lie within their bars.
 const SHARE: f64 = 0.95;
 /// Bars beyond which no error lies.
@@ -363,7 +358,7 @@ const COLUMNS: [markdown::Column<Row>; 7] = [
     ("largest error over bar", |(.., [all, ..])| {
         let known = all.iter().filter(|[error, bar]| *error > 0.0 && !bar.is_nan());
         let worst = markdown::significant(known.map(|[error, bar]| error / bar).fold(0.0, larger), 2);
-        match unknown(all) {
+        match all.iter().filter(|[_, bar]| bar.is_nan()).count() {
             0 => worst,
             number => format!("{worst}; {number} not known"),
         }
