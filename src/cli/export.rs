@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 
 use crate::case::Case;
-use crate::cli::solve::profile;
+use crate::cli::solve::curve;
 use crate::cli::terminal::say;
 use crate::cli::writable::{self, Output};
 use crate::cli::{choice, vtu};
@@ -69,7 +69,7 @@ pub fn files(case: &Case, condensed: bool) -> Result<Vec<Written>, Error> {
     if condensed {
         sheet += &format!("\n{}", condensed::TEXT);
     }
-    let table = profile::csv(&discretisation.scene, &run, Path::new("ours.csv"))?;
+    let table = curve::profile(&discretisation.scene, &run, Path::new("ours.csv"))?;
     let scripts =
         problem::scripts(&case.scene).iter().map(|(name, text, what)| (name.to_string(), text.to_string(), *what));
     let files = vec![

@@ -306,7 +306,7 @@ fn report_command(check: bool) -> Result<bool, Error> {
     let page = report::compose(&findings)?;
     if !check {
         report::write(&page, &root)?;
-        say(format!("written: {} and {} files behind it", report::files::PAGE, page.len() - 1));
+        say(format!("written: {} and {} files behind it", report::page::PAGE, page.len() - 1));
         return Ok(sound);
     }
     let difference = report::difference(&page, &root)?;
@@ -327,7 +327,7 @@ fn only_command(name: &str) -> Result<bool, Error> {
     let only = report::Only::named(name)?;
     let findings = suite::of(&only.trials())?;
     let files = only.files(&findings)?;
-    report::files::write_all(&files, &root)?;
+    report::page::write_all(&files, &root)?;
     files.first().iter().for_each(|(_, page)| say(page.trim_end()));
     say(format!("written: {}", files.iter().map(|(path, _)| path.as_str()).collect::<Vec<_>>().join(", ")));
     Ok(suite::all_pass(&findings))
@@ -337,7 +337,7 @@ fn only_command(name: &str) -> Result<bool, Error> {
 fn refuse_read_only(root: &Path) -> Result<(), Error> {
     let remedy = "give the right to write to it, or use `report --check`, which writes nothing";
     let [page, record @ ..] =
-        [report::files::PAGE, report::record::CHECKS, report::record::RUNS, report::record::STATEMENTS];
+        [report::page::PAGE, report::record::CHECKS, report::record::RUNS, report::record::STATEMENTS];
     writable::file(&root.join(page), remedy)?;
     record.iter().try_for_each(|file| writable::file(&root.join(file), remedy))?;
     [report::links::PAGES, report::links::CHARTS, SHEETS]

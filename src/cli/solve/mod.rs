@@ -6,15 +6,13 @@
 //! * `remedy` — what to do where it does not converge.
 //! * `stages` — the stage it is in, on a terminal.
 //! * `brief` — the result in some eight lines; `table` — all of it.
-//! * [`curve`] — the load–approach curve.
-//! * [`profile`] — the pressure profile as CSV.
+//! * [`curve`] — the load–approach curve, and the pressure profile as CSV.
 
 mod brief;
 pub mod curve;
 pub mod found;
 pub mod html;
 pub mod options;
-pub mod profile;
 mod remedy;
 mod stages;
 mod table;
@@ -108,7 +106,7 @@ fn write_files(arguments: &Arguments, document: &str, found: &Found) -> Result<(
         files.push((path, document.to_owned()));
     }
     if let Some(path) = &arguments.csv {
-        files.push((path, profile::csv(&problem.scene, run, path)?));
+        files.push((path, curve::profile(&problem.scene, run, path)?));
     }
     if let Some(path) = &arguments.curve {
         files.push((path, curve::text(discretisation, run, path)?));

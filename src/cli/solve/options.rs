@@ -8,7 +8,7 @@ use crate::accuracy::{self, Asked};
 use crate::algorithm::{Acceleration, Criterion, Spring, StiffnessRule, StiffnessUnit};
 use crate::case::Case;
 use crate::cli::choice::{self, choice};
-use crate::cli::solve::{curve, html, profile};
+use crate::cli::solve::{curve, html};
 use crate::cli::writable::{self, Output, STDOUT};
 use crate::cli::{json, vtu};
 use crate::drawing;
@@ -240,7 +240,7 @@ impl Arguments {
     pub fn refuse_unwritable(&self, case: &Case) -> Result<(), Error> {
         let files = [
             Output::of("--json", &self.json, json::is_result),
-            Output::of("--csv", &self.csv, profile::is_profile),
+            Output::of("--csv", &self.csv, curve::is_profile),
             Output::of("--curve", &self.curve, curve::is_curve),
             Output::of("--vtu", &self.vtu, vtu::is_ours),
             Output::of("--plot", &self.plot, drawing::is_drawing),

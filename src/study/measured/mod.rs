@@ -36,13 +36,8 @@ const SOURCES: [(&str, &str); 2] = [(GAERTNER, "gaertner-1977"), ("ghosh 1982", 
 /// What a trial found.
 #[derive(Clone, Debug)]
 pub enum Numbers {
-    /// The curves of a source.
-    Curves {
-        /// Its name.
-        source: String,
-        /// The check of every curve, or why the figures are not at hand.
-        found: Result<Vec<Judged>, String>,
-    },
+    /// The check of every curve of a source.
+    Curves(Vec<Judged>),
     /// What the photograph says of our disc.
     Photograph(Photograph),
 }
@@ -62,7 +57,7 @@ impl Study for Numbers {
         let curves = SOURCES.map(|(source, folder)| {
             Planned::new(source, "digitised curves", move || {
                 let folder = root().join("oracles/digitised").join(folder);
-                Ok(Numbers::Curves { source: source.into(), found: against(&folder)? })
+                Ok(Numbers::Curves(judge_curves(source, &against(&folder)?)))
             })
         });
         let photograph = Planned::new("photoelastic disc between plates", "isochromatics of a photograph", || {
@@ -73,7 +68,7 @@ impl Study for Numbers {
 
     fn judge(&self) -> Result<Vec<Judged>, Error> {
         Ok(match self {
-            Numbers::Curves { source, found } => judge_curves(source, found),
+            Numbers::Curves(judged) => judged.clone(),
             Numbers::Photograph(photograph) => photograph::judge(photograph),
         })
     }
@@ -99,7 +94,7 @@ impl Study for Numbers {
 fn photographs<'a>(findings: &'a [Found<Numbers>]) -> impl Iterator<Item = &'a Photograph> {
     findings.iter().filter_map(|found| match found.numbers {
         Numbers::Photograph(photograph) => Some(photograph),
-        Numbers::Curves { .. } => None,
+        Numbers::Curves(_) => None,
     })
 }
 
