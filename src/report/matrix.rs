@@ -107,16 +107,14 @@ pub fn by_kind(findings: &[Finding]) -> String {
         ("Code checks and benchmarking: other codes", ReferenceKind::CrossCode),
         ("Validation: measurements", ReferenceKind::Measured),
     ];
-    kinds.map(|(title, kind)| format!("**{title}**\n\n{}\n", of_kind(findings, kind))).concat()
-}
-
-fn of_kind(findings: &[Finding], kind: ReferenceKind) -> String {
     let head = ["case", "checks", "closest to its limit", "verdict"].map(String::from);
-    let row = |(case, members): (&str, Vec<&Finding>)| {
+    let row = |(case, members): &Case, kind: ReferenceKind| {
         let judged = members.iter().flat_map(|finding| &finding.judged);
         let own: Vec<&Judged> = judged.filter(|judged| judged.reference.kind == kind).collect();
         let verdict = worst(own.iter().copied())?.to_string();
         Some(vec![case.to_string(), own.len().to_string(), told::closest(&own).unwrap_or_default(), verdict])
     };
-    markdown::table(&head, &by_case(findings.iter()).into_iter().filter_map(row).collect::<Vec<_>>())
+    let cases = by_case(findings.iter());
+    let of_kind = |kind| cases.iter().filter_map(|case| row(case, kind)).collect::<Vec<_>>();
+    kinds.map(|(title, kind)| format!("**{title}**\n\n{}\n", markdown::table(&head, &of_kind(kind)))).concat()
 }
