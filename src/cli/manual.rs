@@ -12,11 +12,11 @@ use crate::error::Error;
 /// Name of the program.
 const NAME: &str = "contact-vv";
 
-/// Prints the completions for a shell.
-pub fn completions(shell: Shell, mut command: Command) {
+/// The completions for a shell.
+pub fn completions(shell: Shell, mut command: Command) -> String {
     let mut script = Vec::new();
     clap_complete::generate(shell, &mut command, NAME, &mut script);
-    say(String::from_utf8_lossy(&script).trim_end());
+    String::from_utf8_lossy(&script).trim_end().into()
 }
 
 /// Prints the page of the program, or writes those of all its commands into a folder.

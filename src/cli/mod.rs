@@ -194,7 +194,7 @@ enum Command {
     Schema {
         /// What it is the schema of.
         #[arg(value_parser = choice(&SCHEMAS), default_value = SCHEMAS[0].1)]
-        of: fn() -> String,
+        of: Shown,
     },
     /// Print the completions for a shell.
     #[command(after_help = examples(&[
@@ -217,8 +217,11 @@ enum Command {
     },
 }
 
+/// Makes what is shown.
+type Shown = fn() -> String;
+
 /// What a schema may be of: how it is made, its name, and what that is.
-const SCHEMAS: [(fn() -> String, &str, &str); 4] = [
+const SCHEMAS: [(Shown, &str, &str); 4] = [
     (json::schema, "printed", "All that is printed as JSON"),
     (document::schema, "answer", "An answer that `judge` reads"),
     (file::schema, "scene", "A scene file, for editors"),
@@ -240,6 +243,10 @@ enum Part {
 /// not converge or holds no contact.
 pub fn main() -> ExitCode {
     let well = |()| Exit::Well;
+    let tell = |text: String| {
+        say(text);
+        Ok(Exit::Well)
+    };
     let outcome = match Cli::parse().command.unwrap_or(Command::Report { check: false, only: None, part: None }) {
         Command::Report { part: Some(Part::Diff(arguments)), .. } => {
             writable::checkout().and_then(|root| review::run(&arguments, &root))
@@ -264,11 +271,14 @@ pub fn main() -> ExitCode {
         Command::Judge(arguments) => judge::run(&arguments),
         Command::Solve(arguments) => solve::run(&arguments),
         Command::Compare(arguments) => compare::run(&arguments),
-        Command::List { references: true, .. } => Ok(well(say(sheet::BUILT_IN.trim_end()))),
-        Command::List { json, .. } => Ok(well(list(json))),
-        Command::New { shape } => Ok(well(new::print(shape))),
-        Command::Schema { of } => Ok(well(say(of()))),
-        Command::Completions { shell } => Ok(well(manual::completions(shell, command()))),
+        Command::List { references: true, .. } => tell(sheet::BUILT_IN.trim_end().into()),
+        Command::List { json: true, .. } => {
+            tell(Answer::Listed(NAMES.map(|(name, title)| Listed { name, title }).into()).document())
+        }
+        Command::List { .. } => tell(terminal::named(&NAMES)),
+        Command::New { shape } => tell(new::file(shape)),
+        Command::Schema { of } => tell(of()),
+        Command::Completions { shell } => tell(manual::completions(shell, command())),
         Command::Man { folder, force } => manual::man(folder.as_deref(), command(), force).map(well),
     };
     match outcome {
@@ -283,15 +293,6 @@ pub fn main() -> ExitCode {
 /// The command line as data.
 pub fn command() -> clap::Command {
     Cli::command()
-}
-
-/// Prints the cases of the library.
-fn list(json: bool) {
-    if json {
-        return say(Answer::Listed(NAMES.map(|(name, title)| Listed { name, title }).into()).document());
-    }
-    let widest = NAMES.iter().map(|(name, _)| name.len()).max().unwrap_or(0);
-    NAMES.iter().for_each(|(name, title)| say(format!("{name:widest$}  {title}")));
 }
 
 /// Whether all checks pass and, with `check`, the committed page is up to date.

@@ -55,6 +55,12 @@ pub fn table<'a>(head: impl IntoIterator<Item = &'a str>) -> Table {
     table_on(width(), head)
 }
 
+/// Names and what each is, a line each.
+pub fn named(all: &[(&str, &str)]) -> String {
+    let widest = all.iter().map(|(name, _)| name.len()).max().unwrap_or(0);
+    all.iter().map(|(name, what)| format!("{name:widest$}  {what}")).collect::<Vec<_>>().join("\n")
+}
+
 /// A table no wider than so many columns.
 pub fn table_on<'a>(columns: u16, head: impl IntoIterator<Item = &'a str>) -> Table {
     let mut table = Table::new();

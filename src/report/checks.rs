@@ -9,9 +9,10 @@ use crate::uncertainty::COVERAGE;
 
 /// Name of the first column.
 const TRIAL: &str = "trial";
-/// What a check is told by in each column; the flag tells whether the sentence above the table has its reference and tolerance, which its
-/// cells then have not.
-const COLUMNS: [(&str, fn(&Judged, bool) -> String); 8] = [
+/// What a check is told by in a column; the flag tells whether the sentence above the table has its reference and tolerance, which the
+/// cell then has not.
+type Cell = fn(&Judged, bool) -> String;
+const COLUMNS: [(&str, Cell); 8] = [
     ("at", |one, _| place(&one.check.quantity)),
     ("found", |one, _| match one.check.relation {
         Relation::Error => String::new(),

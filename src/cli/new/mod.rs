@@ -1,6 +1,6 @@
 //! `new SHAPE`: commented scene files to begin with, one for each shape of problem.
 
-use crate::cli::terminal::say;
+use crate::cli::terminal::named;
 
 /// The mesh that one of them reads.
 const MESH: &str = include_str!("rings.msh");
@@ -30,16 +30,14 @@ pub const TEMPLATES: [(&str, &str, &str); 13] = [
 const EDITORS: &str =
     "#:schema ./scene.schema.json\n# `contact-vv schema scene > scene.schema.json` writes the schema for editors.";
 
-/// Prints a file, or the list of all.
-pub fn print(template: Option<&str>) {
+/// A file, or the list of all.
+pub fn file(template: Option<&str>) -> String {
     match template {
-        Some(MESH) => say(MESH.trim_end()),
-        Some(template) => say(format!("{EDITORS}\n{}", template.trim_end())),
+        Some(MESH) => MESH.trim_end().into(),
+        Some(template) => format!("{EDITORS}\n{}", template.trim_end()),
         None => {
-            let widest = TEMPLATES.map(|(_, name, _)| name.len()).into_iter().max().unwrap_or(0);
-            let lines = TEMPLATES.map(|(_, name, what)| format!("{name:widest$}  {what}"));
             let remedy = "`contact-vv new NAME > mine.toml` writes one, `contact-vv solve mine.toml` solves it";
-            say(format!("{}\n\n{remedy}", lines.join("\n")));
+            format!("{}\n\n{remedy}", named(&TEMPLATES.map(|(_, name, what)| (name, what))))
         }
     }
 }

@@ -106,7 +106,9 @@ pub fn pressure(problem: &Case, run: &Run, contact: usize) -> Chart {
 }
 
 /// What a curve shows: its name, the part of the error, its colour and sign.
-const KINDS: [(&str, fn(&IterationError) -> f64, Colour, Marker); 4] = [
+type Kind = (&'static str, fn(&IterationError) -> f64, Colour, Marker);
+
+const KINDS: [Kind; 4] = [
     ("peak", |error| error.peak, palette::INK, Marker::Diamond),
     ("force", |error| error.force, palette::PURPLE, Marker::Circle),
     ("width", |error| error.width, palette::SKY, Marker::Square),

@@ -48,8 +48,11 @@ impl Study for Numbers {
     }
 }
 
-/// The limits by the names of their trials, in the order of the page, and what pushes.
-const LIMITS: [(&str, fn() -> Result<Numbers, Error>); 13] = [
+/// Name of a trial, and what pushes.
+type Trial = (&'static str, fn() -> Result<Numbers, Error>);
+
+/// The limits, in the order of the page.
+const LIMITS: [Trial; 13] = [
     ("three Gauss points", springs::gauss_points),
     ("spring stiffness", springs::stiffness),
     ("supported by contact alone", loads::pulled_apart),

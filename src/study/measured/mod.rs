@@ -121,7 +121,9 @@ fn compared(curve: &DigitisedCurve) -> Result<Judged, Error> {
 }
 
 /// Ours at an abscissa \[rad, mm or N\], with the uncertainty of its mesh.
-fn ours(curve: &DigitisedCurve) -> Result<Box<dyn Fn(f64) -> Result<OurPoint, Error>>, Error> {
+type Ours = Box<dyn Fn(f64) -> Result<OurPoint, Error>>;
+
+fn ours(curve: &DigitisedCurve) -> Result<Ours, Error> {
     let of_two = |both: [f64; 2]| OurPoint { value: both[1], uncertainty: standard(bound_of_two(both)) };
     let scene = curve.scene.clone();
     if scene.is_sheet {

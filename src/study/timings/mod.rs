@@ -181,8 +181,11 @@ fn precision() -> String {
     "\n".to_owned() + &text + &picture(FRONTS[0], FRONTS[1]) + &picture(CLOUD[0], CLOUD[1])
 }
 
+/// What grows with the mesh, by its name.
+type Growing = (&'static str, fn(&Growth) -> f64);
+
 /// Rows of the table of the growth below those of the stages.
-const WHOLE: [(&str, fn(&Growth) -> f64); 6] = [
+const WHOLE: [Growing; 6] = [
     ("contact solve [ms]", |one| 1e3 * one.contact.median),
     ("plain solve [ms]", |one| 1e3 * one.plain.median),
     ("from nothing [ms]", |one| 1e3 * one.seconds(&Stage::ALL)),
