@@ -219,7 +219,7 @@ const BUDGETS: [(&str, usize); 9] = [
     ("study", 14_796),
     ("referee", 6_131),
     ("report", 2_999),
-    ("cli", 4_703),
+    ("cli", 4_733),
     ("live", 500),
 ];
 

@@ -181,8 +181,8 @@ enum Command {
     ]))]
     New {
         /// The shape of problem; left out, all are listed.
-        #[arg(value_parser = choice(&new::TEMPLATES))]
-        shape: Option<&'static str>,
+        #[arg(value_parser = choice(new::Template::TOLD))]
+        shape: Option<new::Template>,
     },
     /// Print the JSON Schema of all that is printed as JSON, or of what is read.
     #[command(after_help = examples(&[

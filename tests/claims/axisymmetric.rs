@@ -8,6 +8,7 @@ use approx::assert_relative_eq;
 use contact_vv::algorithm::Iteration;
 use contact_vv::case::Case;
 use contact_vv::case::library::Indented;
+use contact_vv::cli::new::Template;
 use contact_vv::contact::Element;
 use contact_vv::elasticity::element::{CellStiffness, Tabulated};
 use contact_vv::measure::{Measures, larger};
@@ -257,7 +258,7 @@ fn a_sphere_costs_what_a_cylinder_does() {
 
 /// What is said of a scene file of a sphere in which something is replaced.
 fn refused(what: &str, by: &str) -> String {
-    let text = crate::scene_file::template("sphere");
+    let text = Template::Sphere.text();
     assert!(text.contains(what), "{what}");
     let case = Case::parse(Path::new("sphere.toml"), &text.replacen(what, by, 1));
     match case.and_then(|case| case.solve().map(|_| ())) {

@@ -3,15 +3,15 @@
 use std::collections::BTreeSet;
 
 use contact_vv::case::{Case, Verdict};
-use contact_vv::cli::new::TEMPLATES;
+use contact_vv::cli::new::Template;
 use serde_json::Value as Schema;
 
 use crate::outputs::contact_vv;
-use crate::scene_file::{files, template, text_of};
+use crate::scene_file::{files, text_of};
 
 /// Those that are scenes.
-fn scenes() -> impl Iterator<Item = (&'static str, &'static str)> {
-    TEMPLATES.into_iter().map(|(text, name, _)| (text, name)).filter(|(_, name)| *name != "mesh")
+fn scenes() -> impl Iterator<Item = Template> {
+    Template::ALL.into_iter().filter(|template| *template != Template::Mesh)
 }
 
 /// Names of all keys of a file.
@@ -37,14 +37,14 @@ fn explained(text: &str) -> BTreeSet<String> {
 
 #[test]
 fn comments_of_a_new_scene_explain_every_key_it_uses() {
-    for (text, name) in scenes() {
-        let mut used = BTreeSet::new();
+    for template in scenes() {
+        let (mut used, text) = (BTreeSet::new(), template.text());
         keys(&toml::from_str(text).expect("TOML"), &mut used);
         let explained = explained(text);
         // The coordinates of a rectangle are those of the plane.
         let silent = used.iter().filter(|key| !explained.contains(*key) && !["x", "y"].contains(&key.as_str()));
         let silent: Vec<_> = silent.collect();
-        assert!(silent.is_empty(), "{name}: {silent:?}");
+        assert!(silent.is_empty(), "{}: {silent:?}", template.name());
     }
 }
 
@@ -53,12 +53,13 @@ fn every_new_scene_is_solved_and_its_checks_hold() {
     let folder = tempfile::tempdir().expect("a folder");
     // The mesh of a scene file, once more, since a package holds no file of another one.
     let of_cases = std::fs::read_to_string(crate::scene_file::folder().join("meshes/rings-coarse.msh"));
-    assert_eq!(template("mesh"), of_cases.expect("a mesh"));
-    std::fs::write(folder.path().join("rings.msh"), template("mesh")).expect("written");
-    for (template, name) in scenes() {
+    assert_eq!(Template::Mesh.text(), of_cases.expect("a mesh"));
+    std::fs::write(folder.path().join("rings.msh"), Template::Mesh.text()).expect("written");
+    for template in scenes() {
+        let name = template.name();
         let (_, text, _) = contact_vv(&["new", name]);
         assert!(text.starts_with("#:schema ./scene.schema.json\n"), "{name}");
-        assert!(text.trim_end().ends_with(template.trim_end()), "{name}");
+        assert!(text.trim_end().ends_with(template.text().trim_end()), "{name}");
         let file = folder.path().join(name).with_extension("toml");
         std::fs::write(&file, text).expect("written");
         let case = Case::read(&file).unwrap_or_else(|error| panic!("{name}: {error}"));
@@ -78,9 +79,10 @@ fn every_new_scene_is_solved_and_its_checks_hold() {
 #[test]
 fn shapes_of_new_scenes_are_listed_where_none_is_named() {
     let (sound, list, _) = contact_vv(&["new"]);
-    let listed =
-        |(_, name, what): &(&str, &str, &str)| list.lines().any(|line| line.starts_with(name) && line.ends_with(what));
-    assert!(sound && TEMPLATES.iter().all(listed), "{list}");
+    let listed = |template: &Template| {
+        list.lines().any(|line| line.starts_with(template.name()) && line.ends_with(template.title()))
+    };
+    assert!(sound && Template::ALL.iter().all(listed), "{list}");
 }
 
 /// Whether a value is what a schema says, as far as schemas of scenes go.
@@ -113,7 +115,7 @@ fn schema_of_scenes_takes_every_scene_file_and_refuses_wrong_keys_and_values() {
     let schema: Schema = serde_json::from_str(&text).expect("JSON");
     let read = |text: &str| toml::from_str::<toml::Value>(text).expect("TOML");
     let texts = files().into_iter().map(|(_, text)| text);
-    let all: Vec<String> = texts.chain(scenes().map(|(text, _)| text.into())).collect();
+    let all: Vec<String> = texts.chain(scenes().map(|template| template.text().into())).collect();
     assert!(all.len() > 30 && all.iter().all(|text| fits(&schema, &read(text))));
     let sound = &text_of("two-cylinders.toml");
     for (from, to) in [

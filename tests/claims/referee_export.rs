@@ -7,6 +7,7 @@ use std::process::Command;
 use contact_vv::case::Case;
 use contact_vv::case::library::{NAMES, find};
 use contact_vv::checkout::root;
+use contact_vv::cli::new::Template;
 use contact_vv::cli::vtu;
 use contact_vv::elasticity::loads;
 use contact_vv::mesh::{Mesh, Order, Resolution};
@@ -180,7 +181,7 @@ fn export_writes_all_that_is_needed_and_its_answers_are_met() {
 fn files_of_a_scene_whose_name_no_code_can_type_are_called_case() {
     let folder = tempfile::tempdir().expect("a folder");
     let scene = folder.path().join("цилиндр.toml");
-    std::fs::write(&scene, crate::scene_file::template("cylinder")).expect("written");
+    std::fs::write(&scene, Template::Cylinder.text()).expect("written");
     let to = folder.path().join("to").display().to_string();
     let (sound, printed, error) = contact_vv(&["export", &scene.display().to_string(), &to]);
     assert!(sound && printed.contains("case.inp") && !printed.contains("/-"), "{printed}{error}");

@@ -7,6 +7,7 @@ use std::path::Path;
 use approx::assert_relative_eq;
 use contact_vv::case::Case;
 use contact_vv::cli::export;
+use contact_vv::cli::new::Template;
 use contact_vv::mesh::{Order, Resolution};
 use contact_vv::referee::export::{deck, own};
 use contact_vv::referee::judge::ENGINEERING;
@@ -17,7 +18,7 @@ use contact_vv::solve::{Discretisation, Element, Formulation, Iteration, Run};
 use crate::referee::{failed, judged_as};
 
 fn sphere() -> Case {
-    Case::parse(Path::new("sphere.toml"), crate::scene_file::template("sphere")).expect("a case")
+    Case::parse(Path::new("sphere.toml"), Template::Sphere.text()).expect("a case")
 }
 
 /// The case, what it is judged by, and our run on the mesh that is exported.

@@ -5,7 +5,6 @@ use std::path::{Path, PathBuf};
 use approx::assert_relative_eq;
 use contact_vv::case::{Case, Meshed, Verdict};
 use contact_vv::checkout::root;
-use contact_vv::cli::new::TEMPLATES;
 use contact_vv::scene::{Load, Profile};
 use contact_vv::solve::Run;
 
@@ -24,11 +23,6 @@ pub fn files() -> Vec<(PathBuf, String)> {
 
 pub fn text_of(name: &str) -> String {
     std::fs::read_to_string(folder().join(name)).expect("text")
-}
-
-/// The text of a scene file to begin with, by its name.
-pub fn template(name: &str) -> &'static str {
-    TEMPLATES.into_iter().find(|(_, known, _)| *known == name).expect("a template").0
 }
 
 /// The scene of a file without its closed forms and its checks, which would be of another one once it is changed.
