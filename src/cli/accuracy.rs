@@ -147,7 +147,11 @@ pub fn print((asked, answer): &(Asked, Answer)) {
     say(format!("accuracy asked: {} %", in_percent(asked.relative)));
     for quoted in &answer.estimates {
         let of = if contacts.len() > 1 { format!("{}, ", contacts[quoted.contact].name) } else { String::new() };
-        say(of + &sentence(quoted));
+        let [mesh, iteration, penalty] = parts(quoted).map(|part| known(part, markdown::error));
+        let (name, bar) = (quoted.quantity.key(), known(quoted.relative(), markdown::error));
+        say(format!(
+            "{of}{name}: error bar {bar}: {mesh} from the mesh, {iteration} from the iteration, {penalty} from the penalty"
+        ));
     }
     say(ended(answer));
     say(meshes(answer));
@@ -174,13 +178,6 @@ fn ended(answer: &Answer) -> String {
 /// Mesh, iteration and penalty over the value.
 fn parts(Barred { value, bar, .. }: &Barred) -> [f64; 3] {
     [bar.mesh, bar.iteration, bar.penalty].map(|part| (part / value).abs())
-}
-
-/// What is estimated of a quantity, and from what.
-fn sentence(quoted: &Barred) -> String {
-    let [mesh, iteration, penalty] = parts(quoted).map(|part| known(part, markdown::error));
-    let (name, bar) = (quoted.quantity.key(), known(quoted.relative(), markdown::error));
-    format!("{name}: error bar {bar}: {mesh} from the mesh, {iteration} from the iteration, {penalty} from the penalty")
 }
 
 /// A row for each mesh that was solved, in it a line for each contact.

@@ -7,8 +7,8 @@ use clap::Args;
 use crate::case::Case;
 use crate::cli::exit::Exit;
 use crate::cli::json::{Answer, Compared, Compares};
-use crate::cli::outputs::{self, Output, STDOUT};
 use crate::cli::terminal::{say, table};
+use crate::cli::writable::{self, Output, STDOUT};
 use crate::cli::{choice, json};
 use crate::clock::Stage;
 use crate::drawing;
@@ -62,7 +62,7 @@ pub fn run(arguments: &Arguments) -> Result<Exit, Error> {
         print(&compared);
     }
     let drawn = arguments.plot.as_ref().filter(|_| !runs.is_empty());
-    let drawing = drawn.map(|_| pictures::compare::drawing(&compared.case, &runs));
+    let drawing = drawn.map(|_| pictures::compared(&compared.case, &runs));
     let document = Answer::Compared(Box::new(compared)).document();
     match &arguments.json {
         Some(_) if to_stdout => say(document),
@@ -115,7 +115,8 @@ impl Arguments {
             Ok(run) => run,
             Err(error) => {
                 let reason = Some(format!("{}: {}", error.message, error.remedy));
-                return Compares { formulation, outcome: REFUSED.into(), reason, command, ..Compares::default() };
+                let outcome = "refused".into();
+                return Compares { formulation, outcome, reason, command, ..Compares::default() };
             }
         };
         let (solution, work) = (&run.solution, &run.solution.work);
@@ -127,7 +128,7 @@ impl Arguments {
         let seconds = run.seconds.iter().find(|(stage, _)| *stage == Stage::Iteration).map(|(_, seconds)| *seconds);
         Compares {
             formulation,
-            outcome: if run.is_open() { NO_CONTACT.into() } else { solution.outcome.to_string() },
+            outcome: if run.is_open() { "no contact".into() } else { solution.outcome.to_string() },
             iterations: Some(work.iterations),
             factorisations: Some(work.factorisations),
             operations: work.operations.into(),
@@ -154,19 +155,14 @@ impl Arguments {
 
     /// Refuses outputs that cannot be written, or by which something would be lost, before anything is solved.
     fn refuse_unwritable(&self, case: &Case) -> Result<(), Error> {
-        outputs::refuse_plot("compare", &self.plot)?;
+        writable::refuse_plot("compare", &self.plot)?;
         let files = [
             Output::of("--json", &self.json, json::is_comparison),
             Output::of("--plot", &self.plot, drawing::is_drawing),
         ];
-        outputs::refuse("compare", files, &case.read_files(), self.force)
+        writable::refuse("compare", files, &case.read_files(), self.force)
     }
 }
-
-/// Outcome of a formulation that does not begin, or cannot go on.
-const REFUSED: &str = "refused";
-/// Outcome where nothing presses.
-const NO_CONTACT: &str = "no contact";
 
 impl Compares {
     /// Whether it gives an answer.

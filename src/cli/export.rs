@@ -6,10 +6,10 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 
 use crate::case::Case;
-use crate::cli::outputs::{self, Output};
-use crate::cli::solve::profile;
+use crate::cli::solve::curve;
 use crate::cli::terminal::say;
-use crate::cli::{choice, vtu, writable};
+use crate::cli::writable::{self, Output};
+use crate::cli::{choice, vtu};
 use crate::error::Error;
 use crate::referee::Truth;
 use crate::referee::document::{Document, schema};
@@ -48,7 +48,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Error> {
         let is_earlier = Box::new(move |there: &[u8]| there == text);
         Some(Output { option: "file", path, is_earlier })
     });
-    outputs::refuse("export", files, &case.read_files(), arguments.force)?;
+    writable::refuse("export", files, &case.read_files(), arguments.force)?;
     fs::create_dir_all(folder).map_err(|error| Error::unwritable(folder, error))?;
     for (path, (_, text, what)) in paths.iter().zip(written) {
         fs::write(path, text).map_err(|error| Error::unwritable(path, error))?;
@@ -69,7 +69,7 @@ pub fn files(case: &Case, condensed: bool) -> Result<Vec<Written>, Error> {
     if condensed {
         sheet += &format!("\n{}", condensed::TEXT);
     }
-    let table = profile::csv(&discretisation.scene, &run, Path::new("ours.csv"))?;
+    let table = curve::profile(&discretisation.scene, &run, Path::new("ours.csv"))?;
     let scripts =
         problem::scripts(&case.scene).iter().map(|(name, text, what)| (name.to_string(), text.to_string(), *what));
     let files = vec![

@@ -5,19 +5,18 @@ use std::path::{Path, PathBuf};
 use clap::Command;
 use clap_complete::Shell;
 
-use crate::cli::outputs::{self, Output};
 use crate::cli::terminal::say;
-use crate::cli::writable;
+use crate::cli::writable::{self, Output};
 use crate::error::Error;
 
 /// Name of the program.
 const NAME: &str = "contact-vv";
 
-/// Prints the completions for a shell.
-pub fn completions(shell: Shell, mut command: Command) {
+/// The completions for a shell.
+pub fn completions(shell: Shell, mut command: Command) -> String {
     let mut script = Vec::new();
     clap_complete::generate(shell, &mut command, NAME, &mut script);
-    say(String::from_utf8_lossy(&script).trim_end());
+    String::from_utf8_lossy(&script).trim_end().into()
 }
 
 /// Prints the page of the program, or writes those of all its commands into a folder.
@@ -34,7 +33,7 @@ pub fn man(folder: Option<&Path>, command: Command, force: bool) -> Result<(), E
     let pages: Vec<PathBuf> = pages.iter().map(|page| folder.join(page)).collect();
     let is_page = |there: &[u8]| std::str::from_utf8(there).is_ok_and(|text| text.contains("\n.TH contact-vv"));
     let pages = pages.iter().map(|path| Some(Output { option: "page", path, is_earlier: Box::new(is_page) }));
-    outputs::refuse("man", pages, &[], force)?;
+    writable::refuse("man", pages, &[], force)?;
     let unwritable = |error: std::io::Error| Error::unwritable(folder, error);
     std::fs::create_dir_all(folder).map_err(unwritable)?;
     clap_mangen::generate_to(command, folder).map_err(unwritable)?;

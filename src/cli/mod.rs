@@ -1,12 +1,11 @@
 //! What the user types.
 //!
 //! * [`accuracy`] — what `solve` says of an accuracy that was asked for.
-//! * [`survey`] — runs recorded surveys with a progress bar.
+//! * [`survey`] — runs recorded surveys with a progress bar, and asks other codes for exported cases.
 //! * [`exit`] — how a command ended, as its exit code tells.
 //! * [`timings`] — measures speed against accuracy.
 //! * [`review`] — what moved between two commits.
-//! * [`scoreboard`] — asks other codes for exported cases.
-//! * [`suite`] — runs all trials with a progress bar; [`summary`] — what they found.
+//! * [`suite`] — runs all trials with a progress bar, and tells what they found.
 //! * [`solve`] — one case, with its outputs.
 //! * [`compare`] — one case by all nine formulations.
 //! * [`verify`] — scene files with their checks.
@@ -17,7 +16,7 @@
 //! * [`vtu`] — its fields for ParaView.
 //! * [`new`] — scene files to begin with.
 //! * [`manual`] — shell completions and manual pages.
-//! * [`writable`] — whether results can be written; [`outputs`] — and whether nothing is lost by it.
+//! * [`writable`] — whether results can be written, and whether nothing is lost by it.
 
 pub mod accuracy;
 mod bars;
@@ -29,12 +28,9 @@ pub mod json;
 pub mod judge;
 pub mod manual;
 pub mod new;
-pub mod outputs;
 pub mod review;
-pub mod scoreboard;
 pub mod solve;
 pub mod suite;
-pub mod summary;
 pub mod survey;
 mod terminal;
 pub mod timings;
@@ -197,8 +193,8 @@ enum Command {
     ]))]
     Schema {
         /// What it is the schema of.
-        #[arg(value_parser = choice(json::Schema::TOLD), default_value = json::Schema::Printed.name())]
-        of: json::Schema,
+        #[arg(value_parser = choice(&SCHEMAS), default_value = SCHEMAS[0].1)]
+        of: Shown,
     },
     /// Print the completions for a shell.
     #[command(after_help = examples(&[
@@ -221,6 +217,17 @@ enum Command {
     },
 }
 
+/// Makes what is shown.
+type Shown = fn() -> String;
+
+/// What a schema may be of: how it is made, its name, and what that is.
+const SCHEMAS: [(Shown, &str, &str); 4] = [
+    (json::schema, "printed", "All that is printed as JSON"),
+    (document::schema, "answer", "An answer that `judge` reads"),
+    (file::schema, "scene", "A scene file, for editors"),
+    (sheet::schema, "references", "The reference values that `list --references` prints"),
+];
+
 /// Examples that the help of a command ends with, each as what follows the name of the program.
 fn examples(all: &[&str]) -> String {
     all.iter().fold("Examples:".into(), |text, one| format!("{text}\n  contact-vv {one}"))
@@ -235,6 +242,11 @@ enum Part {
 /// Runs the command line. Exit codes: 0 all is well, 1 a check failed or the page is stale, 2 the input is wrong, 3 a run did
 /// not converge or holds no contact.
 pub fn main() -> ExitCode {
+    let well = |()| Exit::Well;
+    let tell = |text: String| {
+        say(text);
+        Ok(Exit::Well)
+    };
     let outcome = match Cli::parse().command.unwrap_or(Command::Report { check: false, only: None, part: None }) {
         Command::Report { part: Some(Part::Diff(arguments)), .. } => {
             writable::checkout().and_then(|root| review::run(&arguments, &root))
@@ -242,49 +254,32 @@ pub fn main() -> ExitCode {
         Command::Report { only: Some(name), .. } => only_command(&name).map(Exit::checked),
         Command::Report { check, .. } => report_command(check).map(Exit::checked),
         Command::Verdicts => writable::checkout().map(|_| Exit::checked(suite::verdicts())),
-        Command::Atlas => survey::atlas().map(|()| Exit::Well),
-        Command::Converged(of) => survey::run(&promised::converged::SURVEY, of).map(|()| Exit::Well),
-        Command::Met(of) => survey::run(&promised::met::SURVEY, of).map(|()| Exit::Well),
-        Command::Coverage(of) => survey::run(&promised::bars::SURVEY, of).map(|()| Exit::Well),
-        Command::Counted(of) => survey::run(&promised::counted::SURVEY, of).map(|()| Exit::Well),
+        Command::Atlas => survey::atlas().map(well),
+        Command::Converged(of) => survey::run(&promised::converged::SURVEY, of).map(well),
+        Command::Met(of) => survey::run(&promised::met::SURVEY, of).map(well),
+        Command::Coverage(of) => survey::run(&promised::bars::SURVEY, of).map(well),
+        Command::Counted(of) => survey::run(&promised::counted::SURVEY, of).map(well),
         Command::Timings { memory: Some(mesh), .. } => {
-            growth::memory_of_one_solve(mesh[0] as usize, mesh[1]).map(say).map(|()| Exit::Well)
+            growth::memory_of_one_solve(mesh[0] as usize, mesh[1]).map(say).map(well)
         }
-        Command::Timings { points: true, .. } => timings::points().map(|()| Exit::Well),
-        Command::Timings { ask: Some(code), .. } => timings::ask(code).map(|()| Exit::Well),
-        Command::Timings { .. } => timings::run().map(|()| Exit::Well),
-        Command::Scoreboard => scoreboard::run().map(|()| Exit::Well),
+        Command::Timings { points: true, .. } => timings::points().map(well),
+        Command::Timings { ask: Some(code), .. } => timings::ask(code).map(well),
+        Command::Timings { .. } => timings::run().map(well),
+        Command::Scoreboard => survey::scoreboard().map(well),
         Command::Verify { paths, json } => verify::run(&paths, json),
-        Command::Export(arguments) => export::run(&arguments).map(|()| Exit::Well),
+        Command::Export(arguments) => export::run(&arguments).map(well),
         Command::Judge(arguments) => judge::run(&arguments),
         Command::Solve(arguments) => solve::run(&arguments),
         Command::Compare(arguments) => compare::run(&arguments),
-        Command::List { references: true, .. } => {
-            say(sheet::BUILT_IN.trim_end());
-            Ok(Exit::Well)
+        Command::List { references: true, .. } => tell(sheet::BUILT_IN.trim_end().into()),
+        Command::List { json: true, .. } => {
+            tell(Answer::Listed(NAMES.map(|(name, title)| Listed { name, title }).into()).document())
         }
-        Command::List { json, .. } => {
-            list(json);
-            Ok(Exit::Well)
-        }
-        Command::New { shape } => {
-            new::print(shape);
-            Ok(Exit::Well)
-        }
-        Command::Schema { of } => {
-            say(match of {
-                json::Schema::Printed => json::schema(),
-                json::Schema::Answer => document::schema(),
-                json::Schema::Scene => file::schema(),
-                json::Schema::References => sheet::schema(),
-            });
-            Ok(Exit::Well)
-        }
-        Command::Completions { shell } => {
-            manual::completions(shell, command());
-            Ok(Exit::Well)
-        }
-        Command::Man { folder, force } => manual::man(folder.as_deref(), command(), force).map(|()| Exit::Well),
+        Command::List { .. } => tell(terminal::named(&NAMES)),
+        Command::New { shape } => tell(new::file(shape)),
+        Command::Schema { of } => tell(of()),
+        Command::Completions { shell } => tell(manual::completions(shell, command())),
+        Command::Man { folder, force } => manual::man(folder.as_deref(), command(), force).map(well),
     };
     match outcome {
         Ok(ended) => ended.into(),
@@ -300,15 +295,6 @@ pub fn command() -> clap::Command {
     Cli::command()
 }
 
-/// Prints the cases of the library.
-fn list(json: bool) {
-    if json {
-        return say(Answer::Listed(Listed::all()).document());
-    }
-    let widest = NAMES.iter().map(|(name, _)| name.len()).max().unwrap_or(0);
-    NAMES.iter().for_each(|(name, title)| say(format!("{name:widest$}  {title}")));
-}
-
 /// Whether all checks pass and, with `check`, the committed page is up to date.
 fn report_command(check: bool) -> Result<bool, Error> {
     let root = writable::checkout()?;
@@ -316,12 +302,12 @@ fn report_command(check: bool) -> Result<bool, Error> {
         refuse_read_only(&root)?;
     }
     let findings = suite::run()?;
-    summary::print(&findings);
+    suite::print(&findings);
     let sound = suite::all_pass(&findings);
     let page = report::compose(&findings)?;
     if !check {
         report::write(&page, &root)?;
-        say(format!("written: {} and {} files behind it", report::files::PAGE, page.len() - 1));
+        say(format!("written: {} and {} files behind it", report::page::PAGE, page.len() - 1));
         return Ok(sound);
     }
     let difference = report::difference(&page, &root)?;
@@ -342,7 +328,7 @@ fn only_command(name: &str) -> Result<bool, Error> {
     let only = report::Only::named(name)?;
     let findings = suite::of(&only.trials())?;
     let files = only.files(&findings)?;
-    report::files::write_all(&files, &root)?;
+    report::page::write_all(&files, &root)?;
     files.first().iter().for_each(|(_, page)| say(page.trim_end()));
     say(format!("written: {}", files.iter().map(|(path, _)| path.as_str()).collect::<Vec<_>>().join(", ")));
     Ok(suite::all_pass(&findings))
@@ -352,7 +338,7 @@ fn only_command(name: &str) -> Result<bool, Error> {
 fn refuse_read_only(root: &Path) -> Result<(), Error> {
     let remedy = "give the right to write to it, or use `report --check`, which writes nothing";
     let [page, record @ ..] =
-        [report::files::PAGE, report::record::CHECKS, report::record::RUNS, report::record::STATEMENTS];
+        [report::page::PAGE, report::record::CHECKS, report::record::RUNS, report::record::STATEMENTS];
     writable::file(&root.join(page), remedy)?;
     record.iter().try_for_each(|file| writable::file(&root.join(file), remedy))?;
     [report::links::PAGES, report::links::CHARTS, SHEETS]

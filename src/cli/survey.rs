@@ -1,4 +1,4 @@
-//! Runs recorded surveys with a progress bar.
+//! Runs recorded surveys with a progress bar; and asks other codes for the exported cases, and keeps what they write.
 
 use std::path::{Path, PathBuf};
 
@@ -10,6 +10,9 @@ use crate::cli::writable;
 use crate::error::Error;
 use crate::study::atlas::{self, Plane, plane};
 use crate::study::records::{self, Survey};
+use crate::study::scoreboard::board::{self, Board, Setting, hashes};
+use crate::study::scoreboard::{CASES, SMALLEST, named};
+use crate::study::seconds::Machine;
 
 /// What of a survey is run.
 #[derive(Debug, clap::Args)]
@@ -62,5 +65,26 @@ fn renewed(
     // What is left behind is in the build's own folder: nothing is lost if it cannot be removed.
     let _ = std::fs::remove_dir_all(&unfinished);
     say(format!("written: {number} records to {place}; `git diff {place}` shows what moved"));
+    Ok(())
+}
+
+/// `scoreboard`: asks every code for every case, and writes the record; nothing is written before all have answered.
+pub fn scoreboard() -> Result<(), Error> {
+    writable::in_checkout(board::FOLDER)?;
+    board::refuse_absent(SMALLEST, &named(SMALLEST)?)?;
+    let bar = progress(CASES.len() * Setting::ALL.len());
+    let mut fresh = Board { scripts: hashes(), processor: Machine::here().processor, ..Board::default() };
+    let mut files = Vec::new();
+    for name in CASES {
+        let (asked, written) = board::ask(name, &named(name)?, |setting| {
+            bar.inc(1);
+            bar.set_message(format!("{name}, {}, {}", setting.code.name(), setting.method));
+        })?;
+        fresh.cases.insert(name.into(), asked);
+        files.extend(written);
+    }
+    bar.finish_and_clear();
+    fresh.write(&files)?;
+    say(format!("written: {}; `cargo run --release` draws it", board::FOLDER));
     Ok(())
 }

@@ -55,6 +55,12 @@ pub fn table<'a>(head: impl IntoIterator<Item = &'a str>) -> Table {
     table_on(width(), head)
 }
 
+/// Names and what each is, a line each.
+pub fn named(all: &[(&str, &str)]) -> String {
+    let widest = all.iter().map(|(name, _)| name.len()).max().unwrap_or(0);
+    all.iter().map(|(name, what)| format!("{name:widest$}  {what}")).collect::<Vec<_>>().join("\n")
+}
+
 /// A table no wider than so many columns.
 pub fn table_on<'a>(columns: u16, head: impl IntoIterator<Item = &'a str>) -> Table {
     let mut table = Table::new();
@@ -68,8 +74,12 @@ pub fn table_on<'a>(columns: u16, head: impl IntoIterator<Item = &'a str>) -> Ta
 
 /// A bar over so many pieces of work, on a terminal.
 pub fn progress(pieces: usize) -> ProgressBar {
-    let bar = ProgressBar::new(pieces as u64);
-    match ProgressStyle::with_template("{bar:30} {pos}/{len} {msg}") {
+    styled(ProgressBar::new(pieces as u64), "{bar:30} {pos}/{len} {msg}")
+}
+
+/// A bar by a template.
+pub fn styled(bar: ProgressBar, template: &str) -> ProgressBar {
+    match ProgressStyle::with_template(template) {
         Ok(style) => bar.with_style(style),
         Err(_) => bar,
     }

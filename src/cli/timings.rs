@@ -10,9 +10,9 @@ use crate::cli::terminal::{progress, say};
 use crate::cli::writable;
 use crate::error::Error;
 use crate::study::seconds::{Machine, Spread};
+use crate::study::timings::growth;
 use crate::study::timings::precision::{self, Point, Series};
-use crate::study::timings::record::{Beside, FOLDER, Measured, Record};
-use crate::study::timings::{growth, targets};
+use crate::study::timings::record::{Beside, FOLDER, Measured, Record, seconds_of_ours};
 
 /// Repeats of the comparison of nine formulations with one.
 const REPEATS: usize = 5;
@@ -27,22 +27,17 @@ pub fn run() -> Result<(), Error> {
 
 fn measure() -> Result<Record, Error> {
     let bar = progress(growth::MESHES.len() + precision::meshes().len() + Series::CODES.len() + growth::NINE.len() + 1);
-    let mut measured = Measured {
-        machine: Machine::here(),
-        growth: vec![],
-        nine: vec![],
-        report: f64::NAN,
-        beside: vec![],
-        absent: BTreeMap::new(),
-    };
+    let (mut nine, mut growth) = (Vec::new(), Vec::new());
     for mesh in growth::NINE {
         step(&bar, "nine formulations");
-        measured.nine.push(growth::nine(mesh, REPEATS)?);
+        nine.push(growth::nine(mesh, REPEATS)?);
     }
     for mesh in growth::MESHES {
         step(&bar, &format!("growth, {} × 2^{}", mesh.0, mesh.1));
-        measured.growth.push(growth::measure(mesh, memory(mesh.0, mesh.1)?)?);
+        growth.push(growth::measure(mesh, memory(mesh.0, mesh.1)?)?);
     }
+    let (machine, report, beside, absent) = (Machine::here(), f64::NAN, vec![], BTreeMap::new());
+    let measured = Measured { machine, growth, nine, report, beside, absent };
     let mut record = Record { measured, points: own_points(&bar)? };
     for code in Series::CODES {
         step(&bar, code.name());
@@ -51,7 +46,10 @@ fn measure() -> Result<Record, Error> {
         }
     }
     step(&bar, "the report");
-    record.measured.report = report_seconds()?;
+    // In a process of its own, which writes nothing.
+    let clock = Instant::now();
+    itself(&["verdicts"])?;
+    record.measured.report = clock.elapsed().as_secs_f64();
     bar.finish_and_clear();
     Ok(record)
 }
@@ -95,12 +93,12 @@ pub fn ask(code: Series) -> Result<(), Error> {
 
 /// Takes in what a code answers, with our own cheapest solve before and after it; the reason where it does not answer.
 fn asked(record: &mut Record, code: Series) -> Result<Result<(), String>, Error> {
-    let mut own = targets::seconds_of_ours(&record.points)?;
+    let mut own = seconds_of_ours(&record.points)?;
     let lines = match precision::precision(code)? {
         Ok(lines) => lines,
         Err(why) => return Ok(Err(why)),
     };
-    own.extend(targets::seconds_of_ours(&record.points)?);
+    own.extend(seconds_of_ours(&record.points)?);
     let version = lines.first().map_or_else(String::new, precision::version);
     let points = lines.iter().enumerate().map(|(mesh, line)| precision::answered(code, mesh, line)).collect();
     record.renew(points, Beside { code, version, seconds: Spread::of(&own), machine: Machine::here() });
@@ -117,13 +115,6 @@ fn written(record: &Record) -> Result<(), Error> {
 fn memory(elements: usize, refinement: u32) -> Result<Option<f64>, Error> {
     let output = itself(&["timings", "--memory", &elements.to_string(), &refinement.to_string()])?;
     Ok(output.trim().parse().ok().filter(|bytes: &f64| bytes.is_finite()))
-}
-
-/// Seconds of the whole report in a process of its own; it writes nothing.
-fn report_seconds() -> Result<f64, Error> {
-    let clock = Instant::now();
-    itself(&["verdicts"])?;
-    Ok(clock.elapsed().as_secs_f64())
 }
 
 /// What this program prints when it is started with some arguments.

@@ -14,15 +14,8 @@ use crate::error::Error;
 use crate::markdown;
 use crate::solve::Run;
 
-/// A file that was solved.
-struct Verified {
-    name: String,
-    formulation: String,
-    run: Run,
-    judged: Vec<Judged>,
-    /// What the closed forms of the file say that the run contradicts.
-    notes: Vec<String>,
-}
+/// A file that was solved, with its checks.
+type Verified = (Case, Run, Vec<Judged>);
 
 /// Solves scene files in the order of their names, prints the verdicts and tells how they ended.
 ///
@@ -51,7 +44,7 @@ pub fn run(paths: &[PathBuf], json: bool) -> Result<Exit, Error> {
     let ended = verified
         .iter()
         .flatten()
-        .map(|one| Exit::of(&one.run, Exit::checked(judged::worst(&one.judged) != Some(&Verdict::Fail))))
+        .map(|(_, run, checks)| Exit::of(run, Exit::checked(judged::worst(checks) != Some(&Verdict::Fail))))
         .max();
     match verified.into_iter().find_map(Result::err) {
         Some(error) => Err(error),
@@ -63,7 +56,7 @@ pub fn run(paths: &[PathBuf], json: bool) -> Result<Exit, Error> {
 fn tell_lines(files: &[PathBuf], verified: &[Result<Verified, Error>]) {
     for (file, one) in files.iter().zip(verified) {
         let lines = match one {
-            Ok(one) => suite::lines(&one.name, &one.judged),
+            Ok((case, _, judged)) => suite::lines(&case.name, judged),
             Err(error) => vec![Line::broken(&file.display().to_string(), error)],
         };
         suite::tell(lines);
@@ -74,16 +67,18 @@ fn tell_lines(files: &[PathBuf], verified: &[Result<Verified, Error>]) {
 /// satisfy.
 fn tell_table(files: &[PathBuf], verified: &[Result<Verified, Error>]) {
     let mut table = table(["file", "formulation", "outcome", "iterations", "its own checks", "checks of every run"]);
-    for Verified { name, formulation, run, judged, .. } in verified.iter().flatten() {
+    for (case, run, judged) in verified.iter().flatten() {
         let outcome = run.solution.outcome.to_string();
         let counted = [Scope::Own, Scope::Universal].map(|scope| counted(judged, scope));
         let iterations = run.solution.work.iterations.to_string();
-        table.add_row([vec![name.clone(), formulation.clone(), outcome, iterations], counted.into()].concat());
+        let first = vec![case.name.clone(), case.formulation().name(), outcome, iterations];
+        table.add_row([first, counted.into()].concat());
     }
     // A head without rows says nothing: no file was solved, or none has checks of its own.
     [table, checks(verified)].into_iter().filter(|table| !table.is_empty()).for_each(say);
-    for Verified { name, judged, notes, .. } in verified.iter().flatten() {
-        notes.iter().for_each(|note| say(format!("{name}: note: {note}")));
+    for (case, run, judged) in verified.iter().flatten() {
+        let name = &case.name;
+        case.notes(run, &[]).iter().for_each(|note| say(format!("{name}: note: {note}")));
         for one in judged.iter().filter(|one| one.verdict != Verdict::Pass) {
             say(match one.check.scope {
                 Scope::Own => told(name, one),
@@ -109,11 +104,11 @@ fn tell_table(files: &[PathBuf], verified: &[Result<Verified, Error>]) {
 /// The files' own checks: what was found with its error bar, and the error beside that bar, in the terms of the check.
 fn checks(verified: &[Result<Verified, Error>]) -> Table {
     let mut table = table(["file", "check", "value ± error bar", "reference", "error", "bar", "at most", "verdict"]);
-    for Verified { name, judged, .. } in verified.iter().flatten() {
+    for (case, _, judged) in verified.iter().flatten() {
         for one in judged.iter().filter(|one| one.check.scope == Scope::Own) {
             let bar = one.bar_as_error().map_or_else(|| "–".into(), error_bar);
             table.add_row([
-                name.clone(),
+                case.name.clone(),
                 one.check.quantity.to_string(),
                 bounded(one),
                 markdown::value(one.reference.value),
@@ -180,6 +175,5 @@ fn verify(file: &Path) -> Result<Verified, Error> {
     let case = Case::read(file)?;
     let (meshed, run) = case.solve()?;
     let judged = case.judge(&meshed, &run)?;
-    let notes = case.notes(&run, &[]);
-    Ok(Verified { formulation: case.formulation().name(), name: case.name, run, judged, notes })
+    Ok((case, run, judged))
 }

@@ -4,9 +4,9 @@ use crate::case::{Case, Judged, Verdict};
 use crate::markdown;
 use crate::measure::display_factor;
 use crate::oracle::ReferenceKind;
-use crate::report::grouped::{counted, in_order};
 use crate::report::{checks, links};
 use crate::study::cases::{self, Numbers, charts, page as name_of, remark, sketch};
+use crate::study::grouped::{counted, in_order};
 use crate::study::{Finding, described};
 
 /// A run with its checks.
@@ -42,13 +42,10 @@ pub fn page((name, runs): &Shared, has_sheet: bool) -> String {
         limits(runs, &judged),
     ];
     let title = format!("{name}: {}", case.title);
-    links::page(&title, &asked(runs), &judged, &parts.concat())
-}
-
-fn asked(runs: &[Ran]) -> String {
     let mut names: Vec<&str> = runs.iter().map(|(finding, _)| finding.case.as_str()).collect();
     names.dedup();
-    format!("{}: {}.", names.join("; "), markdown::counted(runs.len(), "run"))
+    let asked = format!("{}: {}.", names.join("; "), markdown::counted(runs.len(), "run"));
+    links::page(&title, &asked, &judged, &parts.concat())
 }
 
 /// Sketch, and the input: the text of the scene file, or the numbers of the scene.
@@ -110,7 +107,7 @@ fn named<'a>(runs: &'a [Ran<'a>]) -> impl Iterator<Item = (String, &'a Finding, 
 fn checked(runs: &[Ran]) -> String {
     let findings: Vec<&Finding> = runs.iter().map(|(finding, _)| *finding).collect();
     let own = checks::by_case(&findings, |own, _| own);
-    let every = checks::of_every_run(findings.iter().flat_map(|finding| &finding.judged));
+    let every = checks::of_every_run(findings.iter().flat_map(|finding| &finding.judged), false);
     format!(
         "## Checks\n\n{own}What every run must satisfy, for reasons given with [all checks](checks.md):\n\n{every}\n"
     )

@@ -2,16 +2,16 @@
 
 use crate::case::{Judged, Quantity, Relation, Scope, Verdict, judged};
 use crate::markdown;
-use crate::report::grouped::{in_order, sorted};
 use crate::report::told;
 use crate::study::Finding;
+use crate::study::grouped::{in_order, sorted};
 use crate::uncertainty::COVERAGE;
 
-/// What a check is told by in a column; the flag tells whether the sentence above the table has its reference and tolerance.
-type Cell = fn(&Judged, bool) -> String;
 /// Name of the first column.
 const TRIAL: &str = "trial";
-/// What was found by a check: the cells have no name of a reference and no tolerance that the sentence has.
+/// What a check is told by in a column; the flag tells whether the sentence above the table has its reference and tolerance, which the
+/// cell then has not.
+type Cell = fn(&Judged, bool) -> String;
 const COLUMNS: [(&str, Cell); 8] = [
     ("at", |one, _| place(&one.check.quantity)),
     ("found", |one, _| match one.check.relation {
@@ -97,7 +97,11 @@ pub fn of(members: &[Named]) -> String {
     if own.is_empty() {
         return String::new();
     }
-    let (single, several): (Vec<_>, Vec<_>) = requirements(&own).into_iter().partition(|one| rows(one).len() == 1);
+    // Each requirement once, in the order in which they come.
+    let asked = |one: &Judged| (one.check.quantity.name().to_owned(), one.check.relation, one.reference.kind);
+    let requirements = in_order(own.iter().map(|&(name, one)| (asked(one), (name, one))));
+    let requirements = requirements.into_iter().map(|(_, checks)| checks);
+    let (single, several): (Vec<_>, Vec<_>) = requirements.partition(|one| rows(one).len() == 1);
     let several: String = several.iter().map(|one| spread(one, members.len())).collect();
     format!("{}\n\n{}{several}", summary(&own), together(&single, members.len()))
 }
@@ -108,12 +112,6 @@ fn summary(own: &[(&str, &Judged)]) -> String {
         [passed, 0, absent] => format!("○ {passed} checks passed, {absent} not run"),
         [_, failed, _] => format!("✗ {failed} of {} checks failed", own.len()),
     }
-}
-
-/// Each requirement once, in the order in which they come.
-fn requirements<'a>(own: &[(&'a str, &'a Judged)]) -> Vec<Requirement<'a>> {
-    let asked = |one: &'a Judged| (one.check.quantity.name(), one.check.relation, one.reference.kind);
-    in_order(own.iter().map(|&(name, one)| (asked(one), (name, one)))).into_iter().map(|(_, checks)| checks).collect()
 }
 
 /// The names of the columns.
@@ -210,18 +208,10 @@ fn with_uncertainty(value: f64, uncertainty: Option<f64>) -> String {
     }
 }
 
-/// The universal requirements with their reasons: number of runs, worst error over its tolerance, verdict.
-pub fn universal<'a>(judged: impl Iterator<Item = &'a Judged>) -> String {
+/// The universal requirements, number of runs, worst error over its tolerance, verdict; with their reasons on the page of all checks alone.
+pub fn of_every_run<'a>(judged: impl Iterator<Item = &'a Judged>, with_reasons: bool) -> String {
     let head = ["every run", "checks", "worst error", "its tolerance", "verdict", "because"];
-    worst_of_each(judged, &head)
-}
-
-/// The same without their reasons, which the page of all checks has.
-pub fn of_every_run<'a>(judged: impl Iterator<Item = &'a Judged>) -> String {
-    worst_of_each(judged, &["every run", "checks", "worst error", "its tolerance", "verdict"])
-}
-
-fn worst_of_each<'a>(judged: impl Iterator<Item = &'a Judged>, head: &[&str]) -> String {
+    let head = &head[..if with_reasons { 6 } else { 5 }];
     let own = judged.filter(|one| one.check.scope == Scope::Universal);
     let rows = sorted(own.map(|one| (one.check.quantity.name(), one)));
     if rows.is_empty() {

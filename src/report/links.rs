@@ -14,13 +14,6 @@ pub const CHECKS: &str = "checks.md";
 /// How a link to a generated file begins: in Markdown, and in HTML.
 const BEGINNINGS: [&str; 3] = ["](", "=\"", "=\'"];
 
-/// The text of a study, whose links start at the root, for the folder of pages.
-fn from_pages(text: &str) -> String {
-    BEGINNINGS
-        .iter()
-        .fold(text.to_string(), |text, begin| text.replace(&format!("{begin}snapshots/"), &format!("{begin}../")))
-}
-
 /// A link from the root to a page by its file.
 pub fn to_page(text: &str, file: &str) -> String {
     format!("[{text}]({PAGES}/{file})")
@@ -32,6 +25,8 @@ const WAYS: &str = "[Front page](../../VALIDATION.md) Â· [all cases](cases.md) Â
 /// A page behind the front page: title, what it asks, what became of its checks, ways back, and the rest.
 pub fn page(title: &str, lead: &str, judged: &[&Judged], body: &str) -> String {
     let verdict = if judged.is_empty() { String::new() } else { format!("{}\n\n", told::of(judged)) };
-    let body = from_pages(body);
+    // Links of a study's text start at the root.
+    let from_here = |text: String, begin: &&str| text.replace(&format!("{begin}snapshots/"), &format!("{begin}../"));
+    let body = BEGINNINGS.iter().fold(body.to_owned(), from_here);
     format!("# {title}\n\n{lead}\n\n{verdict}{WAYS}\n\n{}\n", body.trim_end())
 }

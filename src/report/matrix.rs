@@ -4,12 +4,12 @@ use crate::case::judged::worst;
 use crate::case::{Judged, Verdict};
 use crate::markdown;
 use crate::oracle::ReferenceKind;
-use crate::report::grouped::in_order;
 use crate::report::told;
 use crate::solution::Outcome;
 use crate::solve::{Element, Iteration, Run};
 use crate::study::Finding;
 use crate::study::cases::Numbers;
+use crate::study::grouped::in_order;
 
 /// The run of a finding that is one.
 pub fn run(finding: &Finding) -> Option<&Run> {
@@ -54,7 +54,9 @@ pub fn verdict_matrix(findings: &[Finding], first: Option<Column>, link: impl Fn
     let name = |column: &Column| format!("{}<br>{}", column.0.name(), column.1.name());
     let head: Vec<String> = std::iter::once("case".into()).chain(columns.iter().map(name)).collect();
     let row = |(_, members): &Case| {
-        let cells = columns.iter().map(|column| cell(members, *column));
+        let own =
+            |column: &Column| members.iter().filter(|one| is_of(one, *column)).map(|one| sign(one)).collect::<Vec<_>>();
+        let cells = columns.iter().map(|column| own(column).join(", "));
         std::iter::once(link(members[0])).chain(cells).collect()
     };
     let rows: Vec<Vec<String>> = full_and_others(findings).0.iter().map(row).collect();
@@ -75,10 +77,6 @@ pub fn other_cases(findings: &[Finding], link: impl Fn(&Finding) -> String) -> S
     };
     let rows: Vec<Vec<String>> = full_and_others(findings).1.iter().map(row).collect();
     markdown::table(&["case of one or some formulations", "iterations", "runs"].map(String::from), &rows)
-}
-
-fn cell(members: &[&Finding], column: Column) -> String {
-    members.iter().filter(|finding| is_of(finding, column)).map(|finding| sign(finding)).collect::<Vec<_>>().join(", ")
 }
 
 /// Signs of runs, from good to bad.
@@ -109,16 +107,14 @@ pub fn by_kind(findings: &[Finding]) -> String {
         ("Code checks and benchmarking: other codes", ReferenceKind::CrossCode),
         ("Validation: measurements", ReferenceKind::Measured),
     ];
-    kinds.map(|(title, kind)| format!("**{title}**\n\n{}\n", of_kind(findings, kind))).concat()
-}
-
-fn of_kind(findings: &[Finding], kind: ReferenceKind) -> String {
     let head = ["case", "checks", "closest to its limit", "verdict"].map(String::from);
-    let row = |(case, members): (&str, Vec<&Finding>)| {
+    let row = |(case, members): &Case, kind: ReferenceKind| {
         let judged = members.iter().flat_map(|finding| &finding.judged);
         let own: Vec<&Judged> = judged.filter(|judged| judged.reference.kind == kind).collect();
         let verdict = worst(own.iter().copied())?.to_string();
         Some(vec![case.to_string(), own.len().to_string(), told::closest(&own).unwrap_or_default(), verdict])
     };
-    markdown::table(&head, &by_case(findings.iter()).into_iter().filter_map(row).collect::<Vec<_>>())
+    let cases = by_case(findings.iter());
+    let of_kind = |kind| cases.iter().filter_map(|case| row(case, kind)).collect::<Vec<_>>();
+    kinds.map(|(title, kind)| format!("**{title}**\n\n{}\n", markdown::table(&head, &of_kind(kind)))).concat()
 }

@@ -1,14 +1,18 @@
-//! The whole report: the front page, a page a case and a study, charts, benchmark sheets and their values; or one page of it.
+//! The whole report: the front page, a page a case and a study, charts, benchmark sheets and their values; or one page of it; written, and
+//! compared with what is committed.
 
-use std::path::Path;
+use std::fs;
+use std::path::{Path, PathBuf};
 
 use crate::case::Judged;
 use crate::case::library::NAMES;
 use crate::drawing::schematic;
 use crate::error::{Error, meant};
-use crate::report::front::nearness;
+use crate::report::diff::Difference;
+use crate::report::diff::tree::Tree;
+use crate::report::front::{self, NEARNESS, nearness};
 use crate::report::links::{self, CHARTS, PAGES};
-use crate::report::{case_page, checks, files, front, matrix, record, statements, study_page, symbols};
+use crate::report::{case_page, checks, matrix, record, statements, study_page, symbols};
 use crate::study::sheet::{self, SHEETS, Sheet};
 use crate::study::{self, Files, Finding, Room, Study, Trial, cases, drawn, on_page, paper, promised, references};
 use crate::uncertainty::COVERAGE;
@@ -21,7 +25,7 @@ pub fn compose(findings: &[Finding]) -> Result<Files, Error> {
     let mut charts = drawn::written(&[
         ("contact-problem.svg".into(), problem),
         ("contact-elements.svg".into(), elements),
-        (nearness::CHART[0].into(), nearness::chart(findings)),
+        (NEARNESS[0].into(), nearness(findings)),
     ])?;
     for room in &Room::ALL {
         charts.extend((room.pictures)(findings)?);
@@ -30,7 +34,7 @@ pub fn compose(findings: &[Finding]) -> Result<Files, Error> {
     let behind = [(PAGES, pages(findings)?), (CHARTS, charts), (SHEETS, sheets)];
     let behind = behind.into_iter().flat_map(|(folder, files)| within(folder, files));
     let record = [record::files(findings)?, values(findings)?].concat();
-    Ok(std::iter::once((files::PAGE.to_owned(), front::page(findings))).chain(behind).chain(record).collect())
+    Ok(std::iter::once((PAGE.to_owned(), front::page(findings))).chain(behind).chain(record).collect())
 }
 
 /// Files of a folder by their paths.
@@ -54,15 +58,6 @@ fn values(findings: &[Finding]) -> Result<Files, Error> {
     Ok(vec![(sheet::JSON.into(), sheet::json(&sheets)), (sheet::CSV.into(), table)])
 }
 
-/// The page and the charts of one study, and its sheets with their values: paths and texts.
-fn of_study(room: &Room, findings: &[Finding]) -> Result<Files, Error> {
-    let page = (format!("{}/{}", PAGES, study_page::file(room.name)), study_page::page(room, findings)?);
-    let sheets: Files = sheets(findings).map(sheet::file).collect();
-    let values = if sheets.is_empty() { vec![] } else { values(findings)? };
-    let charts = within(CHARTS, (room.pictures)(findings)?);
-    Ok(std::iter::once(page).chain(charts).chain(within(SHEETS, sheets)).chain(values).collect())
-}
-
 /// The pages behind the front page: a loop over the studies, of which that of the cases has a page a case.
 fn pages(findings: &[Finding]) -> Result<Files, Error> {
     let mut pages =
@@ -83,8 +78,8 @@ fn of_checks(findings: &[Finding]) -> String {
          error bar everywhere, {COVERAGE} standard uncertainties of the value from refinement; how many bars hold, {} tells.\n\n{}\n{}## Every run\n\n{}",
         links::to_page("what is promised", &study_page::file(promised::Numbers::NAME)),
         matrix::by_kind(findings),
-        drawn::picture(nearness::CHART[0], nearness::CHART[1]),
-        checks::universal(all.iter().copied()),
+        drawn::picture(NEARNESS[0], NEARNESS[1]),
+        checks::of_every_run(all.iter().copied(), true),
     );
     links::page("All checks", "What everything is held against, by kind and by case.", &all, &body)
 }
@@ -135,11 +130,63 @@ impl Only {
     /// The page first, then its charts and its sheets: paths and texts. Charts of cases are those of their study.
     pub fn files(&self, findings: &[Finding]) -> Result<Files, Error> {
         match self {
-            Self::Study(room) => of_study(room, findings),
+            Self::Study(room) => {
+                let page = (format!("{}/{}", PAGES, study_page::file(room.name)), study_page::page(room, findings)?);
+                let sheets: Files = sheets(findings).map(sheet::file).collect();
+                let values = if sheets.is_empty() { vec![] } else { values(findings)? };
+                let charts = within(CHARTS, (room.pictures)(findings)?);
+                Ok(std::iter::once(page).chain(charts).chain(within(SHEETS, sheets)).chain(values).collect())
+            }
             Self::Case(_) => {
                 let has_sheet = |name: &str| NAMES.iter().any(|(known, _)| *known == name);
                 Ok(within(PAGES, case_pages(findings, has_sheet)).collect())
             }
         }
     }
+}
+
+/// The page's file.
+pub const PAGE: &str = "VALIDATION.md";
+
+/// Folders that hold nothing but what a report is made of, and the extension of that.
+const FOLDERS: [(&str, &str); 3] = [(PAGES, "md"), (CHARTS, "svg"), (SHEETS, "md")];
+
+/// Committed files that a report no longer has.
+fn stale(report: &[(String, String)], root: &Path) -> Vec<String> {
+    let of_folder = |(folder, extension): (&str, &str)| {
+        let entries = fs::read_dir(root.join(folder)).into_iter().flatten().flatten();
+        let there = entries.map(|entry| PathBuf::from(entry.file_name()));
+        let own = there.filter(|name| name.extension().is_some_and(|own| own == extension));
+        let paths = own.map(|name| format!("{folder}/{}", name.display()));
+        paths.filter(|path| !report.iter().any(|(made, _)| made == path)).collect::<Vec<_>>()
+    };
+    FOLDERS.into_iter().flat_map(of_folder).collect()
+}
+
+/// Writes a report, paths and texts, under a root; what its folders hold and it no longer has is removed.
+pub fn write(report: &[(String, String)], root: &Path) -> Result<(), Error> {
+    for (folder, _) in FOLDERS {
+        let folder = root.join(folder);
+        fs::create_dir_all(&folder).map_err(|error| Error::unwritable(&folder, error))?;
+    }
+    for path in stale(report, root) {
+        let path = root.join(path);
+        fs::remove_file(&path).map_err(|error| Error::unwritable(&path, error))?;
+    }
+    write_all(report, root)
+}
+
+/// Writes files below a root.
+pub fn write_all(files: &[(String, String)], root: &Path) -> Result<(), Error> {
+    files.iter().try_for_each(|(path, text)| {
+        let path = root.join(path);
+        fs::write(&path, text).map_err(|error| Error::unwritable(&path, error))
+    })
+}
+
+/// What differs between what is committed under a root and a report, files that it no longer has included; none where nothing does.
+pub fn difference(report: &[(String, String)], root: &Path) -> Result<Option<Difference>, Error> {
+    let committed = Tree::on_disk(root)?;
+    let written = committed.with("what the code writes now", report.to_vec(), &stale(report, root));
+    Ok((committed.files != written.files).then(|| Difference::of(&committed, &written)))
 }

@@ -36,9 +36,11 @@ pub const EVERY_RUN: &str = "every run";
 pub fn files(findings: &[Finding]) -> Result<Vec<(String, String)>, Error> {
     let ran = findings.iter().filter(|finding| matrix::run(finding).is_some());
     let statements = statements::judge(findings);
+    let mut runs = cells(&RUN, ran);
+    runs[1..].sort();
     Ok(vec![
         (CHECKS.into(), text(Path::new(CHECKS), &rows(findings))?),
-        (RUNS.into(), text(Path::new(RUNS), &sorted(cells(&RUN, ran)))?),
+        (RUNS.into(), text(Path::new(RUNS), &runs)?),
         (STATEMENTS.into(), text(Path::new(STATEMENTS), &cells(&STATEMENT, &statements))?),
     ])
 }
@@ -63,12 +65,6 @@ pub fn cells<'a, T: 'a>(columns: &[Column<T>], rows: impl IntoIterator<Item = &'
     let head = columns.iter().map(|(name, _)| (*name).to_owned()).collect();
     let rows = rows.into_iter().map(|row| columns.iter().map(|(_, cell)| cell(row)).collect());
     std::iter::once(head).chain(rows).collect()
-}
-
-/// The same table, its rows sorted.
-fn sorted(mut table: Vec<Vec<String>>) -> Vec<Vec<String>> {
-    table[1..].sort();
-    table
 }
 
 /// A statement of the paper, in the order of the page.

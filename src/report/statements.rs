@@ -45,11 +45,6 @@ fn of_case<'a>(findings: &'a [Finding], case: &str) -> impl Iterator<Item = &'a 
     findings.iter().filter(move |finding| finding.case == case)
 }
 
-/// The smallest and the largest of some numbers; NaN where one is.
-fn extremes(numbers: impl Iterator<Item = f64>) -> [f64; 2] {
-    numbers.fold([f64::INFINITY, 0.0], |[low, high], x| [-larger(-low, -x), larger(high, x)])
-}
-
 /// A statement by its clause, what was measured, and the judgement; not judged where nothing was found.
 fn statement(text: &'static str, found: Option<(String, String, Judgement)>) -> Statement {
     let nothing = || ("not asked".into(), "not asked".into(), Judgement::NotJudged);
@@ -121,7 +116,8 @@ fn condensation_pays(findings: &[Finding]) -> Statement {
             / (run.sparse_operations + run.solution.work.operations)
     };
     let gains: Vec<f64> = refactoring.map(gain).collect();
-    let [low, high] = extremes(gains.iter().copied());
+    // NaN where one is.
+    let [low, high] = gains.iter().fold([f64::INFINITY, 0.0], |[low, high], x| [-larger(-low, -x), larger(high, *x)]);
     let measured = format!(
         "operations without over with condensation, where the algorithm factorises at every iteration: {low:.1} to {high:.0}; with constant stiffness one factorisation serves either way"
     );

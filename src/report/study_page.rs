@@ -2,8 +2,8 @@
 
 use crate::case::{Judged, Verdict};
 use crate::error::Error;
-use crate::report::grouped::counted;
 use crate::report::{checks, links, statements};
+use crate::study::grouped::counted;
 use crate::study::{Finding, Room, Study, cases, paper};
 
 /// Name of the file of a study of this name.
@@ -38,7 +38,8 @@ pub fn asked(findings: &[Finding]) -> impl Iterator<Item = &'static Room> {
 /// All checks of a study, one part a case: none can be forgotten.
 pub fn tables(study: &str, findings: &[Finding]) -> String {
     let own: Vec<&Finding> = of(study, findings).collect();
-    checks::by_case(&own, |own, members| own + &checks::of_every_run(members.iter().flat_map(|one| &one.judged)))
+    let of_every_run = |members: &[&Finding]| checks::of_every_run(members.iter().flat_map(|one| &one.judged), false);
+    checks::by_case(&own, |own, members| own + &of_every_run(members))
 }
 
 /// What a study cannot tell, and what of it was not run.

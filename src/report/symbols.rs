@@ -36,10 +36,10 @@ pub const SYMBOLS: [[&str; 2]; 19] = [
     ["dofs", "degrees of freedom"],
 ];
 
-const COLUMNS: [Column<[&str; 2]>; 2] = [("symbol", |row| row[0].into()), ("what it stands for", |row| row[1].into())];
-
 /// The page.
 pub fn page() -> String {
-    let table = markdown::columns(&COLUMNS, &SYMBOLS);
+    let columns: [Column<[&str; 2]>; 2] =
+        [("symbol", |[symbol, _]| (*symbol).into()), ("what it stands for", |[_, what]| (*what).into())];
+    let table = markdown::columns(&columns, &SYMBOLS);
     links::page("Symbols", "What letters stand for on every page.", &[], &table)
 }

@@ -3,8 +3,8 @@
 use crate::case::{Judged, Relation, Verdict, judged};
 use crate::markdown;
 use crate::oracle::ReferenceKind;
-use crate::report::grouped::in_order;
 use crate::study::Finding;
+use crate::study::grouped::in_order;
 
 /// Kinds of references, the most independent first, and how a check by one is told.
 pub const KINDS: [(ReferenceKind, &str); 4] = [

@@ -19,6 +19,7 @@ use crate::solve::{Formulation, Run};
 use crate::study::about::{About, Found, Planned, Study};
 use crate::study::described;
 use crate::study::drawn::{WITHOUT_GAERTNER, label, picture, style};
+use crate::study::grouped::in_order;
 
 /// Folder of the scene files of the checkout.
 const FILES: &str = "tests/cases";
@@ -121,13 +122,8 @@ impl Study for Numbers {
             }),
             ("source", |(_, numbers)| described::sources(&numbers.case).join("; ")),
         ];
-        let mut pages: Vec<(String, &Numbers)> = Vec::new();
-        for Found { numbers, .. } in findings {
-            let name = page(&numbers.case);
-            if pages.iter().all(|(known, _)| *known != name) {
-                pages.push((name, numbers));
-            }
-        }
+        let pages = in_order(findings.iter().map(|found| (page(&found.numbers.case), found.numbers)));
+        let pages: Vec<_> = pages.into_iter().map(|(name, numbers)| (name, numbers[0])).collect();
         Ok(markdown::columns(&columns, &pages) + "\n")
     }
 

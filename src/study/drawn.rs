@@ -107,10 +107,6 @@ const LEAST: f64 = 1e-9;
 
 /// A picture of the page, with its caption below.
 pub fn picture(file: &str, caption: &str) -> String {
-    format!("<img alt=\"{}\" src=\"snapshots/charts/{file}\">\n\n*{caption}.*\n\n", attribute(caption))
-}
-
-/// A text inside the quotes of an attribute.
-fn attribute(text: &str) -> String {
-    text.replace('&', "&amp;").replace('"', "&quot;").replace('<', "&lt;")
+    let attribute = caption.replace('&', "&amp;").replace('"', "&quot;").replace('<', "&lt;");
+    format!("<img alt=\"{attribute}\" src=\"snapshots/charts/{file}\">\n\n*{caption}.*\n\n")
 }

@@ -1,12 +1,13 @@
 //! What is found out over many solves: the list of studies, and what they share.
 //!
 //! * [`about`] — what a study is: its name, its trials, and what is made of what they found.
-//! * [`described`] — a scene in words and numbers; [`elsewhere`] — in those of codes that no script of ours starts.
+//! * [`described`] — a scene in words and numbers, also in those of codes that no script of ours starts.
 //! * [`sheet`] — a benchmark sheet: its page, and its values as data.
 //! * [`drawn`] — colours and dashes of formulations.
 //! * [`method`] — what was run and how it ended, as they are recorded.
+//! * [`grouped`] — what has the same key together.
 //! * [`random`] — random scenes of closed form.
-//! * [`records`] — recorded surveys; [`present`] — whether what scripts record is of the present sources.
+//! * [`records`] — recorded surveys.
 //! * [`seconds`] — on what seconds were measured, and their quantiles.
 //! * [`differences`] — where other codes' answers come from, and how far two of them are apart.
 
@@ -17,16 +18,15 @@ pub mod cross_code;
 pub mod described;
 pub mod differences;
 pub mod drawn;
-pub mod elsewhere;
 pub mod faults;
 pub mod fields;
 pub mod fitted;
+pub mod grouped;
 pub mod independent;
 pub mod limits;
 pub mod measured;
 pub mod method;
 pub mod paper;
-pub mod present;
 pub mod promised;
 pub mod random;
 pub mod records;

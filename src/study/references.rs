@@ -19,8 +19,8 @@ use crate::oracle::cross_code::independent::Independent;
 use crate::scene::{ContactPair, Scene};
 use crate::solve::{Discretisation, Formulation, Run};
 use crate::study::about::{About, Found, Planned, Study};
+use crate::study::described;
 use crate::study::sheet::{FoundBy, Other, SHEETS, Sheet, Value, bounded, definition};
-use crate::study::{described, elsewhere};
 
 /// Cases of the library with an answer, beside the cylinder with a contact twice as wide.
 const NAMED: [&str; 3] = ["cylinder", "pin-rod", "pin-plate"];
@@ -183,7 +183,8 @@ pub fn sheet(case: &Case, discretisation: &Discretisation, run: &Run, barred: &[
     let asked = shared.zip(frozen.as_ref()).and_then(|((_, scene), frozen)| frozen.scenes.get(*scene));
     let value = |one: &Barred| {
         let Told { of, quantity, unit, factor } = Told::of(&discretisation.scene, run, one);
-        let closed_form = closed_form(case, one).map(|value| factor * value);
+        let closed_form = case.reading(one.contact, &one.quantity).value;
+        let closed_form = Some(closed_form).filter(|value| value.is_finite()).map(|value| factor * value);
         let series = asked.iter().flat_map(|asked| &asked.series);
         let others =
             series.filter_map(|(script, series)| Some(Other::of_series(*script, other(series, one)?).times(factor)));
@@ -204,7 +205,7 @@ pub fn sheet(case: &Case, discretisation: &Discretisation, run: &Run, barred: &[
         }
     };
     let mut scene = described::scene(&case.scene);
-    scene.push(elsewhere::paragraph(&case.name, &case.scene, &discretisation.mesh));
+    scene.push(described::elsewhere(&case.name, &case.scene, &discretisation.mesh));
     let mut sheet = Sheet {
         name: case.name.clone(),
         title: case.title.clone(),
@@ -225,11 +226,6 @@ pub fn sheet(case: &Case, discretisation: &Discretisation, run: &Run, barred: &[
         }
     }
     Ok(sheet)
-}
-
-/// What the closed form says of a number; none where there is no such form, or it is silent.
-fn closed_form(case: &Case, one: &Barred) -> Option<f64> {
-    Some(case.reading(one.contact, &one.quantity).value).filter(|value| value.is_finite())
 }
 
 /// What a script found of a number, and its standard uncertainty; none where it does not tell it.
@@ -256,9 +252,8 @@ impl Sheet {
             None if value.is_finite() => {
                 let place = self.values.iter().take_while(|own| own.of == pair.name).count();
                 let (of, quantity) = (pair.name.clone(), quantity.into_owned());
-                let others = Vec::new();
-                let (found, confirmed_by) = (FoundBy::FittedCells, Vec::new());
-                let (definition, closed_form) = (definition(&known.quantity, scene, pair), None);
+                let (found, definition) = (FoundBy::FittedCells, definition(&known.quantity, scene, pair));
+                let (closed_form, others, confirmed_by) = (None, Vec::new(), Vec::new());
                 let row =
                     Value { of, quantity, unit, definition, value, bound, found, closed_form, others, confirmed_by };
                 self.values.insert(place, row);

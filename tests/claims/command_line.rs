@@ -6,7 +6,7 @@ use std::process::{Command, Stdio};
 use contact_vv::case::library::NAMES;
 use contact_vv::case::{Check, Reference};
 use contact_vv::checkout::{CHECKOUT, root};
-use contact_vv::cli::{self, summary, writable};
+use contact_vv::cli::{self, suite, writable};
 use contact_vv::error::nearest;
 use contact_vv::oracle::ReferenceKind;
 use contact_vv::study::{Finding, Study, faults};
@@ -274,7 +274,7 @@ fn what_did_not_pass_is_told_first_and_passes_are_summed_up() {
     findings[0].judged = vec![judged("a first number", 1e-4), absent];
     findings[1].judged = vec![judged("a second number", 2e-3), judged("a fourth number", f64::NAN)];
     for columns in [72, 120] {
-        let text = summary::text(&findings, columns);
+        let text = suite::text(&findings, columns);
         assert!(widest(&text) <= usize::from(columns), "{text}");
         let verdicts: Vec<&str> =
             text.lines().map(str::trim).filter(|line| line.starts_with(['✗', '○', '✓'])).collect();

@@ -8,7 +8,7 @@ use contact_vv::case::Verdict;
 use contact_vv::checkout::{digest, root};
 use contact_vv::error::Error;
 use contact_vv::study::faults::{self, Caught, Fault, Numbers, Planted, is_caught};
-use contact_vv::study::present::{Entry, MADE};
+use contact_vv::study::faults::{Entry, MADE};
 
 fn fault(name: &str, kinds: &[&str]) -> Fault {
     let [name, file, was, is] = [name, "src/lib.rs", "sound", "spoiled"].map(String::from);

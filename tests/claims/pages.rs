@@ -7,9 +7,9 @@ use std::path::{Path, PathBuf};
 use contact_vv::case::{Check, Judged, Quantity, Reference, Verdict};
 use contact_vv::checkout::root;
 use contact_vv::oracle::ReferenceKind;
-use contact_vv::report::front::{self, against, nearness, right};
+use contact_vv::report::front::{self, against, cumulated, right};
 use contact_vv::report::links::{CHARTS, PAGES};
-use contact_vv::report::{case_page, diff, difference, files, study_page, symbols, told, write};
+use contact_vv::report::{case_page, diff, difference, page, study_page, symbols, told, write};
 use contact_vv::study::sheet::SHEETS;
 use contact_vv::study::{Files, Finding, Room, Study, cases};
 
@@ -27,7 +27,7 @@ fn text(path: &Path) -> String {
 fn all_pages() -> Vec<PathBuf> {
     let entries = std::fs::read_dir(root().join(PAGES)).expect("pages are committed");
     let mut pages: Vec<PathBuf> = entries.flatten().map(|entry| entry.path()).collect();
-    pages.push(root().join(files::PAGE));
+    pages.push(root().join(page::PAGE));
     pages.sort();
     pages
 }
@@ -69,7 +69,7 @@ fn marker(name: &'static str) -> Judged {
 
 #[test]
 fn front_page_is_short() {
-    let lines = text(&root().join(files::PAGE)).lines().count();
+    let lines = text(&root().join(page::PAGE)).lines().count();
     assert!(lines <= LINES, "{lines} lines");
 }
 
@@ -87,7 +87,7 @@ fn every_link_and_picture_of_a_page_resolves() {
 #[test]
 fn every_page_is_reached_from_the_front_page() {
     let mut reached = BTreeSet::new();
-    let mut ahead = vec![root().join(files::PAGE)];
+    let mut ahead = vec![root().join(page::PAGE)];
     while let Some(page) = ahead.pop() {
         let page = page.canonicalize().expect("links resolve");
         if page.extension().is_some_and(|extension| extension == "md") && reached.insert(page.clone()) {
@@ -189,7 +189,7 @@ fn pages_are_written_compared_and_removed_as_a_folder() {
     let folder = tempfile::tempdir().expect("a folder");
     let of = |pages: &[&str]| -> Files {
         let pages = pages.iter().map(|name| format!("{PAGES}/{name}"));
-        let others = [format!("{CHARTS}/a.svg"), format!("{SHEETS}/s.md"), files::PAGE.into()];
+        let others = [format!("{CHARTS}/a.svg"), format!("{SHEETS}/s.md"), page::PAGE.into()];
         pages.chain(others).map(|path| (path, "text\n".into())).collect()
     };
     let (before, after) = (of(&["one.md", "two.md"]), of(&["one.md"]));
@@ -208,7 +208,7 @@ fn pages_are_written_compared_and_removed_as_a_folder() {
 
 #[test]
 fn checks_without_an_error_are_beyond_every_share_of_their_tolerance() {
-    let parts = nearness::cumulated(&[0.0, 0.1, 2.0, f64::NAN]);
+    let parts = cumulated(&[0.0, 0.1, 2.0, f64::NAN]);
     let at = |share: f64| parts.iter().rfind(|(x, _)| *x <= share * (1.0 + 1e-9)).expect("a share").1;
     assert_eq!([at(1e-3), at(0.1), at(1.0), at(10.0)], [25.0, 50.0, 50.0, 75.0]);
 }

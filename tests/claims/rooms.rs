@@ -155,8 +155,7 @@ fn a_curve_beyond_its_uncertainty_turns_red_and_one_that_is_absent_is_not_run() 
         let check = measured::check("curve.csv", "Gaertner 1977", ReferenceKind::Measured, None);
         let found = found.map(|worst| vec![check.judge(worst)]);
         let found = found.map_err(str::to_owned);
-        let judged = measured::Numbers::Curves { source: "Gaertner 1977".into(), found }.judge();
-        judged.expect("judged")[0].verdict.clone()
+        measured::judge_curves("Gaertner 1977", &found)[0].verdict.clone()
     };
     assert_eq!([1.9, 2.1, f64::NAN].map(|worst| judge(Ok(worst))), [Verdict::Pass, Verdict::Fail, Verdict::Fail]);
     assert_eq!(judge(Err("why")), Verdict::NotRun("why".into()));

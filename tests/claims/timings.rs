@@ -2,13 +2,11 @@
 
 use approx::assert_relative_eq;
 use contact_vv::case::Verdict;
-use contact_vv::study::Study;
 use contact_vv::study::seconds::{Machine, Spread, quantile, ratios};
 use contact_vv::study::timings::growth::{self, Counts, Growth, exponent};
 use contact_vv::study::timings::precision::{self, LOADS, Point, Series, answered, half_widths, nominal};
-use contact_vv::study::timings::record::{Beside, Record};
-use contact_vv::study::timings::targets::{Target, targets};
-use contact_vv::study::timings::{Again, Numbers};
+use contact_vv::study::timings::record::{Beside, Record, Target, targets};
+use contact_vv::study::timings::{counts_as_recorded, points_as_recorded};
 
 use crate::workbench::spoiled;
 
@@ -44,10 +42,6 @@ fn loads_move_the_edge_across_one_element_and_no_further() {
     assert!(widths[LOADS - 1] < nominal() + nominal() / 5.0);
 }
 
-fn verdict(numbers: Numbers) -> Verdict {
-    numbers.judge().expect("judged")[0].verdict.clone()
-}
-
 #[test]
 fn every_recorded_number_but_the_seconds_is_compared() {
     for (series, mesh) in [(Series::SteepLinear, 3), (Series::Fitted, 4)] {
@@ -57,8 +51,7 @@ fn every_recorded_number_but_the_seconds_is_compared() {
         assert_eq!(fresh.len(), planned);
         let spoiled = |spoil: &dyn Fn(&mut Point)| {
             let fresh = spoiled(&fresh, |fresh| spoil(fresh.last_mut().expect("a point")));
-            let recorded = recorded.clone();
-            verdict(Numbers::Precision(Again { recorded, fresh, planned }))
+            points_as_recorded(&recorded, &fresh, planned).verdict
         };
         assert_eq!([spoiled(&|_| ()), spoiled(&|point| point.seconds *= 2.0)], [Verdict::Pass, Verdict::Pass]);
         let spoils: [&dyn Fn(&mut Point); 11] = [
@@ -90,18 +83,12 @@ fn counts_of_the_growth_tell_one_mesh_from_another() {
 #[test]
 fn record_that_is_not_complete_or_was_not_measured_again_is_not_as_recorded() {
     let Record { measured, points } = committed();
-    let of_points = |recorded: &[Point], fresh: &[Point]| {
-        let [recorded, fresh] = [recorded, fresh].map(Vec::from);
-        verdict(Numbers::Precision(Again { recorded, fresh, planned: points.len() }))
-    };
+    let of_points = |recorded: &[Point], fresh: &[Point]| points_as_recorded(recorded, fresh, points.len()).verdict;
     assert_eq!(of_points(&points, &points), Verdict::Pass);
     assert_eq!(of_points(&points[1..], &points), Verdict::Fail);
     assert_eq!(of_points(&points, &[]), Verdict::Fail);
     let counts: Vec<Counts> = measured.growth.into_iter().map(|one| one.counts).collect();
-    let of_counts = |recorded: &[Counts], fresh: &[Counts]| {
-        let [recorded, fresh] = [recorded, fresh].map(Vec::from);
-        verdict(Numbers::Growth(Again { recorded, fresh, planned: growth::MESHES.len() }))
-    };
+    let of_counts = |recorded: &[Counts], fresh: &[Counts]| counts_as_recorded(recorded, fresh).verdict;
     assert_eq!(of_counts(&counts, &counts[..2]), Verdict::Pass);
     assert_eq!(of_counts(&counts[1..], &counts[1..]), Verdict::Fail);
     assert_eq!(of_counts(&counts, &[]), Verdict::Fail);

@@ -74,7 +74,9 @@ impl Line {
 
     /// A trial that broke off, which fails.
     pub fn broken(trial: &str, error: &Error) -> Self {
-        Self { trial: trial.into(), check: Checked::broken(error) }
+        let why = error.to_string();
+        let check = Checked { requirement: why.clone(), reason: Some(why), ..Checked::default() };
+        Self { trial: trial.into(), check }
     }
 
     /// Whether it failed.
@@ -113,11 +115,5 @@ impl Checked {
     /// The same, of a contact.
     pub fn of_contact(self, name: &str) -> Self {
         Self { contact: Some(name.into()), ..self }
-    }
-
-    /// What stands for the checks of a trial that broke off.
-    fn broken(error: &Error) -> Self {
-        let why = error.to_string();
-        Self { requirement: why.clone(), verdict: Verdict::Fail, reason: Some(why), ..Self::default() }
     }
 }

@@ -18,9 +18,6 @@ use schemars::JsonSchema;
 use schemars::generate::SchemaSettings;
 use serde::Serialize;
 
-use crate::case::library::NAMES;
-use crate::named::named_enum;
-
 pub use checked::{Checked, Line};
 pub use compared::{Compared, Compares};
 pub use number::Number;
@@ -28,34 +25,13 @@ pub use oracle::OracleReading;
 pub use refereed::Refereed;
 pub use solved::Solved;
 
-named_enum! {
-    /// What a schema is of.
-    pub enum Schema {
-        /// All that is printed as JSON.
-        Printed = "printed",
-        /// An answer that `judge` reads.
-        Answer = "answer",
-        /// A scene file, for editors.
-        Scene = "scene",
-        /// The reference values that `list --references` prints.
-        References = "references",
-    }
-}
-
 /// A case of the library.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct Listed {
     /// Its name, as `solve` takes it.
-    name: &'static str,
+    pub name: &'static str,
     /// What it is.
-    title: &'static str,
-}
-
-impl Listed {
-    /// All of them.
-    pub fn all() -> Vec<Self> {
-        NAMES.map(|(name, title)| Self { name, title }).into()
-    }
+    pub title: &'static str,
 }
 
 /// What contact-vv prints as JSON.

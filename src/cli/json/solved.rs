@@ -116,17 +116,13 @@ struct IterationParts {
     approach: Number,
 }
 
-impl From<IterationError> for IterationParts {
-    fn from(IterationError { peak, force, width, approach }: IterationError) -> Self {
-        Self { peak: peak.into(), force: force.into(), width: width.into(), approach: approach.into() }
-    }
-}
-
 impl<'a> Solved<'a> {
     /// The document of a run.
     pub fn of(found: &'a Found) -> Self {
         let Found { problem, run, reactions, checks, .. } = found;
         let (solution, formulation) = (&run.solution, &run.formulation);
+        let IterationError { peak, force, width, approach } = solution.error();
+        let [peak, force, width, approach] = [peak, force, width, approach].map(Number::from);
         Self {
             case: &problem.name,
             units: UNITS,
@@ -149,7 +145,7 @@ impl<'a> Solved<'a> {
             back_substitutions: solution.work.back_substitutions,
             rejected: solution.work.rejected,
             seconds: run.seconds.iter().map(|&(stage, seconds)| (stage.name(), seconds)).collect(),
-            iteration_error: solution.error().into(),
+            iteration_error: IterationParts { peak, force, width, approach },
             contacts: (0..run.contacts.len())
                 .map(|contact| Contact::of(problem, run, contact, found.notes_of(contact)))
                 .collect(),

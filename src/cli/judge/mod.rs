@@ -1,9 +1,8 @@
 //! `judge CASE ANSWER…`: answers of other codes, on their own meshes, held against the truth of a case.
 //!
 //! * `options` — what the user asks for.
-//! * `told` — the verdicts in a table; `junit` — as test cases.
+//! * `told` — the verdicts in a table, and as test cases.
 
-mod junit;
 mod options;
 mod told;
 
@@ -52,7 +51,7 @@ pub fn run(arguments: &Arguments) -> Result<Exit, Error> {
         None => Vec::new(),
     };
     if let Some(path) = &arguments.junit {
-        let report = junit::report(&case, &judged, &wrong, &found);
+        let report = told::report(&case, &judged, &wrong, &found);
         fs::write(path, report).map_err(|error| Error::unwritable(path, error))?;
     }
     if let Some((_, last)) = wrong.pop() {

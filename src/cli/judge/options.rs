@@ -7,8 +7,8 @@ use clap::Args;
 use crate::accuracy;
 use crate::case::Case;
 use crate::cli::choice::choice;
-use crate::cli::judge::junit;
-use crate::cli::outputs::{self, Output};
+use crate::cli::judge::told;
+use crate::cli::writable::{self, Output};
 use crate::drawing;
 use crate::error::Error;
 use crate::mesh::Order;
@@ -96,20 +96,20 @@ impl Arguments {
                 "name three or more, coarse to fine",
             ));
         }
-        outputs::refuse_ending("judge", "--junit", &self.junit, ["xml", "JUnit reports are XML"])?;
+        writable::refuse_ending("judge", "--junit", &self.junit, ["xml", "JUnit reports are XML"])?;
         let Some(path) = &self.plot else { return Ok(()) };
         if count > 1 {
             return Err(Error::value("judge", "--plot", path.display(), "one answer is drawn", "name one answer"));
         }
-        outputs::refuse_plot("judge", &self.plot)
+        writable::refuse_plot("judge", &self.plot)
     }
 
     /// Refuses a drawing or a report that cannot be written, or by which something would be lost.
     pub fn refuse_unwritable(&self, case: &Case) -> Result<(), Error> {
         let inputs = [self.answers.clone(), case.read_files()].concat();
         let plot = Output::of("--plot", &self.plot, drawing::is_drawing);
-        let junit = Output::of("--junit", &self.junit, junit::is_report);
-        outputs::refuse("judge", [plot, junit], &inputs, self.force)
+        let junit = Output::of("--junit", &self.junit, told::is_report);
+        writable::refuse("judge", [plot, junit], &inputs, self.force)
     }
 
     /// The tolerance asked for.

@@ -1,6 +1,6 @@
 //! `new SHAPE`: commented scene files to begin with, one for each shape of problem.
 
-use crate::cli::terminal::say;
+use crate::cli::terminal::named;
 use crate::named::named_enum;
 
 named_enum! {
@@ -60,19 +60,14 @@ impl Template {
 const EDITORS: &str =
     "#:schema ./scene.schema.json\n# `contact-vv schema scene > scene.schema.json` writes the schema for editors.";
 
-/// Prints a file, or the list of all.
-pub fn print(template: Option<Template>) {
+/// A file, or the list of all.
+pub fn file(template: Option<Template>) -> String {
     match template {
-        Some(Template::Mesh) => say(Template::Mesh.text().trim_end()),
-        Some(template) => say(format!("{EDITORS}\n{}", template.text().trim_end())),
-        None => say(list()),
+        Some(Template::Mesh) => Template::Mesh.text().trim_end().into(),
+        Some(template) => format!("{EDITORS}\n{}", template.text().trim_end()),
+        None => {
+            let remedy = "`contact-vv new NAME > mine.toml` writes one, `contact-vv solve mine.toml` solves it";
+            format!("{}\n\n{remedy}", named(&Template::ALL.map(|template| (template.name(), template.title()))))
+        }
     }
-}
-
-/// A line for each file: its name and what it is.
-fn list() -> String {
-    let widest = Template::NAMES.map(str::len).into_iter().max().unwrap_or(0);
-    let lines = Template::ALL.map(|template| format!("{:widest$}  {}", template.name(), template.title()));
-    let remedy = "`contact-vv new NAME > mine.toml` writes one, `contact-vv solve mine.toml` solves it";
-    format!("{}\n\n{remedy}", lines.join("\n"))
 }

@@ -12,16 +12,6 @@ use crate::error::Error;
 use crate::scene::Place;
 use crate::solve::{Discretisation, Fitted, Formulation, Reaction, Run, VonMises};
 
-/// What is to be solved, by what, and on which mesh.
-pub struct Question {
-    /// The case, on the mesh that is asked for.
-    pub problem: Case,
-    /// The formulation.
-    pub formulation: Formulation,
-    /// What chooses the mesh.
-    pub mesh: Mesh,
-}
-
 /// What chooses a mesh.
 pub enum Mesh {
     /// The options, or the case.
@@ -57,9 +47,12 @@ pub struct Found {
 }
 
 impl Found {
-    /// Solves, with error bars where they are wanted; tells of every stage as it begins.
-    pub fn of(question: Question, with_bars: bool, stages: &Stages) -> Result<Self, Error> {
-        let Question { mut problem, formulation, mesh } = question;
+    /// Solves a case on a mesh, with error bars where they are wanted; tells of every stage as it begins.
+    pub fn of(
+        (mut problem, formulation, mesh): (Case, Formulation, Mesh),
+        with_bars: bool,
+        stages: &Stages,
+    ) -> Result<Self, Error> {
         let is_mesh_given = matches!(mesh, Mesh::Given);
         let (discretisation, run, accurate) = solved(&problem, &formulation, mesh, stages)?;
         let doubts = plausible::doubts(&discretisation, &run);

@@ -9,8 +9,6 @@ use crate::markdown;
 use crate::report::pictures;
 use crate::study::{described, drawn};
 
-/// The page; a name in two braces stands where something is filled in.
-const PAGE: &str = include_str!("run.html");
 /// What every such page begins with.
 const BEGINS: &str = "<!DOCTYPE html>\n<!-- written by contact-vv solve -->";
 
@@ -31,36 +29,23 @@ pub fn text(found: &Found) -> Result<String, Error> {
     };
     let numbers = rows.iter().skip(1).map(|[name, told]| row("th", &[name]) + &row("td", &[told]));
     let bars = bars::rows(found);
-    let parts = [
-        ("name", escaped(&problem.name)),
-        ("title", escaped(&problem.title)),
-        ("numbers", numbers.map(|cells| format!("<tr>{cells}</tr>\n")).collect()),
-        ("notes", section("Notes", notes.iter().map(|[_, note]| format!("<p>{}</p>\n", escaped(note))).collect())),
-        ("picture", drawn::svg(&pictures::solve::sheet(problem, discretisation, run)?.drawing())?),
-        ("bars", section("Numbers and their error bars", table(&bars::HEAD, &bars))),
-        ("checks", section("Checks", table(&CHECKED, &checks.iter().map(checked).collect::<Vec<_>>()))),
-        ("input", input),
-        ("version", escaped(env!("CARGO_PKG_VERSION"))),
-    ];
-    Ok(filled(&parts))
+    Ok(format!(
+        include_str!("run.html"),
+        name = escaped(&problem.name),
+        title = escaped(&problem.title),
+        numbers = numbers.map(|cells| format!("<tr>{cells}</tr>\n")).collect::<String>(),
+        notes = section("Notes", notes.iter().map(|[_, note]| format!("<p>{}</p>\n", escaped(note))).collect()),
+        picture = drawn::svg(&pictures::solve::sheet(problem, discretisation, run)?.drawing())?,
+        bars = section("Numbers and their error bars", table(&bars::HEAD, &bars)),
+        checks = section("Checks", table(&CHECKED, &checks.iter().map(checked).collect::<Vec<_>>())),
+        input = input,
+        version = escaped(env!("CARGO_PKG_VERSION")),
+    ))
 }
 
 /// Whether a text is such a page.
 pub fn is_ours(text: &str) -> bool {
     text.starts_with(BEGINS)
-}
-
-/// The page with its parts, in one pass: what is filled in is not looked at again.
-fn filled(parts: &[(&str, String)]) -> String {
-    let mut pieces = PAGE.split("{{");
-    let mut text = pieces.next().unwrap_or_default().to_owned();
-    for piece in pieces {
-        let (name, rest) = piece.split_once("}}").expect("names of parts end with two braces");
-        let (_, part) = parts.iter().find(|(known, _)| *known == name).expect("every part has a text");
-        text += part;
-        text += rest;
-    }
-    text
 }
 
 /// Heads of the columns of checks.

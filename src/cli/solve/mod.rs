@@ -6,15 +6,13 @@
 //! * `remedy` — what to do where it does not converge.
 //! * `stages` — the stage it is in, on a terminal.
 //! * `brief` — the result in some eight lines; `table` — all of it.
-//! * [`curve`] — the load–approach curve.
-//! * [`profile`] — the pressure profile as CSV.
+//! * [`curve`] — the load–approach curve, and the pressure profile as CSV.
 
 mod brief;
 pub mod curve;
 pub mod found;
 pub mod html;
 pub mod options;
-pub mod profile;
 mod remedy;
 mod stages;
 mod table;
@@ -24,16 +22,17 @@ use std::path::Path;
 use crate::case::{Case, Verdict};
 use crate::cli::exit::Exit;
 use crate::cli::json::{Answer, Solved};
-use crate::cli::outputs::STDOUT;
 use crate::cli::terminal::say;
+use crate::cli::writable::STDOUT;
 use crate::cli::{self, vtu};
 use crate::error::Error;
 use crate::report::pictures;
+use crate::solve::Formulation;
 use crate::study::drawn;
 
 pub use options::Arguments;
 
-use found::{Found, Mesh, Question};
+use found::{Found, Mesh};
 use remedy::{converging, remedy, unbalanced};
 use stages::Stages;
 
@@ -46,17 +45,17 @@ pub fn run(arguments: &Arguments) -> Result<Exit, Error> {
 }
 
 fn solve(arguments: &Arguments, case: Case) -> Result<Exit, Error> {
-    let question = asked(arguments, case)?;
+    let asked = asked(arguments, case)?;
     let stages = Stages::new();
-    let found = Found::of(question, !arguments.no_error_bar, &stages)?;
+    let found = Found::of(asked, !arguments.no_error_bar, &stages)?;
     let document = Answer::Solved(Solved::of(&found).into()).document();
     write_files(arguments, &document, &found)?;
     stages.end();
     shown(arguments, document, &found)
 }
 
-/// What the options make of a case; refused where that cannot be solved or written.
-fn asked(arguments: &Arguments, mut problem: Case) -> Result<Question, Error> {
+/// What the options make of a case, by what it is solved, and what chooses the mesh; refused where that cannot be solved or written.
+fn asked(arguments: &Arguments, mut problem: Case) -> Result<(Case, Formulation, Mesh), Error> {
     arguments.refuse_endings()?;
     arguments.refuse_unwritable(&problem)?;
     let formulation = arguments.formulation(problem.formulation().clone());
@@ -65,7 +64,7 @@ fn asked(arguments: &Arguments, mut problem: Case) -> Result<Question, Error> {
     // A mesh fitted to the contact is asked for in place of what the file asks.
     if let Some(fitted) = arguments.fitted()? {
         let formulation = arguments.as_exact_as(fitted, formulation);
-        return Ok(Question { problem, formulation, mesh: Mesh::Fitted(fitted) });
+        return Ok((problem, formulation, Mesh::Fitted(fitted)));
     }
     let mesh = match arguments.asked(problem.accuracy.clone())? {
         Some(asked) => Mesh::Accurate(asked),
@@ -74,7 +73,7 @@ fn asked(arguments: &Arguments, mut problem: Case) -> Result<Question, Error> {
             Mesh::Given
         }
     };
-    Ok(Question { problem, formulation, mesh })
+    Ok((problem, formulation, mesh))
 }
 
 /// Prints what was found and tells how that ended.
@@ -107,7 +106,7 @@ fn write_files(arguments: &Arguments, document: &str, found: &Found) -> Result<(
         files.push((path, document.to_owned()));
     }
     if let Some(path) = &arguments.csv {
-        files.push((path, profile::csv(&problem.scene, run, path)?));
+        files.push((path, curve::profile(&problem.scene, run, path)?));
     }
     if let Some(path) = &arguments.curve {
         files.push((path, curve::text(discretisation, run, path)?));

@@ -8,8 +8,8 @@ use crate::accuracy::{self, Asked};
 use crate::algorithm::{Acceleration, Criterion, Spring, StiffnessRule, StiffnessUnit};
 use crate::case::Case;
 use crate::cli::choice::{self, choice};
-use crate::cli::outputs::{self, Output, STDOUT};
-use crate::cli::solve::{curve, html, profile};
+use crate::cli::solve::{curve, html};
+use crate::cli::writable::{self, Output, STDOUT};
 use crate::cli::{json, vtu};
 use crate::drawing;
 use crate::error::Error;
@@ -19,7 +19,7 @@ use crate::scene::Body;
 use crate::solve::{Element, Fitted, Formulation, Iteration};
 
 /// Arguments of `solve`.
-#[derive(Clone, Debug, Args)]
+#[derive(Clone, Debug, Default, Args)]
 pub struct Arguments {
     /// Case of the library (`list` names them), or a scene file (tests/cases/README.md describes its keys).
     pub case: String,
@@ -141,13 +141,8 @@ impl Arguments {
         };
         let order = self.order.is_some() && !self.fitted;
         let given = [("--resolution", self.resolution.is_some()), ("--order", order)];
-        match given.into_iter().find(|(_, given)| *given && asked.is_some()) {
-            None => Ok(asked),
-            Some((option, _)) => {
-                let message = format!("{option} cannot be used: the accuracy chooses the mesh");
-                Err(Error::at("solve", message, "leave one of them out"))
-            }
-        }
+        refuse_beside(asked.is_some(), &given, "the accuracy chooses the mesh")?;
+        Ok(asked)
     }
 
     /// What the options change in a formulation; another element or algorithm begins from its own defaults.
@@ -179,20 +174,9 @@ impl Arguments {
 
     /// The same for the same mesh and load, by an element and an algorithm from their own defaults.
     pub fn by(&self, element: Element, algorithm: Iteration, tolerance: Option<f64>) -> Self {
-        Self {
-            element: Some(element),
-            algorithm: Some(algorithm),
-            tolerance,
-            rule: None,
-            bound: None,
-            spring: None,
-            layer_thickness: None,
-            acceleration: None,
-            stiffness: None,
-            criterion: None,
-            max_iterations: None,
-            ..self.clone()
-        }
+        let Self { case, a_over_r, order, resolution, increments, .. } = self.clone();
+        let (element, algorithm) = (Some(element), Some(algorithm));
+        Self { case, a_over_r, order, resolution, increments, element, algorithm, tolerance, ..Self::default() }
     }
 
     /// What one would type: case, load, mesh, element and algorithm, and the tolerance where one is asked for.
@@ -216,20 +200,15 @@ impl Arguments {
             ("--accuracy", self.accuracy.is_some()),
             ("--max-dofs", self.max_dofs.is_some()),
         ];
-        match given.into_iter().find(|(_, given)| *given && self.fitted) {
-            Some((option, _)) => {
-                let message = format!("{option} cannot be used: --fitted chooses the mesh by --order alone");
-                Err(Error::at("solve", message, "leave one of them out"))
-            }
-            None if !self.fitted => Ok(None),
-            None => {
-                let order = self.order.unwrap_or(Order::Sextic);
-                let digits = usize::from(order.number()).saturating_sub(2);
-                let expected = "cells fitted to the contact have order 4 to 8";
-                let refused = || Error::value("solve", "--order", order.number(), expected, "give 4 to 8");
-                order.is_high().then(|| Some(Fitted::of_digits(digits))).ok_or_else(refused)
-            }
+        if !self.fitted {
+            return Ok(None);
         }
+        refuse_beside(true, &given, "--fitted chooses the mesh by --order alone")?;
+        let order = self.order.unwrap_or(Order::Sextic);
+        let digits = usize::from(order.number()).saturating_sub(2);
+        let expected = "cells fitted to the contact have order 4 to 8";
+        let refused = || Error::value("solve", "--order", order.number(), expected, "give 4 to 8");
+        order.is_high().then(|| Some(Fitted::of_digits(digits))).ok_or_else(refused)
     }
 
     /// A formulation that iterates to half a unit of the last digit of a fitted mesh, where no tolerance is asked for.
@@ -261,13 +240,13 @@ impl Arguments {
     pub fn refuse_unwritable(&self, case: &Case) -> Result<(), Error> {
         let files = [
             Output::of("--json", &self.json, json::is_result),
-            Output::of("--csv", &self.csv, profile::is_profile),
+            Output::of("--csv", &self.csv, curve::is_profile),
             Output::of("--curve", &self.curve, curve::is_curve),
             Output::of("--vtu", &self.vtu, vtu::is_ours),
             Output::of("--plot", &self.plot, drawing::is_drawing),
             Output::of("--html", &self.html, html::is_ours),
         ];
-        outputs::refuse("solve", files, &case.read_files(), self.force)
+        writable::refuse("solve", files, &case.read_files(), self.force)
     }
 
     /// Refuses names of outputs that would not tell their format.
@@ -284,12 +263,22 @@ impl Arguments {
             let remedy = "name a file; `--json -` writes to standard output";
             return Err(Error::value("solve", option, STDOUT, "this output goes to a file", remedy));
         }
-        outputs::refuse_plot("solve", &self.plot)?;
-        outputs::refuse_ending("solve", "--html", &self.html, ["html", "pages are HTML"])?;
+        writable::refuse_plot("solve", &self.plot)?;
+        writable::refuse_ending("solve", "--html", &self.html, ["html", "pages are HTML"])?;
         if let Some(path) = self.vtu.as_ref().filter(|path| path.extension().is_none_or(|end| end != "vtu")) {
             let remedy = "end the file name in .vtu, by which ParaView knows the format";
             return Err(Error::value("solve", "--vtu", path.display(), "fields are VTK unstructured grids", remedy));
         }
         Ok(())
+    }
+}
+
+/// Refuses the first of some options that is given, where something else chooses what it would.
+fn refuse_beside(is_chosen: bool, options: &[(&str, bool)], chooses: &str) -> Result<(), Error> {
+    match options.iter().find(|(_, given)| is_chosen && *given) {
+        Some((option, _)) => {
+            Err(Error::at("solve", format!("{option} cannot be used: {chooses}"), "leave one of them out"))
+        }
+        None => Ok(()),
     }
 }

@@ -4,9 +4,10 @@ use std::borrow::Cow;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Duration;
 
-use indicatif::{ProgressBar, ProgressFinish, ProgressStyle};
+use indicatif::{ProgressBar, ProgressFinish};
 
 use crate::accuracy::{Next, in_percent};
+use crate::cli::terminal::styled;
 use crate::clock::Stage;
 
 /// A bar on standard error that goes when the solve ends or breaks off; nothing where that is no terminal.
@@ -21,11 +22,7 @@ impl Stages {
     pub fn new() -> Self {
         let bar = ProgressBar::new(Stage::ALL.len() as u64).with_finish(ProgressFinish::AndClear);
         bar.enable_steady_tick(Duration::from_millis(100));
-        let bar = match ProgressStyle::with_template("{spinner} {bar:20} {msg} {elapsed}") {
-            Ok(style) => bar.with_style(style),
-            Err(_) => bar,
-        };
-        Self { bar, announced: AtomicUsize::new(0) }
+        Self { bar: styled(bar, "{spinner} {bar:20} {msg} {elapsed}"), announced: AtomicUsize::new(0) }
     }
 
     /// Moves on to a stage.

@@ -36,15 +36,11 @@ pub fn print(found: &Found) {
     for check in checks {
         say(verify::told("check", check));
     }
-    oracle::readings(problem, run).iter().for_each(|oracle| say(of_oracle(&problem.scene.contacts, oracle)));
+    for OracleReading { contact, name, kind, told, error, .. } in oracle::readings(problem, run) {
+        let of = if several { format!("contact `{contact}`: ") } else { String::new() };
+        say(format!("{of}{name} ({kind}) {told}, error {}", markdown::error(error.value())));
+    }
     found.notes().iter().for_each(|note| say(format!("note: {note}")));
-}
-
-/// What an oracle says of a quantity of its contact, and how far the run is from it.
-fn of_oracle(contacts: &[ContactPair], oracle: &OracleReading) -> String {
-    let OracleReading { contact, name, kind, told, error, .. } = oracle;
-    let of = if contacts.len() > 1 { format!("contact `{contact}`: ") } else { String::new() };
-    format!("{of}{name} ({kind}) {told}, error {}", markdown::error(error.value()))
 }
 
 /// By what it was solved, how it ended, and what that took.

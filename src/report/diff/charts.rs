@@ -7,7 +7,7 @@ use svg::parser::{Event, Parser};
 
 use super::told::{Change, Told};
 use super::tree::Moved;
-use crate::report::grouped::joined;
+use crate::study::grouped::joined;
 
 /// Attributes that say how something looks, and not what it is; rules of style sheets among them.
 const LOOKS: [&str; 8] = [

@@ -10,8 +10,8 @@ use super::told::{Change, Told};
 use crate::case::Relation;
 use crate::markdown::{self, significant};
 use crate::oracle::ReferenceKind;
-use crate::report::grouped::{joined, largest_first};
 use crate::report::record::{CheckRow, Mark};
+use crate::study::grouped::{joined, largest_first};
 
 /// Folders of what is recorded.
 const RECORDS: [&str; 2] = ["snapshots", "oracles/frozen"];
@@ -53,8 +53,14 @@ impl<'a> Pairs<'a> {
     /// Matches what is left over: first those of the same tolerance, then those that were renamed and loosened at once; of these
     /// those with the most parts of the key in common first.
     fn rename(&mut self) {
+        // Numbers that many checks have tell nobody apart.
+        let says = |x: f64| x.is_finite() && x.fract().abs() > 0.0;
+        let parts_needed = |row: &CheckRow| KEPT[usize::from(!says(row.value) && !says(row.error))];
+        // The same numbers, held in the same way.
+        let held = |row: &CheckRow| (row.kind.clone(), row.relation, row.verdict);
+        let is_alike = |pair: &Pair| !is_moved(pair) && held(pair[0]) == held(pair[1]);
         let all = self.gone.iter().flat_map(|&old| self.came.iter().map(move |&new| [old, new]));
-        let mut found: Vec<Pair> = all.filter(|one| is_alike(one) && parts_kept(one) >= parts_needed(one)).collect();
+        let mut found: Vec<Pair> = all.filter(|one| is_alike(one) && parts_kept(one) >= parts_needed(one[1])).collect();
         found.sort_by_key(|one| Reverse((!differ(one.map(|row| row.tolerance)), parts_kept(one))));
         for pair in found {
             let place = |rows: &[&CheckRow], row: &CheckRow| rows.iter().position(|one| ptr::eq(*one, row));
@@ -71,22 +77,10 @@ fn parts_kept([before, after]: &Pair) -> usize {
     before.key().iter().zip(after.key()).filter(|(old, new)| **old == *new).count()
 }
 
-/// Numbers that many checks have tell nobody apart.
-fn parts_needed([_, after]: &Pair) -> usize {
-    let says = |x: f64| x.is_finite() && x.fract().abs() > 0.0;
-    KEPT[usize::from(!says(after.value) && !says(after.error))]
-}
-
 /// Whether any number of a check moved.
 fn is_moved(pair: &Pair) -> bool {
     let numbers: [fn(&CheckRow) -> f64; 3] = [|row| row.value, |row| row.reference, |row| row.error];
     numbers.into_iter().any(|number| differ(pair.map(number)))
-}
-
-/// The same numbers, held in the same way.
-fn is_alike(pair: &Pair) -> bool {
-    let [before, after] = pair;
-    !is_moved(pair) && before.kind == after.kind && before.relation == after.relation && before.verdict == after.verdict
 }
 
 /// Whether two numbers of a record differ; what is no number is like what is no number.
@@ -108,19 +102,31 @@ pub fn told(pairs: &Pairs) -> Vec<Told> {
     let came = pairs.came.iter().filter(|row| !is_stale(row)).copied();
     let (failing, passing): (Vec<&CheckRow>, Vec<&CheckRow>) = came.partition(|row| is_failing(row));
     let told = [
-        moved("Verdicts that got WORSE against closed forms, other codes and measurements", is_worse_of_truth, verdict),
+        moved(
+            "Verdicts that got WORSE against closed forms, other codes and measurements",
+            |pair| is_worse(pair) && is_of_truth(pair[1]),
+            verdict,
+        ),
         of_one_record("New checks that FAIL", &failing, 0),
         moved("Tolerances LOOSENED", is_loosened_by_hand, limits),
-        moved("Verdicts that got WORSE", is_worse_of_itself, verdict),
+        moved("Verdicts that got WORSE", |pair| is_worse(pair) && !is_of_truth(pair[1]) && !is_stale(pair[1]), verdict),
         moved("Tolerances wider as the error bars that they follow", is_loosened_as_bar, limits),
         moved("Tolerances tightened", |pair| differ(pair.map(limit)) && !is_loosened(pair), limits),
         moved("Verdicts that got better", |[before, after]| after.verdict < before.verdict, verdict),
         of_one_record("Checks that are GONE", &pairs.gone, 1),
         of_one_record("New checks", &passing, 0),
-        moved("Checks asked of FEWER runs", is_asked_less, runs),
+        moved("Checks asked of FEWER runs", is_asked_less, |pair| {
+            number(pair, |row| row.runs as f64, |row| format!("{} runs", row.runs))
+        }),
         moved("Checks renamed, with the same numbers", |[before, after]| before.key() != after.key(), name),
         moved("Numbers that moved", |pair| is_moved(pair) && pair[0].verdict == pair[1].verdict, share),
-        moved("Error bars that moved", |pair| differ(pair.map(bar)), bars),
+        moved(
+            "Error bars that moved",
+            |pair| differ(pair.map(bar)),
+            |pair| {
+                number(pair, bar, |row| if bar(row).is_finite() { markdown::error(bar(row)) } else { "none".into() })
+            },
+        ),
     ];
     told.into_iter().flatten().collect()
 }
@@ -237,10 +243,6 @@ fn is_asked_less([before, after]: &Pair) -> bool {
     after.runs < before.runs
 }
 
-fn runs(pair: &Pair) -> Change {
-    number(pair, |row| row.runs as f64, |row| format!("{} runs", row.runs))
-}
-
 /// Checks of one new name are told in one row.
 fn name([before, after]: &Pair) -> Change {
     let parts = CheckRow::KEY.iter().zip(before.key().into_iter().zip(after.key()));
@@ -279,10 +281,6 @@ fn bar(row: &CheckRow) -> f64 {
     row.bar.or(row.uncertainty).unwrap_or(f64::INFINITY)
 }
 
-fn bars(pair: &Pair) -> Change {
-    number(pair, bar, |row| if bar(row).is_finite() { markdown::error(bar(row)) } else { "none".into() })
-}
-
 fn is_failing(row: &CheckRow) -> bool {
     row.verdict == Mark::Fail
 }
@@ -301,12 +299,4 @@ fn is_stale(row: &CheckRow) -> bool {
     row.verdict != Mark::Pass
         && !is_of_truth(row)
         && RECORDS.iter().any(|folder| Path::new(&row.against).starts_with(folder))
-}
-
-fn is_worse_of_truth(pair: &Pair) -> bool {
-    is_worse(pair) && is_of_truth(pair[1])
-}
-
-fn is_worse_of_itself(pair: &Pair) -> bool {
-    is_worse(pair) && !is_of_truth(pair[1]) && !is_stale(pair[1])
 }

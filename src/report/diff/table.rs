@@ -7,7 +7,7 @@ use serde_json::Value;
 
 use super::told::{Change, Told};
 use super::tree::Tree;
-use crate::report::grouped::joined;
+use crate::study::grouped::joined;
 
 /// Values by row and column; an empty one is none.
 pub type Cells = BTreeMap<[String; 2], String>;
@@ -31,6 +31,9 @@ pub fn versions(path: &str, texts: [Option<&str>; 2]) -> Option<[Cells; 2]> {
     let tables = both(texts.map(|text| text.map_or_else(|| Some(Vec::new()), rows)))?;
     let width = tables.iter().filter_map(|rows| Some(rows.first()?.len())).min()?;
     // Rows are told apart by the fewest first columns that have no duplicate in either.
+    let is_unique = |rows: &[Vec<String>], key: usize| {
+        rows.iter().map(|row| &row[..key]).collect::<BTreeSet<_>>().len() == rows.len()
+    };
     let key = (1..=width).find(|key| tables.iter().all(|rows| is_unique(rows, *key)))?;
     Some(tables.map(|rows| cells(&rows, key)))
 }
@@ -42,10 +45,6 @@ fn both<T>([before, after]: [Option<T>; 2]) -> Option<[T; 2]> {
 fn rows(text: &str) -> Option<Vec<Vec<String>>> {
     let mut reader = csv::ReaderBuilder::new().has_headers(false).from_reader(text.as_bytes());
     reader.deserialize().collect::<Result<_, _>>().ok()
-}
-
-fn is_unique(rows: &[Vec<String>], key: usize) -> bool {
-    rows.iter().map(|row| &row[..key]).collect::<BTreeSet<_>>().len() == rows.len()
 }
 
 fn cells(rows: &[Vec<String>], key: usize) -> Cells {

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use crate::markdown::{counted, significant};
-use crate::report::grouped::largest_first;
+use crate::study::grouped::largest_first;
 
 /// One thing that differs.
 #[derive(Clone, Debug, Default)]

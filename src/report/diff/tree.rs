@@ -11,7 +11,7 @@ use rayon::prelude::*;
 
 use crate::checkout;
 use crate::error::Error;
-use crate::report::grouped::joined;
+use crate::study::grouped::joined;
 
 /// What is compared: the page, and the folder of everything that is recorded.
 const COMPARED: [&str; 2] = ["VALIDATION.md", "snapshots"];
@@ -104,19 +104,13 @@ pub fn of_commit(root: &Path, name: &str) -> Result<Tree, Error> {
 
 /// What git prints to a question.
 fn asked(root: &Path, question: &[&str]) -> Result<String, Error> {
-    let output = Command::new("git").arg("-C").arg(root).args(question).output().map_err(not_started)?;
+    let remedy = "install git: the results of other commits are read through it";
+    let output = Command::new("git").arg("-C").arg(root).args(question).output();
+    let output = output.map_err(|error| Error::at("git", format!("cannot be started: {error}"), remedy))?;
     if output.status.success() {
         return Ok(String::from_utf8_lossy(&output.stdout).into_owned());
     }
-    Err(broken(String::from_utf8_lossy(&output.stderr).trim()))
-}
-
-fn not_started(error: std::io::Error) -> Error {
-    let remedy = "install git: the results of other commits are read through it";
-    Error::at("git", format!("cannot be started: {error}"), remedy)
-}
-
-fn broken(message: &str) -> Error {
-    let message = if message.is_empty() { "refused the question" } else { message };
-    Error::at("git", message, "run inside a git checkout of the project that has the commit")
+    let said = String::from_utf8_lossy(&output.stderr);
+    let message = if said.trim().is_empty() { "refused the question" } else { said.trim() };
+    Err(Error::at("git", message, "run inside a git checkout of the project that has the commit"))
 }

@@ -41,12 +41,21 @@ impl Study for Numbers {
                  [Predicted against measured](stability.md#bodies-of-revolution). Beyond the surveyed range nothing is known.",
     };
 
+    /// One trial a plane, and one a scene of the paper.
     fn plan() -> Vec<Planned<Self>> {
-        run::plan()
+        let planes =
+            Plane::ALL.map(|plane| Planned::new("stability atlas", plane.name(), move || run::of_plane(plane)));
+        let saved = Plane::PAPER.map(|scene| {
+            Planned::new(format!("before and after, {}", scene.name()), "all nine", move || run::saved(scene))
+        });
+        planes.into_iter().chain(saved).collect()
     }
 
     fn judge(&self) -> Result<Vec<Judged>, Error> {
-        Ok(run::judge(self))
+        Ok(match self {
+            Self::Surveyed { chart, recomputed, moved } => run::judge_chart(chart, *recomputed, *moved),
+            Self::Saved(scene, saved) => run::taken(scene.name(), saved),
+        })
     }
 
     fn section(findings: &[Found<Self>]) -> Result<String, Error> {

@@ -164,7 +164,12 @@ const TICKS: [(usize, &str); 5] = [(0, "10⁻⁶"), (6, "10⁻³"), (12, "1"), (
 
 /// How every run of a plane ended, one panel a rule and element, with the predicted boundary.
 fn map(chart: &Chart) -> Drawing {
-    let on_each = |method: Method| Element::ALL.map(|element| map_panel(chart, Method { element, ..method }));
+    let panel = |method: Method| {
+        let rows = chart.of_method(method).map(|row| (row[0].ordinate.to_string(), row.iter().map(cell).collect()));
+        let [element, algorithm] = [method.element.name(), method.algorithm.name()];
+        MapPanel { rows: rows.collect(), title: format!("{element} · {algorithm} · {}", rule(method)) }
+    };
+    let on_each = |method: Method| Element::ALL.map(|element| panel(Method { element, ..method }));
     let limit = Settings::default().max_iterations;
     let [quick, ordinary] = QUICK;
     ClassMap {
@@ -188,12 +193,6 @@ fn map(chart: &Chart) -> Drawing {
     .drawing()
 }
 
-fn map_panel(chart: &Chart, method: Method) -> MapPanel {
-    let rows = chart.of_method(method).map(|row| (row[0].ordinate.to_string(), row.iter().map(cell).collect()));
-    let [element, algorithm] = [method.element.name(), method.algorithm.name()];
-    MapPanel { rows: rows.collect(), title: format!("{element} · {algorithm} · {}", rule(method)) }
-}
-
 fn note(chart: &Chart) -> String {
     let is_predicted = |rule: &StiffnessRule| {
         chart.rows.iter().flatten().any(|r| r.method.rule == *rule && r.predicted_iterations.is_some())
@@ -207,11 +206,13 @@ fn note(chart: &Chart) -> String {
     )
 }
 
-/// Ended and label of a run.
+/// Ended and label of a run; of an error the least of the labelled ones that is not below it.
 fn cell(record: &Record) -> Cell {
     let [quick, ordinary] = QUICK;
+    let enough = LABELLED.into_iter().find(|labelled| 100.0 * record.off() <= *labelled);
+    let percent = enough.map_or("> 50".into(), |labelled| labelled.to_string());
     let (class, label) = match record.class {
-        Ended::Converged if !record.is_right() => (if record.off() <= OFF { 3 } else { 4 }, percent(record.off())),
+        Ended::Converged if !record.is_right() => (if record.off() <= OFF { 3 } else { 4 }, percent),
         Ended::Converged if record.iterations <= quick => (0, format!("≤{quick}")),
         Ended::Converged if record.iterations <= ordinary => (1, format!("≤{ordinary}")),
         Ended::Converged => (2, format!(">{ordinary}")),
@@ -224,10 +225,4 @@ fn cell(record: &Record) -> Cell {
     };
     let limit = Settings::default().max_iterations as f64;
     Cell { class, label, predicted: record.predicted_iterations.map(|predicted| predicted <= limit) }
-}
-
-/// The least of the labelled errors that is not below this one [%].
-fn percent(error: f64) -> String {
-    let enough = LABELLED.into_iter().find(|labelled| 100.0 * error <= *labelled);
-    enough.map_or("> 50".into(), |labelled| labelled.to_string())
 }

@@ -15,6 +15,7 @@ use crate::markdown;
 use crate::mesh::Resolution;
 use crate::named::named_enum;
 use crate::solve::{Element, Ended, Formulation, Iteration};
+use crate::study::grouped::in_order;
 use crate::study::method::Method;
 use crate::study::records;
 
@@ -59,11 +60,6 @@ impl Plane {
         self.axis().0
     }
 
-    /// The values of the other number.
-    pub fn ordinates(self) -> &'static [f64] {
-        self.axis().1
-    }
-
     /// Whether it has many values of both numbers.
     pub fn is_full(self) -> bool {
         [Self::Stretch, Self::Mesh].contains(&self)
@@ -76,7 +72,7 @@ impl Plane {
 
     /// Its meshes, in the order of the record.
     pub fn sites(self) -> Vec<Site> {
-        self.ordinates().iter().map(|&ordinate| Site { plane: self, ordinate }).collect()
+        self.axis().1.iter().map(|&ordinate| Site { plane: self, ordinate }).collect()
     }
 
     /// Its lines, all but the initial stiffness fixed, in the order of the record.
@@ -231,8 +227,6 @@ pub struct Digest {
     pub method: Method,
     /// Where every run ends right.
     pub safe: Option<Safe>,
-    /// Runs by how they ended.
-    pub ends: Vec<(Ended, usize)>,
     /// Runs that had a prediction.
     pub predicted: usize,
     /// Plane by plane, runs that did not end right, of all.
@@ -254,15 +248,6 @@ pub struct Safe {
     pub best_iterations: usize,
 }
 
-impl Safe {
-    /// Whether the range has more decades than another, if there is one.
-    pub fn is_wider_than(&self, other: Option<Self>) -> bool {
-        let decades = |range: &Self| (range.to / range.from).log10();
-        let own = decades(self);
-        other.is_none_or(|other| own > decades(&other) && !same(own, decades(&other)))
-    }
-}
-
 /// Digests of every method, element by element.
 pub fn digests(charts: &[&Chart]) -> Vec<Digest> {
     Method::all().into_iter().map(|method| digest(charts, method)).collect()
@@ -271,11 +256,9 @@ pub fn digests(charts: &[&Chart]) -> Vec<Digest> {
 fn digest(charts: &[&Chart], method: Method) -> Digest {
     let rows: Vec<&[Record]> = charts.iter().flat_map(|chart| chart.of_method(method)).collect();
     let all = || rows.iter().flat_map(|row| row.iter());
-    let count = |class: Ended| (class, all().filter(|record| record.class == class).count());
     Digest {
         method,
         safe: safe(&rows, method.algorithm.default_stiffness()),
-        ends: Ended::ALL.map(count).into_iter().filter(|(_, number)| *number > 0).collect(),
         predicted: all().filter(|record| record.predicted_iterations.is_some()).count(),
         wrong: charts.iter().map(|chart| (chart.plane, wrong(chart.of_method(method)))).collect(),
     }
@@ -324,7 +307,7 @@ const ADVICE: [markdown::Column<Advice>; 6] = [
 
 /// Which element and algorithm to use from which initial stiffness, and which not.
 pub fn recommendation(digests: &[Digest]) -> String {
-    let points: usize = digests.iter().flat_map(|digest| &digest.ends).map(|(_, count)| count).sum();
+    let points: usize = digests.iter().flat_map(|digest| &digest.wrong).map(|(_, [_, all])| all).sum();
     let predicted: usize = digests.iter().map(|digest| digest.predicted).sum();
     let reliable = reliable(digests);
     let served = |need: &'static str, serves: &dyn Fn(&Method) -> bool| {
@@ -333,7 +316,10 @@ pub fn recommendation(digests: &[Digest]) -> String {
     };
     let fewest = served("fewest iterations of the paper's own rules", &|method| !method.is_accelerated());
     let constant = served("one factorisation only", &|method| method.algorithm == Iteration::Constant);
-    let widest: Vec<_> = reliable.iter().filter(|(_, safe)| is_widest(&reliable, safe)).collect();
+    let decades = |range: &Safe| (range.to / range.from).log10();
+    let is_wider = |one: f64, other: f64| one > other && !same(one, other);
+    let is_widest = |safe: &Safe| !reliable.iter().any(|(_, other)| is_wider(decades(other), decades(safe)));
+    let widest: Vec<_> = reliable.iter().filter(|(_, safe)| is_widest(safe)).collect();
     let of_element = |element: Element| {
         let own = widest.iter().filter(|(method, _)| method.element == element);
         let (method, safe) = own.min_by_key(|(_, safe)| safe.iterations)?;
@@ -350,14 +336,7 @@ pub fn recommendation(digests: &[Digest]) -> String {
     let usual = Method::default(usual.element, usual.algorithm);
     let _ = writeln!(text, "\nIf nothing is said, `contact-vv` takes `{usual}`.");
     let nowhere = digests.iter().filter(|digest| digest.safe.is_none());
-    let mut failing: Vec<([String; 2], Vec<String>)> = Vec::new();
-    for digest in nowhere {
-        let (told, method) = (failures(digest), format!("`{}`", digest.method));
-        match failing.iter_mut().find(|(known, _)| *known == told) {
-            Some((_, methods)) => methods.push(method),
-            None => failing.push((told, vec![method])),
-        }
-    }
+    let failing = in_order(nowhere.map(|digest| (failures(digest), format!("`{}`", digest.method))));
     if !failing.is_empty() {
         let row = |(failures, methods): &([String; 2], Vec<String>)| {
             std::iter::once(methods.join(", ")).chain(failures.clone()).collect::<Vec<_>>()
@@ -425,9 +404,4 @@ fn reliable(digests: &[Digest]) -> Vec<(Method, Safe)> {
         exact.filter_map(|digest| digest.safe.map(|safe| (digest.method, safe))).collect();
     reliable.sort_by_key(|(_, safe)| safe.best_iterations);
     reliable
-}
-
-/// Whether no other method's range exceeds a range.
-fn is_widest(reliable: &[(Method, Safe)], safe: &Safe) -> bool {
-    !reliable.iter().any(|(_, other)| other.is_wider_than(Some(*safe)))
 }

@@ -18,18 +18,10 @@ use crate::solve::run::Run;
 use crate::solve::{Discretisation, Element, Formulation, Iteration, Settings};
 use crate::stability::halving::{self, SOFT};
 use crate::stability::{Limit, linear, rate, release};
+use crate::study::Found;
 use crate::study::atlas::plane::{Chart, HEAD, Plane, RIGHT, Record, STRETCH, Site};
 use crate::study::method::Method;
 use crate::study::records::{self as kept, rounded};
-use crate::study::{Found, Planned};
-
-/// One trial a plane, and one a scene of the paper.
-pub fn plan() -> Vec<Planned<Numbers>> {
-    let planes = Plane::ALL.map(|plane| Planned::new("stability atlas", plane.name(), move || of_plane(plane)));
-    let saved = Plane::PAPER
-        .map(|scene| Planned::new(format!("before and after, {}", scene.name()), "all nine", move || saved(scene)));
-    planes.into_iter().chain(saved).collect()
-}
 
 /// What came out of a trial.
 #[derive(Clone, Debug)]
@@ -65,8 +57,6 @@ pub struct Saved {
     pub program: String,
     /// Iterations of both; none where it does not converge.
     pub iterations: [Option<usize>; 2],
-    /// Peak pressure \[MPa\] and second-moment width \[mm\] of the paper's.
-    pub measured: [f64; 2],
     /// Error of p₀ and a of what the program takes.
     pub error: f64,
 }
@@ -85,7 +75,7 @@ const INDIFFERENT: f64 = 1.0 + 1e-6;
 pub const ENOUGH: usize = 6_000;
 
 /// The record of a plane, and what of it was recomputed.
-fn of_plane(plane: Plane) -> Result<Numbers, Error> {
+pub(super) fn of_plane(plane: Plane) -> Result<Numbers, Error> {
     let chart = Chart::read(plane)?;
     let methods = Method::all().len();
     let [every, share] = if plane.is_full() { FULL } else { OTHERS };
@@ -218,7 +208,7 @@ impl<'a> Ground<'a> {
 }
 
 /// Every formulation as it stands in the paper, for as long as it takes, and as the program takes it, on the mesh of the library.
-fn saved(scene: Plane) -> Result<Numbers, Error> {
+pub(super) fn saved(scene: Plane) -> Result<Numbers, Error> {
     let case = scene.case(STRETCH);
     let discretisation = Discretisation::of(case.scene, case.resolution)?;
     let pairs = Formulation::nine().into_iter().zip(Formulation::compared());
@@ -227,9 +217,7 @@ fn saved(scene: Plane) -> Result<Numbers, Error> {
         let [before, after] = [&paper, &program].map(|formulation| Run::of(&discretisation, formulation));
         let (before, after) = (before?, after?);
         let iterations = [&before, &after].map(|run| run.solution.converged().then_some(run.solution.work.iterations));
-        let measures = before.measures();
-        let measured = [measures.peak.pressure, measures.second_moment_width];
-        Ok(Saved { paper: paper.name(), program: program.name(), iterations, measured, error: after.iteration_error() })
+        Ok(Saved { paper: paper.name(), program: program.name(), iterations, error: after.iteration_error() })
     };
     Ok(Numbers::Saved(scene, pairs.map(of).collect::<Result<_, Error>>()?))
 }
@@ -241,19 +229,10 @@ pub(super) const HALVINGS: f64 = 1.0;
 /// Fewer iterations than this are over before a rate matters.
 const FEW: usize = 20;
 
-/// The checks of a trial.
-pub fn judge(numbers: &Numbers) -> Vec<Judged> {
-    match numbers {
-        Numbers::Surveyed { chart, recomputed, moved } => {
-            let mut judged = vec![as_recorded(*recomputed, *moved)];
-            judged.extend(predicted(chart));
-            judged.push(halved(chart));
-            judged.push(averaged(chart));
-            judged.push(honest(chart));
-            judged
-        }
-        Numbers::Saved(scene, saved) => taken(scene.name(), saved),
-    }
+/// The checks of a plane.
+pub(super) fn judge_chart(chart: &Chart, recomputed: usize, moved: usize) -> Vec<Judged> {
+    let [first, last] = [vec![as_recorded(recomputed, moved)], vec![halved(chart), averaged(chart), honest(chart)]];
+    [first, predicted(chart), last].concat()
 }
 
 /// Whether a run converged.
@@ -408,7 +387,7 @@ fn honest(chart: &Chart) -> Judged {
 }
 
 /// What the program takes is right, and all nine converge.
-fn taken(scene: &str, saved: &[Saved]) -> Vec<Judged> {
+pub(super) fn taken(scene: &str, saved: &[Saved]) -> Vec<Judged> {
     let at = format!("{scene}, all nine as the program takes them");
     let right = Check::error(
         Quantity::at("error of p₀ and a of what converges, from any initial stiffness", at),

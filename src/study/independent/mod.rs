@@ -17,10 +17,11 @@ use crate::error::Error;
 use crate::markdown;
 use crate::oracle::ReferenceKind;
 use crate::oracle::cross_code::independent::{Folder, Independent, Script};
+use crate::scene::ReferenceValues;
 use crate::study::about::{About, Found, Planned, Study};
 use crate::study::differences::Answers;
 use crate::study::drawn::picture;
-use crate::study::independent::run::{Compared, KAPPA, Other, STATIONS, Scene};
+use crate::study::independent::run::{Benchmark, Compared, KAPPA, Other, STATIONS, Scene};
 use crate::uncertainty::{COVERAGE, Comparison};
 
 pub use run::Compared as Numbers;
@@ -56,7 +57,8 @@ impl Study for Compared {
         }
         let entered = |found: &Found<Self>| {
             let of = found.numbers;
-            format!("{} ({})", markdown::significant(of.ours.measured[0][0] / of.spring, 2), found.name)
+            let spring = of.scene.benchmark().spring();
+            format!("{} ({})", markdown::significant(of.ours.measured[0][0] / spring, 2), found.name)
         };
         let entered: Vec<String> = findings.iter().map(entered).collect();
         text += "\n";
@@ -118,9 +120,9 @@ fn of_script(compared: &Compared, other: &Other) -> Vec<Judged> {
 
 /// The profile of a script shall carry the force that its contact transmits: areas and pressures belong together.
 fn carried(compared: &Compared, other: &Other) -> Judged {
-    let same = other.found.profile.len() == compared.carries.len();
-    let force: f64 =
-        other.found.profile.iter().zip(&compared.carries).map(|(pressure, carries)| pressure * carries).sum();
+    let carries = compared.scene.benchmark().carries();
+    let same = other.found.profile.len() == carries.len();
+    let force: f64 = other.found.profile.iter().zip(&carries).map(|(pressure, carries)| pressure * carries).sum();
     let quantity = Quantity::at("force of the profile [N]", other.script.title());
     let reference = Reference::own("resultant of the same script", other.found.resultant);
     let because = "means over stretches, linear between integration points; at most three times what is found";
@@ -176,38 +178,25 @@ fn demanded(scene: Scene, script: Script) -> [f64; 3] {
     }
 }
 
-/// Differences of the profiles to ours.
+/// Differences of the profiles to ours, in per cent of what the scene is measured by.
 fn profiles(compared: &Compared) -> Chart {
-    let axis = Axis::linear(&format!("difference [% of {}]", unit(compared.scene)));
-    let mut chart = Chart::new(compared.scene.name(), Axis::linear(abscissa(compared.scene)), axis);
+    let scene = compared.scene;
+    let [pressures, abscissa] = match scene {
+        Scene::Cylinder | Scene::WiderCylinder | Scene::TruncatedHertz => ["p₀", "place over half-width x / a [–]"],
+        Scene::PinRod => ["F/(R t)", "θ from the load line [°]"],
+        Scene::PinPlate => ["F/(R t)", "φ from the load line [°]"],
+    };
+    let axis = Axis::linear(&format!("difference [% of {pressures}]"));
+    let mut chart = Chart::new(scene.name(), Axis::linear(abscissa), axis);
+    let Benchmark { physical, case, .. } = scene.benchmark();
+    let ReferenceValues { length, pressure, .. } = case.scene.reference;
+    let scale = if scene.is_arc() { 180.0 / PI } else { 1.0 / length };
     chart.series.extend(compared.others.iter().map(|other| {
-        let differences: Vec<f64> =
-            other.found.profile.iter().zip(&compared.ours.profile).map(|(p, q)| p - q).collect();
-        let points = points(compared, &differences);
+        let differences = other.found.profile.iter().zip(&compared.ours.profile).map(|(p, q)| p - q);
+        let points = physical.stations.iter().zip(differences).map(|(s, p)| [scale * s, 100.0 * p / pressure]);
         Series::new(other.script.title(), points, style(other.script))
     }));
     chart
-}
-
-/// What profiles are drawn against.
-fn abscissa(scene: Scene) -> &'static str {
-    match scene {
-        Scene::Cylinder | Scene::WiderCylinder | Scene::TruncatedHertz => "place over half-width x / a [–]",
-        Scene::PinRod => "θ from the load line [°]",
-        Scene::PinPlate => "φ from the load line [°]",
-    }
-}
-
-/// What pressures are drawn over.
-fn unit(scene: Scene) -> &'static str {
-    if scene.is_arc() { "F/(R t)" } else { "p₀" }
-}
-
-/// Differences in per cent of what the scene is measured by.
-fn points(compared: &Compared, differences: &[f64]) -> Vec<[f64; 2]> {
-    let [length, pressure] = compared.reference;
-    let scale = if compared.scene.is_arc() { 180.0 / PI } else { 1.0 / length };
-    compared.stations.iter().zip(differences).map(|(s, p)| [scale * s, 100.0 * p / pressure]).collect()
 }
 
 fn style(script: Script) -> Style {

@@ -194,20 +194,12 @@ pub fn against(answers: Answers) -> Vec<Planned<Compared>> {
 pub struct Compared {
     /// The scene.
     pub scene: Scene,
-    /// Middles of the stretches over which profiles are compared \[mm, or rad\].
-    pub stations: Vec<f64>,
-    /// Length \[mm\] and pressure \[MPa\] that the scene is measured by.
-    pub reference: [f64; 2],
     /// What we found.
     pub ours: Found,
     /// What the scripts found.
     pub others: Vec<Other>,
-    /// Force along the load line that a pressure of 1 MPa on each stretch carries, both halves \[N\].
-    pub carries: Vec<f64>,
     /// What springs of their stiffness add to peak \[MPa\] and width \[mm, or rad\] on our mesh.
     pub penalty: [f64; 2],
-    /// That stiffness \[MPa/mm\]: bodies enter one another by the pressure over it.
-    pub spring: f64,
 }
 
 /// What a script found.
@@ -223,30 +215,33 @@ pub struct Other {
 
 /// A scene by every script.
 pub fn compare(benchmark: &Benchmark, answers: Answers) -> Result<Compared, Error> {
-    let (scene, reference) = (&benchmark.case.scene, &benchmark.case.scene.reference);
     let mut others = Vec::new();
     for (script, series, reproduced) in asked(benchmark, answers)? {
         others.push(Other { script, reproduced, found: Found::of(script.title(), &series)? });
     }
     Ok(Compared {
         scene: benchmark.scene,
-        stations: benchmark.physical.stations.clone(),
-        reference: [reference.length, reference.pressure],
         ours: Found::of("ours", &ours(benchmark)?)?,
         others,
-        carries: carries(benchmark),
         penalty: penalty(benchmark)?,
-        spring: KAPPA * scene.contact_modulus() / reference.length,
     })
 }
 
-/// `2 t Δx` on a plane, `2 t R · 2 sin(Δθ/2) cos θ` on an arc.
-fn carries(benchmark: &Benchmark) -> Vec<f64> {
-    let (scene, stations) = (&benchmark.case.scene, &benchmark.physical.stations);
-    let (step, pair) = (stations[1] - stations[0], scene.contact());
-    let scale = whole(pair) * scene.thickness * pair.path.metric();
-    let along = |at: f64| if benchmark.scene.is_arc() { 2.0 * (0.5 * step).sin() * at.cos() } else { step };
-    stations.iter().map(|&at| scale * along(at)).collect()
+impl Benchmark {
+    /// Force along the load line that a pressure of 1 MPa on each stretch carries, both halves \[N\]: `2 t Δx` on a plane,
+    /// `2 t R · 2 sin(Δθ/2) cos θ` on an arc.
+    pub fn carries(&self) -> Vec<f64> {
+        let (scene, stations) = (&self.case.scene, &self.physical.stations);
+        let (step, pair) = (stations[1] - stations[0], scene.contact());
+        let scale = whole(pair) * scene.thickness * pair.path.metric();
+        let along = |at: f64| if self.scene.is_arc() { 2.0 * (0.5 * step).sin() * at.cos() } else { step };
+        stations.iter().map(|&at| scale * along(at)).collect()
+    }
+
+    /// Stiffness of the springs of the scripts \[MPa/mm\]: bodies enter one another by the pressure over it.
+    pub fn spring(&self) -> f64 {
+        KAPPA * self.case.scene.contact_modulus() / self.case.scene.reference.length
+    }
 }
 
 /// A script, its series, and whether that is what was frozen.

@@ -6,7 +6,7 @@
 
 pub mod photograph;
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use crate::case::library::{PinPlate, PinRod};
 use crate::case::{Check, Judged, Quantity, Reference};
@@ -36,13 +36,8 @@ const SOURCES: [(&str, &str); 2] = [(GAERTNER, "gaertner-1977"), ("ghosh 1982", 
 /// What a trial found.
 #[derive(Clone, Debug)]
 pub enum Numbers {
-    /// The curves of a source.
-    Curves {
-        /// Its name.
-        source: String,
-        /// The check of every curve, or why the figures are not at hand.
-        found: Result<Vec<Judged>, String>,
-    },
+    /// The check of every curve of a source.
+    Curves(Vec<Judged>),
     /// What the photograph says of our disc.
     Photograph(Photograph),
 }
@@ -61,7 +56,8 @@ impl Study for Numbers {
     fn plan() -> Vec<Planned<Self>> {
         let curves = SOURCES.map(|(source, folder)| {
             Planned::new(source, "digitised curves", move || {
-                Ok(Numbers::Curves { source: source.into(), found: against(&folder_of(folder))? })
+                let folder = root().join("oracles/digitised").join(folder);
+                Ok(Numbers::Curves(judge_curves(source, &against(&folder)?)))
             })
         });
         let photograph = Planned::new("photoelastic disc between plates", "isochromatics of a photograph", || {
@@ -72,7 +68,7 @@ impl Study for Numbers {
 
     fn judge(&self) -> Result<Vec<Judged>, Error> {
         Ok(match self {
-            Numbers::Curves { source, found } => judge_curves(source, found),
+            Numbers::Curves(judged) => judged.clone(),
             Numbers::Photograph(photograph) => photograph::judge(photograph),
         })
     }
@@ -98,20 +94,12 @@ impl Study for Numbers {
 fn photographs<'a>(findings: &'a [Found<Numbers>]) -> impl Iterator<Item = &'a Photograph> {
     findings.iter().filter_map(|found| match found.numbers {
         Numbers::Photograph(photograph) => Some(photograph),
-        Numbers::Curves { .. } => None,
+        Numbers::Curves(_) => None,
     })
 }
 
 /// Elements per 10 mm of arc for a pin of 10 mm radius, on the coarse and the fine mesh; scaled with the source's pin.
 const ELEMENTS: [usize; 2] = [24, 48];
-
-/// Ours at an abscissa \[rad, mm or N\], with the uncertainty of its mesh.
-type Ours = Box<dyn Fn(f64) -> Result<OurPoint, Error>>;
-
-/// Where the curves of a source are looked for.
-pub fn folder_of(name: &str) -> PathBuf {
-    root().join("oracles/digitised").join(name)
-}
 
 /// Compares every curve of a source's folder; why not, where its figures are not at hand.
 pub fn against(folder: &Path) -> Result<Result<Vec<Judged>, String>, Error> {
@@ -131,6 +119,9 @@ fn compared(curve: &DigitisedCurve) -> Result<Judged, Error> {
     let comparison = compare(curve, &|at| ours(at).unwrap_or(OurPoint { value: f64::NAN, uncertainty: f64::NAN }));
     Ok(check(&curve.file, &curve.file, curve.kind(), model_form(curve).as_deref()).judge(worst(&comparison)))
 }
+
+/// Ours at an abscissa \[rad, mm or N\], with the uncertainty of its mesh.
+type Ours = Box<dyn Fn(f64) -> Result<OurPoint, Error>>;
 
 fn ours(curve: &DigitisedCurve) -> Result<Ours, Error> {
     let of_two = |both: [f64; 2]| OurPoint { value: both[1], uncertainty: standard(bound_of_two(both)) };

@@ -3,6 +3,7 @@
 use crate::algorithm::{Criterion, Leeway, Spring, StiffnessRule};
 use crate::named::named_enum;
 use crate::solve::{Element, Formulation, Iteration, Settings};
+use crate::study::grouped::in_order;
 
 named_enum! {
     /// What is open; its name begins a sentence that a choice ends.
@@ -261,21 +262,12 @@ impl Reading {
 
 /// Departures in words: `candidates end where the contact does and runs stop by contact state; or the cap is 20, or 30`.
 pub fn told<'a>(readings: impl IntoIterator<Item = &'a Reading>) -> String {
-    let mut groups: Vec<(String, Vec<String>)> = Vec::new();
-    for reading in readings {
+    let departure = |reading: &Reading| {
         let axes = reading.axes();
-        let Some((last, before)) = axes.split_last() else { continue };
-        let before: String =
-            before.iter().map(|axis| format!("{} {} and ", axis.name(), reading.choice(*axis))).collect();
-        let begins = before + last.name();
-        match groups.iter_mut().find(|(own, _)| *own == begins) {
-            Some((_, choices)) => choices.push(reading.choice(*last)),
-            None => groups.push((begins, vec![reading.choice(*last)])),
-        }
-    }
-    groups
-        .iter()
-        .map(|(begins, choices)| format!("{begins} {}", choices.join(", or ")))
-        .collect::<Vec<_>>()
-        .join("; or ")
+        let (last, before) = axes.split_last()?;
+        let before = before.iter().map(|axis| format!("{} {} and ", axis.name(), reading.choice(*axis)));
+        Some((before.collect::<String>() + last.name(), reading.choice(*last)))
+    };
+    let groups = in_order(readings.into_iter().filter_map(departure)).into_iter();
+    groups.map(|(begins, choices)| format!("{begins} {}", choices.join(", or "))).collect::<Vec<_>>().join("; or ")
 }

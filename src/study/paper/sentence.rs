@@ -129,11 +129,6 @@ fn extremes<'a>(all: impl IntoIterator<Item = &'a Starts>) -> Option<[usize; 2]>
     Some([*iterations.iter().min()?, *iterations.iter().max()?])
 }
 
-/// Whether every quotient is above one; of none nothing is known.
-fn all_above_one(quotients: &[f64]) -> bool {
-    !quotients.is_empty() && quotients.iter().all(|quotient| *quotient > 1.0)
-}
-
 /// What the paper shows of one example under a reading.
 pub struct Seen {
     /// Every element and algorithm that it shows, in the order of the nine.
@@ -223,7 +218,11 @@ impl Sentence {
                 seen.by(Kinematic).all(Starts::all_end)
                     && seen.by(Kinematic).all(|own| seen.others().all(|other| own.is_faster_than(other)))
             }
-            Self::LeastWork => all_above_one(&seen.over_kinematic()),
+            Self::LeastWork => {
+                let quotients = seen.over_kinematic();
+                // Of none nothing is known.
+                !quotients.is_empty() && quotients.iter().all(|quotient| *quotient > 1.0)
+            }
             Self::Saves => seen.over_constant().iter().any(|quotient| *quotient >= STRONG),
             Self::Alike => true,
         }

@@ -12,6 +12,7 @@ use crate::mesh::{Order, Resolution};
 use crate::named::named_enum;
 use crate::solution::{Iterated, Outcome, Solution};
 use crate::solve::{Discretisation, Element, Formulation, Iteration, Run, Settings};
+use crate::study::grouped::{counted, in_order};
 use crate::study::paper::reading::{Axis, Candidates, JUDGED, Mesh, Reading, Rule, Stop, told};
 use crate::study::paper::sentence::{Met, Seen, Sentence, Starts, agrees};
 
@@ -76,16 +77,11 @@ pub fn shown() -> impl Iterator<Item = (Element, Iteration)> {
 
 /// Every start of every site of some readings, on meshes that are made once.
 pub fn courses(readings: &[Reading]) -> Result<Vec<Course>, Error> {
-    let mut sites: Vec<(Site, Vec<Stop>)> = Vec::new();
-    for reading in readings {
-        for site in Example::ALL.into_iter().flat_map(|example| Site::all(reading, example)) {
-            match sites.iter_mut().find(|(own, _)| *own == site) {
-                Some((_, stops)) if stops.contains(&reading.stop) => {}
-                Some((_, stops)) => stops.push(reading.stop),
-                None => sites.push((site, vec![reading.stop])),
-            }
-        }
-    }
+    let all = readings.iter().flat_map(|reading| Example::ALL.map(|example| (reading, example)));
+    let asked = all.flat_map(|(reading, example)| Site::all(reading, example).map(|site| (site, reading.stop)));
+    let once = |stops: Vec<Stop>| counted(stops).into_iter().map(|(stop, _)| stop).collect();
+    let mut sites: Vec<(Site, Vec<Stop>)> =
+        in_order(asked).into_iter().map(|(site, stops)| (site, once(stops))).collect();
     let ground = |(site, _): &(Site, Vec<Stop>)| (site.example, site.candidates, site.mesh);
     sites.sort_by_key(ground);
     let parts: Vec<&[(Site, Vec<Stop>)]> = sites.chunk_by(|a, b| ground(a) == ground(b)).collect();

@@ -128,18 +128,9 @@ const KINDS: [(Kind, usize); 8] = [
 const NUMBERS: usize = 19;
 
 /// Their kinds.
-const OF: [Kind; NUMBERS] = {
-    let (mut of, mut kind, mut filled) = ([Kind::Peak; NUMBERS], 0, 0);
-    while kind < KINDS.len() {
-        let end = filled + KINDS[kind].1;
-        while filled < end {
-            of[filled] = KINDS[kind].0;
-            filled += 1;
-        }
-        kind += 1;
-    }
-    of
-};
+fn kinds() -> impl Iterator<Item = Kind> {
+    KINDS.into_iter().flat_map(|(kind, most)| std::iter::repeat_n(kind, most))
+}
 
 /// The numbers of a scene, as many of each kind as it has: errors and bars over the size of such a number.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -165,7 +156,8 @@ fn head() -> Vec<String> {
 impl Record {
     /// Its numbers by kind: error and bar.
     pub fn numbers(&self) -> impl Iterator<Item = (Kind, [f64; 2])> {
-        (0..NUMBERS).filter_map(|k| Some((OF[k], [self.errors[k].as_ref()?.0, self.bars[k].as_ref()?.0])))
+        let both = self.errors.iter().zip(&self.bars);
+        kinds().zip(both).filter_map(|(kind, (error, bar))| Some((kind, [error.as_ref()?.0, bar.as_ref()?.0])))
     }
 }
 
@@ -221,7 +213,7 @@ pub fn record(site: &Site) -> Result<Record, Error> {
         });
         let size = if truth.value.is_finite() { size(&sample, truth) } else { 1.0 };
         let kind = Kind::of(&truth.quantity);
-        let free = OF.into_iter().zip(&record.errors).position(|(own, error)| own == kind && error.is_none());
+        let free = kinds().zip(&record.errors).position(|(own, error)| own == kind && error.is_none());
         let free = free.expect("no scene has more numbers of a kind than a record");
         (record.errors[free], record.bars[free]) = (Some(Millionths(error / size)), Some(Millionths(bar / size)));
     }
@@ -258,11 +250,6 @@ fn median(numbers: &[[f64; 2]], round_off: f64) -> f64 {
     let mut ratios: Vec<f64> = above.map(|[error, bar]| bar / error).collect();
     ratios.sort_by(f64::total_cmp);
     ratios.get(ratios.len() / 2).copied().unwrap_or(f64::NAN)
-}
-
-/// How many bars are not known.
-fn unknown(numbers: &[[f64; 2]]) -> usize {
-    numbers.iter().filter(|[_, bar]| bar.is_nan()).count()
 }
 
 /// Share of errors that lie within their bars.
@@ -371,7 +358,7 @@ const COLUMNS: [markdown::Column<Row>; 7] = [
     ("largest error over bar", |(.., [all, ..])| {
         let known = all.iter().filter(|[error, bar]| *error > 0.0 && !bar.is_nan());
         let worst = markdown::significant(known.map(|[error, bar]| error / bar).fold(0.0, larger), 2);
-        match unknown(all) {
+        match all.iter().filter(|[_, bar]| bar.is_nan()).count() {
             0 => worst,
             number => format!("{worst}; {number} not known"),
         }

@@ -155,7 +155,7 @@ impl Site {
 pub fn records(site: &Site) -> Result<Vec<Record>, Error> {
     let Some(discretisation) = site.discretised()? else { return Ok(Vec::new()) };
     let mut records = Vec::new();
-    for [load, tolerance] in loaded() {
+    for [load, tolerance] in LOADS.into_iter().flat_map(|load| TOLERANCES.map(|tolerance| [load, tolerance])) {
         let Site { scene, stretch } = site.clone();
         let (classes, iterations, errors) = ([None; 9], [None; 9], [None; 9]);
         let mut record = Record { scene, stretch, load, tolerance, classes, iterations, errors };
@@ -175,11 +175,6 @@ pub fn records(site: &Site) -> Result<Vec<Record>, Error> {
         records.extend(record.classes.iter().any(Option::is_some).then_some(record));
     }
     Ok(records)
-}
-
-/// Every load under every tolerance.
-fn loaded() -> impl Iterator<Item = [f64; 2]> {
-    LOADS.into_iter().flat_map(|load| TOLERANCES.map(|tolerance| [load, tolerance]))
 }
 
 /// Whether fresh runs are the recorded ones: outcome and iterations always, the error where it is above round-off.

@@ -117,11 +117,6 @@ impl Record {
         let within = self.error() <= self.asked && self.estimate.0 <= self.asked;
         self.met && !within
     }
-
-    /// Said not to be met beside an estimate within what is asked.
-    pub fn is_contradictory(&self) -> bool {
-        !self.met && self.estimate.0 <= self.asked
-    }
 }
 
 /// A scene solved to one accuracy.
@@ -176,7 +171,7 @@ pub fn near(recorded: &[Record]) -> Judged {
 
 /// Nothing is called not met whose estimates are all within what was asked.
 pub fn consistent(recorded: &[Record]) -> Judged {
-    let wrong = recorded.iter().filter(|record| record.is_contradictory()).count();
+    let wrong = recorded.iter().filter(|record| !record.met && record.estimate.0 <= record.asked).count();
     let quantity = Quantity::at(
         "accuracy called not met beside estimates that are all within it",
         format!("of {} answers", recorded.len()),

@@ -170,11 +170,6 @@ impl Sample {
         0.5 * (end - begin)
     }
 
-    /// The same with the force of a support of a body \[N\].
-    pub fn held(self, (body, support): (usize, usize), value: f64) -> Self {
-        self.with(Quantity::Reaction { body, support }, value)
-    }
-
     /// The same with another number of its first contact.
     pub fn with(mut self, quantity: Quantity, value: f64) -> Self {
         self.truths.push(Truth { contact: 0, quantity, value });

@@ -36,8 +36,14 @@ pub struct Gap {
     whole: bool,
 }
 
+/// `g = c₂ s² + c₄ s⁴ + c₆ s⁶` by the parts of its slope at the half-width.
+pub fn even_gap([a, slope]: [f64; 2], parts: [f64; 3]) -> Profile {
+    let coefficients = [0, 1, 2].map(|k| slope * parts[k] / (2.0 * (k + 1) as f64 * a.powi(2 * k as i32 + 1)));
+    Profile::Even { coefficients: coefficients.into() }
+}
+
 /// Half-widths and slopes, over which all gaps are drawn.
-fn size(draw: &mut Draw) -> [f64; 2] {
+pub fn size(draw: &mut Draw) -> [f64; 2] {
     [draw.decades(0.01, 100.0), draw.decades(1e-4, 1e-2)]
 }
 
@@ -203,9 +209,7 @@ pub fn polynomial(draw: &mut Draw, material: Material, guess: f64, off_centre: b
     let ([a, slope], size) = (size(draw), draw.between(4.0, 14.0));
     loop {
         let parts = [draw.between(0.0, 1.0), draw.between(-0.5, 1.0), draw.between(-0.5, 1.0)];
-        let coefficients = [0, 1, 2].map(|k| slope * parts[k] / (2.0 * (k + 1) as f64 * a.powi(2 * k as i32 + 1)));
-        let profile = Profile::Even { coefficients: coefficients.into() };
-        let contact = HalfPlane { modulus, profile, stretches: vec![[-a, a]] };
+        let contact = HalfPlane { modulus, profile: even_gap([a, slope], parts), stretches: vec![[-a, a]] };
         // b₁ of the slope, whose load is πaE*b₁/4.
         let mean = parts[0] + 0.75 * parts[1] + 0.625 * parts[2];
         let place = |k: usize| (std::f64::consts::FRAC_PI_2 * (k as f64 + 0.5) / LOOKED_AT as f64).cos();

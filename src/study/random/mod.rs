@@ -3,8 +3,7 @@
 //! * [`family`] — kinds of scenes, the random numbers, a scene and the truths about it, and scenes that bars and accuracies are tested with.
 //! * `blocks` — blocks under parabolas, waves and punches, and those that are cut out of the half-plane that they press.
 //! * `gaps` — gaps of all other kinds, whose truth is that of the boundary method.
-//! * `round` — cylinders, pins and rings; layers and rows.
-//! * `turned` — bodies of revolution.
+//! * `round` — cylinders, pins and rings; layers and rows; bodies of revolution.
 //!
 //! Below is a scene of each family; such scenes with a coarse mesh given, and two of them in one.
 //!
@@ -17,7 +16,6 @@ mod blocks;
 pub mod family;
 mod gaps;
 mod round;
-mod turned;
 
 use std::sync::Arc;
 
@@ -69,9 +67,9 @@ impl Family {
             Self::Ring => round::ring(draw, material, guess),
             Self::Layer => round::layer(draw, material, guess, number),
             Self::Row => round::row(draw, material, guess),
-            Self::Sphere => turned::sphere(draw, material, guess),
-            Self::Indented => turned::power(draw, material, guess),
-            Self::Spheres => turned::spheres(draw, material, guess),
+            Self::Sphere => round::sphere(draw, material, guess),
+            Self::Indented => round::power(draw, material, guess),
+            Self::Spheres => round::spheres(draw, material, guess),
         })
     }
 }

@@ -1,12 +1,15 @@
-//! Cylinders, pins and rings; layers and rows under rigid profiles, half of a contact each.
+//! Cylinders, pins and rings; layers and rows under rigid profiles, half of a contact each; and bodies of revolution: blocks that carry the
+//! tractions of the half-space that they press, and spheres.
 
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, PI};
 
-use crate::case::library::{Cylinder, CylinderModel, PinPlate, PressFit, body, fixed};
+use crate::case::library::{Cylinder, CylinderModel, Indented, PinPlate, PressFit, body, fixed};
 use crate::measure::Quantity;
 use crate::oracle::analytic::Plane;
 use crate::oracle::analytic::hertz::Hertz;
 use crate::oracle::analytic::persson::PinInHole;
+use crate::oracle::analytic::revolution::indentation::Indentation;
+use crate::oracle::analytic::revolution::sphere::Sphere;
 use crate::oracle::boundary::strip::OnStrip;
 use crate::oracle::boundary::{Ring, Strip};
 use crate::scene::{
@@ -15,6 +18,7 @@ use crate::scene::{
 };
 use crate::study::random::blocks::{GROWING, even, of_hertz, rectangle, scene};
 use crate::study::random::family::{Draw, Sample};
+use crate::study::random::gaps::{even_gap, size};
 
 /// Elements across a ring: one has no coarser neighbour.
 const ACROSS: f64 = 2.0;
@@ -128,7 +132,7 @@ pub fn press_fit(draw: &mut Draw, inside: Material) -> Sample {
             (Quantity::Resultant, 2.0 * on_cut),
         ],
     )
-    .held((0, 0), on_cut)
+    .with(Quantity::Reaction { body: 0, support: 0 }, on_cut)
     .moved(0, Place::Boundary("inner".into()), Component::X, inner.displacement(numbers.inner) / FRAC_PI_2)
     .moved(1, Place::Boundary("outer".into()), Component::Y, -outer.displacement(numbers.outer) / FRAC_PI_2)
     .moved(1, Place::Point([within, -within]), Component::X, FRAC_1_SQRT_2 * outer.displacement(middle))
@@ -185,12 +189,10 @@ const BEYOND: f64 = 8.0;
 const OVER_PERIOD: [f64; 2] = [0.04, 0.42];
 const HEIGHTS: [f64; 2] = [2.0, 3.0];
 
-/// `g = c₂ s² + c₄ s⁴ + c₆ s⁶`, with a half-width.
+/// An even gap with its half-width.
 fn gap(draw: &mut Draw) -> (f64, Profile) {
-    let (a, slope) = (draw.decades(0.01, 100.0), draw.decades(1e-4, 1e-2));
-    let parts = [draw.between(0.0, 1.0), draw.between(-0.3, 1.0), draw.between(-0.3, 1.0)];
-    let coefficients = [0, 1, 2].map(|k| slope * parts[k] / (2.0 * (k + 1) as f64 * a.powi(2 * k as i32 + 1)));
-    (a, Profile::Even { coefficients: coefficients.into() })
+    let [a, slope] = size(draw);
+    (a, even_gap([a, slope], [draw.between(0.0, 1.0), draw.between(-0.3, 1.0), draw.between(-0.3, 1.0)]))
 }
 
 /// A layer, sliding or bonded, pushed on to a profile by its base.
@@ -246,4 +248,57 @@ fn sample(
         GROWING,
     );
     Sample::of(scene, even([peak, place], contact.second_moment(), a, load))
+}
+
+/// Powers of the radius.
+const POWERS: [f64; 2] = [1.5, 30.0];
+
+/// What Hertz says of a sphere.
+fn of_sphere(sphere: &Sphere) -> [(Quantity, f64); 5] {
+    let a = sphere.contact_radius();
+    even([sphere.peak_pressure(), 0.0], a, a, sphere.load)
+}
+
+/// A block pressed by `Σ c rⁿ` to a contact of a radius \[mm\].
+fn indented(material: Material, a: f64, powers: Vec<[f64; 2]>, profile: Profile, guess: f64) -> Indented {
+    let modulus = material.plane_modulus(PlaneHypothesis::Axisymmetric);
+    let contact = Indentation::smooth(modulus, a, powers);
+    Indented { contact, profile, material, drawn: a, stretch: guess }
+}
+
+/// A paraboloid on a block with Hertz's stresses on its other sides.
+pub fn sphere(draw: &mut Draw, material: Material, guess: f64) -> Sample {
+    let (radius, a_over_r) = (draw.decades(0.1, 1000.0), draw.decades(1e-4, 0.1));
+    let a = a_over_r * radius;
+    let block = indented(material, a, vec![[0.5 / radius, 2.0]], Profile::Parabola { radius }, guess);
+    let hertz = Sphere { load: block.contact.load(), radius, modulus: block.contact.modulus };
+    let [depth, stress] = hertz.largest_shear(material.poisson);
+    Sample::of(block.scene(), of_sphere(&hertz)).sheared(0, [stress, depth])
+}
+
+/// A power of the radius on a block.
+pub fn power(draw: &mut Draw, material: Material, guess: f64) -> Sample {
+    let (a, slope, n) = (draw.decades(0.01, 100.0), draw.decades(1e-4, 1e-2), draw.decades(POWERS[0], POWERS[1]));
+    let term = [slope * a.powf(1.0 - n) / n, n];
+    let block = indented(material, a, vec![term], Profile::Powers { terms: [term].into() }, guess);
+    let truths = [
+        (Quantity::PeakPressure, block.contact.peak_pressure()),
+        (Quantity::SecondMomentWidth, block.contact.second_moment_radius()),
+        (Quantity::End(0), a),
+        (Quantity::Resultant, block.contact.load()),
+    ];
+    Sample::of(block.scene(), truths)
+}
+
+/// An elastic sphere on another one; the gap is the paraboloid of both, as Hertz has it.
+pub fn spheres(draw: &mut Draw, upper: Material, guess: f64) -> Sample {
+    let (mut scene, [a, radius, above]) = discs(draw, upper, guess);
+    scene.plane = PlaneHypothesis::Axisymmetric;
+    scene.contacts[0].symmetric = false;
+    let modulus = scene.contact_modulus();
+    let hertz = Sphere { load: Sphere::load_for(a, radius, modulus), radius, modulus };
+    let traction = [0.0, -hertz.load / (PI * above * above)];
+    scene.bodies[0].loads = vec![Load::on("cut", Action::Uniform(traction))];
+    scene.reference = ReferenceValues::hertz_sphere(a, hertz.load, radius);
+    Sample::of(scene, of_sphere(&hertz))
 }

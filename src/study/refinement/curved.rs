@@ -9,7 +9,7 @@ use crate::case::Judged;
 use crate::case::library::PressFit;
 use crate::elasticity::{element, quadrature, shape_functions};
 use crate::error::Error;
-use crate::markdown::{self, Column};
+use crate::markdown;
 use crate::measure::order::Observed;
 use crate::measure::profile::relative_l2;
 use crate::mesh::{Mesh, Order, Resolution};
@@ -167,39 +167,28 @@ pub const INTRODUCTION: &str = "## Curved sides that do not match\n\n\
 
 /// Errors and orders by each contact element.
 pub fn table(order: Order, curved: &Curved) -> String {
-    type Row = (usize, usize, Vec<String>);
-    const COLUMNS: [Column<Row>; 8] = [
-        ("elements", |(elements, ..)| elements.to_string()),
-        ("dofs", |(_, dofs, _)| dofs.to_string()),
-        ("L2(p), line", |(.., cells)| cells[0].clone()),
-        ("L2(p), layer", |(.., cells)| cells[2].clone()),
-        ("L2(p), node", |(.., cells)| cells[4].clone()),
-        ("L2(u), line", |(.., cells)| cells[1].clone()),
-        ("L2(u), layer", |(.., cells)| cells[3].clone()),
-        ("L2(u), node", |(.., cells)| cells[5].clone()),
-    ];
-    let all: Vec<[Vec<Observed>; 2]> =
-        curved.iter().map(|(_, levels)| [0, 1].map(|number| orders(levels, number, TOLERANCE))).collect();
-    let [.., (_, levels)] = curved;
-    let rows: Vec<Row> = levels
-        .iter()
-        .enumerate()
-        .map(|(k, level)| {
-            let cells = curved.iter().zip(&all).flat_map(|((_, levels), pairs)| {
-                [0, 1].map(|number| {
-                    let error = levels[k].errors[number];
-                    let order = k.checked_sub(1).and_then(|before| pairs[number].get(before));
-                    match order {
-                        _ if error.is_nan() => "–".into(),
-                        Some(Ok(order)) => format!("{error:.2e} ({order:.2})"),
-                        _ => format!("{error:.2e}"),
-                    }
-                })
-            });
-            (level.elements, level.dofs, cells.collect())
+    let of_each = |number: usize| {
+        let name = ["L2(p)", "L2(u)"][number];
+        curved.each_ref().map(|(element, levels)| {
+            (format!("{name}, {}", element.name()), levels, number, orders(levels, number, TOLERANCE))
         })
-        .collect();
+    };
+    let all = [of_each(0), of_each(1)].concat();
+    let cell = |k: usize, levels: &[Level<2>], number: usize, orders: &[Observed]| {
+        let error = levels[k].errors[number];
+        match k.checked_sub(1).and_then(|before| orders.get(before)) {
+            _ if error.is_nan() => "–".into(),
+            Some(Ok(order)) => format!("{error:.2e} ({order:.2})"),
+            _ => format!("{error:.2e}"),
+        }
+    };
     let [others @ .., (_, own)] = curved;
+    let head = ["elements", "dofs"].map(String::from).into_iter().chain(all.iter().map(|(name, ..)| name.clone()));
+    let row = |(k, level): (usize, &Level<2>)| {
+        let cells = all.iter().map(|(_, levels, number, orders)| cell(k, levels, *number, orders));
+        [level.elements, level.dofs].map(|count| count.to_string()).into_iter().chain(cells).collect()
+    };
+    let rows: Vec<Vec<String>> = own.iter().enumerate().map(row).collect();
     let of_others = || others.iter().flat_map(|(_, levels)| levels.iter().zip(own));
     let off = of_others().map(|(level, _)| level.errors[0]).fold(f64::NAN, f64::min);
     let beside = of_others().map(|(level, own)| level.errors[1] / own.errors[1]).fold(f64::NAN, f64::max);
@@ -207,7 +196,7 @@ pub fn table(order: Order, curved: &Curved) -> String {
         "**Rings, {}-node cells**\n\n{}\nOn every mesh the pressures at the points of the line and the layer element are off by {} or more, and \
          their displacements by {} times those of the node element or less.\n\n",
         order.nodes_per_cell(),
-        markdown::columns(&COLUMNS, &rows),
+        markdown::table(&head.collect::<Vec<_>>(), &rows),
         markdown::error(off),
         markdown::significant(beside, 2),
     )

@@ -4,6 +4,7 @@ use crate::case::library::PinRod;
 use crate::case::{Check, Judged, Quantity, Reference};
 use crate::error::Error;
 use crate::markdown;
+use crate::measure::larger;
 use crate::mesh::{Order, Resolution};
 use crate::oracle::analytic::Plane;
 use crate::oracle::analytic::persson::PinInHole;
@@ -109,7 +110,7 @@ pub fn judge(curves: &[Curve], [first, other]: &[[f64; 2]; 2], wide_plate: f64) 
     )
     .judge(lost as f64);
     let at_last = |(_, placed): &Curve| placed.last().map_or(f64::NAN, |placed| numbers(*placed)[1]);
-    let smallest = curves.iter().map(at_last).reduce(smaller).unwrap_or(f64::NAN);
+    let smallest = curves.iter().map(at_last).reduce(|a, b| -larger(-a, -b)).unwrap_or(f64::NAN);
     let embraced = Check::at_least(
         "smallest contact angle of all eyes at the largest clearance [°]",
         Reference::analytic("Persson, a wide plate", wide_plate.to_degrees()),
@@ -126,11 +127,6 @@ pub fn judge(curves: &[Curve], [first, other]: &[[f64; 2]; 2], wide_plate: f64) 
         .judge(other[k])
     });
     [lost, embraced].into_iter().chain(placed).collect()
-}
-
-/// The smaller of two numbers; NaN if either is.
-fn smaller(a: f64, b: f64) -> f64 {
-    if a.is_nan() || b.is_nan() { f64::NAN } else { a.min(b) }
 }
 
 /// What the family is.

@@ -27,7 +27,6 @@ use crate::referee::judge::{self, ENGINEERING};
 use crate::referee::units::Role;
 use crate::referee::{self, Answer, Truth, calculix, contact_laws, read, verdicts};
 use crate::solve::{Discretisation, Formulation, Run};
-use crate::uncertainty::COVERAGE;
 
 named_enum! {
     /// A code.
@@ -385,24 +384,13 @@ fn kept(
 /// An answer against its truth.
 #[derive(Clone, Debug)]
 pub struct Scored {
-    /// Peak pressure, half-width.
-    pub scores: [Score; 2],
+    /// Peak pressure \[MPa\] and second-moment width \[mm, or ° on an arc\] as they are judged.
+    pub scores: [Judged; 2],
     /// Largest penetration over the approach that the contact makes, and largest tension over the largest pressure; none where the answer
     /// does not tell them.
     pub laws: [Option<f64>; 2],
     /// What is not met.
     pub failed: Vec<String>,
-}
-
-/// A number against its truth.
-#[derive(Clone, Copy, Debug)]
-pub struct Score {
-    /// The number \[MPa; mm, or ° on an arc\].
-    pub value: f64,
-    /// Its relative error, with its sign.
-    pub error: f64,
-    /// What the truth may itself be off, relative.
-    pub bar: f64,
 }
 
 /// Peak and second-moment width of a file that a code wrote for an exported case, and what of all that is judged is not met.
@@ -422,15 +410,11 @@ fn of_answer(truth: &Truth, answer: Answer) -> Result<Scored, Error> {
     let found = verdicts(truth, answer, ENGINEERING)?;
     let judged: Vec<&Judged> = found.ruled.iter().flat_map(|ruled| &ruled.judged).collect();
     let score = |wanted: Number| {
-        let one = judged.iter().find(|one| one.check.quantity.number() == Some(&wanted));
-        one.map_or(Score { value: f64::NAN, error: f64::NAN, bar: f64::NAN }, |one| Score {
-            value: one.value,
-            error: (one.value - one.reference.value) / one.reference.value,
-            bar: one.reference.uncertainty.map_or(0.0, |u| COVERAGE * u / one.reference.value.abs()),
-        })
+        let one = judged.iter().find(|one| one.check.quantity.number() == Some(&wanted)).copied().cloned();
+        one.ok_or_else(|| Error::at(truth.case.name.as_str(), "no profile can be judged", "hand in its pressures"))
     };
     let failed = judged.iter().filter(|one| one.verdict == Verdict::Fail).map(|one| one.check.quantity.to_string());
-    let scores = [Number::PeakPressure, Number::SecondMomentWidth].map(score);
+    let scores = [score(Number::PeakPressure)?, score(Number::SecondMomentWidth)?];
     let law = |name: &str| judged.iter().find(|one| one.check.quantity.name() == name).map(|one| one.error);
     let laws = [contact_laws::PENETRATION, judge::TENSION].map(law);
     Ok(Scored { scores, laws, failed: failed.collect() })

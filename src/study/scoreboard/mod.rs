@@ -27,6 +27,7 @@ use crate::study::drawn::picture;
 use crate::study::scoreboard::board::{
     Board, Code, Contact, Ended, FOLDER, RENEW, Scored, Setting, Told, hashes, scored,
 };
+use crate::uncertainty::COVERAGE;
 
 /// One body on a rigid one, flat and curved; two bodies, straight, curved, and conforming.
 pub const CASES: [&str; 6] = ["cylinder", "truncated-hertz", "bars", "own-weight", "two-cylinders", "pin-rod"];
@@ -108,7 +109,10 @@ impl Study for Numbers {
         );
         for found in findings {
             let numbers = found.numbers;
-            let bar = |scored: &Scored| markdown::error(larger(scored.scores[0].bar, scored.scores[1].bar));
+            // What the truth may itself be off, relative.
+            let bar =
+                |one: &Judged| one.reference.uncertainty.map_or(0.0, |u| COVERAGE * u / one.reference.value.abs());
+            let bar = |scored: &Scored| markdown::error(larger(bar(&scored.scores[0]), bar(&scored.scores[1])));
             let _ = write!(
                 text,
                 "\n## {}, {} degrees of freedom, truth: {}, error bar {}\n\n",
@@ -126,8 +130,8 @@ impl Study for Numbers {
 
     /// Error of each code by its own contact, a panel a case.
     fn pictures(findings: &[Found<Self>]) -> Result<Vec<(String, Drawing)>, Error> {
-        let order: Vec<Option<Code>> =
-            ranked(findings).into_iter().rev().map(|(code, _)| code).filter(|code| code.is_none_or(has_own)).collect();
+        let mut order: Vec<Option<Code>> = ranked(findings).into_iter().rev().map(|(code, _)| code).collect();
+        order.retain(|code| code.is_none_or(|code| own_contacts(code) > 0));
         let names = || order.iter().map(|code| code.map_or("ours", Code::name).to_owned()).collect();
         let panel = |found: &Found<Self>| {
             let error = Axis::log("larger error of p₀ and a [–]").over(0.5 * FLOOR, 2.0);
@@ -167,9 +171,7 @@ impl Study for Numbers {
 
 /// How many parameters of each code's own contact were tried.
 fn tried() -> String {
-    let own =
-        |code: Code| Setting::ALL.into_iter().filter(|one| one.code == code && one.contact != Contact::OurRows).count();
-    let counts = Code::ALL.map(own).into_iter().filter(|count| *count > 0);
+    let counts = Code::ALL.map(own_contacts).into_iter().filter(|count| *count > 0);
     let [least, most] = [counts.clone().min(), counts.max()].map(Option::unwrap_or_default);
     if least == most {
         format!("{least} that were tried of each code")
@@ -178,9 +180,9 @@ fn tried() -> String {
     }
 }
 
-/// Whether a code has a contact of its own.
-fn has_own(code: Code) -> bool {
-    Setting::ALL.iter().any(|one| one.code == code && one.contact != Contact::OurRows)
+/// In how many settings a code has a contact of its own.
+fn own_contacts(code: Code) -> usize {
+    Setting::ALL.iter().filter(|one| one.code == code && one.contact != Contact::OurRows).count()
 }
 
 /// A run.
@@ -245,7 +247,12 @@ impl Numbers {
 impl Scored {
     /// The larger relative error of peak and second-moment width.
     pub fn error(&self) -> f64 {
-        larger(self.scores[0].error.abs(), self.scores[1].error.abs())
+        larger(self.departure(0).abs(), self.departure(1).abs())
+    }
+
+    /// That of one of them, with its sign.
+    fn departure(&self, k: usize) -> f64 {
+        (self.scores[k].value - self.scores[k].reference.value) / self.scores[k].reference.value
     }
 }
 
@@ -381,7 +388,7 @@ fn law(scored: &Result<Scored, String>, which: usize) -> String {
 
 /// How far a number is from its truth.
 fn departure(scored: &Result<Scored, String>, k: usize) -> String {
-    let told = |scored: &Scored| match scored.scores[k].error {
+    let told = |scored: &Scored| match scored.departure(k) {
         error if error.abs() < ROUND_OFF => markdown::error(error.abs()),
         error => format!("{} %", markdown::signed(100.0 * error, 2)),
     };

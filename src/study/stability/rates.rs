@@ -130,20 +130,10 @@ const COMPARED: f64 = 3.0;
 pub(super) const ACCEPTED: f64 = 0.05;
 
 impl Rate {
-    /// Whether there is enough of it to measure.
-    fn is_measurable(&self) -> bool {
-        self.measured.is_some() && (MEASURABLE[0]..=MEASURABLE[1]).contains(&self.predicted)
-    }
-
     /// Against its spectral radius; none where by the linearised iteration the slowest mode is not alone above round-off.
     fn asymptotic(&self) -> Option<Judged> {
         let alone = self.linearised.is_none_or(|slope| (slope.ln() / self.predicted.ln() - 1.0).abs() <= ALONE);
         alone.then(|| self.against("spectral radius", self.predicted))
-    }
-
-    /// Against the linearised iteration over the same errors, which constant stiffness has.
-    fn followed(&self) -> Option<Judged> {
-        self.linearised.map(|slope| self.against("linearised iteration", slope))
     }
 
     /// Measured against predicted rate, by their logarithms: the iterations a decade takes.
@@ -161,14 +151,18 @@ impl Rate {
 
 /// Every start against each of its predictions.
 pub fn judge_rates(starts: &[Rate]) -> Vec<Judged> {
-    let compared = || starts.iter().filter(|start| start.is_measurable());
+    let is_measurable =
+        |start: &&Rate| start.measured.is_some() && (MEASURABLE[0]..=MEASURABLE[1]).contains(&start.predicted);
+    let compared = || starts.iter().filter(is_measurable);
+    // The linearised iteration over the same errors, which constant stiffness has.
+    let followed = |start: &Rate| start.linearised.map(|slope| start.against("linearised iteration", slope));
     let enough = Check::at_least(
         "number of starts compared with the prediction",
         Reference::own("at least", COMPARED),
         "a prediction that is compared with nothing predicts nothing",
     )
     .judge(compared().count() as f64);
-    compared().flat_map(|start| [start.followed(), start.asymptotic()]).flatten().chain([enough]).collect()
+    compared().flat_map(|start| [followed(start), start.asymptotic()]).flatten().chain([enough]).collect()
 }
 
 /// Every start with the name of its method, predicted and measured.

@@ -17,7 +17,7 @@ use crate::study::method::Method;
 /// A name and what makes its scene.
 type Made = (&'static str, fn() -> Indented);
 
-/// Scenes.
+/// Scenes by their names.
 pub(super) const SCENES: [Made; 2] = [("truncated sphere", || Indented::by_sphere(0.05)), ("cone", Indented::by_cone)];
 /// Candidates over the radius of the contact: just outside it, and up to half of the block.
 const STRETCHES: [f64; 5] = [1.15, 1.4, 1.9, 2.9, 3.9];

@@ -4,8 +4,7 @@
 //!
 //! * `precision` — on which meshes truncated Hertz is solved; error against seconds and work, ours and of codes on meshes of their own.
 //! * `growth` — one solve at three sizes, stage by stage, against one plain sparse Cholesky solve; all nine formulations over one.
-//! * `record` — what is kept under `snapshots/timings`, measured on demand by the command `timings`, and what of it is cheapest.
-//! * `targets` — what was asked for, and what was measured.
+//! * `record` — what is kept under `snapshots/timings`, measured on demand by the command `timings`, what of it is cheapest, and what was asked for.
 //!
 //! Below are the trials, the page, the answer of the front page, and the charts. An error is everywhere the larger one of p₀ and a under
 //! the worst of all loads.
@@ -13,7 +12,6 @@
 pub mod growth;
 pub mod precision;
 pub mod record;
-pub mod targets;
 
 use crate::case::{Check, Judged, Quantity, Reference};
 use crate::clock::Stage;
@@ -26,8 +24,7 @@ use crate::study::about::{About, Found, Planned, Study};
 use crate::study::drawn::picture;
 use crate::study::timings::growth::{Counts, Growth, exponent};
 use crate::study::timings::precision::{LOADS, Point, Series, TOLERANCE, cells};
-use crate::study::timings::record::{Beside, Record, cheapest, front, sound};
-use crate::study::timings::targets::{COMPARED, Target, ours, targets};
+use crate::study::timings::record::{Beside, COMPARED, Record, Target, cheapest, front, ours, sound, targets};
 
 /// Name of the trials.
 const CASE: &str = "speed against accuracy";
@@ -36,14 +33,9 @@ const DIGITS: f64 = 1e-3;
 /// Degrees of freedom up to which iterations and entries of the factor are counted again.
 const RECOUNTED: usize = 200_000;
 
-/// What a trial found.
+/// Whether what is recorded of a series of meshes, or of the growth with the mesh, is what is found now.
 #[derive(Clone, Debug)]
-pub enum Numbers {
-    /// Error against work on a series of meshes.
-    Precision(Again<Point>),
-    /// Counts of the growth with the mesh.
-    Growth(Again<Counts>),
-}
+pub struct Numbers(Judged);
 
 impl Study for Numbers {
     const NAME: &'static str = "timings";
@@ -61,22 +53,7 @@ impl Study for Numbers {
 
     /// The check of a trial.
     fn judge(&self) -> Result<Vec<Judged>, Error> {
-        Ok(vec![match self {
-            Numbers::Precision(points) => as_recorded(
-                "point whose errors or counts are not those recorded with its seconds",
-                format!(
-                    "every mesh is computed again; errors within {DIGITS:e}, which the tolerance of the runs leaves; `timings` renews the record"
-                ),
-                points,
-                is_same,
-            ),
-            Numbers::Growth(counts) => as_recorded(
-                "mesh whose degrees of freedom, iterations or operations are not those recorded with its seconds",
-                "exact counts; `timings` renews the record".into(),
-                counts,
-                Counts::eq,
-            ),
-        }])
+        Ok(vec![self.0.clone()])
     }
 
     /// The page of the committed record.
@@ -91,39 +68,49 @@ impl Study for Numbers {
     }
 }
 
-/// What is recorded, and what of it is computed again.
-#[derive(Clone, Debug)]
-pub struct Again<T> {
-    /// As recorded.
-    pub recorded: Vec<T>,
-    /// As they are now: all points, and the counts of the smaller meshes.
-    pub fresh: Vec<T>,
-    /// How many shall be recorded.
-    pub planned: usize,
-}
-
 /// Every mesh of a series once more.
 fn again(series: Series) -> Result<Numbers, Error> {
-    let recorded = Record::read()?.of(series).cloned().collect();
+    let recorded: Vec<Point> = Record::read()?.of(series).cloned().collect();
     let planned = series.meshes().len() * series.formulations().len();
     let fresh = series.meshes().iter().map(|mesh| precision::measure(series, *mesh));
     let fresh = fresh.collect::<Result<Vec<_>, _>>()?.concat();
-    Ok(Numbers::Precision(Again { recorded, fresh, planned }))
+    Ok(Numbers(points_as_recorded(&recorded, &fresh, planned)))
+}
+
+/// So many points shall be recorded, each as it is now.
+pub fn points_as_recorded(recorded: &[Point], fresh: &[Point], planned: usize) -> Judged {
+    let what = "point whose errors or counts are not those recorded with its seconds";
+    let because = format!(
+        "every mesh is computed again; errors within {DIGITS:e}, which the tolerance of the runs leaves; `timings` renews the record"
+    );
+    as_recorded(what, because, (recorded, planned), fresh, is_same)
 }
 
 /// The smaller meshes of the growth once more.
 fn recounted() -> Result<Numbers, Error> {
     let recorded: Vec<Counts> = Record::read()?.measured.growth.into_iter().map(|one| one.counts).collect();
     let kept = recorded.iter().filter(|counts| counts.dofs <= RECOUNTED);
-    let fresh = kept.map(|kept| growth::counts(kept.elements, kept.refinement)).collect::<Result<_, _>>()?;
-    Ok(Numbers::Growth(Again { recorded, fresh, planned: growth::MESHES.len() }))
+    let fresh = kept.map(|kept| growth::counts(kept.elements, kept.refinement)).collect::<Result<Vec<_>, _>>()?;
+    Ok(Numbers(counts_as_recorded(&recorded, &fresh)))
+}
+
+/// The counts of every mesh of the growth shall be recorded, those of the smaller ones as they are now.
+pub fn counts_as_recorded(recorded: &[Counts], fresh: &[Counts]) -> Judged {
+    let what = "mesh whose degrees of freedom, iterations or operations are not those recorded with its seconds";
+    let because = "exact counts; `timings` renews the record".into();
+    as_recorded(what, because, (recorded, growth::MESHES.len()), fresh, Counts::eq)
 }
 
 /// How many are not recorded as they are now; not a number where something is missing.
-fn as_recorded<T>(what: &'static str, because: String, again: &Again<T>, is_same: fn(&T, &T) -> bool) -> Judged {
-    let Again { recorded, fresh, planned } = again;
+fn as_recorded<T>(
+    what: &'static str,
+    because: String,
+    (recorded, planned): (&[T], usize),
+    fresh: &[T],
+    is_same: fn(&T, &T) -> bool,
+) -> Judged {
     let moved = fresh.iter().filter(|fresh| !recorded.iter().any(|kept| is_same(kept, fresh))).count();
-    let complete = !fresh.is_empty() && recorded.len() == *planned;
+    let complete = !fresh.is_empty() && recorded.len() == planned;
     let quantity = Quantity::at(what, format!("of {}", fresh.len()));
     let check = Check::at_most(quantity, Reference::own("snapshots/timings", 0.0), because);
     check.judge(if complete { moved as f64 } else { f64::NAN })

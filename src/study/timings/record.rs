@@ -1,5 +1,5 @@
 //! What was measured, as it is kept under `snapshots/timings`; what of it is cheapest for an error: the points that no other beats, and
-//! the first within an error that is asked for.
+//! the first within an error that is asked for; and what was asked of the speed, and what was measured.
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -7,12 +7,14 @@ use std::path::PathBuf;
 use serde::{Deserialize, Serialize};
 
 use crate::checkout::root;
+use crate::clock::Stage;
 use crate::error::Error;
 use crate::oracle::cross_code::frozen::{read_json, write_json};
+use crate::solve::{Element, Formulation, Iteration};
 use crate::study::records;
 use crate::study::seconds::{Machine, Spread};
-use crate::study::timings::growth::{Growth, Nine};
-use crate::study::timings::precision::{Point, Series};
+use crate::study::timings::growth::{Growth, Nine, exponent};
+use crate::study::timings::precision::{Point, Series, TOLERANCE, half_widths, solved};
 
 /// What renews the records.
 pub const RENEW: &str = "run `cargo run --release -- timings` and review the diff of snapshots/timings";
@@ -136,4 +138,146 @@ pub fn cheapest<'a>(
 ) -> Option<&'a Point> {
     let enough = points.into_iter().filter(|point| error(point) <= most);
     enough.min_by(|a, b| cost(a).total_cmp(&cost(b)))
+}
+
+/// One row.
+#[derive(Clone, Debug)]
+pub struct Target {
+    /// What is measured.
+    pub what: String,
+    /// What was asked for.
+    pub asked: String,
+    /// What came out, with its spread where it is a ratio of repeated runs.
+    pub measured: String,
+    /// Whether it is met; none where it could not be measured.
+    pub met: Option<bool>,
+}
+
+/// Contact solve over plain solve.
+const CONTACT: f64 = 1.1;
+/// Degrees of freedom from which the memory is asked for: below, the process itself takes most of it.
+const LARGE: usize = 100_000;
+/// An error for which 8-node cells are too many, and what a fitted mesh may take over the plain solve of the smallest size.
+const SIXTH: f64 = 1e-6;
+const PLAIN_SOLVES: f64 = 30.0;
+/// Error of p₀ and a to which codes are compared.
+pub const COMPARED: f64 = 1e-3;
+/// What is told of a code without numbers.
+const NOT_ASKED: &str = "not asked where this was measured";
+/// The formulation that is compared with other codes.
+fn fastest() -> Formulation {
+    Formulation::new(Element::Node, Iteration::Kinematic)
+}
+
+/// How often our own solve is measured before and after each code's.
+const REPEATS: usize = 10;
+
+/// All rows.
+pub fn targets(record: &Record) -> Vec<Target> {
+    let growth = &record.measured.growth;
+    let mut all = Vec::new();
+    for one in growth {
+        let n = one.counts.dofs;
+        all.push(contact(one));
+        all.push(at_most(format!("assembly ÷ plain solve, {n} dofs, one thread"), 0.25, one.assembly_ratio[0].median));
+        all.push(at_most(format!("the same on all threads, {n} dofs"), 0.25, one.assembly_ratio[1].median));
+        all.push(at_most(format!("one more solve ÷ the first, {n} dofs"), 0.02, one.again_ratio.median));
+    }
+    for nine in &record.measured.nine {
+        for (threads, ratio) in ["one thread", "all threads"].into_iter().zip(nine.ratio) {
+            let mesh = format!("{} dofs, {} retained, {threads}", nine.counts.dofs, nine.counts.retained);
+            all.push(at_most(format!("all nine formulations ÷ one, {mesh}"), 2.0, ratio.median));
+        }
+    }
+    all.extend(steepness(growth));
+    for one in growth.iter().filter(|one| one.counts.dofs >= LARGE) {
+        let what = format!("peak memory ÷ bytes of the factor, {} dofs", one.counts.dofs);
+        let unknown =
+            Target { measured: "not told by the system".into(), met: None, ..at_most(what.clone(), 2.0, 0.0) };
+        all.push(one.memory_ratio.map_or(unknown, |ratio| at_most(what, 2.0, ratio)));
+    }
+    all.extend(Series::CODES.into_iter().zip([20.0, 10.0, 1.0]).map(|(code, asked)| to_accuracy(record, code, asked)));
+    all.extend(growth.first().map(|one| sixth_digit(record, one)));
+    all.push(at_most("whole report from nothing [s]".into(), 60.0, record.measured.report));
+    all
+}
+
+/// The contact solve over the plain one, with what three of four runs stay below.
+fn contact(one: &Growth) -> Target {
+    let what = format!("contact solve ÷ plain solve, {} dofs", one.counts.dofs);
+    let measured = format!("{:.3}, upper quartile {:.3}", one.ratio.median, one.ratio_quartile);
+    Target { measured, ..at_most(what, CONTACT, one.ratio.median) }
+}
+
+/// Exponents of the whole time and of the contact solve, this against that of the plain solve in the same run.
+fn steepness(growth: &[Growth]) -> [Target; 2] {
+    let [least, most] = [growth.first(), growth.last()].map(|one| one.map_or(0, |one| one.counts.dofs));
+    let what = |of: &str| format!("exponent of the {of}, {least} to {most} dofs");
+    let whole = exponent(growth, |one| one.seconds(&Stage::ALL));
+    let plain = exponent(growth, |one| one.plain.median);
+    let contact = at_most(what("contact solve"), plain, exponent(growth, |one| one.contact.median));
+    [at_most(what("whole time"), 1.25, whole), Target { asked: format!("≤ {plain:.3}, the plain solve's"), ..contact }]
+}
+
+/// Six digits in units of a plain solve.
+fn sixth_digit(record: &Record, Growth { counts, plain, .. }: &Growth) -> Target {
+    let what = format!(
+        "time to {SIXTH:e} in p₀ and a under the worst load, truncated Hertz: fitted ÷ plain solve of {} dofs",
+        counts.dofs
+    );
+    let best = cheapest(record.of(Series::Fitted), |point| point.seconds, Point::worst, SIXTH);
+    at_most(what, PLAIN_SOLVES, best.map_or(f64::NAN, |point| point.seconds) / plain.median)
+}
+
+/// Our cheapest mesh within the compared accuracy: node elements with kinematic load on truncated Hertz.
+pub fn ours(points: &[Point]) -> Option<&Point> {
+    let own = sound(points).into_iter().filter(|point| point.formulation == Some(fastest().name()));
+    cheapest(own, |point| point.seconds, Point::error, COMPARED)
+}
+
+/// Seconds of that solve as they are now, several times under each load.
+pub fn seconds_of_ours(points: &[Point]) -> Result<Vec<f64>, Error> {
+    let message = || format!("no mesh of truncated Hertz keeps {} %", 100.0 * COMPARED);
+    let &Point { series, mesh, .. } =
+        ours(points).ok_or_else(|| Error::at("timings", message(), "measure finer meshes"))?;
+    let formulation = [fastest().tolerance(TOLERANCE)];
+    let mut seconds = Vec::new();
+    for half_width in [half_widths(mesh); REPEATS].concat() {
+        seconds.extend(solved(series, mesh, half_width, &formulation)?.into_iter().map(|(_, seconds)| seconds));
+    }
+    Ok(seconds)
+}
+
+/// Another code's cheapest solve within the compared accuracy over ours, both under the worst of the loads.
+fn to_accuracy(record: &Record, code: Series, asked: f64) -> Target {
+    let what = format!(
+        "time to {} % in p₀ and a under the worst load, truncated Hertz: {} ÷ ours",
+        100.0 * COMPARED,
+        code.name()
+    );
+    let best = |points: Vec<&Point>| cheapest(points, |point| point.seconds, Point::worst, COMPARED).cloned();
+    match (best(record.of(code).collect()), best(sound(&record.points))) {
+        (Some(theirs), Some(own)) => {
+            let ratio = theirs.seconds / own.seconds;
+            let [longer, shorter] = [&theirs, &own].map(|point| 1e3 * point.seconds);
+            let measured = format!(
+                "{ratio:.1} ({longer:.1} ms with {} dofs against {shorter:.2} ms with {})",
+                theirs.dofs, own.dofs
+            );
+            Target { measured, ..at_least(what, asked, ratio) }
+        }
+        _ if record.of(code).next().is_some() => {
+            let measured = format!("{} on none of its meshes", code.name());
+            Target { measured, ..at_least(what, asked, f64::NAN) }
+        }
+        _ => Target { measured: NOT_ASKED.into(), met: None, ..at_least(what, asked, f64::NAN) },
+    }
+}
+
+fn at_most(what: String, limit: f64, value: f64) -> Target {
+    Target { what, asked: format!("≤ {limit}"), measured: format!("{value:.3}"), met: Some(value <= limit) }
+}
+
+fn at_least(what: String, limit: f64, value: f64) -> Target {
+    Target { what, asked: format!("≥ {limit}"), measured: format!("{value:.1}"), met: Some(value >= limit) }
 }

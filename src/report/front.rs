@@ -1,26 +1,26 @@
-//! The front page: one computed answer to each question, the paper's statements, the verdicts, and the way to every page.
-//!
-//! [`nearness`] — how much of their tolerances the checks use.
-
-pub mod nearness;
+//! The front page: one computed answer to each question, the paper's statements, the verdicts, and the way to every page; and the chart
+//! of the page of all checks: how much of their tolerances they use, by what they are held against.
 
 use std::cmp::Reverse;
 
 use crate::case::{Judged, Relation, Verdict};
+use crate::drawing::Colour;
+use crate::drawing::palette::{self, Dash, Marker, Style};
+use crate::drawing::{Axis, Chart, Direction, Drawing, Guide, Series};
 use crate::markdown::{self, Column};
 use crate::oracle::ReferenceKind;
-use crate::report::grouped::{counted, in_order};
 use crate::report::links::{CHECKS, to_page as link};
-use crate::report::{case_page, matrix, statements, study_page, symbols, told};
+use crate::report::{case_page, matrix, record, statements, study_page, symbols, told};
 use crate::solve::Settings;
+use crate::study::atlas;
 use crate::study::atlas::plane::{Digest, digests};
-use crate::study::atlas::{self, Chart};
 use crate::study::drawn::picture;
-use crate::study::paper::NOT_COVERED;
+use crate::study::grouped::{counted, in_order};
 use crate::study::paper::statement::{Judgement, Statement};
+use crate::study::paper::{self, NOT_COVERED};
 use crate::study::timings::record::Record;
 use crate::study::timings::{self, FRONTS, conclusion};
-use crate::study::{Finding, Room, Study, cases, limits, measured, paper, promised};
+use crate::study::{Finding, Room, Study, cases, limits, measured, promised};
 
 /// The page.
 pub fn page(findings: &[Finding]) -> String {
@@ -194,7 +194,7 @@ fn surveyed(findings: &[Finding]) -> Option<Vec<Digest>> {
         Some(atlas::Numbers::Surveyed { chart, .. }) => Some(chart),
         _ => None,
     });
-    let charts: Vec<&Chart> = charts.collect();
+    let charts: Vec<&atlas::Chart> = charts.collect();
     (!charts.is_empty()).then(|| digests(&charts))
 }
 
@@ -300,4 +300,55 @@ fn index(findings: &[Finding]) -> String {
         rooms.join(" · "),
         link("all checks", CHECKS)
     )
+}
+
+/// The chart's file, and what it shows.
+pub const NEARNESS: [&str; 2] = [
+    "nearness.svg",
+    "Of the checks held against each kind of reference, the part whose error uses at most so much of its tolerance",
+];
+
+/// Shares that are drawn: of what lies below the first the curve tells how many there are.
+const RANGE: [f64; 2] = [1e-4, 10.0];
+/// Steps of a curve in a decade.
+const PER_DECADE: i32 = 8;
+/// A kind, and how its curve is drawn.
+const CURVES: [(ReferenceKind, Colour, Dash, Marker); 4] = [
+    (ReferenceKind::SelfConsistency, palette::LINE, Dash::Solid, Marker::Circle),
+    (ReferenceKind::CrossCode, palette::LAYER, Dash::Dashed, Marker::Square),
+    (ReferenceKind::Analytic, palette::NODE, Dash::Dotted, Marker::Diamond),
+    (ReferenceKind::Measured, palette::PURPLE, Dash::DashDot, Marker::Circle),
+];
+
+/// A curve for each kind that has checks; a check without an error counts as beyond every share.
+pub fn nearness(findings: &[Finding]) -> Drawing {
+    let rows = record::rows(findings);
+    let [least, most] = RANGE;
+    let share = Axis::log("share of the tolerance that is used [–]").over(least, most);
+    let mut chart = Chart::new(
+        "How near checks are to their limits",
+        share,
+        Axis::linear("part of the checks [%]").over(0.0, 100.0),
+    );
+    chart.notes.push("A check that could not be run is beyond every share.".into());
+    chart.guides.push(Guide { direction: Direction::Vertical, at: 1.0, label: "limit".into() });
+    for (kind, colour, dash, marker) in CURVES {
+        let shares: Vec<f64> = rows.iter().filter(|row| row.kind == kind.to_string()).map(|row| row.share).collect();
+        if !shares.is_empty() {
+            let label = format!("{kind}, {} checks", shares.len());
+            let style = Style::run(colour, dash, marker);
+            chart.series.push(Series::new(label, cumulated(&shares), style));
+        }
+    }
+    chart.drawing()
+}
+
+/// The part of the shares, in per cent, that are at most so large.
+pub fn cumulated(shares: &[f64]) -> Vec<(f64, f64)> {
+    let [from, to] = RANGE.map(|end| (f64::from(PER_DECADE) * end.log10()).round() as i32);
+    let part = |k: i32| {
+        let at = 10f64.powf(f64::from(k) / f64::from(PER_DECADE));
+        (at, 100.0 * shares.iter().filter(|share| **share <= at).count() as f64 / shares.len() as f64)
+    };
+    (from..=to).map(part).collect()
 }
