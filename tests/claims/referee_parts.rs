@@ -184,25 +184,23 @@ fn displacements_that_are_no_numbers_are_named_with_their_node() {
 
 #[test]
 fn pressures_without_a_limit_that_alternate_are_no_answer() {
-    for scene in ["flat-punch"] {
-        let case = Case::read(&root().join(format!("tests/cases/{scene}.toml"))).expect("a case");
-        let truth = Truth::of(case).expect("solved");
-        let end = truth.run.contacts[0].measures.edge();
-        let failed = |share: f64| {
-            let place = |k: i32| end * (f64::from(k) / 160.0);
-            let turn = |k: i32| if k % 2 == 0 { 1.0 + share } else { 1.0 - share };
-            // The last ones lie beside the end, where the pressure has no limit.
-            let row = |k: i32| {
-                let s = place(k);
-                format!("{s},{}\n", turn(k) * truth.pressure(0, s.min(0.998 * end)))
-            };
-            let text = "position [mm],pressure [MPa]\n".to_owned() + &(0..=160).map(row).collect::<String>();
-            let answer = read::parse(Path::new("theirs.csv"), text.as_bytes(), &truth.case, &usual()).expect("read");
-            let found = verdicts(&truth, answer, ENGINEERING).expect("judged");
-            let failed = found.ruled[0].judged.iter().filter(|one| one.verdict == Verdict::Fail);
-            failed.map(|one| one.check.quantity.to_string()).collect::<Vec<_>>()
+    let case = Case::read(&root().join("tests/cases/flat-punch.toml")).expect("a case");
+    let truth = Truth::of(case).expect("solved");
+    let end = truth.run.contacts[0].measures.edge();
+    let failed = |share: f64| {
+        let place = |k: i32| end * (f64::from(k) / 160.0);
+        let turn = |k: i32| if k % 2 == 0 { 1.0 + share } else { 1.0 - share };
+        // The last ones lie beside the end, where the pressure has no limit.
+        let row = |k: i32| {
+            let s = place(k);
+            format!("{s},{}\n", turn(k) * truth.pressure(0, s.min(0.998 * end)))
         };
-        let alternates = |share: f64| failed(share).iter().any(|one| one.starts_with("alternation"));
-        assert!(!alternates(0.0) && !alternates(0.05) && alternates(0.3) && alternates(-0.3), "{:?}", failed(0.0));
-    }
+        let text = "position [mm],pressure [MPa]\n".to_owned() + &(0..=160).map(row).collect::<String>();
+        let answer = read::parse(Path::new("theirs.csv"), text.as_bytes(), &truth.case, &usual()).expect("read");
+        let found = verdicts(&truth, answer, ENGINEERING).expect("judged");
+        let failed = found.ruled[0].judged.iter().filter(|one| one.verdict == Verdict::Fail);
+        failed.map(|one| one.check.quantity.to_string()).collect::<Vec<_>>()
+    };
+    let alternates = |share: f64| failed(share).iter().any(|one| one.starts_with("alternation"));
+    assert!(!alternates(0.0) && !alternates(0.05) && alternates(0.3) && alternates(-0.3), "{:?}", failed(0.0));
 }

@@ -5,7 +5,6 @@ use rayon::prelude::*;
 use crate::accuracy::coarser::{coarser, finer, gentler};
 use crate::accuracy::counted::{Kind, Row};
 use crate::accuracy::reading::{Reading, of_discrete, recovered, value_of};
-use crate::elasticity::dilatation::Split;
 use crate::measure::{Measures, Quantity, Stretch, larger, relative_error};
 use crate::mesh::Order;
 use crate::scene::{ContactPair, Place, Profile};
@@ -204,7 +203,6 @@ impl Family {
         let sizes = sizes(discretisation);
         let order = discretisation.resolution.order;
         let spacings = spacings_at_vertex(discretisation);
-        let is_smoothed = |body: usize| Split::of(&scene.bodies[body].material, scene.plane).excess > 0.0;
         let cusp = |(pair, spacing): (&ContactPair, f64)| scene.modulus_of(pair) * pair.profile.cusp(spacing);
         let cusps = contacts.iter().zip(spacings).map(cusp).collect();
         Self {
@@ -224,7 +222,7 @@ impl Family {
             misfit: MISFIT * off * off,
             cusps,
             circles: (0..contacts.len()).map(|contact| scene.is_around_axis(contact)).collect(),
-            smoothed: contacts.iter().map(|pair| pair.bodies().any(is_smoothed)).collect(),
+            smoothed: contacts.iter().map(|pair| pair.bodies().any(|body| discretisation.is_smoothed(body))).collect(),
         }
     }
 
@@ -379,8 +377,8 @@ impl Family {
             let scale = quantity.scale(measures).abs();
             let misfit = if *quantity == Quantity::Resultant { 0.0 } else { self.misfit };
             let is_top = *quantity == Quantity::PeakPressure && self.circles[contact] && self.smoothed[contact];
-            let told = if is_top { SMOOTHED } else { 1.0 } * (factor * apart + read);
-            let rest = told + (misfit + ROUND_OFF) * scale + cusp + of_other;
+            let [factor, read] = [factor, read].map(|told| if is_top { SMOOTHED * told } else { told });
+            let rest = factor * apart + (misfit + ROUND_OFF) * scale + read + cusp + of_other;
             return Evidence { row, apart: 0.0, hidden: 0.0, rest };
         }
         let is_force = matches!(quantity, Quantity::Resultant | Quantity::Reaction { .. });

@@ -5,6 +5,7 @@ use crate::algorithm::{ContactProblem, Scale};
 use crate::clock::{Clock, Seconds, Stage};
 use crate::condensation::Condensed;
 use crate::contact::{ContactEdge, ContactPoint, Interface};
+use crate::elasticity::dilatation::Split;
 use crate::elasticity::{ElasticSystem, numbered};
 use crate::error::Error;
 use crate::mesh::{Mesh, Resolution};
@@ -81,6 +82,11 @@ impl Discretisation {
         let interfaces = clock.time(Stage::Interface, || Interface::all(&scene, &mesh, &condensed))?;
         let edges = interfaces.iter().flat_map(Interface::contact_edges).collect();
         Ok(Self { scene, resolution, mesh, system, condensed, interfaces, edges, seconds: clock.seconds })
+    }
+
+    /// Whether cells of a body smooth its dilatation, since it is nearly incompressible.
+    pub fn is_smoothed(&self, body: usize) -> bool {
+        Split::of(&self.scene.bodies[body].material, self.scene.plane).excess > 0.0
     }
 
     /// Contact points of a formulation.
