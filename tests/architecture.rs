@@ -1,5 +1,5 @@
 //! The chain holds: every module imports only the links before it, no files of a folder import one another in a circle, and
-//! four traits are all there are.
+//! three traits are all there are.
 
 #[path = "architecture/imports.rs"]
 mod imports;
