@@ -217,7 +217,7 @@ const BUDGETS: [(&str, usize); 9] = [
     ("case", 8_219),
     ("oracle", 1_404),
     ("study", 14_787),
-    ("referee", 6_419),
+    ("referee", 6_423),
     ("report", 3_000),
     ("cli", 4_734),
     ("live", 500),

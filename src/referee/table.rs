@@ -197,9 +197,13 @@ impl<'a> Table<'a> {
         if let Some(column) = column {
             let time =
                 |cells: &[String]| cells.get(column).and_then(|cell| number(cell, mark != ',')).unwrap_or(f64::NAN);
-            let last = rows.iter().map(|(_, cells)| time(cells)).fold(f64::NEG_INFINITY, f64::max);
-            let state = State { step: None, time: asked.time.unwrap_or(last) };
-            rows.retain(|(_, cells)| state.is_at(time(cells)) || last.is_infinite());
+            let mut states: Vec<State> =
+                rows.iter().map(|(_, cells)| State { step: None, time: time(cells) }).collect();
+            let last = states.iter().map(|state| state.time).fold(f64::NEG_INFINITY, f64::max);
+            states.dedup_by(|a, b| a.is_at(b.time));
+            let asked = Asked { time: asked.time.or(Some(last)), ..asked.clone() };
+            let chosen = states[State::chosen(source, &states, &asked)?];
+            rows.retain(|(_, cells)| chosen.is_at(time(cells)));
         }
         let commas = || {
             rows.iter()

@@ -46,6 +46,13 @@ fn a_table_goes_on_behind_a_comment_where_its_places_go_on() {
     ellipse::assert(&parsed("parts.csv", &text, &usual()).expect("read"), 1e-9);
     let early = Asked { time: Some(0.5), ..usual() };
     ellipse::assert_share(&parsed("parts.csv", &text, &early).expect("read"), 1e-9, 0.5);
+    refused(
+        "parts.csv",
+        &text,
+        &Asked { time: Some(0.7), ..usual() },
+        &["no results of the time", "time 0.5", "time 1"],
+    );
+    refused("parts.csv", &text.replace(",1\n", ",\n").replace(",0.5\n", ",\n"), &usual(), &["no results of the time"]);
 }
 
 #[test]
