@@ -91,6 +91,8 @@ pub fn parse(file: &Path, text: &str, scene: &Scene, asked: &Asked) -> Result<An
     let mut read: Vec<String> =
         reader.columns.iter().map(|column| format!("`{}` as {}", column.title, column.role.name())).collect();
     read.extend(is_beside.then(|| "the pressures, not the forces beside them".to_owned()));
+    read.extend(table.states.as_ref().map(|(state, _)| format!("the rows of {state}")));
+    let notes = table.states.as_ref().map_or_else(Vec::new, |(state, all)| state.notes(all));
     let unit = |roles: &[Role]| {
         reader.columns.iter().find(|column| roles.contains(&column.role)).and_then(|column| column.unit.clone())
     };
@@ -100,7 +102,7 @@ pub fn parse(file: &Path, text: &str, scene: &Scene, asked: &Asked) -> Result<An
         force: unit(&[Role::Force]),
         ..Default::default()
     };
-    Ok(Answer { file: file.into(), code: None, read, notes: vec![], units, contacts, field: None })
+    Ok(Answer { file: file.into(), code: None, read, notes, units, contacts, field: None })
 }
 
 /// What separates cells: the mark by which most lines are rows of numbers.
@@ -109,7 +111,7 @@ const MARKS: [char; 4] = [';', '\t', ',', ' '];
 const SEEN: usize = 1000;
 /// What comments begin with.
 const COMMENTS: [&str; 6] = ["#", "%", "!", "//", "$", "**"];
-/// What lines below the numbers of a report begin with.
+/// What lines below the numbers of a report begin with; `at` where they are none of numbers.
 const BELOW: [&str; 4] = ["minimum", "maximum", "total", "at"];
 
 /// A file as names and lines of cells.
@@ -118,6 +120,8 @@ struct Table<'a> {
     rows: Vec<(&'a str, Vec<String>)>,
     /// Whether numbers have a decimal comma.
     comma: bool,
+    /// The time whose rows it has, and all times of the file.
+    states: Option<(State, Vec<State>)>,
 }
 
 impl<'a> Table<'a> {
@@ -194,6 +198,7 @@ impl<'a> Table<'a> {
         if asked.step.is_some() || asked.time.is_some() && column.is_none() {
             return Err(State::only(source.file));
         }
+        let mut chosen = None;
         if let Some(column) = column {
             let time =
                 |cells: &[String]| cells.get(column).and_then(|cell| number(cell, mark != ',')).unwrap_or(f64::NAN);
@@ -202,8 +207,9 @@ impl<'a> Table<'a> {
             let last = states.iter().map(|state| state.time).fold(f64::NEG_INFINITY, f64::max);
             states.dedup_by(|a, b| a.is_at(b.time));
             let asked = Asked { time: asked.time.or(Some(last)), ..asked.clone() };
-            let chosen = states[State::chosen(source, &states, &asked)?];
-            rows.retain(|(_, cells)| chosen.is_at(time(cells)));
+            let state = states[State::chosen(source, &states, &asked)?];
+            rows.retain(|(_, cells)| state.is_at(time(cells)));
+            chosen = Some((state, states));
         }
         let commas = || {
             rows.iter()
@@ -217,7 +223,7 @@ impl<'a> Table<'a> {
                 format!("`{cell}` may be a number with a decimal comma, or one with a mark between thousands");
             return Err(source.at(line, message, "write numbers with a decimal point, and no mark between thousands"));
         }
-        Ok(Self { head, rows, comma })
+        Ok(Self { head, rows, comma, states: chosen })
     }
 }
 
@@ -325,7 +331,7 @@ fn head(above: &[&str], mark: char, count: Option<usize>, asked: &Asked) -> Opti
 fn is_below(line: &str, mark: char) -> bool {
     let own = cells(line, mark);
     let word = own.first().and_then(|cell| cell.split_whitespace().next()).unwrap_or_default().to_lowercase();
-    BELOW.contains(&word.as_str())
+    BELOW.contains(&word.as_str()) && !(word == "at" && is_data(&own, mark != ','))
 }
 
 /// What stands behind the mark of a comment; none of a line that is none.

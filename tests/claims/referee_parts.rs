@@ -25,6 +25,10 @@ fn a_table_goes_on_behind_a_comment_where_its_places_go_on() {
         let text = format!("position [mm],pressure [MPa]\n{near}\n{between}\n{far}\n");
         ellipse::assert(&parsed("parts.csv", text, &usual()).expect("read"), 1e-9);
     }
+    // Rows of numbers may be called as what other reports end with.
+    let called: String = lines.iter().map(|line| format!("at {},{line}\n", line.len())).collect();
+    let text = format!("point,position [mm],pressure [MPa]\n{called}");
+    ellipse::assert(&parsed("parts.csv", text, &usual()).expect("read"), 1e-9);
     let again =
         format!("position [mm],pressure [MPa]\n{near}\n# another\n{}\n{far}\n", lines[19].replace("1.9", "1.85"));
     refused("parts.csv", &again, &usual(), &["begins another table"]);
@@ -45,7 +49,10 @@ fn a_table_goes_on_behind_a_comment_where_its_places_go_on() {
     let text = format!("position [mm],pressure [MPa],Time\n{}{}", timed(0.5, "0.5"), timed(1.0, "1"));
     ellipse::assert(&parsed("parts.csv", &text, &usual()).expect("read"), 1e-9);
     let early = Asked { time: Some(0.5), ..usual() };
-    ellipse::assert_share(&parsed("parts.csv", &text, &early).expect("read"), 1e-9, 0.5);
+    let found = parsed("parts.csv", &text, &early).expect("read");
+    ellipse::assert_share(&found, 1e-9, 0.5);
+    assert_eq!(found.read.last().expect("said"), "the rows of time 0.5");
+    assert!(found.notes[0].ends_with("its file goes on to time 1"), "{:?}", found.notes);
     refused(
         "parts.csv",
         &text,

@@ -275,7 +275,7 @@ impl Family {
         let own = larger(run.imbalance() - run.iteration_error(), 0.0);
         let imbalance = self.coarse.iter().map(|other| other.imbalance).fold(own, larger);
         let lost = match reading.quantity {
-            _ if imbalance > BALANCED => UNBALANCED.1 * imbalance,
+            _ if imbalance.is_nan() || imbalance > BALANCED => UNBALANCED.1 * imbalance,
             Quantity::Resultant => own,
             _ => 0.0,
         };
