@@ -121,13 +121,15 @@ impl Case {
     pub fn notes(&self, run: &Run, bars: &[Barred]) -> Vec<String> {
         let beyond = |one: &Judged| {
             let is_known = one.bar.is_some_and(f64::is_finite);
+            let is_unknown = one.bar.is_some_and(|bar| !bar.is_finite());
             let slack = match one.check.quantity.number() {
                 Some(Number::Resultant) if is_known => LOAD + run.formulation.settings.tolerance,
                 Some(Number::Resultant) => UNBARRED,
                 _ => NOTED,
             };
             let within = one.error <= one.check.tolerance + slack;
-            !within
+            // Of a number that the mesh may not resolve nothing is said.
+            !within && !(is_unknown && one.check.quantity.number() != Some(&Number::Resultant))
         };
         self.beside_closed_forms(run, bars)
             .iter()

@@ -218,7 +218,8 @@ pub fn sheet(case: &Case, discretisation: &Discretisation, run: &Run, barred: &[
         values: barred.iter().map(value).collect(),
     };
     if let ([pair], Ok(answer)) = (&case.scene.contacts[..], reference::answer(&case.scene)) {
-        answer.known.iter().for_each(|known| sheet.takes(&case.scene, pair, known));
+        let known = answer.known.iter().filter(|known| !run.is_unbounded(0, &known.quantity));
+        known.for_each(|known| sheet.takes(&case.scene, pair, known));
         let high = High::built_in()?;
         for own in sheet.values.iter_mut().filter(|own| own.of == pair.name) {
             let factor = if own.unit == "°" { 1f64.to_degrees() } else { 1.0 };

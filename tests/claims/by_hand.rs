@@ -5,6 +5,7 @@ use std::path::Path;
 
 use approx::assert_relative_eq;
 use contact_vv::accuracy::{Quantity, bars};
+use contact_vv::case::library::sphere::model_error;
 use contact_vv::case::library::{PinRod, find};
 use contact_vv::case::{self, Against, Case, Check, plausible};
 use contact_vv::cli::vtu;
@@ -17,9 +18,11 @@ use contact_vv::referee::answer::Point;
 use contact_vv::referee::source::Source;
 use contact_vv::referee::units::Role;
 use contact_vv::referee::{Asked, Handed, Profile, calculix, frd, norm, read};
-use contact_vv::scene::{Action, Circle, Load, MonotoneCubic, Path as ScenePath};
+use contact_vv::scene::{Action, Circle, Load, Material, MonotoneCubic, Path as ScenePath, Scene};
 use contact_vv::solution::{EdgeState, PointState};
+use contact_vv::solve::edge_fitted::{self, Fitted};
 use contact_vv::solve::{Discretisation, Formulation, Run};
+use contact_vv::study::references;
 use vtkio::IOBuffer;
 
 use crate::balance;
@@ -395,6 +398,70 @@ fn half_widths_and_peaks_under_other_powers_than_the_second_lie_within_their_bar
     let force = half * (0.5 * 2.0 * 1e-4 + 48_620.0 / 262_144.0 * 18.0 * 5e-5);
     let steep = of_powers(&["left"], "[[1e-4, 2], [5e-5, 18]]", [force, 1.9], ("accuracy = \"0.03 %\"", &[]));
     within_its_bar(&steep, "half-width", 1.0);
+}
+
+#[test]
+fn an_end_that_all_meshes_read_at_a_node_that_they_share_is_not_exact() {
+    // Two spheres of Hertz, whose contact ends at a node that the coarser meshes have too, or three hundredths of an element beyond it.
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("two.toml");
+    for beyond in [0.0, 0.03] {
+        let radius: f64 = 0.3 * (1.0 + beyond / 12.0);
+        let load = 112.521_976_948_622_76 * (radius / 0.3).powi(3);
+        let text = format!(
+            "plane = \"axisymmetric\"\nmesh = {{ elements = 12, per = 0.3 }}\n[[body]]\nname = \"upper\"\nyoung = 210e3\npoisson = 0.3\n\
+             shape = {{ disc = {{ centre = [0, 50], radius = 50 }} }}\n\
+             loads = [{{ traction = {{ at = \"cut\", force = [0, -{load}] }} }}]\n[[body]]\nname = \"lower\"\nyoung = 70e3\npoisson = 0.33\n\
+             shape = {{ disc = {{ centre = [0, -30], radius = 30, contact = \"top\" }} }}\nsupports = [{{ at = \"cut\", component = \"y\" }}]\n\
+             [contact]\nfirst = \"upper\"\nsecond = \"lower\"\ngap = {{ circles = [50, 30] }}\nstretch = 0.6\n"
+        );
+        std::fs::write(&file, text).expect("written");
+        within_its_bar(&json(&["solve", &file.display().to_string()]), "half-width", radius);
+    }
+}
+
+#[test]
+fn a_sphere_departs_from_hertz_as_its_poisson_ratio_has_it() {
+    for (poisson, a_over_r) in [(0.0, 0.02), (0.3, 0.02), (0.3, 0.005), (0.45, 0.02), (-0.5, 0.01)] {
+        let material = Material { poisson, ..Material::STEEL };
+        let scene = Scene::sphere_on_plane(50.0, material, a_over_r * 50.0);
+        let of_hertz = scene.reference.pressure;
+        let run = Fitted::of(Order::Octic, 3).solve(&scene, &Formulation::verification()).expect("solved").run;
+        let departure = run.measures().peak.pressure / of_hertz - 1.0;
+        let model = model_error(a_over_r, poisson);
+        assert!(departure.abs() <= model, "ν = {poisson}, a/R = {a_over_r}: {departure}, {model}");
+        // The first power is that of the formula, to a tenth and the square.
+        let first = a_over_r * (1.0 - 2.0 * poisson).powi(2) / (5.0 * (1.0 - poisson));
+        assert!((departure + first).abs() <= 0.1 * first + a_over_r * a_over_r, "{departure}, {first}");
+    }
+}
+
+#[test]
+fn the_pressure_in_the_cell_at_the_axis_is_that_of_hertz_and_a_tip_there_has_none() {
+    let found = |name: &str| {
+        let case = find(name, None).expect("known");
+        Fitted::of(Order::Octic, 3).solve(&case.scene, &Formulation::verification()).expect("solved")
+    };
+    let edge_fitted::Answer { discretisation, run, .. } = found("truncated-sphere");
+    let pressure = |at: f64| discretisation.number(&run, 0, &Quantity::Pressure { at }).expect("a number");
+    let peak = discretisation.scene.reference.pressure;
+    for at in [0.0, 0.5, 1.25, 1.7] {
+        assert_relative_eq!(pressure(at), peak * (1.0_f64 - (at / 2.5).powi(2)).sqrt(), max_relative = 1e-6);
+    }
+    let (_, said, _) = contact_vv(&["solve", "cone", "--fitted"]);
+    assert_eq!(said.matches("without limit").count(), 3, "{said}");
+    let sheet = references::solve("cone").expect("solved");
+    let peaks = sheet.values.iter().filter(|one| ["peak-pressure", "pressure at s = 0"].contains(&&*one.quantity));
+    assert!(peaks.into_iter().all(|one| one.value.is_nan()));
+}
+
+#[test]
+fn a_closed_form_is_not_accused_where_the_bar_is_unknown() {
+    let steep = "powers = [[1e-9, 20]]";
+    let asked: (&str, &[&str]) = ("elements = 10, per = 2.0", &[]);
+    let oracle = format!("{steep} }}\noracle = {{ powers = {{ load = 5231.784780002088, terms = [[1e-9, 20]] }}");
+    let solved = pressed(([80.0; 2], &[]), &oracle, [5231.784780002088, 3.4], asked);
+    assert!(!solved.to_string().contains("is not of this scene"), "{solved}");
 }
 
 #[test]

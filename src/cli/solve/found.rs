@@ -111,7 +111,8 @@ fn solved(problem: &Case, formulation: &Formulation, mesh: Mesh, stages: &Stages
         }
         Mesh::Fitted(fitted) => {
             let answer = fitted.solve(&problem.scene, formulation)?;
-            Ok((answer.discretisation, answer.run, None))
+            let run = answer.run.with_limits(&answer.discretisation)?;
+            Ok((answer.discretisation, run, None))
         }
         Mesh::Accurate(asked) => {
             stages.search();

@@ -39,6 +39,8 @@ const UNDRAWN: [f64; 4] = [0.3, 0.5, 0.8, 0.08];
 const SMOOTH: f64 = 0.1;
 /// Part of an element that an end within a cell of high order may be off, whatever coarser meshes say (plane powers, orders 5 to 8).
 const WITHIN: f64 = 0.5;
+/// Part of an element that an end may be off where meshes agree on it: they may read it at a node that they share.
+const AT_NODE: f64 = 0.05;
 /// Fourth difference from which on a top in the last edge of its stretch is not told, by node elements one edge farther.
 const RISES: f64 = 1.0;
 /// Largest pressure at a node over the peak that consistent nodal pressures of smooth contacts show: those of corners and middles of
@@ -414,7 +416,12 @@ impl Family {
             _ => 1.0,
         };
         let apart = surface * factor * known.into_iter().fold(0.0, f64::max);
-        Evidence { row, apart, hidden: surface * hidden * scale.abs(), rest: (missed + ROUND_OFF) * scale.abs() + read }
+        let hidden = surface * hidden * scale.abs();
+        let told = Evidence { row, apart, hidden, rest: (missed + ROUND_OFF) * scale.abs() + read };
+        // Meshes that read an end at a node that they share agree by that alone.
+        let is_read = row.kind == Kind::End && discrete.abs() > 0.0 && !self.on_ends && !fills_candidates(measures);
+        let least = if is_read { AT_NODE * self.sizes[contact] } else { 0.0 };
+        told.and(larger(least - told.bar(), 0.0))
     }
 
     /// Error over the elements of a much coarser second body, on the half-width: pressures swing from one of its nodes to the next.

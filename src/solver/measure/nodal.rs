@@ -50,19 +50,21 @@ pub fn read(part: Part, centre: f64) -> Option<(Peak, [f64; 2])> {
         false => 0.0,
     };
     let through_points = around(&points, highest, 0.0, THROUGH).top().pressure;
-    if let Some(pressure) = on_axis(part).filter(|_| highest == origin) {
+    if let Some([pressure, ..]) = beside_axis(part).as_deref().filter(|_| highest == origin) {
+        let pressure = *pressure;
         return Some((Peak { position: 0.0, pressure }, [through_points, pressure]));
     }
     Some((if flat { Peak { position: centre, ..peak } } else { peak }, [through_points, at_origin]))
 }
 
-/// Pressure on the axis of a body of revolution, whose largest it is, by the means that the nodes of the first edge carry.
+/// The coefficients of `(r/h)^{2k}` in the pressure over the first edge of a body of revolution, from the axis to r = h, by the means that its nodes
+/// carry.
 ///
 /// The pressure of a node is `∫ N_a p r dr / ∫ N_a r dr`; where an edge reaches far, as on meshes fitted to the contact, such means lie
 /// above and below the profile from node to node, and a polynomial through them misses the axis. The even polynomial of one coefficient
 /// fewer than there are nodes inside the edge whose own means are theirs halves that at order 6 and 7, at order 8 it leaves a third. None
 /// where points are no nodes, are [few](INNER), or one does not press, or where the means depart from it.
-fn on_axis(part: Part) -> Option<f64> {
+fn beside_axis(part: Part) -> Option<Vec<f64>> {
     let is_at_0 = |s: f64, edge: &EdgeState| s.abs() <= ROUNDING * edge.ends[1];
     let first = part.edges.first().filter(|edge| edge.axis.is_some_and(|axis| is_at_0(axis, edge)))?;
     let first = Some(first).filter(|edge| is_at_0(edge.ends[0], edge))?;
@@ -85,7 +87,7 @@ fn on_axis(part: Part) -> Option<f64> {
     });
     let rows: Vec<_> = rows.collect();
     let (coefficients, misfit) = least_squares(inside - 1, rows.into_iter());
-    (misfit <= DEPARTS * coefficients[0]).then_some(coefficients[0])
+    (misfit <= DEPARTS * coefficients[0]).then_some(coefficients)
 }
 
 /// Whether the points of a contact are many because its edges have many nodes; of others a few may be cut into many pieces
@@ -95,7 +97,7 @@ pub fn are_many(part: Part) -> bool {
 }
 
 /// Pressure at a place: where all points of an edge press that are as many as its nodes, the polynomial through them, which is the edge's
-/// own; elsewhere the line between the two points around it, and between the outermost point and the end of the candidates the line
+/// own; beside the axis of revolution, whose node carries none, the even one of the means that the others carry; elsewhere the line between the two points around it, and between the outermost point and the end of the candidates the line
 /// through the last two where both press, but for a symmetry line. Zero beyond the candidate stretch.
 pub fn pressure_at(part: Part, stretch: f64, position: f64) -> f64 {
     let near = ROUNDING * stretch;
@@ -103,6 +105,10 @@ pub fn pressure_at(part: Part, stretch: f64, position: f64) -> f64 {
     let own = part.edges.iter().find(|edge| on(edge.ends)(position)).filter(|_| are_many(part)).map(|edge| {
         part.points.iter().filter(|point| on(edge.ends)(point.position) && point.pressure > 0.0).collect::<Vec<_>>()
     });
+    let first = part.edges.first().filter(|edge| on(edge.ends)(position) && own.is_some());
+    if let Some((even, x)) = first.and_then(|edge| Some((beside_axis(part)?, position / edge.ends[1]))) {
+        return even.iter().rfold(0.0, |sum, coefficient| coefficient + x * x * sum);
+    }
     match own.filter(|own| own.len() == part.nodes) {
         Some(own) => {
             let places: Vec<f64> = own.iter().map(|point| point.position).collect();

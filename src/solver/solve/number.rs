@@ -9,9 +9,14 @@ use crate::solve::{Discretisation, Run};
 const NEAR: f64 = 1e-6;
 
 impl Run {
-    /// Whether it is the peak of a contact that has no limit, which is no number.
+    /// Whether it is the peak of a contact that has no limit, or the pressure where that is, which is no number.
     pub fn is_unbounded(&self, contact: usize, quantity: &Quantity) -> bool {
-        *quantity == Quantity::PeakPressure && self.contacts[contact].unbounded.is_some()
+        let unbounded = self.contacts[contact].unbounded;
+        match *quantity {
+            Quantity::PeakPressure => unbounded.is_some(),
+            Quantity::Pressure { at } => unbounded.is_some_and(|unbounded| unbounded.position.value() == at),
+            _ => false,
+        }
     }
 }
 
