@@ -212,14 +212,14 @@ fn matrix_types_of_libraries_stay_inside_the_numerics() {
 
 /// Lines that a room may have; raised only by a commit that says what for.
 const BUDGETS: [(&str, usize); 9] = [
-    ("solver", 22_559),
+    ("solver", 22_574),
     ("drawing", 2_972),
-    ("case", 8_219),
+    ("case", 8_230),
     ("oracle", 1_404),
-    ("study", 14_787),
-    ("referee", 6_423),
+    ("study", 14_788),
+    ("referee", 6_429),
     ("report", 3_000),
-    ("cli", 4_734),
+    ("cli", 4_735),
     ("live", 500),
 ];
 

@@ -72,9 +72,11 @@ pub(super) fn found(scene: &Scene, rungs: &mut Rungs) -> Result<Option<Rung>, Er
         if best.as_ref().is_none_or(|best| best.error.is_nan() || estimate < best.error) {
             best = Some(rung);
         }
+        // A mesh that the next one says less of says nothing of one that was near.
+        let least = best.as_ref().map_or(f64::NAN, |best| best.error);
         // What is not smooth within a cell gains nothing by its order, and may by smaller cells.
         stalled = if estimate <= SLOW * before { 0 } else { stalled + 1 };
-        let patience = match estimate / asked {
+        let patience = match least / asked {
             over if over <= NEAR => PATIENCE[1],
             over if over <= FAR => PATIENCE[0],
             _ => 0,

@@ -58,10 +58,11 @@ impl Known {
 }
 
 /// The numbers that are known: those of a contact, the approach where it is defined, and on an arc the force across the load.
-const NUMBERS: [Quantity; 8] = [
+const NUMBERS: [Quantity; 9] = [
     Quantity::Pressure { at: 0.0 },
     Quantity::PeakPressure,
     Quantity::PeakPlace,
+    Quantity::HalfWidth,
     Quantity::SecondMomentWidth,
     Quantity::End(0),
     Quantity::Resultant,
@@ -69,13 +70,14 @@ const NUMBERS: [Quantity; 8] = [
     Quantity::Across,
 ];
 
-/// A number of a run whose contact ends at a place that is known better than from its pressures.
-fn value(on: &Discretisation, run: &Run, end: f64, quantity: &Quantity) -> Result<f64, Error> {
+/// A number of a run whose contact begins and ends at places that are known better than from its pressures.
+fn value(on: &Discretisation, run: &Run, [begin, end]: [f64; 2], quantity: &Quantity) -> Result<f64, Error> {
     let measures = run.measures();
     Ok(match quantity {
         _ if !run.solution.converged() => f64::NAN,
         Quantity::Pressure { .. } => measures.pressure_at_origin,
-        Quantity::End(_) => end,
+        Quantity::HalfWidth if measures.across || begin > 0.0 => 0.5 * (end - begin),
+        Quantity::HalfWidth | Quantity::End(_) => end,
         Quantity::Across | Quantity::Approach => on.number(run, 0, quantity)?,
         of_pressures => of_pressures.of(measures),
     })
@@ -93,11 +95,13 @@ pub fn answer(scene: &Scene) -> Result<Answer, Error> {
     let numbers: Vec<&Quantity> = NUMBERS.iter().filter(is_defined).collect();
     let solved = MESHES.into_par_iter().map(|(fitted, cells)| {
         let answer = fitted.solve_with_ends(scene, &formulation, AT_REST)?;
-        let end = answer.stretches[0].last().map_or(f64::NAN, |stretch| stretch[1]);
+        let [first, last] = [answer.stretches[0].first(), answer.stretches[0].last()];
+        let ends = [first.map_or(f64::NAN, |first| first[0]), last.map_or(f64::NAN, |last| last[1])];
         let resolution = Resolution { elements: cells, refinement: 0, order: fitted.order };
         let mesh = Discretisation::of(answer.discretisation.scene, resolution)?;
         let run = Run::of(&mesh, &formulation)?;
-        let values = numbers.iter().map(|&quantity| value(&mesh, &run, end, quantity)).collect::<Result<_, Error>>()?;
+        let values =
+            numbers.iter().map(|&quantity| value(&mesh, &run, ends, quantity)).collect::<Result<_, Error>>()?;
         Ok((values, run))
     });
     let solved = solved.collect::<Result<Vec<(Vec<f64>, Run)>, Error>>()?;

@@ -211,7 +211,7 @@ fn growth(scene: &Scene, resolution: Resolution) -> f64 {
 }
 
 /// A relative error in percent, rounded up to two digits.
-fn percent_rounded_up(error: f64) -> String {
+pub(super) fn percent_rounded_up(error: f64) -> String {
     let percent = 100.0 * error;
     let places = (1.0 - percent.max(f64::MIN_POSITIVE).log10().floor()).clamp(0.0, 15.0);
     let tens = 10_f64.powf(places);

@@ -2,7 +2,7 @@
 
 use crate::accuracy::evenly::{self, Evenly};
 use crate::accuracy::fitted::{self, Fitted};
-use crate::accuracy::rungs::{Rung, Rungs};
+use crate::accuracy::rungs::{Rung, Rungs, percent_rounded_up};
 use crate::accuracy::{Answer, Asked, Tell, by_order, length};
 use crate::error::{Error, Kind, Place};
 use crate::mesh::Resolution;
@@ -19,6 +19,8 @@ const RATIO: [f64; 2] = [1.15, 2.5];
 const UNKNOWN: f64 = 1.6;
 /// A bar over the smallest one before, from which on it is taken not to fall, and meshes in a row after which a search ends.
 const IDLE: (f64, usize) = (0.9, 3);
+/// Bar over what is asked, of 8-node cells that leave more than those of high order did, from which on they are given up.
+const HOPELESS: f64 = 30.0;
 /// Most meshes, with those on which the candidates were too short.
 const MOST: usize = 24;
 
@@ -107,6 +109,13 @@ fn refine(mut layout: Layout, mut rungs: Rungs, scene: &Scene, other: Option<Run
             || best.as_ref().is_some_and(|best| best.is_refuted_by(&rung))
         {
             best = Some(rung);
+        }
+        if other.as_ref().is_some_and(|other| other.error < error) && error > HOPELESS * rungs.asked.relative {
+            why = format!(
+                "cells of high order leave less than 8-node cells, which leave {} %",
+                percent_rounded_up(error)
+            );
+            break;
         }
         if idle >= patience {
             why = "on finer meshes the error bars are no smaller".into();
