@@ -4,7 +4,7 @@
 Run as `python3 tests/faults/plant.py` (it takes tree-sitter and tree-sitter-rust): what caught a fault before is asked first, seconds each; where
 that does not catch it any more, all claims and trials that reach it are, truths first. Names on the command line select the faults whose name
 contains one of them, `--old` those that are not of the present sources: of files that differ from `--base` first, then the oldest, for so long as
-`--minutes` says. Writes snapshots/faults.json, which the page prints; an entry is bound to its file and those of the claims that caught it.
+`--minutes` says once all are compiled. Writes snapshots/faults.json, which the page prints; an entry is bound to its file and those of the claims that caught it.
 """
 import argparse
 import concurrent.futures
@@ -94,7 +94,6 @@ def main():
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--list", type=pathlib.Path, default=LIST, help="another list, of which nothing is recorded")
     asked = parser.parse_args()
-    until = time.monotonic() + 60 * asked.minutes
     globals()["LIST"] = asked.list
     faults = listed()
     kept = json.loads(RECORD.read_text())["record"] if RECORD.exists() else []
@@ -111,6 +110,7 @@ def main():
     by_number = switched.compile({number: fault | {"key": fault["name"]} for number, fault in enumerate(faults, 1)})
     if switched.kept["refused"]:
         sys.exit(f"cannot be compiled: {', '.join(switched.kept['refused'])}")
+    until = time.monotonic() + 60 * asked.minutes
     number_of = {one["name"]: number for number, one in by_number.items()}
     red = lambda name: switched.red([name])
     before = sorted({one["test"] for fault in chosen for one in known.get(fault["name"], {}).get("by", [])})
