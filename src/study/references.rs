@@ -16,6 +16,7 @@ use crate::mesh::Resolution;
 use crate::oracle::cross_code::PhysicalAnswer;
 use crate::oracle::cross_code::high::High;
 use crate::oracle::cross_code::independent::Independent;
+use crate::oracle::cross_code::revolution::Revolution;
 use crate::scene::{ContactPair, Scene};
 use crate::solve::{Discretisation, Formulation, Run};
 use crate::study::about::{About, Found, Planned, Study};
@@ -35,6 +36,9 @@ const SHARED: [(&str, &str); 4] = [
     ("pin-rod", "pin-rod"),
     ("pin-plate", "pin in plate"),
 ];
+
+/// Cases of bodies of revolution that other codes have solved.
+const AROUND: [&str; 2] = ["sphere", "truncated-sphere"];
 
 /// What a trial found.
 #[derive(Clone, Debug)]
@@ -178,16 +182,16 @@ pub fn solve(name: &str) -> Result<Sheet, Error> {
 
 /// The sheet of a case from a run, whose numbers have bars; or from cells fitted to the contact, where that can be and tells more.
 pub fn sheet(case: &Case, discretisation: &Discretisation, run: &Run, barred: &[Barred]) -> Result<Sheet, Error> {
-    let shared = SHARED.iter().find(|(known, _)| *known == case.name);
-    let frozen = shared.map(|_| Independent::built_in()).transpose()?;
-    let asked = shared.zip(frozen.as_ref()).and_then(|((_, scene), frozen)| frozen.scenes.get(*scene));
+    // A file may be called as a case of the library is.
+    let name = if case.places.is_none() { case.name.as_str() } else { "" };
+    let all = series(name)?;
     let value = |one: &Barred| {
         let Told { of, quantity, unit, factor } = Told::of(&discretisation.scene, run, one);
         let closed_form = case.reading(one.contact, &one.quantity).value;
         let closed_form = Some(closed_form).filter(|value| value.is_finite()).map(|value| factor * value);
-        let series = asked.iter().flat_map(|asked| &asked.series);
-        let others =
-            series.filter_map(|(script, series)| Some(Other::of_series(*script, other(series, one)?).times(factor)));
+        let others = all.iter().filter_map(|(by, has_penalty, series)| {
+            Some(Other::of_series(by, *has_penalty, other(series, one)?).times(factor))
+        });
         let sound = run.solution.converged() && !run.is_unbounded(one.contact, &one.quantity);
         let value = if sound { factor * one.value } else { f64::NAN };
         let (bound, others) = (factor * one.bar.total(), others.collect());
@@ -223,10 +227,21 @@ pub fn sheet(case: &Case, discretisation: &Discretisation, run: &Run, barred: &[
         let high = High::built_in()?;
         for own in sheet.values.iter_mut().filter(|own| own.of == pair.name) {
             let factor = if own.unit == "°" { 1f64.to_degrees() } else { 1.0 };
-            own.others.extend(others(&high, &case.name, &own.quantity, factor));
+            own.others.extend(others(&high, name, &own.quantity, factor));
         }
     }
     Ok(sheet)
+}
+
+/// What other codes answered of a case of the library: what each is called, whether its springs are felt, and its answers from coarse to fine.
+fn series(name: &str) -> Result<Vec<(&'static str, bool, Vec<PhysicalAnswer>)>, Error> {
+    if AROUND.contains(&name) {
+        return Ok(Revolution::built_in()?.of(name));
+    }
+    let Some((_, scene)) = SHARED.iter().find(|(known, _)| *known == name) else { return Ok(Vec::new()) };
+    let asked = Independent::built_in()?.scenes.remove(*scene);
+    let each = asked.into_iter().flat_map(|asked| asked.series);
+    Ok(each.map(|(script, series)| (script.title(), script.has_penalty(), series)).collect())
 }
 
 /// What a script found of a number, and its standard uncertainty; none where it does not tell it.

@@ -9,7 +9,6 @@ use crate::markdown::{self, Column, significant, to_bound};
 use crate::measure::Quantity;
 use crate::oracle::ReferenceKind;
 use crate::oracle::cross_code::high::Way;
-use crate::oracle::cross_code::independent::Script;
 use crate::scene::{ContactPair, Scene};
 
 macro_rules! made {
@@ -159,9 +158,9 @@ const TELLS: f64 = 1e-5;
 
 impl Other {
     /// On the finest mesh of a series, with its standard uncertainty: thrice that, what springs leave, and round-off.
-    pub fn of_series(script: Script, [value, uncertainty]: [f64; 2]) -> Self {
-        let penalty = if script.has_penalty() { PENALTY * value.abs() } else { 0.0 };
-        Self { by: script.title(), value, uncertainty, bound: SPREAD * uncertainty + penalty + 1e-9 * value.abs() }
+    pub fn of_series(by: &'static str, has_penalty: bool, [value, uncertainty]: [f64; 2]) -> Self {
+        let penalty = if has_penalty { PENALTY * value.abs() } else { 0.0 };
+        Self { by, value, uncertainty, bound: SPREAD * uncertainty + penalty + 1e-9 * value.abs() }
     }
 
     /// Of high order, with how far it may be off: that of two standard uncertainties.

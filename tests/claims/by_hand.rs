@@ -383,6 +383,10 @@ fn half_widths_and_peaks_under_other_powers_than_the_second_lie_within_their_bar
     let asked: (&str, &[&str]) = ("accuracy = \"0.3 %\"", &[]);
     let cusp = of_powers(&[], "[[0.0005, 1.95]]", [286.389234, 1.9], asked);
     within_its_bar(&cusp, "peak-pressure", 141.538709);
+    // That of r^1.5 falls with a fourth root of the dofs: a thousandth would take 10⁹, which 563,953 did not tell.
+    let hopeless = of_powers(&[], "[[0.01, 1.5]]", [28_153.542_5, 3.4], ("accuracy = \"0.1 %\"", &[]));
+    assert!(hopeless["accuracy"]["unmet"].as_str().is_some_and(|said| said.contains("far too large")), "{hopeless}");
+    assert!(hopeless["freedoms"].as_u64().is_some_and(|dofs| dofs <= 100_000));
     // The peak of r^3.04 lies at 0.562 of the radius: E* c κ n/π ∫ tⁿ⁻¹/√(t² − r²) dt from r to a, by quadrature.
     let ridge = of_powers(&[], "[[0.00033, 3.04]]", [257.405193, 2.5], asked);
     within_its_bar(&ridge, "peak-pressure", 98.0658054);

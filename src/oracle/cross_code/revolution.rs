@@ -12,6 +12,14 @@ use crate::oracle::cross_code::frozen::{Answered, read_json};
 /// What asks all scripts again.
 pub const RENEW: &str = "run `python3 oracles/revolution/freeze.py`";
 
+/// Each script: its module, what it is called, and whether its springs are of a finite stiffness that is felt.
+const SCRIPTS: [(&str, &str, bool); 4] = [
+    ("skfem_forms", "scikit-fem, forms of revolution", true),
+    ("ufl_forms", "dolfinx, forms of revolution", true),
+    ("calculix_gaps", "CalculiX, CAX8 and gap elements", false),
+    ("half_space", "tamaas, half-space", false),
+];
+
 /// What every script answers, by the name of its module.
 pub type Revolution = Answered<String, Series>;
 
@@ -37,8 +45,29 @@ pub struct Answer {
 impl Revolution {
     /// Reads it.
     pub fn read() -> Result<Self, Error> {
-        read_json(&root().join("oracles/frozen/revolution.json"), RENEW)
+        read_json(&file(), RENEW)
     }
+
+    /// The answers as they were frozen when the program was built, for which no checkout is needed.
+    pub fn built_in() -> Result<Self, Error> {
+        let text = include_str!("../../../oracles/frozen/revolution.json");
+        serde_json::from_str(text).map_err(|error| Error::unreadable(&file(), error, RENEW))
+    }
+
+    /// What was answered of a scene: what each script is called, whether its springs are felt, and its answers from coarse to fine.
+    pub fn of(&self, scene: &str) -> Vec<(&'static str, bool, Vec<PhysicalAnswer>)> {
+        let answers = self.scenes.get(scene).map(|asked| &asked.answers);
+        let of = |(module, called, is_felt): (&str, &'static str, bool)| {
+            let series = &answers?.get(module)?.series;
+            Some((called, is_felt, series.iter().map(|answer| answer.physical.clone()).collect()))
+        };
+        SCRIPTS.into_iter().filter_map(of).collect()
+    }
+}
+
+/// The frozen file.
+fn file() -> PathBuf {
+    root().join("oracles/frozen/revolution.json")
 }
 
 /// The folder of the scripts.

@@ -19,8 +19,12 @@ const RATIO: [f64; 2] = [1.15, 2.5];
 const UNKNOWN: f64 = 1.6;
 /// A bar over the smallest one before, from which on it is taken not to fall, and meshes in a row after which a search ends.
 const IDLE: (f64, usize) = (0.9, 3);
-/// Bar over what is asked, of 8-node cells that leave more than those of high order did, from which on they are given up.
+/// Bar over what is asked, from which on 8-node cells are given up where those of high order left less than that.
 const HOPELESS: f64 = 30.0;
+/// Dofs of the mesh that bars foresee from which on a search gives up after two in a row; and those of meshes whose bars tell that, and of meshes that
+/// have none.
+const FORESEEN: f64 = 2e7;
+const TOLD: [f64; 2] = [5e3, 5e4];
 /// Most meshes, with those on which the candidates were too short.
 const MOST: usize = 24;
 
@@ -55,7 +59,7 @@ fn refine(mut layout: Layout, mut rungs: Rungs, scene: &Scene, other: Option<Run
     let mut elements = layout.begins(rungs.asked.relative);
     let mut best: Option<Rung> = None;
     let mut why = "the mesh leaves too large an error".to_owned();
-    let mut idle = 0;
+    let (mut idle, mut far, mut last) = (0, 0, [f64::NAN; 2]);
     for _ in 0..MOST {
         let laid = layout.laid(elements);
         let solved = match rungs.too_large(&laid) {
@@ -94,7 +98,7 @@ fn refine(mut layout: Layout, mut rungs: Rungs, scene: &Scene, other: Option<Run
         if rung.is_open() {
             return rungs.answer(rung, Some("no contact: every candidate is open".into()));
         }
-        let error = rung.error;
+        let (error, tried) = (rung.error, rung.run.dofs);
         if error <= rungs.asked.relative {
             return rungs.answer(rung, None);
         }
@@ -110,7 +114,8 @@ fn refine(mut layout: Layout, mut rungs: Rungs, scene: &Scene, other: Option<Run
         {
             best = Some(rung);
         }
-        if other.as_ref().is_some_and(|other| other.error < error) && error > HOPELESS * rungs.asked.relative {
+        let least = HOPELESS * rungs.asked.relative;
+        if other.as_ref().is_some_and(|other| other.error < least) && error > least {
             why = format!(
                 "cells of high order leave less than 8-node cells, which leave {} %",
                 percent_rounded_up(error)
@@ -121,6 +126,13 @@ fn refine(mut layout: Layout, mut rungs: Rungs, scene: &Scene, other: Option<Run
             why = "on finer meshes the error bars are no smaller".into();
             break;
         }
+        let dofs = tried as f64;
+        far = if is_far(last, [dofs, error], rungs.asked.relative) { far + 1 } else { 0 };
+        if far > 1 {
+            why = "as its bars fall from mesh to mesh, one that is fine enough would be far too large".into();
+            break;
+        }
+        last = [dofs, error];
     }
     let is_better = |other: &Rung| best.as_ref().is_none_or(|best| best.error.is_nan() || other.error < best.error);
     match other.filter(is_better).or(best).or_else(|| rungs.first.take()) {
@@ -129,6 +141,17 @@ fn refine(mut layout: Layout, mut rungs: Rungs, scene: &Scene, other: Option<Run
             let remedy = "give `elements` and `per` instead of the accuracy";
             Err(Error::at(Place::Solve(scene.name.clone()), why, remedy))
         }
+    }
+}
+
+/// Whether no mesh that is solved in a minute will do, by the dofs and bars of two in a row that are not the coarsest; where no bar is known, by
+/// the dofs alone.
+fn is_far([less, before]: [f64; 2], [dofs, error]: [f64; 2], asked: f64) -> bool {
+    let rate = (before / error).ln() / (dofs / less).ln();
+    let [coarse, large] = TOLD;
+    match error.is_nan() {
+        true => dofs > large,
+        false => dofs > coarse && rate > 0.0 && dofs * (error / asked).powf(1.0 / rate) > FORESEEN,
     }
 }
 
