@@ -32,6 +32,9 @@ pub fn closed(pair: &ContactPair, part: Part, floor: f64) -> Vec<Stretch> {
     stretches
 }
 
+/// Part of the floor of pressures from which on the edge beside a stretch belongs to it.
+const LEAST: f64 = 1e-3;
+
 /// The stretch of the edges from one on, up to another.
 fn one(pair: &ContactPair, part: Part, floor: f64, [from, to]: [usize; 2]) -> Stretch {
     let Part { points, edges, .. } = part;
@@ -48,7 +51,11 @@ fn one(pair: &ContactPair, part: Part, floor: f64, [from, to]: [usize; 2]) -> St
     let images = || -> Vec<PointState> {
         pressed.iter().rev().map(|point| PointState { position: -point.position, ..*point }).collect()
     };
-    let mirrored: Vec<EdgeState> = edges[from..from + half].iter().rev().map(EdgeState::mirrored).collect();
+    // The edge in which a contact ends may press by less.
+    let presses = |k: usize| edges.get(k).is_some_and(|edge| edge.pressure > LEAST * floor);
+    let before = if from > 0 && presses(from - 1) { from - 1 } else { from };
+    let behind = if presses(to) { to + 1 } else { to };
+    let mirrored: Vec<EdgeState> = edges[before..from + half].iter().rev().map(EdgeState::mirrored).collect();
     let begin = match () {
         _ if on_line => 0.0,
         _ if reaches[0] => edges[0].ends[0],
@@ -59,7 +66,7 @@ fn one(pair: &ContactPair, part: Part, floor: f64, [from, to]: [usize; 2]) -> St
     let end = match () {
         _ if reaches[1] => edges[to - 1].ends[1],
         _ if many => nodal::end(&pressed),
-        _ => end(&edges[to - half..to]),
+        _ => end(&edges[to - half..behind]),
     };
     Stretch { begin, end, reaches }
 }

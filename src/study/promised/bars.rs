@@ -365,11 +365,16 @@ const COLUMNS: [markdown::Column<Row>; 7] = [
     }),
 ];
 
+/// Share within the bars, an unknown one being outside; where some are, also that of the others.
 fn percent(numbers: &[[f64; 2]]) -> String {
-    if numbers.is_empty() {
-        return "–".into();
+    let share = |numbers: &[[f64; 2]]| format!("{:.1} %", 100.0 * share_within(numbers, 1.0));
+    let known: Vec<[f64; 2]> = numbers.iter().copied().filter(|[_, bar]| !bar.is_nan()).collect();
+    match known.len() {
+        _ if numbers.is_empty() => "–".into(),
+        all if all == numbers.len() => share(numbers),
+        0 => share(numbers),
+        _ => format!("{}; {} of the known", share(numbers), share(&known)),
     }
-    format!("{:.1} %", 100.0 * share_within(numbers, 1.0))
 }
 
 /// The section: shares by family and number.
