@@ -212,11 +212,11 @@ fn matrix_types_of_libraries_stay_inside_the_numerics() {
 
 /// Lines that a room may have; raised only by a commit that says what for.
 const BUDGETS: [(&str, usize); 9] = [
-    ("solver", 22_597),
+    ("solver", 22_604),
     ("drawing", 2_972),
     ("case", 8_230),
     ("oracle", 1_433),
-    ("study", 14_802),
+    ("study", 14_807),
     ("referee", 6_429),
     ("report", 3_000),
     ("cli", 4_735),

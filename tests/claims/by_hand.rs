@@ -478,6 +478,17 @@ fn waves_on_a_block_ten_times_as_high_as_wide_touch_as_westergaard_has_it() {
     within_its_bar(&waves, "half-width", 1.0);
 }
 
+#[test]
+fn waves_that_are_nearly_pressed_flat_end_where_westergaard_has_it() {
+    // The edge in which the contact ends presses by less than a thousandth of the peak: without its force the end was a third of an element off.
+    let share: f64 = 0.995;
+    let load = share * std::f64::consts::PI * MODULUS * 0.01 / 40.0 * 20.0;
+    let gap = "cosine = { amplitude = 0.01, wavelength = 40.0 }";
+    let block: ([f64; 2], &[&str]) = ([20.0, 60.0], &["left", "right"]);
+    let waves = pressed(block, gap, [load, 20.0], ("accuracy = \"0.1 %\"", &[]));
+    within_its_bar(&waves, "half-width", 40.0 / std::f64::consts::PI * share.sqrt().asin());
+}
+
 /// That the truth lies within the bar of a number.
 fn within_its_bar(solved: &serde_json::Value, quantity: &str, truth: f64) {
     let bars = solved["error_bars"].as_array().expect("bars");

@@ -33,7 +33,7 @@ pub fn closed(pair: &ContactPair, part: Part, floor: f64) -> Vec<Stretch> {
 }
 
 /// Part of the floor of pressures from which on the edge beside a stretch belongs to it.
-const LEAST: f64 = 1e-3;
+const LEAST: f64 = 0.1;
 
 /// The stretch of the edges from one on, up to another.
 fn one(pair: &ContactPair, part: Part, floor: f64, [from, to]: [usize; 2]) -> Stretch {
@@ -61,22 +61,22 @@ fn one(pair: &ContactPair, part: Part, floor: f64, [from, to]: [usize; 2]) -> St
         _ if reaches[0] => edges[0].ends[0],
         _ if many && pair.path.has_both_sides() => -nodal::end(&images()),
         _ if many => (-nodal::end(&images())).max(0.0),
-        _ => -end(&mirrored),
+        _ => -end(&mirrored, from - before),
     };
     let end = match () {
         _ if reaches[1] => edges[to - 1].ends[1],
         _ if many => nodal::end(&pressed),
-        _ => end(&edges[to - half..behind]),
+        _ => end(&edges[to - half..behind], behind - to),
     };
     Stretch { begin, end, reaches }
 }
 
-/// Where a contact ends on edges that are all pressed, in the order towards that end \[mm, or rad\].
+/// Where a contact ends on edges that are all pressed, in the order towards that end, the last ones by less than a floor \[mm, or rad\].
 ///
 /// Near a smooth end `p ∝ √(a − s)`, so that the force beyond s, `F = ∫ p ds`, goes with `(a − s)^{3/2}`: `F^{2/3}` at the
 /// corners of the last edges, as a polynomial through up to three of them, vanishes at a. The edge in which the contact ends
 /// has felt the end most and is left out where there are enough others.
-pub fn end(edges: &[EdgeState]) -> f64 {
+fn end(edges: &[EdgeState], less: usize) -> f64 {
     let Some(last) = edges.len().checked_sub(1) else { return f64::NAN };
     let beyond = |from: usize| -> f64 { edges[from..].iter().map(|edge| edge.measure() * edge.pressure).sum() };
     let newest = if last >= 3 { last - 1 } else { last };
@@ -88,6 +88,6 @@ pub fn end(edges: &[EdgeState]) -> f64 {
     });
     let found: f64 = at_zero.sum();
     // One edge alone, or a profile that does not end smoothly, says no more than where the last edge is.
-    let [low, end] = edges[last].ends;
-    if nodes.len() > 1 && found.is_finite() { found.clamp(low, end + (end - low)) } else { end }
+    let ([low, _], [begin, end]) = (edges[last - less].ends, edges[last].ends);
+    if nodes.len() > 1 && found.is_finite() { found.clamp(low, end + (end - begin)) } else { end }
 }
