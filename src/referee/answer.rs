@@ -65,6 +65,7 @@ impl Answer {
     /// Turns what lies on the left half alone of a symmetric contact over: models of the left half are judged as those of the right one.
     pub fn mirror(&mut self, scene: &Scene) {
         let is_half = |handed: &&mut Handed| !scene.contacts[handed.contact].path.has_both_sides();
+        self.contacts.iter_mut().filter(is_half).for_each(Handed::laid_on_the_line);
         let ends = |handed: &Handed| Some([handed.points.first()?.position, handed.points.last()?.position]);
         let is_left = |handed: &Handed| ends(handed).is_some_and(|[first, last]| last <= SAME * first.abs());
         for handed in self.contacts.iter_mut().filter(|_| !scene.is_of_revolution()).filter(is_half) {
@@ -74,6 +75,26 @@ impl Answer {
                 handed.edges = handed.edges.iter().rev().map(EdgeState::mirrored).collect();
                 self.read.push("the left half of a symmetric contact as the right one".into());
             }
+        }
+    }
+}
+
+/// Part of the distance to its neighbour by which an outermost point lies off the symmetry line for the digits of its file.
+const OFF_THE_LINE: f64 = 0.05;
+
+impl Handed {
+    /// Lays an outermost point that lies next to the symmetry line, and the edge there, on it.
+    fn laid_on_the_line(&mut self) {
+        let lay = |[at, next]: [f64; 2]| if at.abs() <= OFF_THE_LINE * (next - at).abs() { 0.0 } else { at };
+        if let [first, second, .., before, last] = &mut self.points[..] {
+            first.position = lay([first.position, second.position]);
+            last.position = lay([last.position, before.position]);
+        }
+        if let Some(edge) = self.edges.first_mut() {
+            edge.ends[0] = lay(edge.ends);
+        }
+        if let Some(edge) = self.edges.last_mut() {
+            edge.ends[1] = lay([edge.ends[1], edge.ends[0]]);
         }
     }
 }

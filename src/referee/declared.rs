@@ -1,7 +1,7 @@
 //! The checks that a scene file declares itself, as far as pressures tell.
 
 use crate::case::quantity::Quantity as Asked;
-use crate::case::{Against, Check, Judged, Reference};
+use crate::case::{Against, Check, Judged, Reference, Relation};
 use crate::measure::{Quantity, profile};
 use crate::oracle::ReferenceKind;
 use crate::referee::bench::Bench;
@@ -17,7 +17,13 @@ pub(super) fn checks(bench: &Bench, missing: &mut Vec<[String; 2]>) -> Vec<Judge
     for check in own {
         match (value(bench, &check.quantity), &check.against) {
             (Some(value), Against::Value(reference)) if !is_own_equilibrium(check, reference) => {
-                judged.push(of_digits(check).judge_by(value, reference.clone()))
+                let check = of_digits(check);
+                // Straight lines between pressures hold no more digits of the force than are asked of them.
+                let is_force = check.quantity.number() == Some(&Quantity::Resultant);
+                let is_of_lines = is_force && check.relation == Relation::Near && !bench.profile.has_forces;
+                let least = if is_of_lines { bench.tolerance } else { 0.0 };
+                let check = Check { tolerance: check.tolerance.max(least), ..check };
+                judged.push(check.judge_by(value, reference.clone()))
             }
             // What the oracle reads is judged above, as is equilibrium.
             (Some(_), _) => {}

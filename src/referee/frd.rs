@@ -80,22 +80,24 @@ pub fn parse(file: &Path, text: &str, scene: &Scene, asked: &Asked) -> Result<An
     read.push(format!("the contact block of {} is judged", head.state));
     let all: Vec<State> = heads.iter().map(|head| head.state).collect();
     let contacts = vec![Handed { contact, points, order, edges: vec![], forces: false }];
-    let field = displacements((&source, scene), asked, None, Some(head.state.time))?;
+    let field = displacements((&source, scene), asked, None, Some(head.state))?;
     let code = Some("CalculiX".into());
     let (notes, units) = (head.state.notes(&all), asked.units());
     Ok(Answer { file: file.into(), code, read, notes, units, contacts, field })
 }
 
-/// The displacements of a file, of a time where one is given; none where it has none, or their unit is not known. `ours` is the unit of our own decks.
+/// The displacements of a file, of a state where one is given; none where it has none, or their unit is not known. `ours` is the unit of our own decks.
 pub fn displacements(
     (source, scene): (&Source, &Scene),
     asked: &Asked,
     ours: Option<&str>,
-    time: Option<f64>,
+    state: Option<State>,
 ) -> Result<Option<Field>, Error> {
     let named = asked.unit(Role::Displacement);
     let heads = heads(source);
-    let is_it = |head: &&Head| head.name == "DISP" && time.is_none_or(|time| head.state.is_at(time));
+    let is_it = |head: &&Head| {
+        head.name == "DISP" && state.is_none_or(|state| head.state.is_at(state.time) && head.state.step == state.step)
+    };
     let Some(head) = heads.iter().rfind(is_it).filter(|_| ours.or(named).is_some()) else { return Ok(None) };
     let length = source.factor(Role::Position, "the place of a node", ours, asked.unit(Role::Position))?;
     let moved = source.factor(Role::Displacement, "the displacement", ours, named)?;

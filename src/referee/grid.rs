@@ -54,6 +54,23 @@ pub fn parse(file: &Path, bytes: &[u8], scene: &Scene, asked: &Asked) -> Result<
     Ok(Answer { file: file.into(), code: None, read, notes: vec![], units: asked.units(), contacts, field })
 }
 
+/// Tension over the largest pressure that stresses have at nodes beside a contact: they are means of cells, of which one ends it.
+const PULL: f64 = 0.05;
+
+/// Takes such tension for nothing, and says how much it was; none where there is none, or more.
+fn without_pull(pressures: &mut [f64]) -> Option<String> {
+    let largest = pressures.iter().copied().fold(0.0, f64::max);
+    let pull = pressures.iter().fold(0.0, |most: f64, pressure| most.max(-pressure));
+    if pull <= 0.0 || pull > PULL * largest {
+        return None;
+    }
+    pressures.iter_mut().for_each(|pressure| *pressure = pressure.max(0.0));
+    Some(format!(
+        "tension of up to {:.1} % of the largest pressure as none: stresses at nodes are means of cells",
+        100.0 * pull / largest
+    ))
+}
+
 /// A quadrilateral of order p, whose nodes lie evenly, as cells of nine nodes, or of four where p is odd; none where no order has so many nodes.
 fn parts(nodes: &[usize]) -> Option<Vec<Cell>> {
     let p = nodes.len().isqrt().checked_sub(1).filter(|p| *p > 0 && (p + 1).pow(2) == nodes.len())?;
@@ -135,7 +152,7 @@ impl<'a> Grid<'a> {
         let side = Side::of(&source, scene, contact, points, cells)?;
         let mut nodes = side.nodes();
         let order = asked.order.unwrap_or(side.order());
-        let (pressure, how) = self.pressures(points, pair, asked)?;
+        let (pressure, how, is_of_stresses) = self.pressures(points, pair, asked)?;
         let place = |node: usize| signed_coordinate(pair, points[node]);
         let known = |&node: &usize| {
             let value = Some(pressure(node)).filter(|value| !value.is_nan());
@@ -154,8 +171,9 @@ impl<'a> Grid<'a> {
         }
         side.all_pressed(&source, (pair, scene.plane.radial()), points, |node| Some(pressure(node)))?;
         nodes.retain(|&node| !pressure(node).is_nan());
-        let value: Vec<f64> = nodes.iter().map(|&node| pressure(node)).collect();
+        let mut value: Vec<f64> = nodes.iter().map(|&node| pressure(node)).collect();
         let mut read = vec![how];
+        read.extend(is_of_stresses.then(|| without_pull(&mut value)).flatten());
         let gaps = self.gaps(&nodes, points, pair, &value, asked, &mut read)?;
         let point = |(k, node): (usize, &usize)| Point {
             position: place(*node),
@@ -183,7 +201,10 @@ impl<'a> Grid<'a> {
     /// The field of a role, and its component where one is named, `NAME:COMPONENT`; none where there is none of its usual names, and none was named.
     fn field(&self, role: Role, asked: &Asked) -> Result<Option<(&Field, Option<usize>)>, Error> {
         let first = |is_it: &dyn Fn(&str) -> bool| self.fields.iter().find(|field| is_it(&field.name));
-        let found = |name: &str| first(&|own| own == name).or_else(|| first(&|own| own.eq_ignore_ascii_case(name)));
+        let found = |name: &str| {
+            let is_it = |own: &str| own.eq_ignore_ascii_case(name) || table::split(own).0.eq_ignore_ascii_case(name);
+            first(&|own| own == name).or_else(|| first(&is_it))
+        };
         let usual = USUAL.iter().find(|(known, _)| *known == role).map_or(&[][..], |(_, names)| *names);
         let Some(name) = asked.column(role) else {
             return Ok(usual.iter().find_map(|name| found(name)).map(|field| (field, None)));
@@ -231,19 +252,20 @@ impl<'a> Grid<'a> {
         }
     }
 
-    /// The pressure of a node in our unit, of a field or from the stresses; and what was read.
+    /// The pressure of a node in our unit, of a field or from the stresses; what was read, and whether it is of stresses.
     fn pressures<'g>(
         &'g self,
         points: &'g [[f64; 2]],
         pair: &'g ContactPair,
         asked: &Asked,
-    ) -> Result<(OfNode<'g>, String), Error> {
+    ) -> Result<(OfNode<'g>, String, bool), Error> {
         if let Some((field, component)) = self.part(Role::Pressure, asked)? {
             let factor = asked.sign() * self.factor(Role::Pressure, field, asked)?;
             let of = if field.components > 1 { format!(", component {component}") } else { String::new() };
             return Ok((
                 Box::new(move |node| factor * field.at(node, component)),
                 format!("`{}`{of} as pressure", field.name),
+                false,
             ));
         }
         let places = self.field(Role::Stress, asked)?.and_then(|(field, _)| match field.components {
@@ -270,7 +292,8 @@ impl<'a> Grid<'a> {
             let (n, [x, y, xy]) = (pair.normal(points[node]), at.map(|k| field.at(node, k)));
             0.0 - factor * (n[0] * n[0] * x + n[1] * n[1] * y + 2.0 * n[0] * n[1] * xy)
         };
-        Ok((Box::new(pressure), format!("−n·σn of `{}` as pressure, {} components", field.name, field.components)))
+        let how = format!("−n·σn of `{}` as pressure, {} components", field.name, field.components);
+        Ok((Box::new(pressure), how, true))
     }
 
     /// Remaining gaps of some nodes: a field, or from the displacements where the other side is rigid and its gap a formula.

@@ -111,7 +111,7 @@ const MARKS: [char; 4] = [';', '\t', ',', ' '];
 const SEEN: usize = 1000;
 /// What comments begin with.
 const COMMENTS: [&str; 6] = ["#", "%", "!", "//", "$", "**"];
-/// What lines below the numbers of a report begin with; `at` where they are none of numbers.
+/// What lines below the numbers of a report begin with; `at` where no number follows.
 const BELOW: [&str; 4] = ["minimum", "maximum", "total", "at"];
 
 /// A file as names and lines of cells.
@@ -329,9 +329,11 @@ fn head(above: &[&str], mark: char, count: Option<usize>, asked: &Asked) -> Opti
 
 /// Whether a line stands below the numbers of a report.
 fn is_below(line: &str, mark: char) -> bool {
-    let own = cells(line, mark);
-    let word = own.first().and_then(|cell| cell.split_whitespace().next()).unwrap_or_default().to_lowercase();
-    BELOW.contains(&word.as_str()) && !(word == "at" && is_data(&own, mark != ','))
+    let mut words = line.split(|letter: char| letter == mark || letter.is_whitespace()).filter(|word| !word.is_empty());
+    let word = words.next().unwrap_or_default().trim_matches('"').to_lowercase();
+    // `At Node 12`, and no point that is called `at 12`.
+    let is_called = word == "at" && words.next().is_some_and(|next| number(next, mark != ',').is_some());
+    BELOW.contains(&word.as_str()) && !is_called
 }
 
 /// What stands behind the mark of a comment; none of a line that is none.

@@ -154,7 +154,9 @@ impl Truth {
         let [centre, width] = [Quantity::Centre, Quantity::SecondMomentWidth].map(|one| self.ours(0, &one));
         let off = centre.reference.value.abs();
         let is_elsewhere = off > centre.bar + CENTRED * width.reference.value;
-        self.closed(&Quantity::Pressure { at: 0.0 }).filter(|_| !is_elsewhere)
+        // At s = 0 it may have no limit.
+        let within = [0.0, 0.5 * width.reference.value];
+        within.into_iter().find_map(|at| self.closed(&Quantity::Pressure { at })).filter(|_| !is_elsewhere)
     }
 
     /// Name and kind of the profile, and how far it may itself be off: of a closed form what the case states of it.

@@ -1,5 +1,6 @@
 //! Where the closed stretches of a contact begin and end.
 
+use crate::measure::fit::ROUNDING;
 use crate::measure::nodal;
 use crate::scene::ContactPair;
 use crate::solution::{EdgeState, Part, PointState};
@@ -40,7 +41,8 @@ fn one(pair: &ContactPair, part: Part, floor: f64, [from, to]: [usize; 2]) -> St
     let Part { points, edges, .. } = part;
     let [first, last] = [points.first(), points.last()].map(|p| p.is_some_and(|point| point.pressure > floor));
     // A cell with many points may be open on the symmetry line and pressed farther out.
-    let on_line = from == 0 && !pair.path.has_both_sides() && (first || !nodal::are_many(part));
+    let begins_there = edges[0].ends[0] >= -ROUNDING * edges[0].length();
+    let on_line = from == 0 && !pair.path.has_both_sides() && begins_there && (first || !nodal::are_many(part));
     let reaches = [from == 0 && !on_line && first, to == edges.len() && last];
     // The half that ends there, so that a mirror image ends where its image does.
     let half = if on_line { to - from } else { (to - from).div_ceil(2) };
