@@ -212,14 +212,14 @@ fn matrix_types_of_libraries_stay_inside_the_numerics() {
 
 /// Lines that a room may have; raised only by a commit that says what for.
 const BUDGETS: [(&str, usize); 9] = [
-    ("solver", 22_541),
+    ("solver", 22_547),
     ("drawing", 2_972),
     ("case", 8_219),
     ("oracle", 1_404),
     ("study", 14_787),
     ("referee", 6_423),
     ("report", 3_000),
-    ("cli", 4_734),
+    ("cli", 4_660),
     ("live", 500),
 ];
 
