@@ -216,7 +216,7 @@ const BUDGETS: [(&str, usize); 9] = [
     ("drawing", 2_972),
     ("case", 8_219),
     ("oracle", 1_404),
-    ("study", 14_787),
+    ("study", 14_726),
     ("referee", 6_423),
     ("report", 3_000),
     ("cli", 4_660),

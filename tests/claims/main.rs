@@ -29,6 +29,7 @@ mod compare;
 mod condensation;
 mod contact;
 mod corners;
+mod counted;
 mod differences;
 mod digitised;
 mod edge_fitted;
