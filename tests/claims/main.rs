@@ -42,6 +42,7 @@ mod figures;
 mod geometry;
 mod gmsh;
 mod halved;
+mod handed;
 mod high_order;
 mod incompressible;
 mod independent;
