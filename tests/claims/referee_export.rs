@@ -20,6 +20,7 @@ use contact_vv::solve::{Discretisation, Formulation, Run};
 use crate::balance::solved;
 use crate::handed::{failed, judged_as, moved, read};
 use crate::outputs::{contact_vv, refuses};
+use crate::scene_file::files;
 use crate::workbench::refused;
 
 /// A scene file of one body of an exported mesh, held by nothing: it is only read.
@@ -98,10 +99,7 @@ fn exported_deck_is_read_back_with_all_that_joins_its_nodes() {
 
 /// Every library case and every scene file.
 fn every_case() -> Vec<Case> {
-    let folder = format!("{}/tests/cases", root().display());
-    let files = std::fs::read_dir(folder).expect("scene files").map(|file| file.expect("a file").path());
-    let scenes = files.filter(|path| path.extension().is_some_and(|ending| ending == "toml"));
-    let scenes = scenes.map(|path| Case::read(&path).expect("a scene file"));
+    let scenes = files().into_iter().map(|(path, text)| Case::parse(&path, &text).expect("a scene file"));
     NAMES.iter().map(|(name, _)| find(name, None).expect("a case")).chain(scenes).collect()
 }
 

@@ -1,10 +1,7 @@
 //! Displacements that are handed in with their mesh are judged by equilibrium, energy and what a scene file declares.
 
-use std::io::Write;
 use std::path::Path;
 
-use base64::Engine;
-use base64::engine::general_purpose::STANDARD;
 use contact_vv::case::library::{NAMES, find};
 use contact_vv::case::{Case, Verdict};
 use contact_vv::checkout::root;
@@ -15,11 +12,8 @@ use contact_vv::referee::judge::ENGINEERING;
 use contact_vv::referee::side::Cell;
 use contact_vv::referee::{Answer, Truth};
 use contact_vv::solve::Discretisation;
-use flate2::{Compression, write::ZlibEncoder};
 
 use crate::handed::{failed, judged, moved, read};
-use crate::referee_grid::array;
-use crate::workbench::refused;
 
 /// Our own fields on the mesh of a case, as a text.
 fn own(case: &Case) -> String {
@@ -228,70 +222,4 @@ fn assert_judged(case: Case, what: &str) {
     assert!(names.iter().any(|name| name.contains(what)), "{name}: {names:?}");
     let wrong = spoiled(&truth, &text, |field| field.displacement.iter_mut().flatten().for_each(|u| *u *= 1.2));
     assert!(wrong.iter().any(|name| name.contains(what)), "{name}: {wrong:?}");
-}
-
-/// All arrays as meshio and VTK write them by default: base64 of a header, then that of one block compressed by zlib.
-fn compressed(text: &str) -> String {
-    let head = text.replacen("<VTKFile", "<VTKFile compressor=\"vtkZLibDataCompressor\"", 1);
-    let wide = head.contains("header_type=\"UInt64\"");
-    let mut parts = head.split("format=\"binary\"");
-    let mut all = parts.next().expect("a head").to_owned();
-    for part in parts {
-        let (tag, rest) = part.split_once('>').expect("a tag");
-        let (array, rest) = rest.split_once('<').expect("an end");
-        let bytes = STANDARD.decode(array.trim()).expect("base64");
-        let bytes = &bytes[if wide { 8 } else { 4 }..];
-        let mut block = ZlibEncoder::new(Vec::new(), Compression::default());
-        block.write_all(bytes).expect("compressed");
-        let block = block.finish().expect("compressed");
-        let word = |word: usize| {
-            if wide { (word as u64).to_le_bytes().to_vec() } else { (word as u32).to_le_bytes().to_vec() }
-        };
-        let words = [1, bytes.len(), 0, block.len()].map(word);
-        all += &format!("format=\"binary\"{tag}>{}{}<{rest}", STANDARD.encode(words.concat()), STANDARD.encode(block));
-    }
-    all
-}
-
-#[test]
-fn arrays_compressed_by_zlib_are_read_as_plain_ones_and_others_are_refused() {
-    let case = find("bars", None).expect("a case");
-    let text = own(&case);
-    let whole = compressed(&text);
-    assert!(whole.matches("format=\"binary\"").count() > 5);
-    let of = |text: &str| read(&case, "ours.vtu", text, &moved());
-    assert_eq!(of(&whole).expect("read").contacts[0].points, of(&text).expect("read").contacts[0].points);
-    let array = whole.rfind("</DataArray").expect("an array");
-    for cut in [1, 9, 40] {
-        assert!(of(&format!("{}{}", &whole[..array - cut], &whole[array..])).is_err(), "{cut}");
-    }
-    let other = whole.replace("vtkZLibDataCompressor", "vtkLZ4DataCompressor");
-    refused(of(&other), &["vtkLZ4DataCompressor, and zlib is read"]);
-}
-
-#[test]
-fn numbers_that_are_big_endian_are_refused_unless_all_are_written_out() {
-    let case = find("bars", None).expect("a case");
-    let big = own(&case).replace("LittleEndian", "BigEndian");
-    let of = |text: &str| read(&case, "theirs.vtu", text, &moved());
-    // One array written out among the others does not make them plain.
-    let array = "<DataArray type=\"Float64\" Name=\"more\" format=\"ascii\"></DataArray></PointData>";
-    for text in [big.clone(), big.replace("</PointData>", array)] {
-        assert!(text.contains("BigEndian") && text.contains("format=\"binary\""));
-        refused(of(&text), &["theirs.vtu", "big endian", "little endian"]);
-    }
-    let error = refused(of(&vtk_ascii("BigEndian")), &["theirs.vtu"]);
-    assert!(!error.contains("big endian"), "{error}");
-}
-
-/// A grid of one cell whose arrays are written out, whatever the order of bytes would be.
-fn vtk_ascii(order: &str) -> String {
-    format!(
-        "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" byte_order=\"{order}\"><UnstructuredGrid><Piece NumberOfPoints=\"4\" \
-         NumberOfCells=\"1\"><Points>{}</Points><Cells>{}{}{}</Cells></Piece></UnstructuredGrid></VTKFile>",
-        array("points", "Float64", 3, "0 0 0 1 0 0 1 1 0 0 1 0"),
-        array("connectivity", "Int64", 1, "0 1 2 3"),
-        array("offsets", "Int64", 1, "4"),
-        array("types", "UInt8", 1, "9"),
-    )
 }

@@ -13,7 +13,7 @@ use crate::referee_wild::{parsed, usual};
 use crate::workbench::refused;
 
 /// An array of a VTU file, written out.
-pub fn array(name: &str, kind: &str, components: usize, data: &str) -> String {
+fn array(name: &str, kind: &str, components: usize, data: &str) -> String {
     format!(
         "<DataArray type=\"{kind}\" Name=\"{name}\" NumberOfComponents=\"{components}\" format=\"ascii\">{data}</DataArray>"
     )
