@@ -217,7 +217,7 @@ const BUDGETS: [(&str, usize); 9] = [
     ("case", 8_219),
     ("oracle", 1_404),
     ("study", 14_726),
-    ("referee", 6_424),
+    ("referee", 6_413),
     ("report", 3_000),
     ("cli", 4_660),
     ("live", 500),

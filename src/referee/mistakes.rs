@@ -16,12 +16,8 @@ use crate::referee::units::{Role, Units, is_angle};
 use crate::scene::{ContactPair, PlaneHypothesis, Scene};
 use crate::solution::EdgeState;
 
-/// A correction, and what it says.
-#[derive(Clone)]
-struct Correction {
-    says: String,
-    corrected: Handed,
-}
+/// What a correction says, and the answer that it makes.
+type Correction = (String, Handed);
 
 /// What is known of an answer beside its pressures.
 #[derive(Clone, Copy)]
@@ -46,20 +42,19 @@ pub fn explain(truth: &Truth, handed: &Handed, beside: Beside, tolerance: f64) -
     let mut all = corrections(truth, &plain, beside);
     if plain.points.iter().map(|point| point.value).sum::<f64>() < 0.0 {
         let turned = scaled(&plain, -1.0, 1.0, 1.0);
-        let both = |one: Correction| Correction { says: format!("{NEGATIVE}; and {}", one.says), ..one };
+        let both = |(says, corrected): Correction| (format!("{NEGATIVE}; and {says}"), corrected);
         all.extend(corrections(truth, &turned, beside).into_iter().map(both));
     }
-    let all = all.into_iter();
-    all.filter(|one| sound(&one.corrected) && meets(&one.corrected)).map(|one| one.says).collect()
+    let all = all.into_iter().filter(|(_, corrected)| sound(corrected) && meets(corrected));
+    all.map(|(says, _)| says).collect()
 }
 
 /// Every correction that is tried.
 fn corrections(truth: &Truth, handed: &Handed, beside: Beside) -> Vec<Correction> {
     let (scene, is_circle) = (&truth.case.scene, truth.case.scene.is_around_axis(handed.contact));
     let scales = scales(truth, handed, beside).into_iter();
-    let scaled = scales.map(|(says, [pressure, place])| Correction {
-        says,
-        corrected: scaled(handed, pressure, place, if is_circle { place * place } else { place }),
+    let scaled = scales.map(|(says, [pressure, place])| {
+        (says, scaled(handed, pressure, place, if is_circle { place * place } else { place }))
     });
     // What moves values among the points says nothing of means over edges that were handed in beside them.
     let moved = if handed.edges.is_empty() { [shifts(scene, handed), middles(handed)].concat() } else { vec![] };
@@ -76,7 +71,7 @@ fn middles(handed: &Handed) -> Vec<Correction> {
     }
     let points = every_second(0).copied().collect();
     let says = "every second node is a mid-side with a pressure of 0: hand in the corners alone".into();
-    vec![Correction { says, corrected: Handed { points, order: Order::Linear, ..handed.clone() } }]
+    vec![(says, Handed { points, order: Order::Linear, ..handed.clone() })]
 }
 
 /// Factors on pressures and on positions: numbers that are called others, then, unless the scene was solved, another scene; units that are called
@@ -272,7 +267,7 @@ fn by_rings(scene: &Scene, handed: &Handed) -> Vec<Correction> {
     let around = |point: &Point| Point { value: scene.depth(path.point(point.position)) * point.value, ..*point };
     let points = handed.points.iter().map(around);
     let corrected = Handed { points: points.collect(), edges: vec![], ..handed.clone() };
-    vec![Correction { says: "nodal forces are pressures times lengths: 2πr is forgotten".into(), corrected }]
+    vec![("nodal forces are pressures times lengths: 2πr is forgotten".into(), corrected)]
 }
 
 /// Pressures times one factor, positions times another, areas times a third; forces follow.
@@ -316,20 +311,14 @@ fn shifts(scene: &Scene, handed: &Handed) -> Vec<Correction> {
     let moment: f64 = forces.iter().zip(&handed.points).map(|(force, point)| force * point.position).sum();
     let centre = moment / forces.iter().sum::<f64>();
     let points = handed.points.iter().map(|point| Point { position: point.position - centre, ..*point }).collect();
-    let offset = Correction {
-        says: format!(
-            "all positions are off by about {} (mm, or rad on an arc)",
-            crate::markdown::significant(centre, 3)
-        ),
-        corrected: Handed { points, edges: vec![], ..handed.clone() },
-    };
+    let offset =
+        format!("all positions are off by about {} (mm, or rad on an arc)", crate::markdown::significant(centre, 3));
     let by_one = "pressures are shifted by one node";
-    let mut all = vec![
-        Correction { says: format!("{by_one}: each belongs to the node before"), corrected: moved(outwards) },
-        Correction { says: format!("{by_one}: each belongs to the node behind"), corrected: moved(inwards) },
-    ];
-    all.push(offset);
-    all
+    vec![
+        (format!("{by_one}: each belongs to the node before"), moved(outwards)),
+        (format!("{by_one}: each belongs to the node behind"), moved(inwards)),
+        (offset, Handed { points, edges: vec![], ..handed.clone() }),
+    ]
 }
 
 /// Pressures of a half over those of the other, from which on it is there.
@@ -355,7 +344,7 @@ fn halves(handed: &Handed) -> Vec<Correction> {
     let says = |half: &str| format!("the {half} half of the profile is missing");
     let lacks = |sign: f64| carried(sign) <= MISSING * carried(0.0 - sign);
     let both = [("left", -1.0), ("right", 1.0)].into_iter().filter(|(_, sign)| lacks(*sign));
-    both.map(|(name, sign)| Correction { says: says(name), corrected: half(sign < 0.0) }).collect()
+    both.map(|(name, sign)| (says(name), half(sign < 0.0))).collect()
 }
 
 fn without_gaps(handed: &Handed) -> Handed {
