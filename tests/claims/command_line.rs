@@ -181,13 +181,18 @@ fn reports_and_surveys_outside_of_a_checkout_are_refused_wherever_the_program_wa
         &["report", "diff"],
         &["verdicts"],
         &["atlas"],
+        &["converged"],
         &["met", "--lacking"],
+        &["coverage"],
+        &["counted"],
         &["timings", "--points"],
         &["scoreboard"],
     ] {
         let (code, error) = run_in(folder.path(), arguments);
         assert_eq!(code, Some(2), "{arguments:?}: {error}");
         assert!(error.contains("is a checkout of the project") && error.contains(CHECKOUT), "{arguments:?}: {error}");
+        let (code, told) = apart(folder.path(), arguments);
+        assert!(code == Some(2) && told.contains("checkout"), "{arguments:?}: {code:?}, {told}");
     }
     let (_, _, named) = ended(program(&["verdicts"]).env(CHECKOUT, folder.path()));
     assert!(named.contains("names this folder"), "{named}");
@@ -329,15 +334,6 @@ fn program_without_its_checkout_lists_solves_exports_judges_and_verifies() {
         well(&["export", name, name]);
         let committed = std::fs::read_to_string(root().join(format!("snapshots/sheets/{name}.md"))).expect("a sheet");
         assert_eq!(folder.read(&format!("{name}/{name}.md")), committed);
-    }
-}
-
-#[test]
-fn what_needs_the_checkout_says_so() {
-    let folder = Folder::made();
-    for command in ["report", "verdicts", "atlas", "converged", "met", "coverage", "counted", "timings", "scoreboard"] {
-        let (code, told) = apart(folder.path(), &[command]);
-        assert!(code == Some(2) && told.contains("checkout"), "{command}: {code:?}, {told}");
     }
 }
 
