@@ -212,14 +212,14 @@ fn matrix_types_of_libraries_stay_inside_the_numerics() {
 
 /// Lines that a room may have; raised only by a commit that says what for.
 const BUDGETS: [(&str, usize); 9] = [
-    ("solver", 22_604),
+    ("solver", 22_612),
     ("drawing", 2_972),
     ("case", 8_230),
     ("oracle", 1_433),
-    ("study", 14_807),
-    ("referee", 6_429),
+    ("study", 14_746),
+    ("referee", 6_514),
     ("report", 3_000),
-    ("cli", 4_735),
+    ("cli", 4_661),
     ("live", 500),
 ];
 

@@ -82,20 +82,9 @@ struct OneMesh {
     #[serde(rename = "steps")]
     iterations: usize,
     /// What it found of each contact.
-    contacts: Vec<OneContact>,
+    contacts: Vec<TriedContact>,
     /// Its estimate.
     estimate: Number,
-}
-
-/// What a mesh found of a contact.
-#[derive(Serialize, JsonSchema)]
-struct OneContact {
-    /// Candidate stretch.
-    stretch: Number,
-    /// Largest pressure.
-    peak_pressure: Number,
-    /// Half-width.
-    half_width: Number,
 }
 
 impl Document {
@@ -109,11 +98,6 @@ impl Document {
             from_iteration: parts(quoted)[1].into(),
             from_penalty: parts(quoted)[2].into(),
         };
-        let contact = |found: &TriedContact| OneContact {
-            stretch: found.stretch.into(),
-            peak_pressure: found.peak.into(),
-            half_width: found.half_width.into(),
-        };
         let mesh = |tried: &Tried| OneMesh {
             purpose: tried.purpose,
             order: tried.order.number(),
@@ -121,7 +105,7 @@ impl Document {
             growth: tried.growth.into(),
             dofs: tried.dofs,
             iterations: tried.iterations,
-            contacts: tried.contacts.iter().map(contact).collect(),
+            contacts: tried.contacts.clone(),
             estimate: tried.estimate.into(),
         };
         Self {

@@ -23,12 +23,8 @@ pub struct Document {
     value: Number,
     /// How far it may be from the truth: the sum of the parts.
     bound: Number,
-    /// What the mesh leaves.
-    mesh: Number,
-    /// What the iteration leaves.
-    iteration: Number,
-    /// What the springs of a penalty leave.
-    penalty: Number,
+    #[serde(flatten)]
+    parts: Bar,
     /// Why the bound is not known, where it is not.
     #[serde(skip_serializing_if = "Option::is_none")]
     unknown: Option<&'static str>,
@@ -39,18 +35,8 @@ impl Document {
     pub fn all(found: &Found) -> Vec<Self> {
         let one = |one: &Barred| {
             let Told { of, quantity, .. } = Told::of(&found.problem.scene, &found.run, one);
-            let Bar { mesh, iteration, penalty } = one.bar;
-            let [mesh, iteration, penalty] = [mesh, iteration, penalty].map(Number::from);
-            Self {
-                of,
-                quantity,
-                value: one.value.into(),
-                bound: one.bar.total().into(),
-                mesh,
-                iteration,
-                penalty,
-                unknown: one.unknown,
-            }
+            let (value, bound) = (one.value.into(), one.bar.total().into());
+            Self { of, quantity, value, bound, parts: one.bar, unknown: one.unknown }
         };
         found.bars.iter().flat_map(|bars| bars.all.iter()).map(one).collect()
     }

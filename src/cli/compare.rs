@@ -53,7 +53,8 @@ pub fn run(arguments: &Arguments) -> Result<Exit, Error> {
         rows.push(arguments.row(formulation, &run));
         runs.extend(run);
     }
-    rows.sort_by(|a, b| a.rank().cmp(&b.rank()).then(a.operations.value().total_cmp(&b.operations.value())));
+    let operations = |row: &Compares| row.operations.unwrap_or(f64::NAN);
+    rows.sort_by(|a, b| a.rank().cmp(&b.rank()).then(operations(a).total_cmp(&operations(b))));
     let ended = if rows.iter().any(Compares::converged) { Exit::Well } else { Exit::NotConverged };
     let [dofs, retained] = [discretisation.system.dofs(), discretisation.condensed.retained()];
     let compared = Compared { case: case.name.clone(), dofs, retained, formulations: rows };
@@ -133,7 +134,7 @@ impl Arguments {
             factorisations: Some(work.factorisations),
             operations: work.operations.into(),
             error: solution.error().largest().into(),
-            seconds: seconds.into(),
+            seconds,
             reason,
             command,
         }
@@ -186,14 +187,14 @@ fn print(compared: &Compared) {
     let mut table = table(["formulation", "outcome", "iterations", "factorisations", "error", "seconds"]);
     let count = |number: Option<usize>| number.map_or_else(|| "–".into(), |number| number.to_string());
     for row in &compared.formulations {
-        let [error, seconds] = [row.error.value(), row.seconds.value()];
+        let [error, seconds] = [row.error, row.seconds].map(|number| number.unwrap_or(f64::NAN));
         table.add_row([
             row.formulation.clone(),
             row.outcome.clone(),
             count(row.iterations),
             count(row.factorisations),
-            if error.is_nan() { "–".into() } else { markdown::error(error) },
-            if seconds.is_nan() { "–".into() } else { format!("{seconds:.3}") },
+            if error.is_finite() { markdown::error(error) } else { "–".into() },
+            if seconds.is_finite() { format!("{seconds:.3}") } else { "–".into() },
         ]);
     }
     say(table);

@@ -216,18 +216,18 @@ fn end_of_number(text: &str) -> usize {
 }
 
 /// A kind of cell: its corners and nodes in the plane, and all it has.
-struct Kind(&'static str, usize, usize, usize);
+type Kind = (&'static str, usize, usize, usize);
 
 /// Plane cells, and the bricks and wedges into which they are expanded.
 const KINDS: [Kind; 8] = [
-    Kind("7", 3, 3, 3),
-    Kind("8", 3, 6, 6),
-    Kind("9", 4, 4, 4),
-    Kind("10", 4, 8, 8),
-    Kind("1", 4, 4, 8),
-    Kind("2", 3, 3, 6),
-    Kind("4", 4, 8, 20),
-    Kind("5", 3, 6, 15),
+    ("7", 3, 3, 3),
+    ("8", 3, 6, 6),
+    ("9", 4, 4, 4),
+    ("10", 4, 8, 8),
+    ("1", 4, 4, 8),
+    ("2", 3, 3, 6),
+    ("4", 4, 8, 20),
+    ("5", 3, 6, 15),
 ];
 /// Types of lines, as which gap elements are written.
 const LINES: [&str; 2] = ["11", "12"];
@@ -273,7 +273,7 @@ impl Plane {
             if LINES.contains(&kind) {
                 continue;
             }
-            let Some(kind) = KINDS.iter().find(|Kind(known, ..)| *known == kind) else {
+            let Some(kind) = KINDS.iter().find(|(known, ..)| *known == kind) else {
                 let remedy = "write *CONTACT FILE and *NODE FILE of plane elements, and run ccx again";
                 return Err(source.at(head, "this cell is neither plane nor a slice of plane ones", remedy));
             };
@@ -294,7 +294,7 @@ impl Plane {
     }
 
     /// Adds a cell; none where nodes of it stand for none of the plane.
-    fn add(&mut self, Kind(_, corners, in_plane, all): &Kind, nodes: &[usize]) -> Option<()> {
+    fn add(&mut self, (_, corners, in_plane, all): &Kind, nodes: &[usize]) -> Option<()> {
         // Mid-sides in the plane stand behind all corners.
         let mids = if in_plane < all { 2 * corners } else { *corners };
         let own: Vec<usize> = (0..*corners).chain(mids..mids + in_plane - corners).map(|k| nodes[k]).collect();

@@ -16,12 +16,8 @@ use crate::referee::units::{Role, Units, is_angle};
 use crate::scene::{ContactPair, PlaneHypothesis, Scene};
 use crate::solution::EdgeState;
 
-/// A correction, and what it says.
-#[derive(Clone)]
-struct Correction {
-    says: String,
-    corrected: Handed,
-}
+/// What a correction says, and the answer that it makes.
+type Correction = (String, Handed);
 
 /// What is known of an answer beside its pressures.
 #[derive(Clone, Copy)]
@@ -46,20 +42,19 @@ pub fn explain(truth: &Truth, handed: &Handed, beside: Beside, tolerance: f64) -
     let mut all = corrections(truth, &plain, beside);
     if plain.points.iter().map(|point| point.value).sum::<f64>() < 0.0 {
         let turned = scaled(&plain, -1.0, 1.0, 1.0);
-        let both = |one: Correction| Correction { says: format!("{NEGATIVE}; and {}", one.says), ..one };
+        let both = |(says, corrected): Correction| (format!("{NEGATIVE}; and {says}"), corrected);
         all.extend(corrections(truth, &turned, beside).into_iter().map(both));
     }
-    let all = all.into_iter();
-    all.filter(|one| sound(&one.corrected) && meets(&one.corrected)).map(|one| one.says).collect()
+    let all = all.into_iter().filter(|(_, corrected)| sound(corrected) && meets(corrected));
+    all.map(|(says, _)| says).collect()
 }
 
 /// Every correction that is tried.
 fn corrections(truth: &Truth, handed: &Handed, beside: Beside) -> Vec<Correction> {
     let (scene, is_circle) = (&truth.case.scene, truth.case.scene.is_around_axis(handed.contact));
     let scales = scales(truth, handed, beside).into_iter();
-    let scaled = scales.map(|(says, [pressure, place])| Correction {
-        says,
-        corrected: scaled(handed, pressure, place, if is_circle { place * place } else { place }),
+    let scaled = scales.map(|(says, [pressure, place])| {
+        (says, scaled(handed, pressure, place, if is_circle { place * place } else { place }))
     });
     // What moves values among the points says nothing of means over edges that were handed in beside them.
     let moved = if handed.edges.is_empty() { [shifts(scene, handed), middles(handed)].concat() } else { vec![] };
@@ -76,7 +71,7 @@ fn middles(handed: &Handed) -> Vec<Correction> {
     }
     let points = every_second(0).copied().collect();
     let says = "every second node is a mid-side with a pressure of 0: hand in the corners alone".into();
-    vec![Correction { says, corrected: Handed { points, order: Order::Linear, ..handed.clone() } }]
+    vec![(says, Handed { points, order: Order::Linear, ..handed.clone() })]
 }
 
 /// Factors on pressures and on positions: numbers that are called others, then, unless the scene was solved, another scene; units that are called
@@ -86,7 +81,8 @@ fn scales(truth: &Truth, handed: &Handed, beside: Beside) -> Vec<(String, [f64; 
     let is_circle = scene.is_around_axis(handed.contact);
     let mut all = called(scene, handed);
     if !beside.is_of_scene {
-        all.extend(if is_circle { of_revolution(scene, handed) } else { of_strips(truth, handed) });
+        let others = if is_circle { of_revolution(scene, handed) } else { of_strips(truth, handed) };
+        all.extend(others.into_iter().map(|(says, by)| (says.to_owned(), by)));
     }
     let others = units(&scene.contacts[handed.contact], handed, beside.units, is_circle).into_iter();
     for (says, [times, by]) in others.chain(normalised(truth, handed.contact)) {
@@ -127,8 +123,7 @@ fn called(scene: &Scene, handed: &Handed) -> Vec<(String, [f64; 2])> {
 }
 
 /// Those of bodies of revolution: of a load so many times the scene's `a` and `p₀` are `∛` of it, of a contact of given radius p alone.
-fn of_revolution(scene: &Scene, handed: &Handed) -> Vec<(String, [f64; 2])> {
-    let say = |text: &str| text.to_owned();
+fn of_revolution(scene: &Scene, handed: &Handed) -> Vec<(&'static str, [f64; 2])> {
     let per_radian = "the load is 2π times the scene's: the whole force is given per radian";
     let whole =
         "the load is 1/2π of the scene's: it is given per radian, and the scene's is that of the whole circumference";
@@ -144,51 +139,46 @@ fn of_revolution(scene: &Scene, handed: &Handed) -> Vec<(String, [f64; 2])> {
         (twice, 2.0, false),
         (sector, 1.0 / 180.0, of_forces),
     ];
-    let of_load = |(says, times, is_named): (&str, f64, bool)| {
-        let of_hertz = (say(says), [times.cbrt().recip(); 2]);
-        let of_given_radius = (say(says), [times.recip(), 1.0]);
+    let of_load = |(says, times, is_named): (&'static str, f64, bool)| {
+        let of_hertz = (says, [times.cbrt().recip(); 2]);
+        let of_given_radius = (says, [times.recip(), 1.0]);
         std::iter::once(of_hertz).chain((!is_named).then_some(of_given_radius))
     };
     let mut all = vec![
-        (say("the radius is twice the scene's (a diameter for a radius)"), [4f64.cbrt(), 2f64.cbrt().recip()]),
-        (say("the radius is half of the scene's (a radius for a diameter)"), [4f64.cbrt().recip(), 2f64.cbrt()]),
-        (say("E* is half of the scene's (an elastic other side for a rigid one)"), [4f64.cbrt(), 2f64.cbrt().recip()]),
-        (say("E* is twice the scene's (a rigid other side for an elastic one)"), [4f64.cbrt().recip(), 2f64.cbrt()]),
+        ("the radius is twice the scene's (a diameter for a radius)", [4f64.cbrt(), 2f64.cbrt().recip()]),
+        ("the radius is half of the scene's (a radius for a diameter)", [4f64.cbrt().recip(), 2f64.cbrt()]),
+        ("E* is half of the scene's (an elastic other side for a rigid one)", [4f64.cbrt(), 2f64.cbrt().recip()]),
+        ("E* is twice the scene's (a rigid other side for an elastic one)", [4f64.cbrt().recip(), 2f64.cbrt()]),
     ];
     all.extend(loads.into_iter().flat_map(of_load));
     let plane = Scene { plane: PlaneHypothesis::Stress, ..scene.clone() };
     let pair = &scene.contacts[handed.contact];
     let root = (plane.modulus_of(pair) / scene.modulus_of(pair)).cbrt();
-    all.push((say("E for E/(1−ν²): the modulus of the contact is that of plane stress"), [root.powi(-2), root]));
+    all.push(("E for E/(1−ν²): the modulus of the contact is that of plane stress", [root.powi(-2), root]));
     all
 }
 
 /// Those of strips.
-fn of_strips(truth: &Truth, handed: &Handed) -> Vec<(String, [f64; 2])> {
+fn of_strips(truth: &Truth, handed: &Handed) -> Vec<(&'static str, [f64; 2])> {
     let scene = &truth.case.scene;
     let pair = &scene.contacts[handed.contact];
-    let say = |text: &str| text.to_owned();
     let mut all = vec![
-        (say("the load is half of the scene's: that is of the whole contact, not of one half"), [SQRT_2, SQRT_2]),
-        (say("the load is half of the scene's: that is of the whole contact, not of one half"), [2.0, 1.0]),
-        (say("the load is twice the scene's: the load of the whole acts on one half"), [FRAC_1_SQRT_2, FRAC_1_SQRT_2]),
-        (say("the load is twice the scene's: the load of the whole acts on one half"), [0.5, 1.0]),
+        ("the load is half of the scene's: that is of the whole contact, not of one half", [SQRT_2, SQRT_2]),
+        ("the load is half of the scene's: that is of the whole contact, not of one half", [2.0, 1.0]),
+        ("the load is twice the scene's: the load of the whole acts on one half", [FRAC_1_SQRT_2, FRAC_1_SQRT_2]),
+        ("the load is twice the scene's: the load of the whole acts on one half", [0.5, 1.0]),
         (
-            say(
-                "the radius is twice the scene's (a diameter for a radius), or E* half of it (an elastic other side for a rigid one)",
-            ),
+            "the radius is twice the scene's (a diameter for a radius), or E* half of it (an elastic other side for a rigid one)",
             [SQRT_2, FRAC_1_SQRT_2],
         ),
         (
-            say(
-                "the radius is half of the scene's (a radius for a diameter), or E* twice as large (a rigid other side for an elastic one)",
-            ),
+            "the radius is half of the scene's (a radius for a diameter), or E* twice as large (a rigid other side for an elastic one)",
             [FRAC_1_SQRT_2, SQRT_2],
         ),
     ];
     let sphere =
         "p₀ = 3F/2πa² is that of a sphere, whose a = ∛(3FR/4E*): of a cylinder p₀ = 2F/πat and a = √(4FR/πE*t)";
-    all.extend(of_spheres(truth, handed).map(|factors| (say(sphere), factors)));
+    all.extend(of_spheres(truth, handed).map(|factors| (sphere, factors)));
     let other = match scene.plane {
         PlaneHypothesis::Stress => Scene { plane: PlaneHypothesis::Strain, ..scene.clone() },
         _ => Scene { plane: PlaneHypothesis::Stress, ..scene.clone() },
@@ -198,7 +188,7 @@ fn of_strips(truth: &Truth, handed: &Handed) -> Vec<(String, [f64; 2])> {
         PlaneHypothesis::Stress => "plane strain was solved, but the scene is in plane stress: E/(1−ν²) for E",
         _ => "plane stress was solved, but the scene is in plane strain: E for E/(1−ν²)",
     };
-    all.extend([(say(plane), [1.0 / root, root]), (say(plane), [1.0 / (root * root), 1.0])]);
+    all.extend([(plane, [1.0 / root, root]), (plane, [1.0 / (root * root), 1.0])]);
     all
 }
 
@@ -277,7 +267,7 @@ fn by_rings(scene: &Scene, handed: &Handed) -> Vec<Correction> {
     let around = |point: &Point| Point { value: scene.depth(path.point(point.position)) * point.value, ..*point };
     let points = handed.points.iter().map(around);
     let corrected = Handed { points: points.collect(), edges: vec![], ..handed.clone() };
-    vec![Correction { says: "nodal forces are pressures times lengths: 2πr is forgotten".into(), corrected }]
+    vec![("nodal forces are pressures times lengths: 2πr is forgotten".into(), corrected)]
 }
 
 /// Pressures times one factor, positions times another, areas times a third; forces follow.
@@ -321,20 +311,14 @@ fn shifts(scene: &Scene, handed: &Handed) -> Vec<Correction> {
     let moment: f64 = forces.iter().zip(&handed.points).map(|(force, point)| force * point.position).sum();
     let centre = moment / forces.iter().sum::<f64>();
     let points = handed.points.iter().map(|point| Point { position: point.position - centre, ..*point }).collect();
-    let offset = Correction {
-        says: format!(
-            "all positions are off by about {} (mm, or rad on an arc)",
-            crate::markdown::significant(centre, 3)
-        ),
-        corrected: Handed { points, edges: vec![], ..handed.clone() },
-    };
+    let offset =
+        format!("all positions are off by about {} (mm, or rad on an arc)", crate::markdown::significant(centre, 3));
     let by_one = "pressures are shifted by one node";
-    let mut all = vec![
-        Correction { says: format!("{by_one}: each belongs to the node before"), corrected: moved(outwards) },
-        Correction { says: format!("{by_one}: each belongs to the node behind"), corrected: moved(inwards) },
-    ];
-    all.push(offset);
-    all
+    vec![
+        (format!("{by_one}: each belongs to the node before"), moved(outwards)),
+        (format!("{by_one}: each belongs to the node behind"), moved(inwards)),
+        (offset, Handed { points, edges: vec![], ..handed.clone() }),
+    ]
 }
 
 /// Pressures of a half over those of the other, from which on it is there.
@@ -360,7 +344,7 @@ fn halves(handed: &Handed) -> Vec<Correction> {
     let says = |half: &str| format!("the {half} half of the profile is missing");
     let lacks = |sign: f64| carried(sign) <= MISSING * carried(0.0 - sign);
     let both = [("left", -1.0), ("right", 1.0)].into_iter().filter(|(_, sign)| lacks(*sign));
-    both.map(|(name, sign)| Correction { says: says(name), corrected: half(sign < 0.0) }).collect()
+    both.map(|(name, sign)| (says(name), half(sign < 0.0))).collect()
 }
 
 fn without_gaps(handed: &Handed) -> Handed {

@@ -55,6 +55,7 @@ impl std::fmt::Display for Outcome {
 /// How far an answer is from the discrete solution of its own element and mesh, on the scale of that solution: of several
 /// contacts the largest of each.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct IterationError {
     /// `|p − p*|/p*` of the largest pressure.
     pub peak: f64,

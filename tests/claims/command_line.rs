@@ -11,7 +11,7 @@ use contact_vv::error::nearest;
 use contact_vv::oracle::ReferenceKind;
 use contact_vv::study::{Finding, Study, faults};
 
-use crate::outputs::{contact_vv, scene};
+use crate::outputs::{contact_vv, refuses, scene};
 use crate::program::{Folder, ended, program};
 
 /// What the program prints on a terminal of so many columns.
@@ -76,11 +76,9 @@ fn misspelt_names_are_answered_with_the_one_that_was_meant() {
     }
     let (sound, _, error) = contact_vv(&["solve", "zzz"]);
     assert!(!sound && !error.contains("did you mean") && error.contains("choose one of"), "{error}");
-    let (sound, _, error) = contact_vv(&["solve", &scene("pres-fit")]);
-    assert!(!sound && error.contains("did you mean") && error.contains("press-fit.toml`?"), "{error}");
+    refuses(&["solve", &scene("pres-fit")], &["did you mean", "press-fit.toml`?"]);
     for (typed, meant) in [("lst", "list"), ("solv", "solve")] {
-        let (sound, _, error) = contact_vv(&[typed]);
-        assert!(!sound && error.contains(&format!("'{meant}'")), "{error}");
+        refuses(&[typed], &[&format!("'{meant}'")]);
     }
     let (_, _, error) = contact_vv(&["new", "cilinder"]);
     assert!(error.contains("'cylinder'"), "{error}");
@@ -143,8 +141,7 @@ fn units_that_no_role_has_are_refused_before_a_file_is_read() {
         ("position=MPa", ["names no unit of position", "mm, m, um"]),
         ("contact=mm", ["names no unit of contact", "it has none"]),
     ] {
-        let (sound, _, error) = contact_vv(&["judge", "patch", "missing.csv", "--unit", unit]);
-        assert!(!sound && parts.iter().all(|part| error.contains(part)), "{unit}: {error}");
+        refuses(&["judge", "patch", "missing.csv", "--unit", unit], &parts);
     }
 }
 
@@ -184,13 +181,18 @@ fn reports_and_surveys_outside_of_a_checkout_are_refused_wherever_the_program_wa
         &["report", "diff"],
         &["verdicts"],
         &["atlas"],
+        &["converged"],
         &["met", "--lacking"],
+        &["coverage"],
+        &["counted"],
         &["timings", "--points"],
         &["scoreboard"],
     ] {
         let (code, error) = run_in(folder.path(), arguments);
         assert_eq!(code, Some(2), "{arguments:?}: {error}");
         assert!(error.contains("is a checkout of the project") && error.contains(CHECKOUT), "{arguments:?}: {error}");
+        let (code, told) = apart(folder.path(), arguments);
+        assert!(code == Some(2) && told.contains("checkout"), "{arguments:?}: {code:?}, {told}");
     }
     let (_, _, named) = ended(program(&["verdicts"]).env(CHECKOUT, folder.path()));
     assert!(named.contains("names this folder"), "{named}");
@@ -332,15 +334,6 @@ fn program_without_its_checkout_lists_solves_exports_judges_and_verifies() {
         well(&["export", name, name]);
         let committed = std::fs::read_to_string(root().join(format!("snapshots/sheets/{name}.md"))).expect("a sheet");
         assert_eq!(folder.read(&format!("{name}/{name}.md")), committed);
-    }
-}
-
-#[test]
-fn what_needs_the_checkout_says_so() {
-    let folder = Folder::made();
-    for command in ["report", "verdicts", "atlas", "converged", "met", "coverage", "counted", "timings", "scoreboard"] {
-        let (code, told) = apart(folder.path(), &[command]);
-        assert!(code == Some(2) && told.contains("checkout"), "{command}: {code:?}, {told}");
     }
 }
 

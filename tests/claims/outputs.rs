@@ -28,6 +28,12 @@ pub fn contact_vv(arguments: &[&str]) -> (bool, String, String) {
     (code == Some(0), text, error)
 }
 
+/// That a command does not end well, and says some parts.
+pub fn refuses(arguments: &[&str], parts: &[impl AsRef<str>]) {
+    let (sound, _, error) = contact_vv(arguments);
+    assert!(!sound && parts.iter().all(|part| error.contains(part.as_ref())), "{arguments:?}: {error}");
+}
+
 /// What the program prints as JSON.
 pub fn json(arguments: &[&str]) -> serde_json::Value {
     let (_, text, error) = contact_vv(&[arguments, &["--json", "-"]].concat());

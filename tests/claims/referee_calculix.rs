@@ -1,13 +1,14 @@
 //! Fields of CalculiX: displacements are judged as those of a grid, from a `.frd` alone or beside the `.dat` of an exported deck.
 
-use std::path::Path;
-
 use contact_vv::case::library::find;
 use contact_vv::case::{Case, Verdict};
-use contact_vv::referee::judge::ENGINEERING;
+use contact_vv::error::Error;
 use contact_vv::referee::units::Role;
-use contact_vv::referee::{Answer, Asked, Truth, Verdicts, read, verdicts};
+use contact_vv::referee::{Answer, Asked, Truth, Verdicts, read};
 use contact_vv::solve::{Discretisation, Run};
+
+use crate::handed::{self, in_units};
+use crate::workbench::refused;
 
 /// Mesh, displacements and contact results as CalculiX writes them.
 pub fn frd(discretisation: &Discretisation, run: &Run) -> String {
@@ -36,15 +37,11 @@ pub fn frd(discretisation: &Discretisation, run: &Run) -> String {
     text + " -3\n 9999\n"
 }
 
-fn units(roles: &[(Role, &str)]) -> Asked {
-    Asked { units: roles.iter().map(|(role, unit)| (*role, (*unit).to_owned())).collect(), ..Asked::default() }
-}
-
 const PRESSED: [(Role, &str); 2] = [(Role::Position, "mm"), (Role::Pressure, "MPa")];
 const MOVED: [(Role, &str); 3] = [(Role::Position, "mm"), (Role::Pressure, "MPa"), (Role::Displacement, "mm")];
 
 fn judged(case: &Case, answer: Answer) -> Verdicts {
-    verdicts(&Truth::of(case.clone()).expect("a truth"), answer, ENGINEERING).expect("judged")
+    handed::judged(&Truth::of(case.clone()).expect("a truth"), answer)
 }
 
 /// What of equilibrium and energy is judged, and whether it is met.
@@ -56,8 +53,8 @@ fn whole(found: &Verdicts) -> Vec<bool> {
     of.map(|one| one.verdict == Verdict::Pass).collect()
 }
 
-fn field(case: &Case, text: &str, asked: &Asked) -> Result<Answer, contact_vv::error::Error> {
-    read::parse(Path::new("theirs.frd"), text.as_bytes(), case, asked)
+fn field(case: &Case, text: &str, asked: &Asked) -> Result<Answer, Error> {
+    handed::read(case, "theirs.frd", text, asked)
 }
 
 #[test]
@@ -65,12 +62,12 @@ fn displacements_of_a_frd_are_judged_where_their_unit_is_named() {
     let case = find("truncated-hertz", None).expect("a case");
     let (meshed, run) = case.solve().expect("solved");
     let text = frd(&meshed.discretisation, &run);
-    let found = judged(&case, field(&case, &text, &units(&MOVED)).expect("read"));
+    let found = judged(&case, field(&case, &text, &in_units(&MOVED)).expect("read"));
     assert_eq!(whole(&found), [true; 4]);
     assert!(found.met());
-    let without = judged(&case, field(&case, &text, &units(&PRESSED)).expect("read"));
+    let without = judged(&case, field(&case, &text, &in_units(&PRESSED)).expect("read"));
     assert!(whole(&without).is_empty());
-    let micrometres = field(&case, &text, &units(&[MOVED[0], MOVED[1], (Role::Displacement, "um")])).expect("read");
+    let micrometres = field(&case, &text, &in_units(&[MOVED[0], MOVED[1], (Role::Displacement, "um")])).expect("read");
     assert!(whole(&judged(&case, micrometres)).contains(&false));
 }
 
@@ -92,7 +89,7 @@ fn cells_of_a_rigid_body_in_a_frd_move_no_node_of_the_scene() {
     into(" -3\n -4  DISP", format!(" -1{cell:>10}    9    0    1\n -2{nodes}\n"));
     let still = (0..4).map(|k| format!(" -1{:>10}{:>12.5E}{:>12.5E}{:>12.5E}\n", first + k, 0.0, 0.0, 0.0));
     into(" -3\n -4  CONTACT", still.collect());
-    let answer = field(&case, &text, &units(&MOVED)).expect("read");
+    let answer = field(&case, &text, &in_units(&MOVED)).expect("read");
     assert_eq!(answer.field.as_ref().map(|field| field.cells.len()), Some(cell - 1));
     assert_eq!(whole(&judged(&case, answer)), [true; 4]);
 }
@@ -104,14 +101,14 @@ fn a_block_of_displacements_that_is_cut_or_lacks_a_node_is_refused() {
     let text = frd(&meshed.discretisation, &run);
     let begin = text.find(" -4  DISP").expect("a block");
     let lines: Vec<&str> = text[begin..].lines().collect();
-    let refused = |text: &str| field(&case, text, &units(&MOVED)).map(|_| ()).expect_err("refused").to_string();
-    let lacking = refused(&text.replace(&format!("{}\n", lines[7]), ""));
-    assert!(lacking.contains("theirs.frd") && lacking.contains("has no node 3"), "{lacking}");
-    let spoiled = refused(&text.replace(lines[7], &lines[7].replace("E-", "X-")));
-    assert!(spoiled.contains("holds no finite numbers"), "{spoiled}");
     let contact = text.find(" -3\n -4  CONTACT").expect("a block");
-    let cut = refused(&(text[..begin].to_owned() + &text[contact + 4..] + &text[begin..contact]));
-    assert!(cut.contains("its block DISP has no end"), "{cut}");
+    for (spoiled, says) in [
+        (text.replace(&format!("{}\n", lines[7]), ""), "has no node 3"),
+        (text.replace(lines[7], &lines[7].replace("E-", "X-")), "holds no finite numbers"),
+        (text[..begin].to_owned() + &text[contact + 4..] + &text[begin..contact], "its block DISP has no end"),
+    ] {
+        refused(field(&case, &spoiled, &in_units(&MOVED)), &["theirs.frd", says]);
+    }
 }
 
 #[test]
@@ -143,6 +140,6 @@ fn the_frd_beside_the_dat_of_an_exported_deck_tells_its_displacements() {
     assert!(found.met());
     // Of a deck that is not ours, units are asked for.
     std::fs::write(dat.with_extension("inp"), deck.replacen(": mm, N, MPa.", "", 1)).expect("written");
-    let answer = read::read(&dat, &case, &units(&[(Role::X, "mm"), (Role::Force, "N")])).expect("read");
+    let answer = read::read(&dat, &case, &in_units(&[(Role::X, "mm"), (Role::Force, "N")])).expect("read");
     assert!(answer.field.is_none());
 }

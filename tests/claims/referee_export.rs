@@ -13,14 +13,15 @@ use contact_vv::elasticity::loads;
 use contact_vv::mesh::{Mesh, Order, Resolution};
 use contact_vv::referee::export::{deck, gmsh};
 use contact_vv::referee::judge::ENGINEERING;
-use contact_vv::referee::units::Role;
 use contact_vv::referee::{Asked, Truth, read, verdicts};
 use contact_vv::scene::{Load, Place, Shape};
 use contact_vv::solve::{Discretisation, Formulation, Run};
 
 use crate::balance::solved;
-use crate::outputs::contact_vv;
-use crate::referee::{failed, judged_as};
+use crate::handed::{failed, judged_as, moved, read};
+use crate::outputs::{contact_vv, refuses};
+use crate::scene_file::files;
+use crate::workbench::refused;
 
 /// A scene file of one body of an exported mesh, held by nothing: it is only read.
 fn scene_of([body, contact]: [&str; 2], file: &str, path: &str) -> String {
@@ -96,19 +97,9 @@ fn exported_deck_is_read_back_with_all_that_joins_its_nodes() {
     assert_eq!(given.boundaries["S_CYLINDER_CONTACT"].len(), contact.len());
 }
 
-/// The fields of VTK in our units.
-fn units() -> Asked {
-    let unit = |(role, unit): (Role, &str)| (role, unit.to_owned());
-    let all = [(Role::Position, "mm"), (Role::Pressure, "MPa"), (Role::Gap, "mm"), (Role::Displacement, "mm")];
-    Asked { units: all.map(unit).into(), ..Asked::default() }
-}
-
 /// Every library case and every scene file.
 fn every_case() -> Vec<Case> {
-    let folder = format!("{}/tests/cases", root().display());
-    let files = std::fs::read_dir(folder).expect("scene files").map(|file| file.expect("a file").path());
-    let scenes = files.filter(|path| path.extension().is_some_and(|ending| ending == "toml"));
-    let scenes = scenes.map(|path| Case::read(&path).expect("a scene file"));
+    let scenes = files().into_iter().map(|(path, text)| Case::parse(&path, &text).expect("a scene file"));
     NAMES.iter().map(|(name, _)| find(name, None).expect("a case")).chain(scenes).collect()
 }
 
@@ -118,8 +109,7 @@ fn pressures_of_every_case_and_scene_file_are_read_back_from_our_own_fields() {
         let name = &case.name;
         let (discretisation, run) = solved(&case, &Formulation::verification());
         let text = vtu::text(&discretisation, &run).expect("written");
-        let answer = read::parse(Path::new("ours.vtu"), text.as_bytes(), &case, &units())
-            .unwrap_or_else(|error| panic!("{name}: {error}"));
+        let answer = read(&case, "ours.vtu", text, &moved()).unwrap_or_else(|error| panic!("{name}: {error}"));
         assert_eq!(answer.contacts.len(), case.scene.contacts.len(), "{name}");
         for (contact, handed) in answer.contacts.iter().enumerate() {
             let ours = run.solution.points_of(contact);
@@ -142,18 +132,17 @@ fn pressures_of_stresses_and_gaps_of_displacements_are_taken_where_no_field_tell
     let (discretisation, run) = solved(&case, &Formulation::verification());
     let truth = Truth::of(case).expect("solved");
     let text = vtu::text(&discretisation, &run).expect("written").replace("contact_gap", "other");
-    let found = judged_as(&truth, "ours.vtu", &text, &units());
+    let found = judged_as(&truth, "ours.vtu", &text, &moved());
     assert!(found.met(), "{:?}", failed(&found));
     let all: Vec<String> = found.ruled[0].judged.iter().map(|one| one.check.quantity.to_string()).collect();
     assert!(all.iter().any(|name| name.contains("penetration")), "{all:?}");
     // Displacements without their load leave the bodies apart.
     let apart = text.replace("displacement", "another");
-    let apart = judged_as(&truth, "ours.vtu", &apart, &units());
+    let apart = judged_as(&truth, "ours.vtu", &apart, &moved());
     assert!(apart.ruled[0].missing.iter().any(|[what, _]| what.contains("penetration")));
     let nothing = text.replace("contact_pressure", "another");
-    let refused = read::parse(Path::new("ours.vtu"), nothing.as_bytes(), &truth.case, &units());
-    let error = refused.map(|_| ()).expect_err("no pressure").to_string();
-    assert!(error.contains("no nodal field is called contact_pressure") && error.contains("von_mises"), "{error}");
+    let read = read(&truth.case, "ours.vtu", nothing, &moved());
+    refused(read, &["no nodal field is called contact_pressure", "von_mises"]);
 }
 
 #[test]
@@ -172,8 +161,7 @@ fn export_writes_all_that_is_needed_and_its_answers_are_met() {
         assert!(sound && table.contains("meets all"), "{table}{error}");
         let (sound, table, error) = contact_vv(&["judge", case, &format!("{to}/ours.csv"), "--order", "2"]);
         assert!(sound && table.contains("meets all"), "{table}{error}");
-        let (sound, _, error) = contact_vv(&["judge", case, &empty]);
-        assert!(!sound && error.contains("neither pressures nor forces"), "{error}");
+        refuses(&["judge", case, &empty], &["neither pressures nor forces"]);
     }
 }
 

@@ -1,10 +1,7 @@
 //! Displacements that are handed in with their mesh are judged by equilibrium, energy and what a scene file declares.
 
-use std::io::Write;
 use std::path::Path;
 
-use base64::Engine;
-use base64::engine::general_purpose::STANDARD;
 use contact_vv::case::library::{NAMES, find};
 use contact_vv::case::{Case, Verdict};
 use contact_vv::checkout::root;
@@ -13,15 +10,10 @@ use contact_vv::mesh::{Order, Resolution};
 use contact_vv::referee::field::Field;
 use contact_vv::referee::judge::ENGINEERING;
 use contact_vv::referee::side::Cell;
-use contact_vv::referee::units::Role;
-use contact_vv::referee::{Answer, Asked, Truth, Verdicts, read, verdicts};
+use contact_vv::referee::{Answer, Truth};
 use contact_vv::solve::Discretisation;
-use flate2::{Compression, write::ZlibEncoder};
 
-fn units() -> Asked {
-    let units = [(Role::Position, "mm"), (Role::Pressure, "MPa"), (Role::Gap, "mm"), (Role::Displacement, "mm")];
-    Asked { units: units.map(|(role, unit)| (role, unit.to_owned())).into(), ..Asked::default() }
-}
+use crate::handed::{failed, judged, moved, read};
 
 /// Our own fields on the mesh of a case, as a text.
 fn own(case: &Case) -> String {
@@ -29,19 +21,14 @@ fn own(case: &Case) -> String {
     vtu::text(&meshed.discretisation, &run).expect("written")
 }
 
-fn answer(case: &Case, text: &[u8]) -> Answer {
-    read::parse(Path::new("ours.vtu"), text, case, &units()).expect("read")
-}
-
-fn failed(found: &Verdicts) -> Vec<String> {
-    let judged = found.ruled.iter().flat_map(|ruled| &ruled.judged);
-    judged.filter(|one| one.verdict == Verdict::Fail).map(|one| one.check.quantity.to_string()).collect()
+fn answer(case: &Case, text: &str) -> Answer {
+    read(case, "ours.vtu", text, &moved()).expect("read")
 }
 
 fn spoiled(truth: &Truth, text: &str, spoil: impl Fn(&mut Field)) -> Vec<String> {
-    let mut answer = answer(&truth.case, text.as_bytes());
+    let mut answer = answer(&truth.case, text);
     spoil(answer.field.as_mut().expect("displacements"));
-    failed(&verdicts(truth, answer, ENGINEERING).expect("judged"))
+    failed(&judged(truth, answer))
 }
 
 #[test]
@@ -49,7 +36,7 @@ fn our_own_displacements_are_in_equilibrium_and_have_our_energy_on_every_case() 
     for (name, _) in NAMES {
         let truth = crate::workbench::truth(name);
         let text = own(&truth.case);
-        let found = verdicts(truth, answer(&truth.case, text.as_bytes()), ENGINEERING).expect("judged");
+        let found = judged(truth, answer(&truth.case, &text));
         assert_eq!(failed(&found), Vec::<String>::new(), "{name}");
         let named = |part: &str| {
             let all = found.ruled[0].judged.iter();
@@ -91,10 +78,10 @@ fn no_other_load_or_radius_explains_pressures_beside_displacements_of_the_scene(
     let truth = crate::workbench::truth("cylinder");
     let text = own(&truth.case);
     let mistakes = |spoil: &dyn Fn(&mut Answer)| {
-        let mut answer = answer(&truth.case, text.as_bytes());
+        let mut answer = answer(&truth.case, &text);
         answer.contacts[0].points.iter_mut().for_each(|point| point.value *= 2.0);
         spoil(&mut answer);
-        verdicts(truth, answer, ENGINEERING).expect("judged").mistakes
+        judged(truth, answer).mistakes
     };
     assert_eq!(mistakes(&|_| ()), Vec::<String>::new());
     assert!(mistakes(&|answer| answer.field = None).iter().any(|says| says.starts_with("the load is twice")));
@@ -104,9 +91,9 @@ fn no_other_load_or_radius_explains_pressures_beside_displacements_of_the_scene(
 fn a_mesh_with_a_hole_is_not_judged_and_the_place_is_named() {
     let truth = crate::workbench::truth("bars");
     let text = own(&truth.case);
-    let mut answer = answer(&truth.case, text.as_bytes());
+    let mut answer = answer(&truth.case, &text);
     answer.field.as_mut().expect("displacements").cells.truncate(20);
-    let found = verdicts(truth, answer, ENGINEERING).expect("judged");
+    let found = judged(truth, answer);
     let missing = &found.ruled[0].missing;
     assert!(
         missing.iter().any(|[what, how]| what.contains("strain energy") && how.contains("holds the point")),
@@ -228,85 +215,11 @@ fn assert_judged(case: Case, what: &str) {
     let name = case.name.clone();
     let text = own(&case);
     let truth = Truth::of(case).expect("a truth");
-    let right = verdicts(&truth, answer(&truth.case, text.as_bytes()), ENGINEERING).expect("judged");
+    let right = judged(&truth, answer(&truth.case, &text));
     assert_eq!(failed(&right), Vec::<String>::new(), "{name}");
     let names: Vec<String> =
         right.ruled.iter().flat_map(|ruled| &ruled.judged).map(|one| one.check.quantity.to_string()).collect();
     assert!(names.iter().any(|name| name.contains(what)), "{name}: {names:?}");
     let wrong = spoiled(&truth, &text, |field| field.displacement.iter_mut().flatten().for_each(|u| *u *= 1.2));
     assert!(wrong.iter().any(|name| name.contains(what)), "{name}: {wrong:?}");
-}
-
-/// All arrays as meshio and VTK write them by default: base64 of a header, then that of one block compressed by zlib.
-fn compressed(text: &str) -> String {
-    let head = text.replacen("<VTKFile", "<VTKFile compressor=\"vtkZLibDataCompressor\"", 1);
-    let wide = head.contains("header_type=\"UInt64\"");
-    let mut parts = head.split("format=\"binary\"");
-    let mut all = parts.next().expect("a head").to_owned();
-    for part in parts {
-        let (tag, rest) = part.split_once('>').expect("a tag");
-        let (array, rest) = rest.split_once('<').expect("an end");
-        let bytes = STANDARD.decode(array.trim()).expect("base64");
-        let bytes = &bytes[if wide { 8 } else { 4 }..];
-        let mut block = ZlibEncoder::new(Vec::new(), Compression::default());
-        block.write_all(bytes).expect("compressed");
-        let block = block.finish().expect("compressed");
-        let word = |word: usize| {
-            if wide { (word as u64).to_le_bytes().to_vec() } else { (word as u32).to_le_bytes().to_vec() }
-        };
-        let words = [1, bytes.len(), 0, block.len()].map(word);
-        all += &format!("format=\"binary\"{tag}>{}{}<{rest}", STANDARD.encode(words.concat()), STANDARD.encode(block));
-    }
-    all
-}
-
-#[test]
-fn arrays_compressed_by_zlib_are_read_as_plain_ones_and_others_are_refused() {
-    let case = find("bars", None).expect("a case");
-    let text = own(&case);
-    let whole = compressed(&text);
-    assert!(whole.matches("format=\"binary\"").count() > 5);
-    let of = |text: &str| read::parse(Path::new("ours.vtu"), text.as_bytes(), &case, &units());
-    assert_eq!(of(&whole).expect("read").contacts[0].points, of(&text).expect("read").contacts[0].points);
-    let array = whole.rfind("</DataArray").expect("an array");
-    for cut in [1, 9, 40] {
-        assert!(of(&format!("{}{}", &whole[..array - cut], &whole[array..])).is_err(), "{cut}");
-    }
-    let other = whole.replace("vtkZLibDataCompressor", "vtkLZ4DataCompressor");
-    let error = of(&other).map(|_| ()).expect_err("another compressor").to_string();
-    assert!(error.contains("vtkLZ4DataCompressor, and zlib is read"), "{error}");
-}
-
-#[test]
-fn numbers_that_are_big_endian_are_refused_unless_all_are_written_out() {
-    let case = find("bars", None).expect("a case");
-    let big = own(&case).replace("LittleEndian", "BigEndian");
-    let of = |text: &str| read::parse(Path::new("theirs.vtu"), text.as_bytes(), &case, &units());
-    // One array written out among the others does not make them plain.
-    let array = "<DataArray type=\"Float64\" Name=\"more\" format=\"ascii\"></DataArray></PointData>";
-    for text in [big.clone(), big.replace("</PointData>", array)] {
-        assert!(text.contains("BigEndian") && text.contains("format=\"binary\""));
-        let error = of(&text).map(|_| ()).expect_err("big endian").to_string();
-        assert!(["theirs.vtu", "big endian", "little endian"].iter().all(|part| error.contains(part)), "{error}");
-    }
-    let plain = vtk_ascii("BigEndian");
-    let error = of(&plain).map(|_| ()).expect_err("another mesh").to_string();
-    assert!(!error.contains("big endian"), "{error}");
-}
-
-/// A grid of one cell whose arrays are written out, whatever the order of bytes would be.
-fn vtk_ascii(order: &str) -> String {
-    let array = |name: &str, kind: &str, components: usize, data: &str| {
-        format!(
-            "<DataArray type=\"{kind}\" Name=\"{name}\" NumberOfComponents=\"{components}\" format=\"ascii\">{data}</DataArray>"
-        )
-    };
-    format!(
-        "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" byte_order=\"{order}\"><UnstructuredGrid><Piece NumberOfPoints=\"4\" \
-         NumberOfCells=\"1\"><Points>{}</Points><Cells>{}{}{}</Cells></Piece></UnstructuredGrid></VTKFile>",
-        array("points", "Float64", 3, "0 0 0 1 0 0 1 1 0 0 1 0"),
-        array("connectivity", "Int64", 1, "0 1 2 3"),
-        array("offsets", "Int64", 1, "4"),
-        array("types", "UInt8", 1, "9"),
-    )
 }

@@ -1,16 +1,23 @@
 //! Grids whose cells have points of their own, as codes with discontinuous fields write them.
 
-use std::path::Path;
-
 use contact_vv::case::Case;
 use contact_vv::case::library::find;
-use contact_vv::referee::judge::ENGINEERING;
+use contact_vv::error::Error;
 use contact_vv::referee::units::Role;
-use contact_vv::referee::{Asked, Truth, read, verdicts};
+use contact_vv::referee::{Answer, Truth};
 use contact_vv::solve::{Discretisation, Run};
 
+use crate::handed::{self, in_units, judged, moved};
 use crate::referee_readers::{ellipse, vtk};
 use crate::referee_wild::{parsed, usual};
+use crate::workbench::refused;
+
+/// An array of a VTU file, written out.
+fn array(name: &str, kind: &str, components: usize, data: &str) -> String {
+    format!(
+        "<DataArray type=\"{kind}\" Name=\"{name}\" NumberOfComponents=\"{components}\" format=\"ascii\">{data}</DataArray>"
+    )
+}
 
 /// Our own answer, every cell with points of its own; `offset` is added to and taken from the pressures of every second cell in turn.
 fn grid(discretisation: &Discretisation, run: &Run, offset: f64, share: bool) -> String {
@@ -39,11 +46,6 @@ fn grid(discretisation: &Discretisation, run: &Run, offset: f64, share: bool) ->
         ends += &format!("{count} ");
         types += "23 ";
     }
-    let array = |name: &str, kind: &str, components: usize, data: &str| {
-        format!(
-            "<DataArray type=\"{kind}\" Name=\"{name}\" NumberOfComponents=\"{components}\" format=\"ascii\">{data}</DataArray>"
-        )
-    };
     format!(
         "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\"><UnstructuredGrid><Piece NumberOfPoints=\"{count}\" \
          NumberOfCells=\"{}\"><PointData>{}{}</PointData><Points>{}</Points><Cells>{}{}{}</Cells></Piece></UnstructuredGrid></VTKFile>",
@@ -57,13 +59,8 @@ fn grid(discretisation: &Discretisation, run: &Run, offset: f64, share: bool) ->
     )
 }
 
-fn units() -> Asked {
-    let units = [(Role::Position, "mm"), (Role::Pressure, "MPa"), (Role::Displacement, "mm")];
-    Asked { units: units.map(|(role, unit)| (role, unit.to_owned())).into(), ..Asked::default() }
-}
-
-fn read(case: &Case, text: &str) -> Result<contact_vv::referee::Answer, contact_vv::error::Error> {
-    read::parse(Path::new("theirs.vtu"), text.as_bytes(), case, &units())
+fn read(case: &Case, text: &str) -> Result<Answer, Error> {
+    handed::read(case, "theirs.vtu", text, &moved())
 }
 
 #[test]
@@ -85,7 +82,7 @@ fn cells_with_points_of_their_own_are_judged_by_the_means_at_each_place() {
             "{name}: {:?}",
             answer.read
         );
-        assert!(verdicts(&truth, answer, ENGINEERING).expect("judged").met(), "{name}");
+        assert!(judged(&truth, answer).met(), "{name}");
         // Corners have the pressures of two cells each, of which one is too large and one too small.
         let swaying = read(&case, &grid(discretisation, &run, 0.1, false)).expect("read");
         let corners = swaying.contacts[0].points.iter().zip(own).step_by(2).skip(1);
@@ -99,8 +96,7 @@ fn cells_with_points_of_their_own_are_judged_by_the_means_at_each_place() {
 fn points_at_one_place_are_refused_where_cells_share_points() {
     let case = find("truncated-hertz", None).expect("a case");
     let (meshed, run) = case.solve().expect("solved");
-    let error = read(&case, &grid(&meshed.discretisation, &run, 0.0, true)).map(|_| ()).expect_err("refused");
-    assert!(error.to_string().contains("two points lie at one place"), "{error}");
+    refused(read(&case, &grid(&meshed.discretisation, &run, 0.0, true)), &["two points lie at one place"]);
 }
 
 #[test]
@@ -118,9 +114,7 @@ fn fields_are_known_by_their_names_in_any_case_and_by_the_very_name_first() {
     let (before, field) = text.split_once("<DataArray").expect("a field");
     let numbers = field.split_once('>').and_then(|(_, rest)| rest.split_once('<')).expect("numbers").0;
     let sevens = "7 ".repeat(numbers.split_whitespace().count());
-    let other = format!(
-        "<DataArray type=\"Float64\" Name=\"Contact_Pressure\" NumberOfComponents=\"1\" format=\"ascii\">{sevens}</DataArray>"
-    );
+    let other = array("Contact_Pressure", "Float64", 1, &sevens);
     assert_eq!(values(&format!("{before}{other}<DataArray{field}")), own);
 }
 
@@ -159,9 +153,8 @@ fn stresses_on_a_slanted_side_are_taken_along_its_normal_in_every_unit() {
                  CELL_TYPES 18\n{}POINT_DATA 38\nFIELD FieldData 1\nstress {components} 38 double\n{rows}",
                 "9\n".repeat(18)
             );
-            let units = [(Role::Position, position), (Role::Stress, unit)].map(|(role, unit)| (role, unit.to_owned()));
-            let asked = Asked { units: units.into(), ..Asked::default() };
-            let answer = read::parse(Path::new("ring.vtk"), text.as_bytes(), &case, &asked).expect("read");
+            let asked = in_units(&[(Role::Position, position), (Role::Stress, unit)]);
+            let answer = handed::read(&case, "ring.vtk", text, &asked).expect("read");
             let points = &answer.contacts[0].points;
             assert_eq!(points.len(), 19);
             for (k, point) in points.iter().enumerate() {

@@ -1,16 +1,14 @@
 //! Every usual mistake, made in a closed form, is named as what it is.
 
-use std::path::Path;
-
 use contact_vv::case::Case;
 use contact_vv::case::library::find;
 use contact_vv::checkout::root;
 use contact_vv::measure::Quantity;
 use contact_vv::mesh::Order;
 use contact_vv::referee::judge::ENGINEERING;
-use contact_vv::referee::{Asked, Truth, read, verdicts};
+use contact_vv::referee::{Asked, Truth, verdicts};
 
-use crate::referee::judged_as;
+use crate::handed::{PRESSURES, judged_as, read, table};
 
 /// The scene `tiny`, in another plane hypothesis and thickness.
 fn scene(plane: &str, thickness: f64) -> Truth {
@@ -51,8 +49,7 @@ impl Hertz {
 }
 
 fn named(truth: &Truth, column: &str, rows: &[[f64; 2]], asked: &Asked) -> Vec<String> {
-    let rows: String = rows.iter().map(|[s, value]| format!("{s:e},{value:e}\n")).collect();
-    let text = format!("position [mm],{column}\n{rows}");
+    let text = table(&format!("position [mm],{column}"), rows.iter().copied());
     let found = judged_as(truth, "theirs.csv", &text, asked);
     assert_eq!(found.met(), found.mistakes.is_empty(), "{text}");
     found.mistakes
@@ -215,10 +212,8 @@ fn angles_and_pressures_of_a_press_fit_in_other_units_are_named() {
         (rows(degrees, 1.0), "units: angles in rad are called deg"),
         (rows(1.0 / degrees, 1.0), "units: angles in deg were taken for rad, and converted"),
     ] {
-        let rows: String = rows.iter().map(|[s, value]| format!("{s:e},{value:e}\n")).collect();
-        let text = format!("position [deg],pressure [MPa]\n{rows}");
-        let answer =
-            read::parse(Path::new("theirs.csv"), text.as_bytes(), &truth.case, &Asked::default()).expect("read");
+        let text = table("position [deg],pressure [MPa]", rows);
+        let answer = read(&truth.case, "theirs.csv", text, &Asked::default()).expect("read");
         // What ends under pressure is refused, with what explains it.
         let named = match verdicts(&truth, answer, ENGINEERING) {
             Ok(found) => found.mistakes.join("; "),
@@ -355,8 +350,7 @@ fn an_end_is_that_of_the_closed_form_to_one_edge_of_the_mesh_around_it() {
     for (end, inner, outer) in [(0.02, 10, 100), (0.1, 100, 10)] {
         let inside = (0..inner).map(|k| 0.8 * f64::from(k) / f64::from(inner));
         let places = inside.chain((0..=outer).map(|k| 0.8 + f64::from(k) * end)).take_while(|x| *x <= 1.5);
-        let rows = places.map(|x| format!("{:e},{:e}\n", a * x, peak * (1.0 - x * x).max(0.0).sqrt()));
-        let text = format!("position [mm],pressure [MPa]\n{}", rows.collect::<String>());
+        let text = table(PRESSURES, places.map(|x| [a * x, peak * (1.0 - x * x).max(0.0).sqrt()]));
         let found = judged_as(&truth, "a.csv", &text, &Asked::default());
         let all = &found.ruled[0].judged;
         let own = all.iter().find(|one| one.check.quantity.to_string().contains("end of the contact")).expect("judged");

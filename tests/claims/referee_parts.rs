@@ -1,20 +1,14 @@
 //! What is left out of an answer, stands there of another contact, or hides behind something else is named, and never judged as the whole.
 
-use std::path::Path;
-
-use contact_vv::case::{Case, Verdict};
+use contact_vv::case::Case;
 use contact_vv::checkout::root;
-use contact_vv::referee::judge::ENGINEERING;
 use contact_vv::referee::units::Role;
-use contact_vv::referee::{Asked, Truth, read, verdicts};
+use contact_vv::referee::{Asked, Truth};
 
+use crate::handed::{PRESSURES, failed, judged_as, read, table};
 use crate::referee_readers::{Frd, ellipse, vtk};
-use crate::referee_wild::{parsed, usual};
-
-fn refused(name: &str, text: &str, asked: &Asked, parts: &[&str]) {
-    let error = parsed(name, text, asked).map(|_| ()).expect_err(text).to_string();
-    assert!(error.contains(name) && parts.iter().all(|part| error.contains(part)), "{parts:?}: {error}");
-}
+use crate::referee_wild::{parsed, refused, usual};
+use crate::workbench;
 
 #[test]
 fn a_table_goes_on_behind_a_comment_where_its_places_go_on() {
@@ -59,7 +53,7 @@ fn a_table_goes_on_behind_a_comment_where_its_places_go_on() {
         &Asked { time: Some(0.7), ..usual() },
         &["no results of the time", "time 0.5", "time 1"],
     );
-    refused("parts.csv", &text.replace(",1\n", ",\n").replace(",0.5\n", ",\n"), &usual(), &["no results of the time"]);
+    refused("parts.csv", text.replace(",1\n", ",\n").replace(",0.5\n", ",\n"), &usual(), &["no results of the time"]);
 }
 
 #[test]
@@ -73,15 +67,13 @@ fn tables_of_two_contacts_in_two_frames_are_two_tables() {
     };
     let frame = |share: f64| format!("# frame\n{}\n{}", rows(share, names[0]), rows(share, names[1]));
     let read = |frames: &str, asked: &Asked| {
-        let text = format!("position [mm],pressure [MPa],contact\n{frames}");
-        read::parse(Path::new("frames.csv"), text.as_bytes(), &case, asked)
+        read(&case, "frames.csv", format!("position [mm],pressure [MPa],contact\n{frames}"), asked)
     };
     let of = |name: &str| Asked { contact: Some(name.into()), ..usual() };
     let two = frame(1.0) + &frame(0.9);
     for asked in [usual(), of(names[0]), of(names[1])] {
         assert_eq!(read(&frame(1.0), &asked).expect("read").contacts[0].points.len(), 6);
-        let error = read(&two, &asked).map(|_| ()).expect_err("two frames").to_string();
-        assert!(error.contains("begins another table"), "{error}");
+        workbench::refused(read(&two, &asked), &["begins another table"]);
     }
     // Rows of contacts by turns, with no line between.
     let [a, b] = [rows(1.0, names[0]), rows(1.0, names[1])];
@@ -95,7 +87,7 @@ fn a_comma_that_may_stand_between_thousands_is_not_taken_for_a_decimal_one() {
         let rows: String = places.iter().zip(["5,769", "5,123", "1,000"]).map(|(s, p)| format!("{s};{p}\n")).collect();
         format!("position [mm];pressure [MPa]\n{rows}")
     };
-    refused("theirs.csv", &table(["0", "1", "2"]), &usual(), &["`5,769`", "between thousands", "decimal point"]);
+    refused("theirs.csv", table(["0", "1", "2"]), &usual(), &["`5,769`", "between thousands", "decimal point"]);
     for places in [["0,0", "1,0", "2,0"], ["0,000", "1,000", "2,000"], ["0", "1,25", "2"]] {
         let points = parsed("theirs.csv", table(places), &usual()).expect("read").contacts[0].points.clone();
         assert!((points[0].value - 5.769).abs() <= 1e-12);
@@ -107,7 +99,7 @@ fn areas_where_something_presses_are_positive() {
     let table = |area: &str| format!("position [mm],pressure [MPa],area [mm2]\n0,3,{area}\n1,2,{area}\n2,0,0\n");
     assert!(parsed("theirs.csv", table("1"), &usual()).is_ok());
     for (area, named) in [("-1", "the area at 0 is -1"), ("0", "the area at 1 is 0")] {
-        refused("theirs.csv", &table(area), &usual(), &[named, "positive"]);
+        refused("theirs.csv", table(area), &usual(), &[named, "positive"]);
         let lists = "\"position\":[0,1,2],\"pressure\":[3,2,0]";
         let text = format!(
             "{{\"units\":{{\"position\":\"mm\",\"pressure\":\"MPa\",\"area\":\"mm2\"}},\"contacts\":[{{{lists},\"area\":[{area},{area},0]}}]}}"
@@ -153,7 +145,7 @@ fn edges_of_a_document_reach_from_its_first_point_to_its_last() {
         (&[[0.0, 1.0], [0.0, 1.0], [1.0, 2.0]], "reaches from 1 to 0"),
         (&[[-1.0, 0.0], [0.0, 1.0], [1.0, 2.0]], "reaches from 0 to -1"),
     ] {
-        refused("theirs.json", &text(edges), &usual(), &["contacts[0].edges", named]);
+        refused("theirs.json", text(edges), &usual(), &["contacts[0].edges", named]);
     }
     let twice = text(&[[0.0, 1.0], [1.0, 2.0]]).replace("\"area\":1", "\"area\":2");
     refused("theirs.json", &twice, &usual(), &["contacts[0].edges", "the area of the one from 0 is 2"]);
@@ -177,12 +169,8 @@ fn a_grid_without_some_of_the_cells_along_the_contact_is_not_judged() {
     for cells in [&[5][..], &[5, 11], &[5, 6]] {
         let parts =
             ["no edge of its cells lies on contact `block on rigid` from 0.4000", "all cells along the contact"];
-        refused("theirs.frd", &without(cells), &usual(), &parts);
+        refused("theirs.frd", without(cells), &usual(), &parts);
     }
-    // A grid elsewhere is not one in another unit.
-    let far =
-        parsed("theirs.vtk", vtk::points(&|x, y| [x, y + 7.0]), &usual()).map(|_| ()).expect_err("far").to_string();
-    assert!(!far.contains("times"), "{far}");
 }
 
 #[test]
@@ -205,15 +193,8 @@ fn pressures_without_a_limit_that_alternate_are_no_answer() {
         let place = |k: i32| end * (f64::from(k) / 160.0);
         let turn = |k: i32| if k % 2 == 0 { 1.0 + share } else { 1.0 - share };
         // The last ones lie beside the end, where the pressure has no limit.
-        let row = |k: i32| {
-            let s = place(k);
-            format!("{s},{}\n", turn(k) * truth.pressure(0, s.min(0.998 * end)))
-        };
-        let text = "position [mm],pressure [MPa]\n".to_owned() + &(0..=160).map(row).collect::<String>();
-        let answer = read::parse(Path::new("theirs.csv"), text.as_bytes(), &truth.case, &usual()).expect("read");
-        let found = verdicts(&truth, answer, ENGINEERING).expect("judged");
-        let failed = found.ruled[0].judged.iter().filter(|one| one.verdict == Verdict::Fail);
-        failed.map(|one| one.check.quantity.to_string()).collect::<Vec<_>>()
+        let row = |k: i32| [place(k), turn(k) * truth.pressure(0, place(k).min(0.998 * end))];
+        failed(&judged_as(&truth, "theirs.csv", &table(PRESSURES, (0..=160).map(row)), &usual()))
     };
     let alternates = |share: f64| failed(share).iter().any(|one| one.starts_with("alternation"));
     assert!(!alternates(0.0) && !alternates(0.05) && alternates(0.3) && alternates(-0.3), "{:?}", failed(0.0));

@@ -1,22 +1,18 @@
 //! What the referee cannot read it refuses, naming the file, what was found and the remedy.
 
-use std::path::Path;
-
-use contact_vv::case::Case;
 use contact_vv::case::library::{TruncatedHertz, find};
+use contact_vv::referee::Asked;
 use contact_vv::referee::units::Role;
-use contact_vv::referee::{Asked, read};
+
+use crate::handed::read;
+use crate::workbench::refused;
 
 #[test]
 fn what_is_unknown_is_asked_for_with_file_found_and_remedy() {
     let case = TruncatedHertz::default().case();
     let arc = find("pin-rod", None).expect("a case");
-    let refused = |case: &Case, text: &str, asked: &Asked| {
-        let read = read::parse(Path::new("theirs.csv"), text.as_bytes(), case, asked);
-        read.map(|_| ()).expect_err(text).to_string()
-    };
     let good = "position [mm],pressure [MPa]\n0,3\n1,2\n2,1\n";
-    assert!(read::parse(Path::new("theirs.csv"), good.as_bytes(), &case, &Asked::default()).is_ok());
+    assert!(read(&case, "theirs.csv", good, &Asked::default()).is_ok());
     let plain = Asked::default();
     let named = Asked { columns: vec![(Role::Pressure, "cpress".into())], ..Asked::default() };
     for (case, text, asked, parts) in [
@@ -69,18 +65,13 @@ fn what_is_unknown_is_asked_for_with_file_found_and_remedy() {
         (&arc, good, &plain, ["along an arc", "deg or rad"]),
         (&arc, "x [mm],pressure [MPa]\n0,3\n", &plain, ["no column `y`", "position [deg]"]),
     ] {
-        let error = refused(case, text, asked);
-        assert!(parts.iter().all(|part| error.contains(part)) && error.contains("theirs.csv"), "{text}: {error}");
+        refused(read(case, "theirs.csv", text, asked), &[&["theirs.csv"], &parts[..]].concat());
     }
 }
 
 #[test]
 fn documents_that_are_none_are_refused_with_key_and_remedy() {
     let case = find("cylinder", None).expect("a case");
-    let refused = |text: &str| {
-        let read = read::parse(Path::new("theirs.json"), text.as_bytes(), &case, &Asked::default());
-        read.map(|_| ()).expect_err(text).to_string()
-    };
     let units = r#""units":{"position":"mm","pressure":"MPa"}"#;
     for (text, part) in [
         ("{".to_owned(), "schema answer"),
@@ -103,8 +94,7 @@ fn documents_that_are_none_are_refused_with_key_and_remedy() {
             "give 1, 2, or 4 to 8",
         ),
     ] {
-        let error = refused(&text);
-        assert!(error.contains(part), "{text}: {error}");
+        refused(read(&case, "theirs.json", text, &Asked::default()), &[part]);
     }
 }
 
@@ -138,13 +128,9 @@ fn files_that_are_no_answer_are_named_with_what_to_hand_in_instead() {
         ("a.INP", String::new(), ["the input of a run", ".frd"]),
         ("a.what", String::new(), ["its ending `what` names no format", ".csv"]),
     ] {
-        let error = read::parse(Path::new(name), text.as_bytes(), &case, &Asked::default());
-        let error = error.map(|_| ()).expect_err(name).to_string();
-        assert!(parts.iter().all(|part| error.contains(part)) && error.contains(name), "{name}: {error}");
+        refused(read(&case, name, text, &Asked::default()), &[&[name], &parts[..]].concat());
     }
     // What a table says in a comment does not make it a listing.
     let table = "# CalculiX Version 2.21\nposition [mm],sigma [MPa]\n0,3\n1,2\n";
-    let error =
-        read::parse(Path::new("a.csv"), table.as_bytes(), &case, &Asked::default()).map(|_| ()).expect_err("none");
-    assert!(error.to_string().contains("no column is called `pressure`"), "{error}");
+    refused(read(&case, "a.csv", table, &Asked::default()), &["no column is called `pressure`"]);
 }

@@ -1,15 +1,14 @@
 //! A refinement series of answers shows its order, and whether it goes to the truth.
 
-use std::path::Path;
-
 use contact_vv::case::Verdict;
 use contact_vv::case::library::TruncatedHertz;
 use contact_vv::mesh::{Order, Resolution};
 use contact_vv::referee::export::own;
-use contact_vv::referee::judge::ENGINEERING;
 use contact_vv::referee::series::{self, Series};
-use contact_vv::referee::{Asked, Truth, Verdicts, picture, read, verdicts};
+use contact_vv::referee::{Asked, Truth, Verdicts, picture};
 use contact_vv::solve::{Discretisation, Formulation, Run};
+
+use crate::handed::{judged_as, read};
 
 /// Meshes that are halved, growth and all.
 const HALVED: [(usize, u32); 3] = [(8, 0), (8, 1), (8, 2)];
@@ -26,9 +25,7 @@ fn answers(truth: &Truth, meshes: &[(usize, u32)], factor: f64) -> Vec<Verdicts>
             contact.edges.clear();
         }
         let text = serde_json::to_string(&document).expect("JSON");
-        let read =
-            read::parse(Path::new("series.json"), text.as_bytes(), &truth.case, &Asked::default()).expect("read");
-        verdicts(truth, read, ENGINEERING).expect("judged")
+        judged_as(truth, "series.json", &text, &Asked::default())
     };
     meshes.iter().map(answer).collect()
 }
@@ -77,7 +74,7 @@ fn picture_shows_what_was_handed_in_on_the_truth() {
 fn picture_spans_what_was_handed_in_and_its_axis_what_is_drawn() {
     let truth = Truth::of(TruncatedHertz::default().case()).expect("solved");
     let text = "position [mm],pressure [MPa]\n-4,-1000\n0,20000\n8,0\n";
-    let answer = read::parse(Path::new("a.csv"), text.as_bytes(), &truth.case, &Asked::default()).expect("read");
+    let answer = read(&truth.case, "a.csv", text, &Asked::default()).expect("read");
     let sheet = picture::sheet(&truth, &answer);
     let [pressures, differences] = &sheet.charts[0][..] else { panic!("two charts") };
     let places: Vec<f64> = [0, 100, 400].map(|k| pressures.series[1].points[k].0).into();

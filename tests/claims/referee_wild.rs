@@ -1,6 +1,6 @@
 //! Files as people have them: what they hold is read, whatever its widths, marks and names; what they lack is no zero, and a part is not judged.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::LazyLock;
 
 use approx::assert_relative_eq;
@@ -14,8 +14,10 @@ use contact_vv::referee::judge::ENGINEERING;
 use contact_vv::referee::units::Role;
 use contact_vv::referee::{Answer, Asked, Truth, Verdicts, read, verdicts};
 
+use crate::handed::{PRESSURES, failed, in_units, judged_as, read, table};
 use crate::outputs::contact_vv;
 use crate::referee_readers::{Frd, ellipse, half_width, peak, vtk};
+use crate::workbench;
 
 fn folder() -> PathBuf {
     root().join("tests/data/wild")
@@ -30,8 +32,7 @@ static TRUTH: LazyLock<Truth> = LazyLock::new(|| Truth::of(tiny()).expect("solve
 
 /// As the inputs are read.
 pub fn usual() -> Asked {
-    let units = [(Role::Position, "mm"), (Role::X, "mm"), (Role::Y, "mm"), (Role::Pressure, "MPa"), (Role::Gap, "mm")];
-    Asked { units: units.map(|(role, unit)| (role, unit.to_owned())).into(), ..Asked::default() }
+    in_units(&[(Role::Position, "mm"), (Role::X, "mm"), (Role::Y, "mm"), (Role::Pressure, "MPa"), (Role::Gap, "mm")])
 }
 
 fn naming(columns: &[(Role, &str)]) -> Asked {
@@ -39,10 +40,10 @@ fn naming(columns: &[(Role, &str)]) -> Asked {
 }
 
 pub fn parsed(name: &str, text: impl AsRef<[u8]>, asked: &Asked) -> Result<Answer, Error> {
-    read::parse(Path::new(name), text.as_ref(), &TRUTH.case, asked)
+    read(&TRUTH.case, name, text, asked)
 }
 
-fn judged(answer: Answer) -> Result<Verdicts, Error> {
+pub fn judged(answer: Answer) -> Result<Verdicts, Error> {
     verdicts(&TRUTH, answer, ENGINEERING)
 }
 
@@ -50,27 +51,25 @@ fn peak_of(answer: Answer) -> f64 {
     judged(answer).expect("judged").ruled[0].measures.peak.pressure
 }
 
-/// That it is refused, or not judged, for what is named.
-fn refused(name: &str, text: impl AsRef<[u8]>, asked: &Asked, parts: &[&str]) {
-    let error = parsed(name, text, asked).and_then(judged).map(|_| ()).expect_err(name).to_string();
-    assert!(error.contains(name) && parts.iter().all(|part| error.contains(part)), "{parts:?}: {error}");
+/// That it is refused, or not judged, for what is named; what is said.
+pub fn refused(name: &str, text: impl AsRef<[u8]>, asked: &Asked, parts: &[&str]) -> String {
+    workbench::refused(parsed(name, text, asked).and_then(judged), &[&[name], parts].concat())
 }
 
 #[test]
 fn files_of_the_wild_are_judged_as_what_they_hold() {
     let handed = |file: &str, asked: &Asked| read::read(&folder().join(file), &TRUTH.case, asked);
+    let refused = |file: &str, asked: &Asked, parts: &[&str]| workbench::refused(handed(file, asked), parts);
     for (file, wanted) in [("8_frd_three_digit_exponents.frd", 99.92), ("6_vtk_5.1.vtk", 100.0)] {
         assert_relative_eq!(peak_of(handed(file, &usual()).expect(file)), wanted, max_relative = 2e-3);
     }
     let of_six = "15_field_of_six.vtk";
     let third = naming(&[(Role::Pressure, "CONTACT:3"), (Role::Gap, "CONTACT:0")]);
     assert_relative_eq!(peak_of(handed(of_six, &third).expect(of_six)), 100.0, max_relative = 2e-3);
-    let error = |file: &str, asked: &Asked| handed(file, asked).map(|_| ()).expect_err(file).to_string();
-    let whole = error(of_six, &naming(&[(Role::Pressure, "CONTACT")]));
-    assert!(whole.contains("`CONTACT` has 6 components") && whole.contains("pressure=CONTACT:5"), "{whole}");
-    let strange = error("1_frd_nodes_not_in_file.frd", &usual());
+    let whole = naming(&[(Role::Pressure, "CONTACT")]);
+    refused(of_six, &whole, &["`CONTACT` has 6 components", "pressure=CONTACT:5"]);
     let parts = ["values at 11 nodes, 11 of which the file does not have", "25 of the 25 nodes", "OUTPUT=3D"];
-    assert!(parts.iter().all(|part| strange.contains(part)), "{strange}");
+    refused("1_frd_nodes_not_in_file.frd", &usual(), &parts);
     let early = judged(handed("5_frd_last_increment_0.4.frd", &usual()).expect("read")).expect("judged");
     assert!(
         !early.met() && early.notes.iter().any(|note| note.contains("increment 1, time 0.4, which is not the end"))
@@ -273,10 +272,9 @@ fn the_state_that_is_judged_is_printed_named_and_chosen() {
 #[test]
 fn a_contact_that_is_there_in_part_is_not_judged_and_what_is_dropped_is_said() {
     // Beyond s the ellipse has 1 − 2/π (asin s/a + s/a √(1 − s²/a²)) of its force.
-    let rows = |from: f64, to: f64| {
+    let within = |from: f64, to: f64| {
         let places = (-30..=30).map(|k| 0.1 * f64::from(k)).filter(|s| from - 1e-9 <= *s && *s <= to + 1e-9);
-        let rows = places.map(|s| format!("{s},{}\n", ellipse::pressure(s.abs()))).collect::<String>();
-        format!("position [mm],pressure [MPa]\n{rows}")
+        rows(places)
     };
     for (from, to, parts) in [
         (0.0, 1.0, ["stop at 1", "39.1 % of the force"]),
@@ -284,17 +282,16 @@ fn a_contact_that_is_there_in_part_is_not_judged_and_what_is_dropped_is_said() {
         (0.6, 3.0, ["stop at 0.6", "37.6 % of the force"]),
         (-0.6, 3.0, ["stop at -0.6", "31.2 % of the force"]),
     ] {
-        refused("theirs.csv", rows(from, to), &Asked::default(), &parts);
+        refused("theirs.csv", within(from, to), &Asked::default(), &parts);
     }
     for (from, to) in [(0.0, 2.0), (-2.0, 2.0), (-3.0, 3.0)] {
-        judged(parsed("theirs.csv", rows(from, to), &Asked::default()).expect("read")).expect("judged");
+        judged(parsed("theirs.csv", within(from, to), &Asked::default()).expect("read")).expect("judged");
     }
 }
 
 /// Rows of the ellipse at some places.
 fn rows(places: impl IntoIterator<Item = f64>) -> String {
-    let rows = places.into_iter().map(|s| format!("{s},{}\n", ellipse::pressure(s.abs())));
-    "position [mm],pressure [MPa]\n".to_owned() + &rows.collect::<String>()
+    table(PRESSURES, places.into_iter().map(|s| [s, ellipse::pressure(s.abs())]))
 }
 
 #[test]
@@ -348,10 +345,6 @@ fn a_table_with_holes_is_not_judged_and_they_are_named_with_the_force_in_them() 
 
 #[test]
 fn a_unit_that_is_named_against_the_one_of_the_file_is_refused() {
-    let named = |units: &[(Role, &str)]| Asked {
-        units: units.iter().map(|(role, unit)| (*role, (*unit).to_owned())).collect(),
-        ..Asked::default()
-    };
     let text = rows((0..ellipse::NODES).map(ellipse::place));
     let units = text.replace("position [mm],pressure [MPa]", "position,pressure\nmm,MPa");
     for (units, parts) in [
@@ -360,18 +353,18 @@ fn a_unit_that_is_named_against_the_one_of_the_file_is_refused() {
         // Both are 1 of ours.
         (&[(Role::Position, "rad")], ["`position [mm]`", "leave out --unit position=rad"]),
     ] {
-        refused("theirs.csv", &text, &named(units), &parts);
+        refused("theirs.csv", &text, &in_units(units), &parts);
     }
     refused(
         "theirs.csv",
         units,
-        &named(&[(Role::Pressure, "Pa")]),
+        &in_units(&[(Role::Pressure, "Pa")]),
         &["`pressure [MPa]`", "leave out --unit pressure=Pa"],
     );
     let document =
         r#"{"units":{"position":"mm","pressure":"MPa"},"contacts":[{"position":[0,1,2,3],"pressure":[100,86.6,0,0]}]}"#;
     let parts = ["`contacts[0].pressure`", "is in MPa by the file, but in Pa by --unit pressure=Pa"];
-    refused("theirs.json", document, &named(&[(Role::Pressure, "Pa")]), &parts);
+    refused("theirs.json", document, &in_units(&[(Role::Pressure, "Pa")]), &parts);
     let field = vtk::ascii(&|s| format!("{:e}", ellipse::pressure(s))).replace("contact_pressure", "CPRESS[kPa]");
     let asked = Asked { columns: vec![(Role::Pressure, "CPRESS[kPa]".into())], ..usual() };
     refused("theirs.vtk", field, &asked, &["`CPRESS[kPa]`", "is in kPa by the file"]);
@@ -380,7 +373,7 @@ fn a_unit_that_is_named_against_the_one_of_the_file_is_refused() {
         (text.clone(), [(Role::Position, "mm"), (Role::Pressure, "N/mm2")]),
         (text.replace("[MPa]", "(nodal)"), [(Role::Position, "mm"), (Role::Pressure, "MPa")]),
     ] {
-        ellipse::assert(&parsed("theirs.csv", text, &named(&units)).expect("read"), 1e-9);
+        ellipse::assert(&parsed("theirs.csv", text, &in_units(&units)).expect("read"), 1e-9);
     }
 }
 
@@ -401,18 +394,15 @@ fn a_mesh_that_lies_partly_off_the_path_is_not_judged_and_its_unit_is_questioned
         for (unit, factor) in [("m", "0.001"), ("um", "1000")] {
             let mut asked = usual();
             asked.units[0].1 = unit.into();
-            let error = read::parse(Path::new("ours.vtu"), text.as_bytes(), &case, &asked).map(|_| ());
-            let error = error.expect_err(name).to_string();
-            assert!(
-                error.contains(&format!("times {factor}")) && error.contains("it would lie there"),
-                "{name}: {error}"
-            );
+            let parts = [&format!("times {factor}"), "it would lie there"];
+            workbench::refused(read(&case, "ours.vtu", &text, &asked), &parts);
         }
     }
-    let far = refused_text(&vtk::points(&|x, y| [x, y + 7.0]));
-    assert!(far.contains("y = 7.0000 to 7.5000 mm"), "{far}");
-    let far = parsed("theirs.frd", Frd { below: 7.0, ..Frd::plain() }.text(), &usual()).map(|_| ());
-    assert!(far.expect_err("far").to_string().contains("its points lie at x = 0.0000 to 4.8000"));
+    let far = refused("theirs.vtk", vtk::points(&|x, y| [x, y + 7.0]), &usual(), &["y = 7.0000 to 7.5000 mm"]);
+    // A grid elsewhere is not one in another unit.
+    assert!(!far.contains("times"), "{far}");
+    let far = Frd { below: 7.0, ..Frd::plain() }.text();
+    refused("theirs.frd", far, &usual(), &["its points lie at x = 0.0000 to 4.8000"]);
 }
 
 #[test]
@@ -431,10 +421,7 @@ fn of_a_collection_the_last_grid_is_judged_or_that_of_a_time() {
     };
     let file = folder.path().join("series.pvd");
     let read = |entries: &str, asked: &Asked| read::parse(&file, whole(entries).as_bytes(), &case, asked);
-    let refused = |entries: &str, asked: &Asked, parts: [&str; 2]| {
-        let error = read(entries, asked).map(|_| ()).expect_err(entries).to_string();
-        parts.iter().for_each(|part| assert!(error.contains(part), "`{part}` is not in {error}"));
-    };
+    let refused = |entries: &str, asked: &Asked, parts: [&str; 2]| workbench::refused(read(entries, asked), &parts);
     let series = entry("0.5", "first.vtu") + &entry("1", "last.vtu");
     // What is commented out is none of them.
     let commented = format!("{series}<!-- {}{} -->\n", entry("2", "other.vtu"), entry("1", "part.vtu"));
@@ -473,10 +460,6 @@ fn of_a_collection_the_last_grid_is_judged_or_that_of_a_time() {
     refused("<DataSet timestep=\"1\"/>", &usual(), ["series.pvd:4", "has no file"]);
 }
 
-fn refused_text(text: &str) -> String {
-    parsed("theirs.vtk", text, &usual()).map(|_| ()).expect_err("refused").to_string()
-}
-
 /// The row of a quantity.
 fn row(found: &Verdicts, asked: &Asks) -> Judged {
     found.ruled[0].judged.iter().find(|one| one.check.quantity == *asked).expect("judged").clone()
@@ -491,9 +474,8 @@ fn a_resultant_without_a_load_is_that_of_one_solve_with_its_bar() {
         let case = Case::parse(&folder().join("driven.toml"), &text.replace("elements = 3", elements)).expect("read");
         let truth = Truth::of(case).expect("solved");
         assert!(!truth.is_told_by_loads(0));
-        let answer = read::parse(Path::new("a.csv"), rows.as_bytes(), &truth.case, &Asked::default()).expect("read");
-        let reference =
-            row(&verdicts(&truth, answer, ENGINEERING).expect("judged"), &Quantity::Resultant.into()).reference;
+        let judged = judged_as(&truth, "a.csv", &rows, &Asked::default());
+        let reference = row(&judged, &Quantity::Resultant.into()).reference;
         assert_ne!(reference.name, "equilibrium with the load");
         found.push((reference.value, truth.ours(0, &Quantity::Resultant).bar));
         let files = contact_vv::cli::export::files(&truth.case, false).expect("exported");
@@ -524,21 +506,22 @@ fn loads_tell_the_force_of_a_contact_where_its_body_is_free_along_them_and_its_o
     told("press-fit.toml", &[false]);
 }
 
+/// The scene `tiny` with a check of its own.
+fn with_check(check: &str) -> Truth {
+    let text = std::fs::read_to_string(folder().join("tiny.toml")).expect("a scene");
+    let text = format!("{text}\n[[check]]\nbecause = \".\"\n{check}");
+    Truth::of(Case::parse(&folder().join("stated.toml"), &text).expect("read")).expect("solved")
+}
+
 #[test]
 fn a_stated_model_error_counts_for_every_quantity_it_is_stated_for() {
-    let text = std::fs::read_to_string(folder().join("tiny.toml")).expect("a scene");
-    let stated = |quantity: &str| {
-        let check =
-            format!("\n[[check]]\nquantity = \"{quantity}\"\ntolerance = 0.5\nmodel-error = 0.07\nbecause = \".\"\n");
-        Truth::of(Case::parse(&folder().join("stated.toml"), &(text.clone() + &check)).expect("read")).expect("solved")
-    };
     for (quantity, asked) in [
         ("resultant", Quantity::Resultant),
         ("peak-pressure", Quantity::PeakPressure),
         ("contact-half-width", Quantity::HalfWidth),
         ("second-moment-width", Quantity::SecondMomentWidth),
     ] {
-        let truth = stated(quantity);
+        let truth = with_check(&format!("quantity = \"{quantity}\"\ntolerance = 0.5\nmodel-error = 0.07\n"));
         assert_relative_eq!(truth.model(&asked), 0.07);
         let known = truth.known(0, &asked);
         assert!(known.bar >= 0.07 * known.reference.value, "{quantity}: {known:?}");
@@ -547,21 +530,12 @@ fn a_stated_model_error_counts_for_every_quantity_it_is_stated_for() {
 
 #[test]
 fn declared_check_asks_no_more_than_its_model_error_leaves() {
-    let text = std::fs::read_to_string(folder().join("tiny.toml")).expect("a scene");
     // 1 % off Hertz everywhere.
     let p = |x: f64| 1.01 * 100.0 * (1.0 - (x / half_width()).powi(2)).max(0.0).sqrt();
-    let rows: String = (0..=44).map(|k| 0.05 * f64::from(k)).map(|x| format!("{x},{}\n", p(x))).collect();
+    let text = table(PRESSURES, (0..=44).map(|k| 0.05 * f64::from(k)).map(|x| [x, p(x)]));
     for (model, met) in [("", false), ("model-error = 0.02\n", true)] {
-        let check = format!("\n[[check]]\nquantity = \"peak-pressure\"\ntolerance = 1e-3\n{model}because = \".\"\n");
-        let case = Case::parse(&folder().join("stated.toml"), &(text.clone() + &check)).expect("read");
-        let truth = Truth::of(case).expect("solved");
-        let answer = read::parse(
-            Path::new("a.csv"),
-            format!("position [mm],pressure [MPa]\n{rows}").as_bytes(),
-            &truth.case,
-            &Asked::default(),
-        );
-        let found = verdicts(&truth, answer.expect("read"), ENGINEERING).expect("judged");
+        let truth = with_check(&format!("quantity = \"peak-pressure\"\ntolerance = 1e-3\n{model}"));
+        let found = judged_as(&truth, "a.csv", &text, &Asked::default());
         let declared = found.ruled[0].judged.iter().filter(|one| one.check.because == ".").collect::<Vec<_>>();
         assert_eq!(declared.len(), 1);
         assert_eq!(declared[0].verdict == contact_vv::case::Verdict::Pass, met, "{:?}", declared[0]);
@@ -575,9 +549,8 @@ fn the_formula_of_a_sphere_used_for_a_cylinder_is_a_usual_mistake() {
     let sphere = (0.75 * force * radius / modulus).cbrt();
     for (a, width) in [(sphere, sphere), (half_width(), half_width())] {
         let p = 1.5 * force / (std::f64::consts::PI * a * a);
-        let at = |k: u32| (0.05 * f64::from(k) * width, p * (1.0 - (0.05 * f64::from(k)).powi(2)).max(0.0).sqrt());
-        let rows: String = (0..=26).map(|k| format!("{},{}\n", at(k).0, at(k).1)).collect();
-        let text = format!("position [mm],pressure [MPa]\n{rows}");
+        let at = |k: u32| [0.05 * f64::from(k) * width, p * (1.0 - (0.05 * f64::from(k)).powi(2)).max(0.0).sqrt()];
+        let text = table(PRESSURES, (0..=26).map(at));
         let found = judged(parsed("a.csv", text, &Asked::default()).expect("read")).expect("judged");
         assert!(
             !found.met() && found.mistakes.iter().any(|says| says.contains("that of a sphere")),
@@ -664,23 +637,18 @@ fn cells_of_any_order_are_read_and_so_is_what_we_write_of_fitted_meshes() {
 
 #[test]
 fn pressures_that_alternate_from_point_to_point_are_no_answer() {
-    let table = |share: f64, points: i32| {
+    let failed = |share: f64| {
         let row = |k: i32| {
-            let s = 3.0 * f64::from(k) / f64::from(points);
+            let s = 3.0 * f64::from(k) / 120.0;
             let turn = if k % 2 == 0 { 1.0 + share } else { 1.0 - share };
-            format!("{s},{}\n", 100.0 * turn * (1.0 - s * s / 4.0).max(0.0).sqrt())
+            [s, 100.0 * turn * (1.0 - s * s / 4.0).max(0.0).sqrt()]
         };
-        "position [mm],pressure [MPa]\n".to_owned() + &(0..=points).map(row).collect::<String>()
+        failed(&judged_as(&TRUTH, "turns.csv", &table(PRESSURES, (0..=120).map(row)), &usual()))
     };
-    let failed = |share: f64, points: i32| {
-        let found = judged(parsed("turns.csv", table(share, points), &usual()).expect("read")).expect("judged");
-        let failed = found.ruled[0].judged.iter().filter(|one| one.verdict == contact_vv::case::Verdict::Fail);
-        failed.map(|one| one.check.quantity.to_string()).collect::<Vec<_>>()
-    };
-    assert_eq!(failed(0.0, 120), Vec::<String>::new());
-    assert_eq!(failed(0.05, 120), Vec::<String>::new());
+    assert_eq!(failed(0.0), Vec::<String>::new());
+    assert_eq!(failed(0.05), Vec::<String>::new());
     for share in [0.3, -0.3] {
-        let named = failed(share, 120);
+        let named = failed(share);
         assert!(named == ["alternation of the pressures from point to point over the peak"], "{named:?}");
     }
 }
@@ -712,13 +680,8 @@ fn points_off_the_side_and_pressures_that_begin_behind_the_middle_are_refused() 
 #[test]
 fn a_check_of_a_scene_that_names_no_kind_is_asked_of_answers_too() {
     let with = |peak: f64| {
-        let check =
-            format!("\n[[check]]\nquantity = \"peak-pressure\"\nvalue = {peak}\ntolerance = 0.01\nbecause = \"any\"\n");
-        let text = std::fs::read_to_string(folder().join("tiny.toml")).expect("readable");
-        let case = Case::parse(Path::new("tiny.toml"), &(text + &check)).expect("a case");
-        let truth = Truth::of(case).expect("solved");
-        let answer = read::parse(Path::new("theirs.csv"), ellipse::text().as_bytes(), &truth.case, &usual());
-        verdicts(&truth, answer.expect("read"), ENGINEERING).expect("judged").met()
+        let truth = with_check(&format!("quantity = \"peak-pressure\"\nvalue = {peak}\ntolerance = 0.01\n"));
+        judged_as(&truth, "theirs.csv", &ellipse::text(), &usual()).met()
     };
     assert!(with(peak()) && !with(1.02 * peak()));
 }

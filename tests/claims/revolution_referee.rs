@@ -11,11 +11,11 @@ use contact_vv::cli::new::Template;
 use contact_vv::mesh::{Order, Resolution};
 use contact_vv::referee::export::{deck, own};
 use contact_vv::referee::judge::ENGINEERING;
-use contact_vv::referee::units::Role;
-use contact_vv::referee::{Asked, Truth, calculix, read, verdicts};
+use contact_vv::referee::{Asked, Truth, calculix, verdicts};
 use contact_vv::solve::{Discretisation, Element, Formulation, Iteration, Run};
 
-use crate::referee::{failed, judged_as};
+use crate::handed::{PRESSURES, failed, judged, judged_as, moved, read, table};
+use crate::workbench::refused;
 
 fn sphere() -> Case {
     Case::parse(Path::new("sphere.toml"), Template::Sphere.text()).expect("a case")
@@ -31,19 +31,17 @@ fn solved() -> (Truth, Discretisation, Run) {
 
 /// Nodal forces of a run, with that of the axis, as a table.
 fn forces(run: &Run, of: impl Fn(f64, f64) -> f64) -> String {
-    let mut text = String::from("position [mm],force [N]\n0,0\n");
-    for point in run.solution.points_of(0) {
-        let _ = writeln!(text, "{},{}", point.position, of(point.position, point.weight * point.pressure));
-    }
-    text
+    let own = run
+        .solution
+        .points_of(0)
+        .iter()
+        .map(|point| [point.position, of(point.position, point.weight * point.pressure)]);
+    table("position [mm],force [N]", std::iter::once([0.0; 2]).chain(own))
 }
 
 fn pressures(run: &Run, place: f64, pressure: f64) -> String {
-    let mut text = String::from("position [mm],pressure [MPa]\n");
-    for point in run.solution.points_of(0) {
-        let _ = writeln!(text, "{},{}", place * point.position, pressure * point.pressure);
-    }
-    text
+    let own = run.solution.points_of(0).iter();
+    table(PRESSURES, own.map(|point| [place * point.position, pressure * point.pressure]))
 }
 
 /// An answer by nodes of 8-node cells.
@@ -141,9 +139,8 @@ fn spoiled_answers_on_bodies_of_revolution_are_refused_by_name() {
         (text.replace("[MPa]", "[N/mm]"), "the unit `N/mm`"),
         (forces(&run, |_, force| force).replace("[N]", "[N/mm]"), "the unit `N/mm`"),
     ] {
-        let read = read::parse(Path::new("theirs.csv"), text.as_bytes(), &truth.case, &Asked::default());
-        let error = read.and_then(|answer| verdicts(&truth, answer, ENGINEERING)).expect_err(says);
-        assert!(error.to_string().contains(says), "{says}: {error}");
+        let read = read(&truth.case, "theirs.csv", text, &Asked::default());
+        refused(read.and_then(|answer| verdicts(&truth, answer, ENGINEERING)), &[says]);
     }
 }
 
@@ -167,7 +164,7 @@ fn exported_decks_of_revolution_have_whole_loads_and_give_whole_forces() {
         let _ = writeln!(table, "{number:>10} {:e} 0.0 0.0", -force / 180.0);
     }
     let answer = calculix::forces(Path::new("s.dat"), &table, &text, &truth.case.scene, &Asked::default());
-    let found = verdicts(&truth, answer.expect("read"), ENGINEERING).expect("judged");
+    let found = judged(&truth, answer.expect("read"));
     assert!(found.met() && found.mistakes.is_empty(), "{:?}", failed(&found));
     assert_relative_eq!(found.ruled[0].measures.resultant, 750.0, max_relative = 1e-9);
 }
@@ -230,9 +227,7 @@ fn sectors_of_ccx_are_turned_into_the_plane() {
     let case = sphere();
     let text = slice(0.01);
     let source = contact_vv::referee::source::Source { file: Path::new("slice.frd"), text: &text };
-    let units = vec![(Role::Position, "mm".to_owned()), (Role::Displacement, "mm".to_owned())];
-    let asked = Asked { units, ..Asked::default() };
-    let field = contact_vv::referee::frd::displacements((&source, &case.scene), &asked, None, None);
+    let field = contact_vv::referee::frd::displacements((&source, &case.scene), &moved(), None, None);
     let field = field.expect("read").expect("a field");
     assert_eq!((field.points.len(), field.cells.len()), (4, 1));
     for (point, moved) in field.points.iter().zip(&field.displacement) {

@@ -10,6 +10,7 @@ use contact_vv::case::library::{
 };
 use contact_vv::case::{Case, Judged, Verdict};
 use contact_vv::elasticity::{BodySystem, ElasticSystem, element, quadrature};
+use contact_vv::error::Error;
 use contact_vv::mesh::{BodyMesh, Edge, Mesh, Order, Resolution};
 use contact_vv::oracle::{Quantity, Reading};
 use contact_vv::referee::Truth;
@@ -227,6 +228,13 @@ pub fn spoiled<T: Clone>(sound: &T, spoil: impl FnOnce(&mut T)) -> T {
     let mut other = sound.clone();
     spoil(&mut other);
     other
+}
+
+/// What is said of something that is refused, which holds some parts.
+pub fn refused<T>(told: Result<T, Error>, parts: &[impl AsRef<str>]) -> String {
+    let error = told.map(|_| ()).expect_err("refused").to_string();
+    parts.iter().map(AsRef::as_ref).for_each(|part| assert!(error.contains(part), "`{part}` is not in {error}"));
+    error
 }
 
 /// How many checks fail.

@@ -53,27 +53,12 @@ pub struct Contact<'a> {
     /// Force on the whole contact, both halves.
     resultant: Number,
     /// Against the solution of the same discrete problem; null where that was not found.
-    iteration_error: Option<ContactError>,
+    iteration_error: Option<Errors>,
     /// What the springs of a penalty change of the discrete solution.
     #[serde(skip_serializing_if = "Option::is_none")]
-    penalty_error: Option<ContactError>,
+    penalty_error: Option<Errors>,
     /// Every contact point.
     profile: Vec<Point>,
-}
-
-/// Relative errors, with sign.
-#[derive(Serialize, JsonSchema)]
-struct ContactError {
-    /// Of the peak pressure.
-    peak_pressure: Number,
-    /// Of the half-width.
-    half_width: Number,
-}
-
-impl From<Errors> for ContactError {
-    fn from(errors: Errors) -> Self {
-        Self { peak_pressure: errors.peak.into(), half_width: errors.half_width.into() }
-    }
 }
 
 /// A contact point.
@@ -110,15 +95,15 @@ impl<'a> Contact<'a> {
             active_points: measures.active,
             closed: measures.stretches.iter().map(|one| [one.begin, one.end].map(Number::from)).collect(),
             notes,
-            peak_pressure: found.unbounded.is_none().then_some(measures.peak.pressure).into(),
+            peak_pressure: found.unbounded.is_none().then_some(measures.peak.pressure),
             peak_position: measures.peak.position.into(),
             peak_growth: found.unbounded.map(|unbounded| unbounded.growth.into()),
             pressure_at_zero: measures.pressure_at_origin.into(),
             largest_point_pressure: measures.largest.pressure.into(),
             largest_point_position: measures.largest.position.into(),
             resultant: found.transmitted.into(),
-            iteration_error: found.iteration.map(ContactError::from),
-            penalty_error: found.penalty.map(ContactError::from),
+            iteration_error: found.iteration,
+            penalty_error: found.penalty,
             profile: run.solution.points_of(contact).iter().map(Point::from).collect(),
         }
     }

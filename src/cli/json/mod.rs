@@ -16,6 +16,7 @@ pub mod solved;
 
 use schemars::JsonSchema;
 use schemars::generate::SchemaSettings;
+use schemars::transform::RecursiveTransform;
 use serde::Serialize;
 
 pub use checked::{Checked, Line};
@@ -79,6 +80,7 @@ fn has(text: &str, keys: &[&str]) -> bool {
 
 /// The schema of all that is printed as JSON (JSON Schema, draft 7).
 pub fn schema() -> String {
-    let schema = SchemaSettings::draft07().for_serialize().into_generator().into_root_schema_for::<Answer>();
+    let settings = SchemaSettings::draft07().for_serialize().with_transform(RecursiveTransform(number::or_null));
+    let schema = settings.into_generator().into_root_schema_for::<Answer>();
     serde_json::to_string_pretty(&schema).expect("a schema can be written as JSON")
 }

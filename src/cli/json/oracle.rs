@@ -9,8 +9,6 @@ use crate::measure::{Quantity, relative_error};
 use crate::oracle::ReferenceKind;
 use crate::solve::run::{Contact, Run};
 
-use super::Number;
-
 /// What an oracle says of a quantity, and how far the run is from it.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct OracleReading {
@@ -24,9 +22,9 @@ pub struct OracleReading {
     #[schemars(extend("enum" = ASKED.map(|(_, [quantity, _])| quantity)))]
     pub quantity: &'static str,
     /// Reference value: mm, or rad on an arc; MPa; N.
-    pub reference: Number,
+    pub reference: f64,
     /// Relative error.
-    pub error: Number,
+    pub error: f64,
     /// Name of the quantity in a sentence, and the reference in the unit that it is shown in.
     #[serde(skip)]
     pub told: String,
@@ -61,10 +59,10 @@ fn of_contact(problem: &Case, run: &Run, contact: usize) -> Vec<OracleReading> {
             name: reference.name,
             kind: reference.kind,
             quantity,
-            reference: reference.value.into(),
-            error: relative_error(value, reference.value).into(),
+            reference: reference.value,
+            error: relative_error(value, reference.value),
             told: format!("{name}: {} {unit}", markdown::value(factor * reference.value)),
         }
     });
-    all.into_iter().filter(|reading| reading.reference != Number::default()).collect()
+    all.into_iter().filter(|reading| reading.reference.is_finite()).collect()
 }

@@ -60,8 +60,8 @@ pub struct Solved<'a> {
     rejected: usize,
     /// Seconds by stage.
     seconds: BTreeMap<&'static str, f64>,
-    /// What the iteration was judged by.
-    iteration_error: IterationParts,
+    /// What the iteration was judged by, at the worst contact; relative.
+    iteration_error: IterationError,
     /// The contacts, in the order of the scene.
     contacts: Vec<Contact<'a>>,
     /// The bodies, in the order of the scene.
@@ -103,26 +103,11 @@ struct Units {
 
 const UNITS: Units = Units { length: "mm", force: "N", stress: "MPa", angle: "rad", time: "s" };
 
-/// What the iteration was judged by, at the worst contact; relative.
-#[derive(Serialize, JsonSchema)]
-struct IterationParts {
-    /// Of the peak pressure.
-    peak: Number,
-    /// Of the force.
-    force: Number,
-    /// Of the width.
-    width: Number,
-    /// Of the approach.
-    approach: Number,
-}
-
 impl<'a> Solved<'a> {
     /// The document of a run.
     pub fn of(found: &'a Found) -> Self {
         let Found { problem, run, reactions, checks, .. } = found;
         let (solution, formulation) = (&run.solution, &run.formulation);
-        let IterationError { peak, force, width, approach } = solution.error();
-        let [peak, force, width, approach] = [peak, force, width, approach].map(Number::from);
         Self {
             case: &problem.name,
             units: UNITS,
@@ -145,7 +130,7 @@ impl<'a> Solved<'a> {
             back_substitutions: solution.work.back_substitutions,
             rejected: solution.work.rejected,
             seconds: run.seconds.iter().map(|&(stage, seconds)| (stage.name(), seconds)).collect(),
-            iteration_error: IterationParts { peak, force, width, approach },
+            iteration_error: solution.error(),
             contacts: (0..run.contacts.len())
                 .map(|contact| Contact::of(problem, run, contact, found.notes_of(contact)))
                 .collect(),
@@ -195,7 +180,7 @@ impl<'a> Body<'a> {
             without_limit.iter().map(|one| WithoutLimit { because: one.because, at: place(points[one.node]) });
         Self {
             name: &found.problem.scene.bodies[*body].name,
-            von_mises: largest.map(|largest| largest.stress).into(),
+            von_mises: largest.map(|largest| largest.stress),
             von_mises_at: largest.map(|largest| place(largest.at)),
             without_limit: without_limit.collect(),
         }

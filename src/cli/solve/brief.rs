@@ -155,7 +155,7 @@ fn of_oracles(found: &Found) -> impl Iterator<Item = [String; 2]> + '_ {
     for [contact, name] in names {
         let own = all.iter().filter(|one| one.contact == contact && one.name == name);
         let own = own.filter(|one| COMPARED.contains(&one.quantity));
-        let off = own.map(|one| format!("{}, {} off", one.told, markdown::error(one.error.value())));
+        let off = own.map(|one| format!("{}, {} off", one.told, markdown::error(one.error)));
         let text = off.collect::<Vec<_>>().join("; ");
         let row = [name, if several { format!("`{contact}`: {text}") } else { text }];
         if !row[1].is_empty() && !told.contains(&row) {

@@ -38,7 +38,7 @@ pub fn print(found: &Found) {
     }
     for OracleReading { contact, name, kind, told, error, .. } in oracle::readings(problem, run) {
         let of = if several { format!("contact `{contact}`: ") } else { String::new() };
-        say(format!("{of}{name} ({kind}) {told}, error {}", markdown::error(error.value())));
+        say(format!("{of}{name} ({kind}) {told}, error {}", markdown::error(error)));
     }
     found.notes().iter().for_each(|note| say(format!("note: {note}")));
 }

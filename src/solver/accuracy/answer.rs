@@ -101,11 +101,13 @@ impl Tried {
 }
 
 /// What one mesh says of one contact.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, serde::Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct TriedContact {
     /// Candidate stretch \[mm, or rad\].
     pub stretch: f64,
     /// Peak pressure \[MPa\].
+    #[serde(rename = "peak_pressure")]
     pub peak: f64,
     /// Half-width \[mm, or rad\].
     pub half_width: f64,

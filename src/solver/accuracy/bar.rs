@@ -40,7 +40,8 @@ const NOT_FOUND: &str = "the discrete solution was not found";
 const TOO_WIDE: &str = "the bar would be larger than the number itself";
 
 /// How far a number may be from the truth of the scene.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Bar {
     /// For the mesh is not infinitely fine; NaN where it is not known.
     pub mesh: f64,

@@ -49,8 +49,10 @@ pub struct Unbounded {
 
 /// Relative errors, with sign.
 #[derive(Clone, Copy, Debug, serde::Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Errors {
     /// Of the peak pressure.
+    #[serde(rename = "peak_pressure")]
     pub peak: f64,
     /// Of the half-width.
     pub half_width: f64,
