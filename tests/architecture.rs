@@ -218,7 +218,7 @@ const BUDGETS: [(&str, usize); 9] = [
     ("oracle", 1_404),
     ("study", 14_787),
     ("referee", 6_423),
-    ("report", 3_000),
+    ("report", 2_999),
     ("cli", 4_734),
     ("live", 500),
 ];

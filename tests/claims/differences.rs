@@ -238,6 +238,21 @@ fn failures_against_truths_come_first_and_stale_records_are_one_last_line() {
     assert!(!text.contains("New checks that FAIL"), "{text}");
     assert_eq!(lines.last(), Some(&"STALE records: 2 (`snapshots/coverage.csv`, `snapshots/met.csv`)"), "{text}");
     assert!(difference.worse && difference.laxer);
+    // Records of other sources alone make no verdict worse.
+    let record = |verdict: Mark, error: f64| {
+        tree(&[CheckRow {
+            verdict,
+            error,
+            share: f64::INFINITY,
+            tolerance: 0.0,
+            ..own("faults", "snapshots/fuzz.json")
+        }])
+    };
+    let old = record(Mark::NotRun, 1.0);
+    let (text, worse) = told(&record(Mark::Pass, 0.0), &old);
+    assert!(!worse && text.contains("no verdict got worse") && text.contains("STALE records: 1"), "{text}");
+    let (text, _) = told(&old, &record(Mark::NotRun, 3.0));
+    assert!(text.contains("Numbers that moved: 1") && !text.contains("inf"), "{text}");
     // What follows a bar alone is not laxer; what is gone is.
     let mut rows = checks();
     (rows[1].tolerance, rows[1].bar) = (2.0 * rows[1].tolerance, rows[1].bar.map(|bar| 2.0 * bar));
