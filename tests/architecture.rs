@@ -214,10 +214,10 @@ fn matrix_types_of_libraries_stay_inside_the_numerics() {
 const BUDGETS: [(&str, usize); 9] = [
     ("solver", 22_541),
     ("drawing", 2_972),
-    ("case", 8_219),
+    ("case", 8_197),
     ("oracle", 1_404),
-    ("study", 14_787),
-    ("referee", 6_423),
+    ("study", 14_761),
+    ("referee", 6_429),
     ("report", 2_999),
     ("cli", 4_734),
     ("live", 500),
