@@ -4,7 +4,6 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use crate::case::Judged;
 use crate::case::library::NAMES;
 use crate::drawing::schematic;
 use crate::error::{Error, meant};
@@ -12,7 +11,7 @@ use crate::report::diff::Difference;
 use crate::report::diff::tree::Tree;
 use crate::report::front::{self, NEARNESS, nearness};
 use crate::report::links::{self, CHARTS, PAGES};
-use crate::report::{case_page, checks, matrix, record, statements, study_page, symbols};
+use crate::report::{case_page, checks, matrix, record, statements, study_page, symbols, told};
 use crate::study::sheet::{self, SHEETS, Sheet};
 use crate::study::{self, Files, Finding, Room, Study, Trial, cases, drawn, on_page, paper, promised, references};
 use crate::uncertainty::COVERAGE;
@@ -71,7 +70,6 @@ fn pages(findings: &[Finding]) -> Result<Files, Error> {
 
 /// The page of all checks: by kind of reference and case, and those of every run.
 fn of_checks(findings: &[Finding]) -> String {
-    let all: Vec<&Judged> = findings.iter().flat_map(|finding| &finding.judged).collect();
     let body = format!(
         "*Verification* holds the code against closed forms and orders of accuracy (kind *analytic*); *benchmarking* holds it against \
          other codes (*cross-code*); *self-consistency* asks it the same in another way; *validation* compares with measurement. ± is the \
@@ -79,9 +77,9 @@ fn of_checks(findings: &[Finding]) -> String {
         links::to_page("what is promised", &study_page::file(promised::Numbers::NAME)),
         matrix::by_kind(findings),
         drawn::picture(NEARNESS[0], NEARNESS[1]),
-        checks::of_every_run(all.iter().copied(), true),
+        checks::of_every_run(findings.iter().flat_map(|finding| &finding.judged), true),
     );
-    links::page("All checks", "What everything is held against, by kind and by case.", &all, &body)
+    links::page("All checks", "What everything is held against, by kind and by case.", &told::each(findings), &body)
 }
 
 /// The pages of cases; of which of them there is a benchmark sheet is told.
