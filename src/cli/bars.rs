@@ -1,13 +1,12 @@
 //! The error bars of a solve, as a table and as JSON.
 
-use comfy_table::{ColumnConstraint, Width};
 use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::accuracy::{Bar, Barred, Bars, Told};
 use crate::cli::json::Number;
 use crate::cli::solve::found::Found;
-use crate::cli::terminal::{say, table};
+use crate::cli::terminal::{say, say_in_lines, table, whole};
 use crate::markdown::{self, EXACT, to_bound, unsigned};
 use crate::report::grouped::in_order;
 
@@ -91,15 +90,11 @@ pub fn print(found: &Found) {
     for (one, [of, quantity, ..]) in all.iter().zip(&rows) {
         unknown.extend(one.unknown.map(|why| (why, format!("{quantity} of `{of}`"))));
     }
-    let longest = rows.iter().flat_map(|row| row[1].split(' ')).map(str::len).max().unwrap_or(0);
     table.add_rows(rows.iter().map(|row| &row[..columns]));
-    if let Some(names) = table.column_mut(1) {
-        names.set_constraint(ColumnConstraint::LowerBoundary(Width::Fixed(longest as u16 + 2)));
-    }
-    say(table);
+    say(whole(table));
     for (why, numbers) in in_order(unknown) {
         let of = if numbers.len() == all.len() { "every number".into() } else { numbers.join(", ") };
-        say(format!("unknown, since {why}: {of}"));
+        say_in_lines(&format!("unknown, since {why}: {of}"));
     }
     if *meshes == 0 {
         say("give more elements, or for a mesh made elsewhere `--accuracy`, which halves it");

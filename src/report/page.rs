@@ -99,7 +99,8 @@ pub enum Only {
 impl Only {
     /// The study or the page of this name; a case by its own name, or that of its file, is on a page.
     pub fn named(name: &str) -> Result<Self, Error> {
-        if let Some(room) = Room::ALL.iter().find(|room| room.name == name) {
+        let of_page = name.replace('-', "_");
+        if let Some(room) = Room::ALL.iter().find(|room| room.name == of_page) {
             return Ok(Self::Study(room));
         }
         let known = cases::names()?;
@@ -110,6 +111,11 @@ impl Only {
         let studies = Room::ALL.map(|room| room.name).join(", ");
         let remedy = format!("{}`contact-vv list` names the cases; studies are {studies}", meant(name, names()));
         Err(Error::value("report", "--only", name, "there is no case and no study of this name", remedy))
+    }
+
+    /// Whether it needs the checks of all studies, as what is promised does.
+    pub fn is_of_all(&self) -> bool {
+        matches!(self, Self::Study(room) if room.name == promised::Numbers::NAME)
     }
 
     /// What is to be solved for it.
@@ -130,8 +136,9 @@ impl Only {
         match self {
             Self::Study(room) => {
                 let page = (format!("{}/{}", PAGES, study_page::file(room.name)), study_page::page(room, findings)?);
-                let sheets: Files = sheets(findings).map(sheet::file).collect();
-                let values = if sheets.is_empty() { vec![] } else { values(findings)? };
+                let own: Vec<Finding> = study_page::of(room.name, findings).cloned().collect();
+                let sheets: Files = sheets(&own).map(sheet::file).collect();
+                let values = if sheets.is_empty() { vec![] } else { values(&own)? };
                 let charts = within(CHARTS, (room.pictures)(findings)?);
                 Ok(std::iter::once(page).chain(charts).chain(within(SHEETS, sheets)).chain(values).collect())
             }

@@ -232,7 +232,8 @@ fn angles_are_told_and_judged_in_degrees_where_they_are_given_in_degrees() {
     let folder = Folder::made();
     let csv = folder.at("p.csv");
     let (sound, table, _) = contact_vv(&["solve", &scene("press-fit"), "--all", "--csv", &csv]);
-    assert!(sound && table.contains("contact pressure at s = 45° [MPa]") && !table.contains("0.785"), "{table}");
+    let words = table.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(sound && words.contains("contact pressure at s = 45° [MPa]") && !table.contains("0.785"), "{table}");
     let mut rows = csv::Reader::from_path(&csv).expect("a table");
     assert_eq!(rows.headers().expect("a head").get(0), Some("position [deg]"));
     let last = rows.deserialize::<(f64, f64, f64, f64, String)>().last().expect("a row").expect("numbers");
