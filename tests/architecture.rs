@@ -216,9 +216,9 @@ const BUDGETS: [(&str, usize); 9] = [
     ("drawing", 2_972),
     ("case", 8_221),
     ("oracle", 1_404),
-    ("study", 14_793),
+    ("study", 14_796),
     ("referee", 6_429),
-    ("report", 3_015),
+    ("report", 3_021),
     ("cli", 4_753),
     ("live", 500),
 ];

@@ -21,14 +21,14 @@ pub struct Document {
     /// The number.
     value: Number,
     /// How far it may be from the truth: the sum of the parts.
-    bound: Number,
+    bar: Number,
     /// What the mesh leaves.
     mesh: Number,
     /// What the iteration leaves.
     iteration: Number,
     /// What the springs of a penalty leave.
     penalty: Number,
-    /// Why the bound is not known, where it is not.
+    /// Why the bar is not known, where it is not.
     #[serde(skip_serializing_if = "Option::is_none")]
     unknown: Option<&'static str>,
 }
@@ -44,7 +44,7 @@ impl Document {
                 of,
                 quantity,
                 value: one.value.into(),
-                bound: one.bar.total().into(),
+                bar: one.bar.total().into(),
                 mesh,
                 iteration,
                 penalty,

@@ -411,7 +411,7 @@ fn waves_on_a_block_ten_times_as_high_as_wide_touch_as_westergaard_has_it() {
 fn within_its_bar(solved: &serde_json::Value, quantity: &str, truth: f64) {
     let bars = solved["error_bars"].as_array().expect("bars");
     let one = bars.iter().find(|one| one["quantity"] == quantity).expect("a number");
-    let [value, bar] = ["value", "bound"].map(|key| one[key].as_f64().expect("known"));
+    let [value, bar] = ["value", "bar"].map(|key| one[key].as_f64().expect("known"));
     assert!((value - truth).abs() <= bar, "{quantity}: {value} ± {bar}, {truth}");
     assert!(bar <= 0.1 * truth, "{bar} says nothing");
 }

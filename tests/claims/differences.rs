@@ -290,7 +290,7 @@ fn timings_measured_anew_are_apart_and_within_noise_where_spreads_overlap() {
 fn references_that_stay_within_their_bars_are_counted_and_the_others_told() {
     let path = "snapshots/references.csv";
     let table =
-        |value: &str, bound: &str| format!("case,quantity,value,bound\npin,peak,{value},{bound}\npin,width,2,0.1\n");
+        |value: &str, bound: &str| format!("case,quantity,value,bar\npin,peak,{value},{bound}\npin,width,2,0.1\n");
     let before = tree(&checks()).with("before", vec![(path.into(), table("1.0", "0.1"))], &[]);
     let moved = |value: &str, bound: &str| {
         told(&before, &before.with("after", vec![(path.into(), table(value, bound))], &[])).0
@@ -300,7 +300,7 @@ fn references_that_stay_within_their_bars_are_counted_and_the_others_told() {
     let text = moved("1.25", "0.1");
     assert!(text.contains("references.csv: 1 of 2 rows changed\n  pin × peak, value: 1.0 → 1.25 (× 1.25)"), "{text}");
     // A wider bar hides nothing: it is told itself.
-    assert!(moved("1.25", "0.2").contains("pin × peak, bound: 0.1 → 0.2 (doubled)"));
+    assert!(moved("1.25", "0.2").contains("pin × peak, bar: 0.1 → 0.2 (doubled)"));
 }
 
 #[test]

@@ -221,9 +221,9 @@ fn table_tells_the_reactions_the_error_bars_and_the_notes_of_the_document() {
         }
         let bars = list(&document["error_bars"]);
         let peak = bars.iter().find(|bar| bar["quantity"] == "peak-pressure").expect("a peak");
-        assert!(number(peak, "bound") > 0.0 && number(peak, "mesh") > 0.0);
+        assert!(number(peak, "bar") > 0.0 && number(peak, "mesh") > 0.0);
         assert_relative_eq!(
-            number(peak, "bound"),
+            number(peak, "bar"),
             ["mesh", "iteration", "penalty"].map(|part| number(peak, part)).iter().sum()
         );
         // Of the doubtful scene it has no limit, and no value.
