@@ -50,8 +50,8 @@ pub fn to_bound(value: f64, bound: f64) -> String {
     format!("{value:.*}", places as usize)
 }
 
-/// Bar over the value below which none of six digits is touched.
-pub const EXACT: f64 = 1e-6;
+/// Bar over the value below which it is round-off.
+pub const EXACT: f64 = 1e-8;
 
 /// A number as it is; one that rounds to nothing as 0.
 pub fn unsigned(text: String) -> String {

@@ -50,15 +50,15 @@ class Error(Exception):
 
 @dataclass(frozen=True)
 class Number:
-    """A number of a contact or a body. The truth lies within its bound, which is not a number where it is not known."""
+    """A number of a contact or a body, and its error bar: what it may be off; not a number where that is not known."""
 
     of: str
     quantity: str
     value: float
-    bound: float
+    bar: float
 
     def __str__(self) -> str:
-        return f"{self.value:.6g} ± {self.bound:.2g}"
+        return f"{self.value:.6g} ± {self.bar:.2g}"
 
 
 @dataclass(frozen=True)
@@ -83,7 +83,7 @@ class Solution:
     def __init__(self, document: dict[str, Any], nodes: Array, displacement: Array) -> None:
         self.document, self.nodes, self.displacement = document, nodes, displacement
         self.outcome: str = document["outcome"]
-        self.numbers = _by_name(document.get("error_bars", []), ["of", "quantity", "value", "bound"])
+        self.numbers = _by_name(document.get("error_bars", []), ["of", "quantity", "value", "bar"])
         units, columns = document["units"], ["position", "pressure", "gap", "area"]
         contacts = document["contacts"]
         self.contacts = [Contact(of["name"], units[of["coordinate"]], *_columns(of, columns)) for of in contacts]
@@ -312,7 +312,7 @@ def _by_name(rows: Sequence[Mapping[str, Any]], keys: Sequence[str]) -> dict[str
     """Numbers by their quantity, and by what they are of where several have one; of one that stands twice the first."""
     found: dict[tuple[str, str], Number] = {}
     for of, quantity, *numbers in ([row[key] for key in keys] for row in rows):
-        value, bound = np.array(numbers, dtype=float).tolist()
-        found.setdefault((quantity, of), Number(of, quantity, value, bound))
+        value, bar = np.array(numbers, dtype=float).tolist()
+        found.setdefault((quantity, of), Number(of, quantity, value, bar))
     count = Counter(quantity for quantity, _ in found)
     return {name if count[name] == 1 else f"{name} of {of}": one for (name, of), one in found.items()}

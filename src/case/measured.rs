@@ -39,7 +39,6 @@ impl Case {
                 let departures = points.iter().map(|point| (point.pressure - pressure(point.position)).abs());
                 departures.fold(0.0, larger) / self.scale(contact)
             }
-            Quantity::Dofs => run.dofs as f64,
             Quantity::Named { .. } => f64::NAN,
         })
     }

@@ -60,9 +60,13 @@ pub fn of(run: &Run, contact: usize) -> Vec<String> {
             100.0 * rough
         )
     });
-    let above = (highest > ABOVE * measures.peak.pressure).then(|| format!(
-        "a point carries {highest:.4} MPa, more than the peak through its neighbours: a corner, or too coarse a mesh"
-    ));
+    // A corner is told above.
+    let above = (unbounded.is_none() && highest > ABOVE * measures.peak.pressure).then(|| {
+        let highest = markdown::significant(highest, 3);
+        format!(
+            "a point carries {highest} MPa, more than the peak through its neighbours: a corner, or too coarse a mesh"
+        )
+    });
     let open_between = (measures.stretches.len() > 1).then(|| {
         format!(
             "the contact is closed on {} stretches and open between them: the half-width is that of all together",

@@ -23,8 +23,6 @@ pub enum Quantity {
     EdgeMeans,
     /// Largest departure of any point from the pressure of the oracle, over the largest of that.
     Departure,
-    /// Degrees of freedom of the mesh.
-    Dofs,
     /// A number of a study.
     Named {
         /// Noun phrase, as it stands in a sentence.
@@ -96,7 +94,6 @@ impl Quantity {
             Self::Profile => "error of the pressure profile in L2",
             Self::EdgeMeans => "share of the force elsewhere by edge means",
             Self::Departure => "largest departure of the pressure at any point, over the largest pressure",
-            Self::Dofs => "degrees of freedom",
             Self::Named { name, .. } => name,
         }
     }

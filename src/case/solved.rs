@@ -78,17 +78,19 @@ impl Case {
         Ok((meshed, run))
     }
 
-    /// Judges a run: what bounds every run, that it converged, and of a case with checks these and what every converged run must
+    /// Judges a run: what bounds every run, whether it converged, and of a case with checks these and what every converged run must
     /// satisfy. A reported run that did not converge is not judged, and says so.
     pub fn judge(&self, meshed: &Meshed, run: &Run) -> Result<Vec<Judged>, Error> {
         let discretisation = &meshed.discretisation;
         let mut judged: Vec<Judged> = universal::bounded(run).into_iter().collect();
-        if self.is_reported() && !run.solution.converged() {
-            let why = "the case is reported only, and the run did not converge".into();
-            judged.push(convergence(run).not_run(ReferenceKind::SelfConsistency, EXACT, why));
-            return Ok(judged);
+        if !run.solution.converged() {
+            let check = Check::none("run that does not converge", "its numbers are those of no solution").universal();
+            let why = "the case is reported only, and the run did not converge";
+            judged.push(match self.is_reported() {
+                true => check.not_run(ReferenceKind::SelfConsistency, "none", why.into()),
+                false => check.judge(1.0),
+            });
         }
-        judged.push(convergence(run).judge(run.solution.error().largest()));
         if self.is_reported() {
             return Ok(judged);
         }
@@ -132,16 +134,6 @@ impl Case {
         }
     }
 }
-
-/// That a run converged.
-fn convergence(run: &Run) -> Check {
-    let tolerance = run.formulation.settings.tolerance;
-    Check::error("iteration error of the run", Reference::own(EXACT, 0.0), tolerance, "the tolerance asked for")
-        .universal()
-}
-
-/// What a run converges to.
-const EXACT: &str = "the discrete solution";
 
 /// That an accuracy is met, by the estimate, which tells nothing where it is within what was asked and the search says otherwise.
 pub fn met(asked: &Asked, answer: &Answer) -> Judged {

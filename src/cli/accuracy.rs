@@ -8,7 +8,7 @@ use serde::Serialize;
 
 use crate::accuracy::{Answer, Asked, Barred, Tried, TriedContact, in_percent};
 use crate::cli::json::Number;
-use crate::cli::terminal::{say, table};
+use crate::cli::terminal::{say, say_in_lines, table, whole};
 use crate::markdown;
 use crate::measure::display_factor;
 
@@ -133,12 +133,10 @@ pub fn print((asked, answer): &(Asked, Answer)) {
         let of = if contacts.len() > 1 { format!("{}, ", contacts[quoted.contact].name) } else { String::new() };
         let [mesh, iteration, penalty] = parts(quoted).map(|part| known(part, markdown::error));
         let (name, bar) = (quoted.quantity.key(), known(quoted.relative(), markdown::error));
-        say(format!(
-            "{of}{name}: error bar {bar}: {mesh} from the mesh, {iteration} from the iteration, {penalty} from the penalty"
-        ));
+        say_in_lines(&format!("{of}{name}: error bar {bar}: mesh {mesh}, iteration {iteration}, penalty {penalty}"));
     }
-    say(ended(answer));
-    say(meshes(answer));
+    say_in_lines(&ended(answer));
+    say(whole(meshes(answer)));
 }
 
 /// What was asked, and whether it is met, in a line.
@@ -173,7 +171,7 @@ fn meshes(answer: &Answer) -> Table {
         _ => "mm, °",
     };
     let [stretch, half_width] = ["stretch", "half-width"].map(|length| format!("{length} [{unit}]"));
-    let head = ["tried for", "cells", "elements", "growth", &stretch, "dofs", "iterations", "peak [MPa]", &half_width];
+    let head = ["tried for", "cells", "elements", &stretch, "dofs", "peak [MPa]", &half_width];
     let mut table = table(head.into_iter().chain(["estimate"]));
     let lines = |tried: &Tried, of: fn(&TriedContact, f64) -> String| -> String {
         let each: Vec<String> = tried.contacts.iter().zip(&factors).map(|(found, factor)| of(found, *factor)).collect();
@@ -183,11 +181,9 @@ fn meshes(answer: &Answer) -> Table {
         table.add_row([
             tried.purpose.to_owned(),
             format!("{}-node", tried.order.nodes_per_cell()),
-            tried.elements.to_string(),
-            known(tried.growth, |growth| format!("{growth:.3}")),
+            if tried.elements == 0 { "–".into() } else { tried.elements.to_string() },
             lines(tried, |found, factor| markdown::value(factor * found.stretch)),
             if tried.dofs == 0 { "contact beyond".into() } else { tried.dofs.to_string() },
-            tried.iterations.to_string(),
             lines(tried, |found, _| known(found.peak, markdown::value)),
             lines(tried, |found, factor| known(factor * found.half_width, markdown::value)),
             known(tried.estimate, markdown::error),

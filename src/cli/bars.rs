@@ -1,13 +1,12 @@
 //! The error bars of a solve, as a table and as JSON.
 
-use comfy_table::{ColumnConstraint, Width};
 use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::accuracy::{Bar, Barred, Bars, Told};
 use crate::cli::json::Number;
 use crate::cli::solve::found::Found;
-use crate::cli::terminal::{say, table};
+use crate::cli::terminal::{say, say_in_lines, table, whole};
 use crate::markdown::{self, EXACT, to_bound, unsigned};
 use crate::report::grouped::in_order;
 
@@ -22,10 +21,10 @@ pub struct Document {
     /// The number.
     value: Number,
     /// How far it may be from the truth: the sum of the parts.
-    bound: Number,
+    bar: Number,
     #[serde(flatten)]
     parts: Bar,
-    /// Why the bound is not known, where it is not.
+    /// Why the bar is not known, where it is not.
     #[serde(skip_serializing_if = "Option::is_none")]
     unknown: Option<&'static str>,
 }
@@ -35,8 +34,8 @@ impl Document {
     pub fn all(found: &Found) -> Vec<Self> {
         let one = |one: &Barred| {
             let Told { of, quantity, .. } = Told::of(&found.problem.scene, &found.run, one);
-            let (value, bound) = (one.value.into(), one.bar.total().into());
-            Self { of, quantity, value, bound, parts: one.bar, unknown: one.unknown }
+            let (value, bar) = (one.value.into(), one.bar.total().into());
+            Self { of, quantity, value, bar, parts: one.bar, unknown: one.unknown }
         };
         found.bars.iter().flat_map(|bars| bars.all.iter()).map(one).collect()
     }
@@ -77,15 +76,11 @@ pub fn print(found: &Found) {
     for (one, [of, quantity, ..]) in all.iter().zip(&rows) {
         unknown.extend(one.unknown.map(|why| (why, format!("{quantity} of `{of}`"))));
     }
-    let longest = rows.iter().flat_map(|row| row[1].split(' ')).map(str::len).max().unwrap_or(0);
     table.add_rows(rows.iter().map(|row| &row[..columns]));
-    if let Some(names) = table.column_mut(1) {
-        names.set_constraint(ColumnConstraint::LowerBoundary(Width::Fixed(longest as u16 + 2)));
-    }
-    say(table);
+    say(whole(table));
     for (why, numbers) in in_order(unknown) {
         let of = if numbers.len() == all.len() { "every number".into() } else { numbers.join(", ") };
-        say(format!("unknown, since {why}: {of}"));
+        say_in_lines(&format!("unknown, since {why}: {of}"));
     }
     if *meshes == 0 {
         say("give more elements, or for a mesh made elsewhere `--accuracy`, which halves it");

@@ -101,7 +101,7 @@ pub fn text(findings: &[Finding], columns: u16) -> String {
         open.add_rows(rows.into_iter().map(|(_, row)| row));
         told = format!("{open}\n\n");
     }
-    let [pass, fail, not_run] = told::counts(findings.iter().flat_map(|finding| &finding.judged));
+    let [pass, fail, not_run] = told::tally(told::each(findings));
     let studies = studies(findings, columns);
     let remedy = if fail > 0 { AFTER_FAILURE } else { "" };
     format!("{told}{studies}\n\n{remedy}checks: {pass} passed, {fail} failed, {not_run} not run")
@@ -129,7 +129,7 @@ fn studies(findings: &[Finding], columns: u16) -> String {
             Some(Verdict::NotRun(_)) => "○ not run",
             Some(Verdict::Fail) | None => "✗ FAIL",
         };
-        let [pass, fail, not_run] = told::counts(judged());
+        let [pass, fail, not_run] = told::tally(told::once(judged()));
         let counts = [own.len(), pass + fail + not_run, pass, fail, not_run].map(|count| count.to_string());
         told.add_row([sign.to_string(), room.name.replace('_', " ")].into_iter().chain(counts));
     }

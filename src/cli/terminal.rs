@@ -3,7 +3,7 @@
 use std::io::{ErrorKind, IsTerminal, Write};
 
 use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
-use comfy_table::{ContentArrangement, Table, presets};
+use comfy_table::{ColumnConstraint, ContentArrangement, Table, Width, presets};
 use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::cli::exit::WRONG_INPUT;
@@ -53,6 +53,28 @@ pub fn width() -> u16 {
 /// A table no wider than the terminal.
 pub fn table<'a>(head: impl IntoIterator<Item = &'a str>) -> Table {
     table_on(width(), head)
+}
+
+/// Prints a text in lines no wider than the terminal, its words whole.
+pub fn say_in_lines(text: &str) {
+    let mut table = table_on(width(), [""; 0]);
+    table.add_row([text]);
+    table.lines().for_each(|line| say(line.strip_prefix(' ').unwrap_or(&line).trim_end()));
+}
+
+/// The same table with columns as wide as their longest words.
+pub fn whole(mut table: Table) -> Table {
+    let mut longest = vec![0; table.column_count()];
+    for row in table.header().into_iter().chain(table.row_iter()) {
+        for (longest, cell) in longest.iter_mut().zip(row.cell_iter()) {
+            let words = cell.content().split([' ', '\n']).map(|word| word.chars().count()).max();
+            *longest = words.unwrap_or(0).max(*longest);
+        }
+    }
+    for (column, longest) in table.column_iter_mut().zip(longest) {
+        column.set_constraint(ColumnConstraint::LowerBoundary(Width::Fixed(longest as u16 + 2)));
+    }
+    table
 }
 
 /// Names and what each is, a line each.

@@ -28,7 +28,7 @@ pub(super) fn checks(bench: &Bench, missing: &mut Vec<[String; 2]>) -> Vec<Judge
             // What the oracle reads is judged above, as is equilibrium.
             (Some(_), _) => {}
             // Numbers of a mesh or of an iteration are not asked of others.
-            (None, _) if matches!(check.quantity, Asked::Dofs | Asked::EdgeMeans | Asked::Named { .. }) => {}
+            (None, _) if matches!(check.quantity, Asked::EdgeMeans | Asked::Named { .. }) => {}
             (None, _) => missing.push(not_handed_in(check)),
         }
     }

@@ -184,10 +184,10 @@ impl Truth {
 
 /// Takes a number of the contact that is known better.
 fn takes(bars: &mut [Barred], known: &Answered) {
-    let is_wider = |one: &&mut Barred| one.quantity == known.quantity && one.bar.total() > known.bound;
+    let is_wider = |one: &&mut Barred| one.quantity == known.quantity && one.bar.total() > known.bar;
     let own = bars.iter_mut().find(|one| one.contact == 0 && is_wider(one));
     if let Some(own) = own {
-        (own.value, own.bar) = (known.value, Bar { mesh: known.bound, iteration: 0.0, penalty: 0.0 });
+        (own.value, own.bar) = (known.value, Bar { mesh: known.bar, iteration: 0.0, penalty: 0.0 });
     }
 }
 

@@ -4,7 +4,7 @@ use crate::case::{Case, Judged, Verdict};
 use crate::markdown;
 use crate::measure::display_factor;
 use crate::oracle::ReferenceKind;
-use crate::report::{checks, links};
+use crate::report::{checks, links, told};
 use crate::study::cases::{self, Numbers, charts, page as name_of, remark, sketch};
 use crate::study::grouped::{counted, in_order};
 use crate::study::{Finding, described};
@@ -45,7 +45,7 @@ pub fn page((name, runs): &Shared, has_sheet: bool) -> String {
     let mut names: Vec<&str> = runs.iter().map(|(finding, _)| finding.case.as_str()).collect();
     names.dedup();
     let asked = format!("{}: {}.", names.join("; "), markdown::counted(runs.len(), "run"));
-    links::page(&title, &asked, &judged, &parts.concat())
+    links::page(&title, &asked, &told::once(judged), &parts.concat())
 }
 
 /// Sketch, and the input: the text of the scene file, or the numbers of the scene.

@@ -21,10 +21,10 @@ const COLUMNS: [(&str, Cell); 8] = [
     ("reference", held),
     ("error", |one, _| if matches!(one.verdict, Verdict::NotRun(_)) { "–".into() } else { told::error(one) }),
     ("tolerance", |one, in_sentence| match one.check.tolerance > 0.0 && !in_sentence {
-        true => markdown::tolerance(one.check.tolerance),
+        true => told::in_unit(one, one.check.tolerance, markdown::tolerance),
         false => String::new(),
     }),
-    ("bar", |one, _| one.bar_as_error().map_or_else(String::new, |bar| told::in_unit(one, bar))),
+    ("bar", |one, _| one.bar_as_error().map_or_else(String::new, |bar| told::in_unit(one, bar, markdown::error))),
     ("because", |one, _| one.check.because.to_string()),
     ("verdict", |one, _| one.verdict.to_string()),
 ];
@@ -107,10 +107,12 @@ pub fn of(members: &[Named]) -> String {
 }
 
 fn summary(own: &[(&str, &Judged)]) -> String {
-    match told::counts(own.iter().map(|(_, one)| *one)) {
-        [passed, 0, 0] => format!("✓ {passed} checks passed"),
-        [passed, 0, absent] => format!("○ {passed} checks passed, {absent} not run"),
-        [_, failed, _] => format!("✗ {failed} of {} checks failed", own.len()),
+    match told::tally(told::once(own.iter().map(|(_, one)| *one))) {
+        [passed, 0, 0] => format!("✓ {} passed", markdown::counted(passed, "check")),
+        [passed, 0, absent] => format!("○ {} passed, {absent} not run", markdown::counted(passed, "check")),
+        [passed, failed, absent] => {
+            format!("✗ {failed} of {} failed", markdown::counted(passed + failed + absent, "check"))
+        }
     }
 }
 

@@ -116,8 +116,7 @@ pub fn against(findings: &[Finding]) -> String {
         ("loosest", |(_, all)| told_agreement(all.last())),
     ];
     format!(
-        "{}\n{} {}. Of closed forms and of other codes the {NAMED} with the most numbers that agree \
-         with them, not by round-off alone:\n\n{}",
+        "{}\n{} {}. Of each kind the {NAMED} with the most numbers that agree with them, not by round-off alone:\n\n{}",
         markdown::table(&head, &rows),
         experiments(findings),
         link("Each check, and how near it is to its limit", CHECKS),
@@ -129,18 +128,17 @@ pub fn against(findings: &[Finding]) -> String {
 type Agreement<'a> = (&'a str, Vec<&'a Judged>);
 
 fn told_agreement(one: Option<&&Judged>) -> String {
-    one.map_or("–".into(), |one| format!("{}: {}", markdown::error(one.error), one.check.quantity.name()))
+    one.map_or("–".into(), |one| format!("{}: {}", told::error(one), one.check.quantity.name()))
 }
 
-/// A tolerance from which on an error is counted in what it may be, and is no agreement; an agreement below the second is round-off.
+/// A tolerance from which on an error is counted in what it may be, and is no agreement.
 const COUNTED: f64 = 1.0;
-const ROUND_OFF: f64 = 1e-9;
 
 /// The truths of a kind that are named.
 fn agreements<'a>(own: &[&'a Judged]) -> Vec<Agreement<'a>> {
     let is_agreement = |one: &&Judged| {
-        let near = matches!(one.check.relation, Relation::Near | Relation::Error);
-        one.verdict == Verdict::Pass && near && one.check.tolerance < COUNTED && one.error >= ROUND_OFF
+        let near = !matches!(one.check.relation, Relation::AtLeast | Relation::AtMost);
+        one.verdict == Verdict::Pass && near && one.check.tolerance < COUNTED && one.error >= told::ROUND_OFF
     };
     let told = own.iter().copied().filter(is_agreement);
     let mut truths = in_order(told.map(|one| (&*one.reference.name, one)));
@@ -217,13 +215,17 @@ fn paper_statements(findings: &[Finding]) -> String {
     let row = |one: &Statement| {
         let judgement = format!("**{}**", one.judgement.brief());
         let is_open = matches!(one.judgement, Judgement::Undecidable(_));
-        let judgement = if is_open { to_study(&judgement, paper::Numbers::NAME) } else { judgement };
+        let source = format!("{}#sources", study_page::file(paper::Numbers::NAME));
+        let judgement = if is_open { link(&judgement, &source) } else { judgement };
         vec![one.text.into(), judgement, one.clause.clone()]
     };
     let words = counted(judged.iter().map(|one| one.judgement.word()));
     let words: Vec<String> = words.iter().map(|(word, count)| format!("{count} {word}")).collect();
+    let together =
+        findings.iter().find_map(|finding| Some(paper::together(&finding.numbers::<paper::Numbers>()?.courses)));
     format!(
-        "Of {} statements: {}. {}.\n\n{}",
+        "{} Of {} statements: {}. {}.\n\n{}",
+        together.unwrap_or_default(),
         judged.len(),
         words.join(", "),
         to_study("Measurements and conditions in full, misprints, decisions, sources", paper::Numbers::NAME),
@@ -286,7 +288,7 @@ fn file(finding: &Finding) -> String {
 fn index(findings: &[Finding]) -> String {
     let one = |room: &Room| {
         let judged = study_page::of(room.name, findings).flat_map(|finding| &finding.judged);
-        let [pass, fail, absent] = told::counts(judged);
+        let [pass, fail, absent] = told::tally(told::once(judged));
         let sign = match (fail, absent) {
             (0, 0) => "✓",
             (0, _) => "○",

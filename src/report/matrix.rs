@@ -6,7 +6,7 @@ use crate::markdown;
 use crate::oracle::ReferenceKind;
 use crate::report::told;
 use crate::solution::Outcome;
-use crate::solve::{Element, Iteration, Run};
+use crate::solve::{Acceleration, Element, Formulation, Iteration, Run};
 use crate::study::Finding;
 use crate::study::cases::Numbers;
 use crate::study::grouped::in_order;
@@ -39,6 +39,16 @@ fn is_of(finding: &Finding, (element, algorithm): Column) -> bool {
     run(finding).is_some_and(|run| run.formulation.element == element && run.formulation.algorithm == algorithm)
 }
 
+/// Element and algorithm, and what the program adds to it, below one another.
+fn told(&(element, algorithm): &Column) -> String {
+    let acceleration = Formulation::accelerated(element, algorithm).acceleration;
+    let added = match acceleration {
+        Acceleration::None => String::new(),
+        added => format!("<br>+ {}", added.name()),
+    };
+    format!("{}<br>{}{added}", element.name(), algorithm.name())
+}
+
 /// Cases with a run of every formulation, and the others.
 fn full_and_others(findings: &[Finding]) -> (Vec<Case<'_>>, Vec<Case<'_>>) {
     let cases = by_case(findings.iter().filter(|finding| run(finding).is_some()));
@@ -51,8 +61,7 @@ fn full_and_others(findings: &[Finding]) -> (Vec<Case<'_>>, Vec<Case<'_>>) {
 /// names a case and links its page.
 pub fn verdict_matrix(findings: &[Finding], first: Option<Column>, link: impl Fn(&Finding) -> String) -> String {
     let columns = columns(first);
-    let name = |column: &Column| format!("{}<br>{}", column.0.name(), column.1.name());
-    let head: Vec<String> = std::iter::once("case".into()).chain(columns.iter().map(name)).collect();
+    let head: Vec<String> = std::iter::once("case".into()).chain(columns.iter().map(told)).collect();
     let row = |(_, members): &Case| {
         let own =
             |column: &Column| members.iter().filter(|one| is_of(one, *column)).map(|one| sign(one)).collect::<Vec<_>>();

@@ -4,7 +4,6 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use crate::case::Judged;
 use crate::case::library::NAMES;
 use crate::drawing::schematic;
 use crate::error::{Error, meant};
@@ -12,7 +11,7 @@ use crate::report::diff::Difference;
 use crate::report::diff::tree::Tree;
 use crate::report::front::{self, NEARNESS, nearness};
 use crate::report::links::{self, CHARTS, PAGES};
-use crate::report::{case_page, checks, matrix, record, statements, study_page, symbols};
+use crate::report::{case_page, checks, matrix, record, statements, study_page, symbols, told};
 use crate::study::sheet::{self, SHEETS, Sheet};
 use crate::study::{self, Files, Finding, Room, Study, Trial, cases, drawn, on_page, paper, promised, references};
 use crate::uncertainty::COVERAGE;
@@ -71,7 +70,6 @@ fn pages(findings: &[Finding]) -> Result<Files, Error> {
 
 /// The page of all checks: by kind of reference and case, and those of every run.
 fn of_checks(findings: &[Finding]) -> String {
-    let all: Vec<&Judged> = findings.iter().flat_map(|finding| &finding.judged).collect();
     let body = format!(
         "*Verification* holds the code against closed forms and orders of accuracy (kind *analytic*); *benchmarking* holds it against \
          other codes (*cross-code*); *self-consistency* asks it the same in another way; *validation* compares with measurement. ± is the \
@@ -79,9 +77,9 @@ fn of_checks(findings: &[Finding]) -> String {
         links::to_page("what is promised", &study_page::file(promised::Numbers::NAME)),
         matrix::by_kind(findings),
         drawn::picture(NEARNESS[0], NEARNESS[1]),
-        checks::of_every_run(all.iter().copied(), true),
+        checks::of_every_run(findings.iter().flat_map(|finding| &finding.judged), true),
     );
-    links::page("All checks", "What everything is held against, by kind and by case.", &all, &body)
+    links::page("All checks", "What everything is held against, by kind and by case.", &told::each(findings), &body)
 }
 
 /// The pages of cases; of which of them there is a benchmark sheet is told.
@@ -101,7 +99,8 @@ pub enum Only {
 impl Only {
     /// The study or the page of this name; a case by its own name, or that of its file, is on a page.
     pub fn named(name: &str) -> Result<Self, Error> {
-        if let Some(room) = Room::ALL.iter().find(|room| room.name == name) {
+        let of_page = name.replace('-', "_");
+        if let Some(room) = Room::ALL.iter().find(|room| room.name == of_page) {
             return Ok(Self::Study(room));
         }
         let known = cases::names()?;
@@ -112,6 +111,11 @@ impl Only {
         let studies = Room::ALL.map(|room| room.name).join(", ");
         let remedy = format!("{}`contact-vv list` names the cases; studies are {studies}", meant(name, names()));
         Err(Error::value("report", "--only", name, "there is no case and no study of this name", remedy))
+    }
+
+    /// Whether it needs the checks of all studies, as what is promised does.
+    pub fn is_of_all(&self) -> bool {
+        matches!(self, Self::Study(room) if room.name == promised::Numbers::NAME)
     }
 
     /// What is to be solved for it.
@@ -132,8 +136,9 @@ impl Only {
         match self {
             Self::Study(room) => {
                 let page = (format!("{}/{}", PAGES, study_page::file(room.name)), study_page::page(room, findings)?);
-                let sheets: Files = sheets(findings).map(sheet::file).collect();
-                let values = if sheets.is_empty() { vec![] } else { values(findings)? };
+                let own: Vec<Finding> = study_page::of(room.name, findings).cloned().collect();
+                let sheets: Files = sheets(&own).map(sheet::file).collect();
+                let values = if sheets.is_empty() { vec![] } else { values(&own)? };
                 let charts = within(CHARTS, (room.pictures)(findings)?);
                 Ok(std::iter::once(page).chain(charts).chain(within(SHEETS, sheets)).chain(values).collect())
             }

@@ -2,7 +2,7 @@
 
 use crate::case::{Judged, Verdict};
 use crate::error::Error;
-use crate::report::{checks, links, statements};
+use crate::report::{checks, links, statements, told};
 use crate::study::grouped::counted;
 use crate::study::{Finding, Room, Study, cases, paper};
 
@@ -22,7 +22,7 @@ pub fn page(room: &Room, findings: &[Finding]) -> Result<String, Error> {
     // What the paper says is judged by the findings of all studies, of which its own sees only its part.
     let first = if name == paper::Numbers::NAME { statements::section(findings) } else { String::new() };
     let body = format!("{first}{}\n## Checks\n\n{checks}{}", (room.section)(findings)?, limits(about.limits, &own));
-    Ok(links::page(about.title, about.asked, &own, &body))
+    Ok(links::page(about.title, about.asked, &told::once(own), &body))
 }
 
 /// Findings of a study.

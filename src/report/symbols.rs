@@ -7,7 +7,7 @@ use crate::report::links;
 pub const FILE: &str = "symbols.md";
 
 /// Symbols with what they stand for.
-pub const SYMBOLS: [[&str; 2]; 19] = [
+pub const SYMBOLS: [[&str; 2]; 22] = [
     [
         "κ₀ = k ℓ/E*",
         "initial stiffness k of the contact springs per area, made a pure number by the length ℓ of the scene (Hertz's half-width, or the \
@@ -20,7 +20,10 @@ pub const SYMBOLS: [[&str; 2]; 19] = [
     ["p₀", "largest pressure"],
     ["a", "half-width of the contact"],
     ["ε", "half-angle of the contact"],
-    ["θ", "angle from the load line"],
+    ["θ, φ", "angle from the load line, of the pin in the rod and of the one in the wide plate"],
+    ["s", "contact coordinate: a length along the path, an angle on an arc"],
+    ["E, ν", "Young's modulus and Poisson's ratio"],
+    ["ρ", "rate of convergence: the factor on the error from one iteration to the next"],
     ["R", "radius"],
     ["L", "how far candidates reach"],
     ["h", "size of an element"],
@@ -29,10 +32,13 @@ pub const SYMBOLS: [[&str; 2]; 19] = [
     ["u, u/g", "displacement, and the same over the gap"],
     [
         "±",
-        "error bar: an estimate of what a value may be off, two standard uncertainties; *What is promised* counts how many hold. No bound",
+        "error bar: an estimate of what a value may be off; *What is promised* counts how many hold. Of a standard uncertainty it is twice that. No bound",
     ],
     ["… to …", "range: the least and the largest of what was found"],
-    ["E, u_val", "difference of two values, and its standard uncertainty from all sources (ASME V&V 20)"],
+    [
+        "E, u_val",
+        "beside a comparison: difference of two values, and its standard uncertainty from all sources (ASME V&V 20)",
+    ],
     ["dofs", "degrees of freedom"],
 ];
 

@@ -29,11 +29,6 @@ pub fn each(findings: &[Finding]) -> Vec<&Judged> {
     of_studies.into_iter().flat_map(|(_, judged)| once(judged.into_iter().flatten())).collect()
 }
 
-/// Numbers of checks that passed, failed and were not run; one that is asked of several runs is one check.
-pub fn counts<'a>(judged: impl IntoIterator<Item = &'a Judged>) -> [usize; 3] {
-    tally(once(judged))
-}
-
 /// Numbers of those that passed, failed and were not run.
 pub fn tally<'a>(judged: impl IntoIterator<Item = &'a Judged>) -> [usize; 3] {
     let mut counts = [0; 3];
@@ -47,10 +42,9 @@ pub fn tally<'a>(judged: impl IntoIterator<Item = &'a Judged>) -> [usize; 3] {
     counts
 }
 
-/// The sentence.
+/// The sentence on checks, [`once`] each.
 pub fn of(judged: &[&Judged]) -> String {
-    let judged = &once(judged.iter().copied())[..];
-    let [pass, fail, absent] = counts(judged.iter().copied());
+    let [pass, fail, absent] = tally(judged.iter().copied());
     let own = |kind: ReferenceKind| judged.iter().filter(|one| one.reference.kind == kind).count();
     let kinds = KINDS.iter().map(|(kind, told)| (own(*kind), told)).filter(|(number, _)| *number > 0);
     let kinds: Vec<String> = kinds.map(|(number, told)| format!("{number} {told}")).collect();
@@ -78,26 +72,30 @@ pub fn failures(judged: &[&Judged]) -> String {
     }
 }
 
-/// The passed check that is closest to its tolerance, with its error.
+/// Errors below are round-off.
+pub const ROUND_OFF: f64 = 1e-9;
+
+/// The passed check that is closest to its tolerance, with its error, unless that is round-off.
 pub fn closest(judged: &[&Judged]) -> Option<String> {
-    let passed = judged.iter().filter(|one| one.verdict == Verdict::Pass && one.error > 0.0);
+    let passed = judged.iter().filter(|one| one.verdict == Verdict::Pass && one.error >= ROUND_OFF);
     let bounded = passed.filter(|one| one.check.tolerance > 0.0);
     let worst = bounded.max_by(|a, b| a.share_of_tolerance().total_cmp(&b.share_of_tolerance()))?;
-    let bound = markdown::tolerance(worst.check.tolerance);
-    Some(format!("{}, {} of {bound} allowed", worst.check.quantity, error(worst)))
+    let tolerance = in_unit(worst, worst.check.tolerance, markdown::tolerance);
+    Some(format!("{}, {} of {tolerance} allowed", worst.check.quantity, error(worst)))
 }
 
 /// The error of a check: relative ones in per cent, others in the unit of the quantity.
 pub fn error(one: &Judged) -> String {
-    in_unit(one, one.error)
+    in_unit(one, one.error, markdown::error)
 }
 
-/// An error, or a bar, in the terms of a check.
-pub fn in_unit(one: &Judged, error: f64) -> String {
-    let relative = matches!(one.check.relation, Relation::Near | Relation::Error);
-    if relative || error.abs() < 1e-4 || !error.is_finite() {
-        markdown::error(error)
-    } else {
-        markdown::significant(error, 2)
-    }
+/// An error, a bar or a tolerance in the terms of a check: as it is told where the quantity is itself an error, else in its unit.
+pub fn in_unit(one: &Judged, number: f64, told: fn(f64) -> String) -> String {
+    let of_tolerance = one.check.tolerance;
+    let relative = match one.check.relation {
+        Relation::Near => true,
+        Relation::Error => of_tolerance < 1.0,
+        Relation::NearAbsolutely | Relation::AtLeast | Relation::AtMost => false,
+    };
+    if relative || number.abs() < 1e-4 || !number.is_finite() { told(number) } else { markdown::significant(number, 2) }
 }

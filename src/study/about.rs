@@ -80,14 +80,13 @@ impl<N: 'static> Planned<N> {
     }
 }
 
-/// The checks of a trial; refused where there is none, or one that does not say against what it is held and why.
+/// The checks of a trial; refused where one does not say against what it is held and why.
 pub fn complete(title: &str, judged: Vec<Judged>) -> Result<Vec<Judged>, Error> {
-    let refused = |message: String, remedy: &str| Err(Error::at(title, message, remedy));
-    if judged.is_empty() {
-        return refused("the trial yields no check".into(), "let its study judge something");
-    }
     match judged.iter().find(|one| one.check.because.is_empty() || one.reference.name.is_empty()) {
-        Some(one) => refused(format!("the check of `{}` has no reason or reference", one.check.quantity), "give both"),
+        Some(one) => {
+            let message = format!("the check of `{}` has no reason or reference", one.check.quantity);
+            Err(Error::at(title, message, "give both"))
+        }
         None => Ok(judged),
     }
 }

@@ -131,7 +131,7 @@ impl Finding {
 
     /// Worst verdict of its checks; without one it is no pass.
     pub fn verdict(&self) -> Verdict {
-        worst(&self.judged).cloned().unwrap_or(Verdict::Fail)
+        worst(&self.judged).cloned().unwrap_or_else(|| Verdict::NotRun("it is reported only".into()))
     }
 }
 

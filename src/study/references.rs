@@ -77,19 +77,14 @@ impl Study for Numbers {
         answers.chain(sheets).collect()
     }
 
-    /// The checks: answers are known to five digits; values of a sheet well enough to be met, and they are met by the codes
-    /// that solved the case.
+    /// The checks: answers are known to five digits; values of a sheet are met by the codes that solved the case.
     fn judge(&self) -> Result<Vec<Judged>, Error> {
-        let sheet = match self {
-            Numbers::Answer { known, .. } => return Ok(known.iter().flat_map(judge_answer).collect()),
-            Numbers::Sheet(sheet) => sheet,
-        };
-        let known = sheet.values.iter().filter(|value| value.bound.is_finite() && value.value.is_finite()).count();
-        let because = "a sheet without numbers can be met by nobody";
-        let known = Check::at_least("reference values with an error bar", Reference::own("at least", 2.0), because)
-            .judge(known as f64);
-        let met = sheet.values.iter().flat_map(|value| value.others.iter().map(|other| value.met(other)));
-        Ok(std::iter::once(known).chain(met).collect())
+        Ok(match self {
+            Numbers::Answer { known, .. } => known.iter().flat_map(judge_answer).collect(),
+            Numbers::Sheet(Sheet { values, .. }) => {
+                values.iter().flat_map(|value| value.others.iter().map(|other| value.met(other))).collect()
+            }
+        })
     }
 
     /// A table an answer, and the list of the sheets.
@@ -194,14 +189,14 @@ pub fn sheet(case: &Case, discretisation: &Discretisation, run: &Run, barred: &[
         });
         let sound = run.solution.converged() && !run.is_unbounded(one.contact, &one.quantity);
         let value = if sound { factor * one.value } else { f64::NAN };
-        let (bound, others) = (factor * one.bar.total(), others.collect());
+        let (bar, others) = (factor * one.bar.total(), others.collect());
         Value {
             of,
             quantity,
             unit,
             definition: definition(&one.quantity, &case.scene, &case.scene.contacts[one.contact]),
             value,
-            bound,
+            bar,
             found: FoundBy::EightNodeCells,
             closed_form,
             others,
@@ -261,9 +256,9 @@ impl Sheet {
     /// name.
     fn takes(&mut self, scene: &Scene, pair: &ContactPair, known: &Known) {
         let (quantity, (unit, factor)) = (known.quantity.key(), known.quantity.unit(!pair.path.is_straight()));
-        let Known { value, bound, .. } = known.times(factor);
+        let Known { value, bar, .. } = known.times(factor);
         match self.values.iter_mut().find(|own| own.of == pair.name && own.quantity == quantity) {
-            Some(own) if bound <= own.bound => (own.value, own.bound, own.found) = (value, bound, FoundBy::FittedCells),
+            Some(own) if bar <= own.bar => (own.value, own.bar, own.found) = (value, bar, FoundBy::FittedCells),
             Some(_) => {}
             None if value.is_finite() => {
                 let place = self.values.iter().take_while(|own| own.of == pair.name).count();
@@ -271,7 +266,7 @@ impl Sheet {
                 let (found, definition) = (FoundBy::FittedCells, definition(&known.quantity, scene, pair));
                 let (closed_form, others, confirmed_by) = (None, Vec::new(), Vec::new());
                 let row =
-                    Value { of, quantity, unit, definition, value, bound, found, closed_form, others, confirmed_by };
+                    Value { of, quantity, unit, definition, value, bar, found, closed_form, others, confirmed_by };
                 self.values.insert(place, row);
             }
             None => {}
@@ -288,23 +283,23 @@ fn judge_answer(Answered { known, eight, others, digits, .. }: &Answered) -> Vec
     let at = |name: &'static str| case::Quantity::at(name, known.quantity.key());
     let because = "what other codes are measured against has five digits";
     let meshes = Reference::own("the other meshes", 0.0);
-    let bound = Check::error(at("relative error bar of a reference answer"), meshes, DIGITS, because)
-        .judge(known.bound / known.scale);
+    let bar = Check::error(at("relative error bar of a reference answer"), meshes, DIGITS, because)
+        .judge(known.bar / known.scale);
     let eight = eight.map(|[value, bar]| {
         let because = "the error bars of 8-node cells and of the answer";
         let quantity = at("difference of 8-node cells over what both may be off");
         Check::error(quantity, Reference::own("8-node cells", 0.0), 1.0, because)
-            .judge((value - known.value).abs() / (bar + known.bound))
+            .judge((value - known.value).abs() / (bar + known.bar))
     });
     let others = others.iter().flat_map(|other| {
         let because =
             "what both may be off: the error bar, and twice the largest difference between settings of theirs";
-        let meets = other.meets(known.value, known.bound, known.quantity.key().into_owned(), because);
+        let meets = other.meets(known.value, known.bar, known.quantity.key().into_owned(), because);
         let because = "what is to be confirmed: six digits, of pins five";
         let to = Check::error(at("difference and error bar of theirs, relative"), other.reference(), *digits, because);
         [meets, to.judge(other.confirms(known.value, known.scale))]
     });
-    [bound].into_iter().chain(eight).chain(others).collect()
+    [bar].into_iter().chain(eight).chain(others).collect()
 }
 
 fn table_of_answer([answer, order, layers, cells, eight]: [usize; 5], known: &[Answered]) -> String {
@@ -320,17 +315,17 @@ fn table_of_answer([answer, order, layers, cells, eight]: [usize; 5], known: &[A
         "found by others too (confirm it to)".into(),
     ];
     let row = |Answered { known, unit, eight, others, .. }: &Answered| {
-        let [order, layers, cells] = known.others.map(|other| to_bound(other, known.bound));
+        let [order, layers, cells] = known.others.map(|other| to_bound(other, known.bar));
         let name = known.quantity.key().into_owned();
-        let relative = significant(known.bound / known.scale, 2);
+        let relative = significant(known.bar / known.scale, 2);
         let eight = eight.map_or("–".into(), |[value, bar]| bounded(value, bar));
         let told = |other: &Other| {
             let to = significant(other.confirms(known.value, known.scale), 2);
-            format!("{}: {} ({to})", other.by, bounded(other.value, other.bound))
+            format!("{}: {} ({to})", other.by, bounded(other.value, other.bar))
         };
         let others = others.iter().map(told).collect::<Vec<_>>().join("; ");
         let others = if others.is_empty() { "–".into() } else { others };
-        vec![name, (*unit).into(), bounded(known.value, known.bound), relative, order, layers, cells, eight, others]
+        vec![name, (*unit).into(), bounded(known.value, known.bar), relative, order, layers, cells, eight, others]
     };
     markdown::table(&head, &known.iter().map(row).collect::<Vec<_>>())
 }

@@ -85,7 +85,7 @@ pub struct Value {
     pub value: f64,
     /// How far it may be off; 0 of a closed form of the very scene, null where it is not known.
     #[schemars(with = "Option<f64>")]
-    pub bound: f64,
+    pub bar: f64,
     /// How it was found.
     pub found: FoundBy,
     /// What the closed form says, which may be of an idealised scene: a half-plane, an infinite plate.
@@ -107,14 +107,14 @@ pub struct Other {
     /// Its standard uncertainty.
     pub uncertainty: f64,
     /// How far it may be off.
-    pub bound: f64,
+    pub bar: f64,
 }
 
 /// How a value was found.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum FoundBy {
-    /// By a closed form that no number of the scene departs from by more than its bound.
+    /// By a closed form that no number of the scene departs from by more than its bar.
     ClosedForm,
     /// By our cells of order 8 fitted to the contact.
     FittedCells,
@@ -130,9 +130,9 @@ pub struct Confirmed {
     /// What it found.
     pub value: f64,
     /// How far that may be off: three standard uncertainties of a refinement series and what springs leave; twice the largest difference between
-    /// settings of a method of high order; or our bound.
-    pub bound: f64,
-    /// What the value is confirmed to: difference and that bound, relative.
+    /// settings of a method of high order; or our bar.
+    pub bar: f64,
+    /// What the value is confirmed to: difference and that bar, relative.
     pub to: f64,
 }
 
@@ -153,25 +153,25 @@ const PENALTY: f64 = 2e-4;
 const SPREAD: f64 = 3.0;
 /// Part of the largest value of a unit that is as good as nothing.
 const SMALL: f64 = 1e-3;
-/// Relative bound within which our value tells a closed form of the very scene from one of an idealised scene.
+/// Relative bar within which our value tells a closed form of the very scene from one of an idealised scene.
 const TELLS: f64 = 1e-5;
 
 impl Other {
     /// On the finest mesh of a series, with its standard uncertainty: thrice that, what springs leave, and round-off.
     pub fn of_series(by: &'static str, has_penalty: bool, [value, uncertainty]: [f64; 2]) -> Self {
         let penalty = if has_penalty { PENALTY * value.abs() } else { 0.0 };
-        Self { by, value, uncertainty, bound: SPREAD * uncertainty + penalty + 1e-9 * value.abs() }
+        Self { by, value, uncertainty, bar: SPREAD * uncertainty + penalty + 1e-9 * value.abs() }
     }
 
     /// Of high order, with how far it may be off: that of two standard uncertainties.
-    pub fn of_high_order(way: Way, [value, bound]: [f64; 2]) -> Self {
-        Self { by: way.title(), value, uncertainty: 0.5 * bound, bound }
+    pub fn of_high_order(way: Way, [value, bar]: [f64; 2]) -> Self {
+        Self { by: way.title(), value, uncertainty: 0.5 * bar, bar }
     }
 
     /// In another unit.
     pub fn times(self, factor: f64) -> Self {
-        let [value, uncertainty, bound] = [self.value, self.uncertainty, self.bound].map(|own| factor * own);
-        Self { value, uncertainty, bound, ..self }
+        let [value, uncertainty, bar] = [self.value, self.uncertainty, self.bar].map(|own| factor * own);
+        Self { value, uncertainty, bar, ..self }
     }
 
     /// It, as what a difference is held against.
@@ -179,65 +179,65 @@ impl Other {
         Reference { name: self.by.into(), kind: ReferenceKind::CrossCode, value: 0.0, uncertainty: None }
     }
 
-    /// A value of ours within its bound and this one's.
-    pub fn meets(&self, value: f64, bound: f64, at: String, because: &'static str) -> Judged {
+    /// A value of ours within its bar and this one's.
+    pub fn meets(&self, value: f64, bar: f64, at: String, because: &'static str) -> Judged {
         let quantity = case::Quantity::at("difference over what both may be off", at);
-        Check::error(quantity, self.reference(), 1.0, because).judge((value - self.value).abs() / (bound + self.bound))
+        Check::error(quantity, self.reference(), 1.0, because).judge((value - self.value).abs() / (bar + self.bar))
     }
 
-    /// What it confirms a value to: difference and bound, over a scale.
+    /// What it confirms a value to: difference and bar, over a scale.
     pub fn confirms(&self, value: f64, scale: f64) -> f64 {
-        ((self.value - value).abs() + self.bound) / scale.abs()
+        ((self.value - value).abs() + self.bar) / scale.abs()
     }
 }
 
 impl Value {
-    /// Another code within our bound and its own.
+    /// Another code within our bar and its own.
     pub fn met(&self, other: &Other) -> Judged {
         let because = "our error bar and theirs, in which are meshes and springs";
-        other.meets(self.value, self.bound, format!("{}, {}", self.quantity, self.of), because)
+        other.meets(self.value, self.bar, format!("{}, {}", self.quantity, self.of), because)
     }
 
     /// What another code confirms this one to.
     fn confirmed(&self, other: &Other) -> Confirmed {
         let to = other.confirms(self.value, self.value);
-        Confirmed { by: other.by.into(), value: other.value, bound: other.bound, to }
+        Confirmed { by: other.by.into(), value: other.value, bar: other.bar, to }
     }
 
     /// The closed form, where it is of the very scene, else our value; who found it too; no digits but those that are known.
     fn published(&self, is_exact: bool) -> Self {
         let mut one = self.clone();
         if let Some(closed) = self.closed_form.filter(|_| is_exact) {
-            (one.value, one.bound, one.found) = (closed, 0.0, FoundBy::ClosedForm);
-            let Self { value, bound, found, .. } = *self;
-            let to = ((one.value - value).abs() + bound) / one.value.abs();
-            one.confirmed_by = vec![Confirmed { by: format!("our {} cells", found.name()), value, bound, to }];
+            (one.value, one.bar, one.found) = (closed, 0.0, FoundBy::ClosedForm);
+            let Self { value, bar, found, .. } = *self;
+            let to = ((one.value - value).abs() + bar) / one.value.abs();
+            one.confirmed_by = vec![Confirmed { by: format!("our {} cells", found.name()), value, bar, to }];
         }
         let met = self.others.iter().filter(|other| self.met(other).verdict == Verdict::Pass);
         let theirs: Vec<_> = met.map(|other| one.confirmed(other)).collect();
         one.confirmed_by.extend(theirs);
         one.confirmed_by.retain(|confirmed| confirmed.to.is_finite());
-        for Confirmed { value, bound, to, .. } in &mut one.confirmed_by {
-            (*value, *bound, *to) = (rounded(*value, *bound), digits(*bound, 2), digits(*to, 2));
+        for Confirmed { value, bar, to, .. } in &mut one.confirmed_by {
+            (*value, *bar, *to) = (rounded(*value, *bar), digits(*bar, 2), digits(*to, 2));
         }
-        (one.value, one.bound) = (rounded(one.value, one.bound), digits(one.bound, 2));
+        (one.value, one.bar) = (rounded(one.value, one.bar), digits(one.bar, 2));
         one.closed_form = one.closed_form.map(|closed| rounded(closed, 0.0));
         one
     }
 
-    /// Whether its closed form, where there is one, is within its bound, and that of a peak or a second-moment width narrow.
+    /// Whether its closed form, where there is one, is within its bar, and that of a peak or a second-moment width narrow.
     fn holds_closed_form(&self) -> bool {
         let telling = [Quantity::PeakPressure.key(), Quantity::SecondMomentWidth.key()];
-        let tells = !telling.contains(&self.quantity.as_str().into()) || self.bound <= TELLS * self.value.abs();
-        self.closed_form.is_none_or(|closed| (closed - self.value).abs() <= self.bound && tells)
+        let tells = !telling.contains(&self.quantity.as_str().into()) || self.bar <= TELLS * self.value.abs();
+        self.closed_form.is_none_or(|closed| (closed - self.value).abs() <= self.bar && tells)
     }
 }
 
-/// A value to the second digit of its bound; without one to six digits, and to those that all machines agree on where it is exact.
-fn rounded(value: f64, bound: f64) -> f64 {
-    match bound {
-        bound if bound.is_nan() => digits(value, 6),
-        bound if bound > 0.0 => to_place(value, 1.0 - bound.log10().floor()),
+/// A value to the second digit of its bar; without one to six digits, and to those that all machines agree on where it is exact.
+fn rounded(value: f64, bar: f64) -> f64 {
+    match bar {
+        bar if bar.is_nan() => digits(value, 6),
+        bar if bar > 0.0 => to_place(value, 1.0 - bar.log10().floor()),
         _ => digits(value, 12),
     }
 }
@@ -261,7 +261,7 @@ impl Sheet {
         let says_something = |one: &&Value| {
             let sizes = self.values.iter().filter(|other| other.unit == one.unit).map(|other| other.value.abs());
             let largest = sizes.fold(0.0, f64::max);
-            one.bound.is_nan() || one.bound < 0.5 * one.value.abs() || one.bound <= SMALL * largest
+            one.bar.is_nan() || one.bar < 0.5 * one.value.abs() || one.bar <= SMALL * largest
         };
         let values = self.values.iter().filter(says_something);
         Self { values: values.map(|value| value.published(is_exact)).collect(), ..self.clone() }
@@ -293,7 +293,7 @@ pub fn columns<'a>() -> [Column<(&'a Sheet, &'a Value)>; 13] {
         ("quantity", |(_, one)| one.quantity.clone()),
         ("unit", |(_, one)| one.unit.into()),
         ("value", |(_, one)| number(one.value)),
-        ("bound", |(_, one)| number(one.bound)),
+        ("bar", |(_, one)| number(one.bar)),
         ("found by", |(_, one)| one.found.name().into()),
         ("closed form", |(_, one)| number(one.closed_form.unwrap_or(f64::NAN))),
         ("confirmed by", |(_, one)| {
@@ -352,13 +352,13 @@ const VALUES: [Column<Value>; 7] = [
     ("of", |value| value.of.clone()),
     ("quantity", |value| value.quantity.clone()),
     ("unit", |value| value.unit.into()),
-    ("value ± error bar", |value| quoted(value.value, value.bound)),
+    ("value ± error bar", |value| quoted(value.value, value.bar)),
     ("cells", |value| value.found.name().into()),
     ("closed form", |value| value.closed_form.map_or("–".into(), |value| format!("{value:.7}"))),
     ("other codes ± error bar (confirm it to)", |value| {
         let told = |other: &Other| {
             let to = other.confirms(value.value, value.value);
-            format!("{}: {} ({})", other.by, quoted(other.value, other.bound), markdown::error(to))
+            format!("{}: {} ({})", other.by, quoted(other.value, other.bar), markdown::error(to))
         };
         match &value.others[..] {
             [] => "–".into(),
@@ -367,11 +367,11 @@ const VALUES: [Column<Value>; 7] = [
     }),
 ];
 
-fn quoted(value: f64, bound: f64) -> String {
+fn quoted(value: f64, bar: f64) -> String {
     match value.is_nan() {
         true => "without limit".into(),
-        false if bound.is_nan() => format!("{}, error bar unknown", markdown::value(value)),
-        false => bounded(value, bound),
+        false if bar.is_nan() => format!("{}, error bar unknown", markdown::value(value)),
+        false => bounded(value, bar),
     }
 }
 
@@ -396,7 +396,7 @@ pub fn of_library(name: &str) -> Option<&'static str> {
     MADE.iter().find(|(known, _)| *known == name).map(|(_, text)| *text)
 }
 
-/// A value with its bound.
-pub fn bounded(value: f64, bound: f64) -> String {
-    format!("{} ± {}", to_bound(value, bound), significant(bound, 2))
+/// A value with its bar.
+pub fn bounded(value: f64, bar: f64) -> String {
+    format!("{} ± {}", to_bound(value, bar), significant(bar, 2))
 }

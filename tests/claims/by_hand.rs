@@ -493,7 +493,7 @@ fn waves_that_are_nearly_pressed_flat_end_where_westergaard_has_it() {
 fn within_its_bar(solved: &serde_json::Value, quantity: &str, truth: f64) {
     let bars = solved["error_bars"].as_array().expect("bars");
     let one = bars.iter().find(|one| one["quantity"] == quantity).expect("a number");
-    let [value, bar] = ["value", "bound"].map(|key| one[key].as_f64().expect("known"));
+    let [value, bar] = ["value", "bar"].map(|key| one[key].as_f64().expect("known"));
     assert!((value - truth).abs() <= bar, "{quantity}: {value} ± {bar}, {truth}");
     assert!(bar <= 0.1 * truth, "{bar} says nothing");
 }

@@ -85,7 +85,7 @@ fn every_check_of_a_case_has_a_row_with_reference_tolerance_and_reason() {
         Judged { check, ..one }
     });
     assert!(checks::of(&[("first", std::slice::from_ref(&absent))]).contains("0 checks passed, 1 not run"));
-    assert!(checks::of(&[("first", &[fail, absent])]).contains("✗ 1 of 2 checks failed"));
+    assert!(checks::of(&[("first", &[fail, absent])]).contains("✗ 1 of 1 check failed"));
 }
 
 #[test]
@@ -104,13 +104,12 @@ fn both_error_bars_stand_beside_their_values_where_they_are_known() {
 }
 
 #[test]
-fn trial_without_a_check_or_with_one_that_gives_no_reason_is_an_error() {
+fn trial_with_a_check_that_gives_no_reason_or_reference_is_an_error() {
     let of = |judged: Vec<Judged>| complete("cylinder × node", judged).map(|judged| judged.len());
     let check =
         |because: &'static str, name: &str| Check::at_most("fault", Reference::own(name, 0.0), because).judge(0.0);
     assert_eq!(of(vec![check("a reason", "none")]).expect("a check"), 1);
     for (judged, says) in [
-        (vec![], "the trial yields no check"),
         (vec![check("a reason", "none"), check("", "none")], "no reason or reference"),
         (vec![check("a reason", "")], "no reason or reference"),
     ] {
@@ -149,7 +148,7 @@ fn what_is_asked_of_several_runs_is_one_check_and_as_bad_as_its_worst_run() {
     let hertz = |value: f64| Check::near("width", Reference::analytic("Hertz", 2.0), 0.1, "a reason").judge(value);
     let absent =
         || Check::none("imbalance", "statics").not_run(ReferenceKind::SelfConsistency, "zero", "no run".into());
-    let fold = |all: &[Judged]| told::counts(all);
+    let fold = |all: &[Judged]| told::tally(told::once(all));
     assert_eq!(fold(&[own(1e-12), own(1e-10), own(0.0), hertz(2.1), hertz(2.15)]), [2, 0, 0]);
     assert_eq!(fold(&[hertz(2.1), hertz(2.3), hertz(f64::NAN)]), [0, 1, 0]);
     // Another reference, or another tolerance, is another check.
@@ -233,7 +232,8 @@ fn angles_are_told_and_judged_in_degrees_where_they_are_given_in_degrees() {
     let folder = Folder::made();
     let csv = folder.at("p.csv");
     let (sound, table, _) = contact_vv(&["solve", &scene("press-fit"), "--all", "--csv", &csv]);
-    assert!(sound && table.contains("contact pressure at s = 45° [MPa]") && !table.contains("0.785"), "{table}");
+    let words = table.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(sound && words.contains("contact pressure at s = 45° [MPa]") && !table.contains("0.785"), "{table}");
     let mut rows = csv::Reader::from_path(&csv).expect("a table");
     assert_eq!(rows.headers().expect("a head").get(0), Some("position [deg]"));
     let last = rows.deserialize::<(f64, f64, f64, f64, String)>().last().expect("a row").expect("numbers");

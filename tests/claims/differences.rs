@@ -238,6 +238,21 @@ fn failures_against_truths_come_first_and_stale_records_are_one_last_line() {
     assert!(!text.contains("New checks that FAIL"), "{text}");
     assert_eq!(lines.last(), Some(&"STALE records: 2 (`snapshots/coverage.csv`, `snapshots/met.csv`)"), "{text}");
     assert!(difference.worse && difference.laxer);
+    // Records of other sources alone make no verdict worse.
+    let record = |verdict: Mark, error: f64| {
+        tree(&[CheckRow {
+            verdict,
+            error,
+            share: f64::INFINITY,
+            tolerance: 0.0,
+            ..own("faults", "snapshots/fuzz.json")
+        }])
+    };
+    let old = record(Mark::NotRun, 1.0);
+    let (text, worse) = told(&record(Mark::Pass, 0.0), &old);
+    assert!(!worse && text.contains("no verdict got worse") && text.contains("STALE records: 1"), "{text}");
+    let (text, _) = told(&old, &record(Mark::NotRun, 3.0));
+    assert!(text.contains("Numbers that moved: 1") && !text.contains("inf"), "{text}");
     // What follows a bar alone is not laxer; what is gone is.
     let mut rows = checks();
     (rows[1].tolerance, rows[1].bar) = (2.0 * rows[1].tolerance, rows[1].bar.map(|bar| 2.0 * bar));
@@ -275,7 +290,7 @@ fn timings_measured_anew_are_apart_and_within_noise_where_spreads_overlap() {
 fn references_that_stay_within_their_bars_are_counted_and_the_others_told() {
     let path = "snapshots/references.csv";
     let table =
-        |value: &str, bound: &str| format!("case,quantity,value,bound\npin,peak,{value},{bound}\npin,width,2,0.1\n");
+        |value: &str, bound: &str| format!("case,quantity,value,bar\npin,peak,{value},{bound}\npin,width,2,0.1\n");
     let before = tree(&checks()).with("before", vec![(path.into(), table("1.0", "0.1"))], &[]);
     let moved = |value: &str, bound: &str| {
         told(&before, &before.with("after", vec![(path.into(), table(value, bound))], &[])).0
@@ -285,7 +300,7 @@ fn references_that_stay_within_their_bars_are_counted_and_the_others_told() {
     let text = moved("1.25", "0.1");
     assert!(text.contains("references.csv: 1 of 2 rows changed\n  pin × peak, value: 1.0 → 1.25 (× 1.25)"), "{text}");
     // A wider bar hides nothing: it is told itself.
-    assert!(moved("1.25", "0.2").contains("pin × peak, bound: 0.1 → 0.2 (doubled)"));
+    assert!(moved("1.25", "0.2").contains("pin × peak, bar: 0.1 → 0.2 (doubled)"));
 }
 
 #[test]

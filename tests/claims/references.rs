@@ -42,8 +42,8 @@ fn bounds_of_reference_answers_hold_the_error_of_truncated_hertz_and_are_below_1
         for (quantity, truth) in truths {
             let one = of(&known, quantity.clone());
             let error = (one.value - truth).abs();
-            assert!(error <= one.bound, "{quantity:?} at {factor}: {error:e} > {:e}", one.bound);
-            assert!(one.bound <= 1e-5 * one.scale, "{quantity:?} at {factor}: {:e} of {}", one.bound, one.scale);
+            assert!(error <= one.bar, "{quantity:?} at {factor}: {error:e} > {:e}", one.bar);
+            assert!(one.bar <= 1e-5 * one.scale, "{quantity:?} at {factor}: {:e} of {}", one.bar, one.scale);
         }
     }
 }
@@ -76,8 +76,8 @@ fn a_number_that_another_mesh_or_8_node_cells_contradict_turns_its_check_red() {
         failed(&spoiled(&sound, |all| spoil(all.iter_mut().find(own).expect("measured"))))
     };
     let wide = "relative error bar of a reference answer, second-moment-width";
-    assert_eq!(with(&|one| one.known.bound = 2e-5 * one.known.scale), [wide]);
-    assert_eq!(with(&|one| one.known.bound = f64::NAN), [wide]);
+    assert_eq!(with(&|one| one.known.bar = 2e-5 * one.known.scale), [wide]);
+    assert_eq!(with(&|one| one.known.bar = f64::NAN), [wide]);
     let off = "difference of 8-node cells over what both may be off, second-moment-width";
     assert_eq!(with(&|one| one.eight = Some([1.01 * one.known.value, 1e-3 * one.known.value])), [off]);
     assert_eq!(with(&|one| one.eight = Some([f64::NAN; 2])), [off]);
@@ -85,11 +85,11 @@ fn a_number_that_another_mesh_or_8_node_cells_contradict_turns_its_check_red() {
         "difference over what both may be off, second-moment-width",
         "difference and error bar of theirs, relative, second-moment-width",
     );
-    // What another found beside it: sound, out of both bounds, within its own wide bound, and no number.
-    let other = |off: f64, bound: f64| {
+    // What another found beside it: sound, out of both bounds, within its own wide bar, and no number.
+    let other = |off: f64, bar: f64| {
         with(&|own| {
             let value = (1.0 + off) * own.known.value;
-            own.others = vec![Other { by: "another", value, uncertainty: 0.5 * bound, bound }];
+            own.others = vec![Other { by: "another", value, uncertainty: 0.5 * bar, bar }];
         })
     };
     assert_eq!(other(1e-9, 1e-9), Vec::<String>::new());
@@ -117,7 +117,7 @@ fn a_value_that_another_code_does_not_meet_turns_red() {
             assert!(!green(&ours) && !green(&theirs), "{} times {times}", sound.values[k].quantity);
         }
     }
-    let unbounded = |sheet: &mut Sheet| sheet.values.iter_mut().for_each(|value| value.bound = f64::NAN);
+    let unbounded = |sheet: &mut Sheet| sheet.values.iter_mut().for_each(|value| value.bar = f64::NAN);
     assert!(!green(&spoiled(&sound, unbounded)));
 }
 
@@ -141,11 +141,11 @@ fn values_as_data_are_those_of_the_sheets_confirmed_only_by_codes_that_meet_them
     let peak = |sheet: &Sheet| sheet.values.iter().find(|one| one.quantity == "peak-pressure").expect("a peak").clone();
     let (ours, one) = (peak(&sound), peak(&published));
     // The closed form is of the very scene, and our own cells are among those that found it.
-    assert_eq!((one.found, one.bound), (FoundBy::ClosedForm, 0.0));
+    assert_eq!((one.found, one.bar), (FoundBy::ClosedForm, 0.0));
     assert_eq!(one.confirmed_by.len(), 1 + ours.others.len());
     // To no better than springs and meshes of the codes with a penalty leave.
     for by in &one.confirmed_by {
-        assert!((by.value - one.value).abs() + by.bound <= 1.06 * by.to * one.value && by.to <= 2.2e-3, "{by:?}");
+        assert!((by.value - one.value).abs() + by.bar <= 1.06 * by.to * one.value && by.to <= 2.2e-3, "{by:?}");
     }
     let mut spoiled = sound.clone();
     let place = spoiled.values.iter().position(|one| one.quantity == "peak-pressure").expect("a peak");
@@ -194,7 +194,7 @@ fn program_prints_the_reference_values_of_every_case_and_their_schema() {
             .flat_map(|value| value["confirmed_by"].as_array())
             .flatten();
         for by in confirmed.filter(|by| !by["by"].as_str().is_some_and(|by| by.starts_with("our"))) {
-            let told = format!("± {} (", significant(by["bound"].as_f64().expect("a number"), 2));
+            let told = format!("± {} (", significant(by["bar"].as_f64().expect("a number"), 2));
             let named = format!("{}: ", by["by"].as_str().expect("a name"));
             let mut cells = sheet.split(['|', ';']).filter(|cell| cell.trim().starts_with(&named));
             assert!(cells.any(|cell| cell.contains(&told)), "{name}: {named}{told}");
@@ -206,8 +206,8 @@ fn program_prints_the_reference_values_of_every_case_and_their_schema() {
     for value in cases.iter().flat_map(|one| one["values"].as_array().expect("values")) {
         let names = |object: &Value| object.as_object().expect("an object").keys().cloned().collect::<Vec<_>>();
         assert_eq!(names(value), names(&schema["definitions"]["Value"]["properties"]), "{value}");
-        let bound = value["bound"].as_f64().filter(|_| value["value"].is_number());
-        assert!(bound.is_none_or(|bound| bound >= 0.0), "{value}");
+        let bar = value["bar"].as_f64().filter(|_| value["value"].is_number());
+        assert!(bar.is_none_or(|bar| bar >= 0.0), "{value}");
     }
 }
 
@@ -248,11 +248,11 @@ fn both_ways_of_high_order_tell_the_same_numbers_within_what_they_may_be_off() {
         let told = |numbers: &BTreeMap<String, [f64; 2]>| numbers.keys().cloned().collect::<BTreeSet<_>>();
         assert_eq!(told(&boundary.numbers), told(&elements.numbers), "{name}");
         assert!(told(&boundary.numbers).len() >= 5, "{name}: {:?}", told(&boundary.numbers));
-        for (key, [value, bound]) in &boundary.numbers {
+        for (key, [value, bar]) in &boundary.numbers {
             let [other, off] = elements.numbers[key];
-            assert!((value - other).abs() <= bound + off, "{name}, {key}: {value} ± {bound:e}, {other} ± {off:e}");
+            assert!((value - other).abs() <= bar + off, "{name}, {key}: {value} ± {bar:e}, {other} ± {off:e}");
             let scale = if key == "peak-place" { boundary.numbers["end"][0] } else { value.abs() };
-            assert!(bound + off <= 1e-6 * scale, "six digits of {name}, {key}: ± {bound:e}, ± {off:e}");
+            assert!(bar + off <= 1e-6 * scale, "six digits of {name}, {key}: ± {bar:e}, ± {off:e}");
         }
     }
 }

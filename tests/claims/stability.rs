@@ -101,14 +101,13 @@ fn no_prediction_of_a_rate_takes_the_place_of_another() {
     };
     let judged = |start: Rate| Numbers::Rates(vec![start; 3]).judge().expect("judged").len();
     // The slowest mode alone: both predictions are judged. Not alone: the linear iteration is.
-    assert_eq!(judged(start(0.96, 0.96)), 7);
-    assert_eq!(judged(start(0.95, 0.95)), 4);
+    assert_eq!(judged(start(0.96, 0.96)), 6);
+    assert_eq!(judged(start(0.95, 0.95)), 3);
     assert!(!fails(Numbers::Rates(vec![start(0.96, 0.96); 3])));
     assert!(!fails(Numbers::Rates(vec![start(0.95, 0.95); 3])));
     assert!(fails(Numbers::Rates(vec![start(0.95, 0.96); 3])));
     assert!(fails(Numbers::Rates(vec![start(0.96, 0.95); 3])));
     assert!(fails(Numbers::Rates(vec![start(0.96, f64::NAN); 3])));
-    assert!(fails(Numbers::Rates(vec![start(0.96, 0.96); 2])), "too few");
 }
 
 #[test]
@@ -120,7 +119,6 @@ fn hertz_rate_turns_red_where_the_measured_one_is_not_within_its_factor_or_not_t
     for measured in [Some(0.979), Some(0.996), Some(f64::NAN)] {
         assert!(fails(Numbers::Before([&right[..], &[start(measured)]].concat())), "{measured:?}");
     }
-    assert!(fails(Numbers::Before([&right[..2], &[start(None)]].concat())), "too few");
     assert!(fails(Numbers::Before(Vec::new())));
 }
 

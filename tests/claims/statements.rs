@@ -7,7 +7,7 @@ use contact_vv::solve::{Element, Iteration};
 use contact_vv::study::paper::reading::{Axis, Candidates, Reading, Stop};
 use contact_vv::study::paper::sentence::{Met, Seen, Sentence, Starts, agrees};
 use contact_vv::study::paper::statement::{Course, courses, shown};
-use contact_vv::study::paper::statement::{Fared, Judgement, NONE};
+use contact_vv::study::paper::statement::{Fared, Judgement};
 use contact_vv::study::{Finding, Study, paper};
 
 use crate::workbench;
@@ -138,11 +138,13 @@ fn judgement_names_what_would_have_to_be_so() {
 
 #[test]
 fn departures_that_flip_a_sentence_are_told_and_pairs_that_go_another_way_than_their_parts() {
-    let told = |holds: &dyn Fn(&Reading) -> bool| fared(holds).told();
+    let begin = format!("of {} departures counted: ", Reading::departures().len());
+    let told = |holds: &dyn Fn(&Reading) -> bool| fared(holds).told().trim_start_matches(&begin).to_owned();
     let [edge, state] = ["candidates end where the contact does", "runs stop by contact state"];
     let is_edge = |one: &Reading| one.candidates == Candidates::AtEdge;
     let is_state = |one: &Reading| one.stop.criterion == Criterion::State;
-    assert_eq!(told(&|_| true), NONE);
+    assert_eq!(fared(|_| true).told(), begin.clone() + "none flips it");
+    assert_eq!(Fared::by(|_| true, |one| !is_edge(one)).counted, Reading::departures().len() - 1);
     assert_eq!(told(&|one| is_edge(one)), format!("holds if {edge}"));
     assert_eq!(told(&|one| !is_edge(one)), format!("fails if {edge}"));
     assert_eq!(told(&|one| is_edge(one) && is_state(one)), format!("holds if together {edge} and {state}"));

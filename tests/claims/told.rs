@@ -160,7 +160,9 @@ fn solve_prints_the_numbers_one_quotes_rounded_to_their_bars_on_80_columns() {
             "{text}"
         );
         let contacts = document["contacts"].as_array().expect("contacts");
-        let rows = |name: &str| text.lines().filter(|line| line.trim_start().starts_with(name)).collect::<Vec<_>>();
+        let rows = |name: &str| {
+            text.lines().filter(|line| line.trim_start().starts_with(&format!("{name} "))).collect::<Vec<_>>()
+        };
         let peaks = rows("peak pressure");
         assert_eq!(peaks.len(), contacts.len(), "{text}");
         for (line, contact) in peaks.into_iter().zip(contacts) {

@@ -1,7 +1,7 @@
 //! `[[body]]`: outline, material, supports and loads.
 
 use crate::case::file::blocks::BLOCK;
-use crate::case::file::form::Form::{Flag, List, Number, OneOf, Table, Text};
+use crate::case::file::form::Form::{Flag, List, Number, OneOf, Table, Text, Word};
 use crate::case::file::form::{Form, PAIR, may, must};
 use crate::case::file::loads::LOAD;
 use crate::case::file::named::{PLACE, component, place, same_place};
@@ -10,19 +10,19 @@ use crate::case::file::{blocks, loads, mesh_file};
 use crate::error::Error;
 use crate::scene::{Body, Circle, Face, Material, PlaneHypothesis, Sector, Shape, Support};
 
-/// `[[body]]`; its `density` is that of its elements over those of the mesh.
+/// `[[body]]`.
 pub(super) const BODY: Form = Table(&[
-    must("name", Text),
-    must("young", Number),
-    must("poisson", Number),
-    must("shape", SHAPE),
-    may("density", Number),
-    may("supports", List(&SUPPORT)),
-    may("loads", List(&LOAD)),
+    must("name", Text).told("in messages, results and checks"),
+    must("young", Number).told("Young's modulus"),
+    must("poisson", Number).told("Poisson's ratio: above -1, below 1/2 but in plane stress"),
+    must("shape", SHAPE).told("its outline, blocks, or cells of a mesh file"),
+    may("density", Number).told("its candidate elements over those of the mesh; 1 by default"),
+    may("supports", List(&SUPPORT)).told("what is fixed, or displaced by a value"),
+    may("loads", List(&LOAD)).told("what acts on it"),
 ]);
 
 /// `{ at = "left", component = "x", value = 0.0 }`: no displacement where `value` is left out.
-const SUPPORT: Form = Table(&[must("at", PLACE), must("component", Text), may("value", Number)]);
+const SUPPORT: Form = Table(&[must("at", PLACE), must("component", Word(|| vec!["x", "y"])), may("value", Number)]);
 
 const SHAPE: Form = OneOf(&[
     // Axis-parallel, with its side `contact`: bottom or top.

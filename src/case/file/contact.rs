@@ -21,29 +21,20 @@ pub(super) const CONTACTS: Form = Own(&[ONE, List(&ONE)], |value| match value.ge
 });
 
 const ONE: Form = Table(&[
-    // In messages, results and checks: of the bodies where it is left out.
-    may("name", Text),
-    // The body on which positions and areas are measured, and its boundary that touches: `contact` where it is left out.
-    must("first", Text),
-    may("first-side", Text),
-    // The primary body, a rigid one where it is left out, and its boundary.
-    may("second", Text),
-    may("second-side", Text),
-    must("gap", GAP),
-    // The gap is the one given even where the bodies are drawn with another.
-    may("gap-only", Flag),
-    // The path is an arc: contact coordinates are angles from the downward vertical [°].
-    may("arc", Table(&[must("centre", PAIR), must("radius", Number)])),
-    // Where s = 0 lies on a straight path; [0, 0] where it is left out.
-    may("origin", PAIR),
-    // Candidates lie from 0 to here, on both sides where it has both: a length, or degrees on an arc.
-    must("stretch", Number),
-    // The contact lies on both sides of s = 0.
-    may("both-sides", Flag),
-    // The scene shows half of a symmetric problem; true where it is left out and the contact has one side.
-    may("symmetric", Flag),
-    // The closed form that checks without a value are held against.
-    may("oracle", ORACLE),
+    may("name", Text).told("in messages, results and checks: of its bodies where it is left out"),
+    must("first", Text).told("the body on which positions and areas are measured"),
+    may("first-side", Text).told("its boundary that touches: `contact` by default"),
+    may("second", Text).told("the primary body; a rigid one where it is left out"),
+    may("second-side", Text).told("the boundary of that one"),
+    must("gap", GAP).told("initial gap along the contact coordinate s"),
+    may("gap-only", Flag).told("the gap holds even where the bodies are drawn with another"),
+    may("arc", Table(&[must("centre", PAIR), must("radius", Number)]))
+        .told("the path is an arc: contact coordinates are angles from the downward vertical [degrees]"),
+    may("origin", PAIR).told("where s = 0 lies on a straight path; [0, 0] by default"),
+    must("stretch", Number).told("candidates lie from s = 0 to here: a length, or degrees on an arc"),
+    may("both-sides", Flag).told("the contact lies on both sides of s = 0"),
+    may("symmetric", Flag).told("the scene is half of a symmetric one; true by default where the contact has one side"),
+    may("oracle", ORACLE).told("the closed form that checks without a value are held against"),
 ]);
 
 /// Largest stretch on an arc \[°\].

@@ -8,11 +8,12 @@ use crate::case::definition::Case;
 use crate::case::file::bodies::BODY;
 use crate::case::file::contact::CONTACTS;
 use crate::case::file::folder::nearest_to;
-use crate::case::file::form::Form::{List, Number, Table, Text};
-use crate::case::file::form::{DESCRIBED, Form, Mistake, may, must};
+use crate::case::file::form::Form::{List, Number, Table, Text, Word};
+use crate::case::file::form::{DESCRIBED, Form, Mistake, may, must, names};
 use crate::case::file::mesh::{MESH, MeshTable};
 use crate::case::file::places::Places;
 use crate::case::file::reference::REFERENCE;
+use crate::case::file::revolution::PLANES;
 use crate::case::file::solve::SOLVE;
 use crate::case::file::source::Source;
 use crate::case::file::units::{FORCES, LENGTHS, STRESSES, Units};
@@ -27,21 +28,25 @@ use crate::scene::{Body, ReferenceValues, Scene};
 /// Largest file that is read \[bytes\].
 const LARGEST_FILE: u64 = 1 << 20;
 
+const UNITS: Form = Table(&[
+    may("length", Word(|| names(&LENGTHS))),
+    may("force", Word(|| names(&FORCES))),
+    may("stress", Word(|| names(&STRESSES))),
+]);
+
 const DOCUMENT: Form = Table(&[
-    may("title", Text),
-    may("source", Text),
-    must("plane", Text),
-    // Of bodies of revolution: y, about which they are turned where it is left out, or x.
-    may("axis", Text),
-    // Not of bodies of revolution, which have none.
-    may("thickness", Number),
-    may("units", Table(&[may("length", Text), may("force", Text), may("stress", Text)])),
-    must("body", List(&BODY)),
-    must("contact", CONTACTS),
-    may("reference", REFERENCE),
-    may("mesh", MESH),
-    may("solve", SOLVE),
-    may("check", List(&CHECK)),
+    may("title", Text).told("what it is, in a sentence"),
+    may("source", Text).told("where it comes from; that of its closed forms is known"),
+    must("plane", Word(|| names(&PLANES))).told("plane strain, plane stress, or bodies of revolution"),
+    may("axis", Word(|| vec!["y", "x"])).told("of bodies of revolution: what they are turned about; y by default"),
+    may("thickness", Number).told("of plane bodies; bodies of revolution have none"),
+    may("units", UNITS).told("of all numbers: mm, N and MPa by default"),
+    must("body", List(&BODY)).told("the bodies that take part in contacts"),
+    must("contact", CONTACTS).told("one contact, or several"),
+    may("reference", REFERENCE).told("a start only: what makes `stiffness` a pure number"),
+    may("mesh", MESH).told("elements on the contact, or an accuracy; bodies whose mesh is given need none"),
+    may("solve", SOLVE).told("contact element, algorithm and when to stop"),
+    may("check", List(&CHECK)).told("what shall hold: `solve` and `verify` judge it"),
 ]);
 
 /// The schema of a scene file, for editors (JSON Schema, draft 7).

@@ -24,6 +24,8 @@ pub(super) enum Form {
     Byte,
     /// A name, or words.
     Text,
+    /// One of some words, which whoever reads it refuses.
+    Word(fn() -> Vec<&'static str>),
     /// True or false.
     Flag,
     /// Entries of one form; how many they must be is told where they are read.
@@ -41,6 +43,7 @@ pub(super) struct Key {
     name: &'static str,
     needed: bool,
     form: Form,
+    told: &'static str,
 }
 
 /// Where a file departs from its form, and how.
@@ -51,12 +54,32 @@ pub(super) const PAIR: Form = Form::List(&Form::Number);
 
 /// A key that a table must have.
 pub(super) const fn must(name: &'static str, form: Form) -> Key {
-    Key { name, needed: true, form }
+    Key { name, needed: true, form, told: "" }
 }
 
 /// A key that may be left out.
 pub(super) const fn may(name: &'static str, form: Form) -> Key {
-    Key { name, needed: false, form }
+    Key { name, needed: false, form, told: "" }
+}
+
+impl Key {
+    /// The same with what an editor tells of it.
+    pub(super) const fn told(self, told: &'static str) -> Self {
+        Self { told, ..self }
+    }
+
+    fn schema(&self) -> Value {
+        let mut schema = self.form.schema();
+        if !self.told.is_empty() {
+            schema["description"] = self.told.into();
+        }
+        schema
+    }
+}
+
+/// The names of a list of choices.
+pub(super) fn names<T>(known: &[(&'static str, T)]) -> Vec<&'static str> {
+    known.iter().map(|(name, _)| *name).collect()
 }
 
 impl Form {
@@ -66,7 +89,7 @@ impl Form {
             (Self::Number, _) => is::<f64>(value),
             (Self::Count, _) => is::<usize>(value),
             (Self::Byte, _) => is::<u8>(value),
-            (Self::Text, _) => is::<String>(value),
+            (Self::Text | Self::Word(_), _) => is::<String>(value),
             (Self::Flag, _) => is::<bool>(value),
             (Self::List(form), DeValue::Array(entries)) => entries.iter().try_for_each(|entry| form.check(entry)),
             (Self::List(_), _) => is::<Vec<IgnoredAny>>(value),
@@ -77,25 +100,24 @@ impl Form {
         }
     }
 
-    /// Its JSON Schema, for editors; what a rule of its own refuses, and which words and names are known, is not in it.
+    /// Its JSON Schema, for editors; what a rule of its own refuses is not in it.
     pub(super) fn schema(&self) -> Value {
-        let of = |forms: &mut dyn Iterator<Item = (&'static str, &Form)>| {
-            forms.map(|(name, form)| (name.to_owned(), form.schema())).collect::<Map<_, _>>()
-        };
         match self {
             Self::Number => json!({"type": "number"}),
             Self::Count => json!({"type": "integer", "minimum": 0}),
             Self::Byte => json!({"type": "integer", "minimum": 0, "maximum": u8::MAX}),
             Self::Text => json!({"type": "string"}),
+            Self::Word(known) => json!({"type": "string", "enum": known()}),
             Self::Flag => json!({"type": "boolean"}),
             Self::List(form) => json!({"type": "array", "items": form.schema()}),
             Self::Table(keys) => {
                 let needed: Vec<&str> = keys.iter().filter(|key| key.needed).map(|key| key.name).collect();
-                let properties = of(&mut keys.iter().map(|key| (key.name, &key.form)));
+                let properties: Map<_, _> = keys.iter().map(|key| (key.name.to_owned(), key.schema())).collect();
                 json!({"type": "object", "properties": properties, "required": needed, "additionalProperties": false})
             }
             Self::OneOf(known) => {
-                let properties = of(&mut known.iter().map(|(name, form)| (*name, form)));
+                let properties: Map<_, _> =
+                    known.iter().map(|(name, form)| ((*name).to_owned(), form.schema())).collect();
                 json!({"type": "object", "properties": properties, "minProperties": 1, "maxProperties": 1, "additionalProperties": false})
             }
             Self::Own(forms, _) => json!({"anyOf": forms.iter().map(Self::schema).collect::<Vec<_>>()}),

@@ -12,12 +12,12 @@ use crate::scene::{Grading, Scene, Shape};
 /// `[mesh]`: `elements` of the candidate stretch on every length `per`, or an `accuracy`; bodies whose mesh is given need
 /// neither.
 pub(super) const MESH: Form = Table(&[
-    may("elements", Count),
-    may("per", Number),
-    may("order", Byte),
-    may("growth", GROWTH),
-    may("accuracy", Text),
-    may("quantity", List(&Text)),
+    may("elements", Count).told("candidate elements on every length `per`"),
+    may("per", Number).told("the length that has so many `elements`"),
+    may("order", Byte).told("of the cells: 1 of 4 nodes, 2 of 8 nodes, 4 to 8"),
+    may("growth", GROWTH).told("ratios of neighbouring elements away from the contact"),
+    may("accuracy", Text).told("relative error of peak and half-width that chooses the mesh, such as \"0.1 %\""),
+    may("quantity", List(&Text)).told("what the accuracy is of"),
 ]);
 
 /// Size ratios of neighbours beyond the candidates and into the depth; the coarsest element over the size of the body, the height

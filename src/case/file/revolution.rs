@@ -7,14 +7,16 @@ use crate::error::Error;
 use crate::scene::revolution::{NO_HALF, beside};
 use crate::scene::{ContactPair, PlaneHypothesis};
 
+/// The hypotheses that a file may name.
+pub(super) const PLANES: [(&str, PlaneHypothesis); 3] = [
+    ("strain", PlaneHypothesis::Strain),
+    ("stress", PlaneHypothesis::Stress),
+    ("axisymmetric", PlaneHypothesis::Axisymmetric),
+];
+
 /// The plane hypothesis; of bodies of revolution about the `axis` that is named, `y` where none is.
 pub(super) fn plane(file: Value) -> Result<PlaneHypothesis, Error> {
-    let known = [
-        ("strain", PlaneHypothesis::Strain),
-        ("stress", PlaneHypothesis::Stress),
-        ("axisymmetric", PlaneHypothesis::Axisymmetric),
-    ];
-    let plane = file.at("plane").choice("plane hypothesis", &known)?;
+    let plane = file.at("plane").choice("plane hypothesis", &PLANES)?;
     match file.get("axis") {
         Some(axis) if plane.is_of_revolution() => {
             axis.choice("axis", &[("y", plane), ("x", PlaneHypothesis::AxisymmetricAboutX)])

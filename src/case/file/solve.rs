@@ -1,7 +1,7 @@
 //! `[solve]`: how the scene is solved.
 
 use crate::algorithm::{Acceleration, Criterion, Spring, StiffnessRule, StiffnessUnit};
-use crate::case::file::form::Form::{Count, Number, Own, Table, Text};
+use crate::case::file::form::Form::{Count, Number, Own, Table, Word};
 use crate::case::file::form::{Form, may};
 use crate::case::file::value::Value;
 use crate::error::Error;
@@ -17,18 +17,18 @@ pub(super) const SOLVE: Form = Own(&[KEYS], |value| {
 });
 
 const KEYS: Form = Table(&[
-    may("element", Text),
-    may("algorithm", Text),
-    may("rule", Text),
-    may("bound", Number),
-    may("spring", Text),
-    may("stiffness", Number),
-    may("layer-thickness", Number),
-    may("acceleration", Text),
-    may("increments", Count),
-    may("criterion", Text),
-    may("tolerance", Number),
-    may("max-iterations", Count),
+    may("element", Word(|| Element::NAMES.into())).told("contact element; node by default"),
+    may("algorithm", Word(|| Iteration::NAMES.into())).told("how springs change; kinematic by default"),
+    may("rule", Word(|| StiffnessRule::NAMES.into())).told("by which formula; the algorithm's own by default"),
+    may("bound", Number).told("largest factor on a stiffness in an iteration; inf is none"),
+    may("spring", Word(|| Spring::NAMES.into())).told("what has a stiffness of its own; point by default"),
+    may("stiffness", Number).told("initial spring stiffness in units of E*/l"),
+    may("layer-thickness", Number).told("of the layer element, over the length of its edge"),
+    may("acceleration", Word(|| Acceleration::NAMES.into())).told("what is added to the algorithm"),
+    may("increments", Count).told("load increments; 1 by default"),
+    may("criterion", Word(|| Criterion::NAMES.into())).told("what shall fall below the tolerance; error by default"),
+    may("tolerance", Number).told("1e-3 by default"),
+    may("max-iterations", Count).told("iterations after which it ends without convergence"),
     may("max-steps", Count),
 ]);
 

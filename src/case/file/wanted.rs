@@ -1,7 +1,7 @@
 //! `[[check]]`: the checks of a scene file.
 
-use crate::case::file::form::Form::{Number, Table, Text};
-use crate::case::file::form::{Form, may, must};
+use crate::case::file::form::Form::{Number, Table, Text, Word};
+use crate::case::file::form::{Form, may, must, names};
 use crate::case::file::named::{self, OF_BODY};
 use crate::case::file::value::Value;
 use crate::case::{self, Check, Reference, Relation};
@@ -12,18 +12,18 @@ use crate::scene::{Component, ContactPair, Displaced, Place, Scene};
 
 /// `[[check]]`.
 pub(super) const CHECK: Form = Table(&[
-    must("quantity", Text),
-    may("contact", Text),
-    may("at", Number),
+    must("quantity", Word(|| names(&QUANTITIES))).told("what is measured"),
+    may("contact", Text).told("of which contact, where there are several"),
+    may("at", Number).told("where, of a pressure"),
     may("support", OF_BODY),
     may("of", OF_BODY),
     may("body", Text),
-    may("value", Number),
-    must("tolerance", Number),
-    may("model-error", Number),
-    may("kind", Text),
-    may("source", Text),
-    may("because", Text),
+    may("value", Number).told("what it shall be; what the `oracle` of the contact says where it is left out"),
+    must("tolerance", Number).told("relative; absolute where the value is 0"),
+    may("model-error", Number).told("what a closed form itself may be off for this scene"),
+    may("kind", Word(|| names(&KINDS))).told("what kind of truth the value is"),
+    may("source", Text).told("where the value comes from"),
+    may("because", Text).told("why this tolerance"),
 ]);
 
 /// What a check may ask for, as files name it; its place, body, support or side is filled in from the other keys.

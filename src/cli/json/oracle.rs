@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use crate::case::Case;
+use crate::case::{self, Case};
 use crate::markdown;
 use crate::measure::{Quantity, relative_error};
 use crate::oracle::ReferenceKind;
@@ -54,6 +54,9 @@ fn of_contact(problem: &Case, run: &Run, contact: usize) -> Vec<OracleReading> {
         };
         let reference = problem.reading(contact, &of);
         let (unit, factor) = of.unit(!pair.path.is_straight());
+        let is_width = matches!(of, Quantity::HalfWidth | Quantity::SecondMomentWidth);
+        let on_scene = case::Quantity::on(&problem.scene, contact, of);
+        let name = if is_width { on_scene.name() } else { name };
         OracleReading {
             contact: pair.name.clone(),
             name: reference.name,

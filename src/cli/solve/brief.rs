@@ -22,6 +22,8 @@ const COLUMNS: u16 = 80;
 const ROUND_OFF: f64 = 1e-9;
 /// Length within which a corner is told \[mm\].
 const FINE: f64 = 1e-3;
+/// Difference of pressures over the largest within which they are uniform.
+const EVEN: f64 = 1e-2;
 /// Digits of a number of which no bar is known.
 const DIGITS: usize = 3;
 /// What is quoted of a closed form.
@@ -73,7 +75,10 @@ fn of_contact(found: &Found, contact: usize) -> Vec<[String; 2]> {
     }
     let place = number(&Quantity::PeakPlace);
     // A uniform pressure has its peak anywhere.
-    let is_anywhere = place.bar.is_some_and(|bar| bar >= place.factor * measures.half_width());
+    let pressures = || found.run.solution.points_of(contact).iter().map(|point| point.pressure);
+    let [least, most] = [f64::min, f64::max].map(|of| pressures().filter(|p| *p > 0.0).reduce(of).unwrap_or(f64::NAN));
+    let is_anywhere =
+        most - least <= EVEN * most || place.bar.is_some_and(|bar| bar >= place.factor * measures.half_width());
     let at = if is_anywhere { String::new() } else { format!(" at {}", place.told()) };
     let peak = match measured.unbounded {
         Some(Unbounded { position, .. }) => {
@@ -155,10 +160,10 @@ fn of_oracles(found: &Found) -> impl Iterator<Item = [String; 2]> + '_ {
     for [contact, name] in names {
         let own = all.iter().filter(|one| one.contact == contact && one.name == name);
         let own = own.filter(|one| COMPARED.contains(&one.quantity));
-        let off = own.map(|one| format!("{}, {} off", one.told, markdown::error(one.error)));
-        let text = off.collect::<Vec<_>>().join("; ");
-        let row = [name, if several { format!("`{contact}`: {text}") } else { text }];
-        if !row[1].is_empty() && !told.contains(&row) {
+        let off: Vec<String> = own.map(|one| format!("{}, {} off", one.told, markdown::error(one.error))).collect();
+        let of = if several { format!("`{contact}`, ") } else { String::new() };
+        let row = ["closed form".into(), format!("{of}{name}: {}", off.join("; "))];
+        if !off.is_empty() && !told.contains(&row) {
             told.push(row);
         }
     }

@@ -3,7 +3,7 @@
 use crate::algorithm::Acceleration;
 use crate::cli::json::{OracleReading, oracle};
 use crate::cli::solve::found::{Found, ReactionReading};
-use crate::cli::terminal::say;
+use crate::cli::terminal::{say, say_in_lines};
 use crate::cli::{bars, verify};
 use crate::markdown;
 use crate::measure::display_factor;
@@ -21,7 +21,7 @@ const OF_CIRCLE: [&str; 2] = ["contact radius", "second-moment radius"];
 /// Prints what was solved, how it ended, what was measured, and how far that is from the oracle.
 pub fn print(found: &Found) {
     let Found { problem, run, reactions, checks, .. } = found;
-    say(format!("{}: {}", problem.name, problem.title));
+    say_in_lines(&format!("{}: {}", problem.name, problem.title));
     print_work(run, problem.resolution.order);
     let several = run.contacts.len() > 1;
     for (index, pair) in problem.scene.contacts.iter().enumerate() {
@@ -34,13 +34,13 @@ pub fn print(found: &Found) {
     print_reactions(run, reactions);
     bars::print(found);
     for check in checks {
-        say(verify::told("check", check));
+        say_in_lines(&verify::told("check", check));
     }
     for OracleReading { contact, name, kind, told, error, .. } in oracle::readings(problem, run) {
         let of = if several { format!("contact `{contact}`: ") } else { String::new() };
-        say(format!("{of}{name} ({kind}) {told}, error {}", markdown::error(error)));
+        say_in_lines(&format!("{of}{name} ({kind}) {told}, error {}", markdown::error(error)));
     }
-    found.notes().iter().for_each(|note| say(format!("note: {note}")));
+    found.notes().iter().for_each(|note| say_in_lines(&format!("note: {note}")));
 }
 
 /// By what it was solved, how it ended, and what that took.
@@ -76,22 +76,19 @@ fn print_contact((pair, [own, moment]): (&ContactPair, [&str; 2]), found: &Conta
     let factor = display_factor(&pair.path);
     let unit = if factor > 1.0 { "°" } else { "mm" };
     let measures = &found.measures;
-    say(format!(
-        "{indent}{own} {} {unit}, {moment} {} {unit}, by counting {} {unit}",
-        markdown::value(factor * measures.half_width()),
-        markdown::value(factor * measures.second_moment_width),
-        markdown::value(factor * measures.half_width_nodes)
-    ));
+    let [width, by_moment, counted] = [measures.half_width(), measures.second_moment_width, measures.half_width_nodes]
+        .map(|width| format!("{} {unit}", markdown::value(factor * width)));
+    say(format!("{indent}{own} {width}, by counting {counted}"));
+    say(format!("{indent}{moment} {by_moment}"));
     let place =
         |s: f64| markdown::value(if s.abs() < ROUND_OFF * measures.second_moment_width { 0.0 } else { factor * s });
     let peak = match found.unbounded {
         None => format!("{} MPa", markdown::value(measures.peak.pressure)),
         Some(_) => "without limit".into(),
     };
+    say(format!("{indent}peak pressure {peak} at {} {unit}", place(measures.peak.position)));
     say(format!(
-        "{indent}peak pressure {peak} at {} {unit}, pressure at 0 {} MPa, largest at a point {} MPa at {} {unit}",
-        place(measures.peak.position),
-        markdown::value(measures.pressure_at_origin),
+        "{indent}largest pressure of a point {} MPa at {} {unit}",
         markdown::value(measures.largest.pressure),
         place(measures.largest.position),
     ));
@@ -107,6 +104,6 @@ fn print_contact((pair, [own, moment]): (&ContactPair, [&str; 2]), found: &Conta
         say(format!("{indent}pressed {pressed} {unit}{centre}"));
     }
     for note in notes {
-        say(format!("{indent}note: {note}"));
+        say_in_lines(&format!("{indent}note: {note}"));
     }
 }

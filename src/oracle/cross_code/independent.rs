@@ -1,5 +1,5 @@
-//! Scripts of other codes that share nothing but the scene and the names of its quantities: mesh, forms, contact, iteration and measures
-//! are each script's own. What they answered is frozen in `oracles/frozen/independent.json`.
+//! Scripts of other codes that share the scene and the definitions of its quantities, and no line: mesh, forms, contact and iteration are
+//! each script's own. What they answered is frozen in `oracles/frozen/independent.json`.
 
 use std::collections::BTreeMap;
 use std::fmt;

@@ -145,14 +145,14 @@ pub fn stale(pairs: &Pairs) -> Option<Told> {
     let worse = pairs.both.iter().filter(|pair| is_worse(pair)).map(|pair| pair[1]);
     let stale = worse.chain(pairs.came.iter().copied()).filter(|row| is_stale(row));
     let records: BTreeSet<String> = stale.map(|row| format!("`{}`", row.against)).collect();
-    let named = records.iter().map(String::as_str).collect::<Vec<_>>().join(", ");
-    (!records.is_empty())
-        .then(|| Told { heading: format!("STALE records: {} ({named})", records.len()), ..Told::default() })
+    let heading = |all: Vec<String>| format!("STALE records: {} ({})", all.len(), all.join(", "));
+    (!records.is_empty()).then(|| Told { heading: heading(Vec::from_iter(records)), ..Told::default() })
 }
 
-/// Whether a verdict got worse, or what came fails.
+/// Whether a verdict got worse, or what came fails, but for [`stale`] records.
 pub fn worse(pairs: &Pairs) -> bool {
-    pairs.both.iter().any(is_worse) || pairs.came.iter().any(|row| is_failing(row))
+    let came = pairs.came.iter().copied().filter(|row| is_failing(row));
+    pairs.both.iter().filter(|pair| is_worse(pair)).map(|pair| pair[1]).chain(came).any(|row| !is_stale(row))
 }
 
 /// Whether something is accepted now that was not, or is no longer asked: a limit that no bar explains, a check that is gone, fewer runs.
@@ -253,10 +253,8 @@ fn name([before, after]: &Pair) -> Change {
 
 /// A check that is in one record only: told as such, or together with all of its case where the other record has no such case.
 fn alone(row: &CheckRow, others: &BTreeSet<[&str; 2]>) -> Change {
-    let one = match is_failing(row) {
-        true => change(row, row.share, errors(&[row, row])),
-        false => change(row, 0.0, String::new()),
-    };
+    let (size, how) = if is_failing(row) { (row.share, errors(&[row, row])) } else { (0.0, String::new()) };
+    let one = change(row, size, how);
     if others.contains(&case(row)) { one } else { told_by(format!("the whole case {}", row.case), one) }
 }
 
@@ -272,8 +270,9 @@ fn case(row: &CheckRow) -> [&str; 2] {
 /// By how much more or less of its limit a check uses.
 fn share(pair: &Pair) -> Change {
     let one = number(pair, |row| row.share, |row| format!("{} %", significant(100.0 * row.share, 2)));
-    let [old, new] = pair.map(|row| row.share);
-    Change { size: (new - old).abs(), how: format!("{} of the limit; {}", one.how, errors(pair)), ..one }
+    let size = (pair[1].share - pair[0].share).abs();
+    let of_limit = if size.is_finite() { format!("{} of the limit; ", one.how) } else { String::new() };
+    Change { size, how: of_limit + &errors(pair), ..one }
 }
 
 /// What the value may be off; what has no bar may be off by anything.

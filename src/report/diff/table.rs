@@ -121,8 +121,8 @@ pub fn told(name: &str, versions: &[Cells; 2]) -> Told {
 fn is_within_spread(versions: &[Cells; 2], [row, column]: &[String; 2]) -> bool {
     let span = |cells: &Cells| {
         let number = |column: &str| cells.get(&[row.clone(), column.into()])?.parse::<f64>().ok();
-        let about = |bound: f64| Some([number("value")? - bound, number("value")? + bound]);
-        number("bound").and_then(about).or_else(|| Some([number("least")?, number("most")?]))
+        let about = |bar: f64| Some([number("value")? - bar, number("value")? + bar]);
+        number("bar").and_then(about).or_else(|| Some([number("least")?, number("most")?]))
     };
     let overlap = || both(versions.each_ref().map(span)).is_some_and(|[old, new]| old[0] <= new[1] && new[0] <= old[1]);
     SPREAD.contains(&column.as_str()) && overlap()

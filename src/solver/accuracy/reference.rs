@@ -1,5 +1,5 @@
-//! Reference answers: numbers of a contact to five digits, by cells of high order fitted to it, on several meshes whose differences bound
-//! the error.
+//! Reference answers: numbers of a contact to five digits, by cells of high order fitted to it, on several meshes whose
+//! differences give their bars.
 
 use rayon::prelude::*;
 
@@ -41,7 +41,7 @@ pub struct Known {
     /// Its value.
     pub value: f64,
     /// How far it may be off.
-    pub bound: f64,
+    pub bar: f64,
     /// What it is small or large against: itself, or for places the half-width.
     pub scale: f64,
     /// What the other meshes say.
@@ -51,9 +51,9 @@ pub struct Known {
 impl Known {
     /// The same in a unit, by the factor from ours to it.
     pub fn times(&self, factor: f64) -> Self {
-        let [value, bound, scale] = [self.value, self.bound, self.scale].map(|own| factor * own);
+        let [value, bar, scale] = [self.value, self.bar, self.scale].map(|own| factor * own);
         let others = self.others.map(|other| factor * other);
-        Self { quantity: self.quantity.clone(), value, bound, scale, others }
+        Self { quantity: self.quantity.clone(), value, bar, scale, others }
     }
 }
 
@@ -110,7 +110,7 @@ pub fn answer(scene: &Scene) -> Result<Answer, Error> {
         let [value, a, b, c] = [0, 1, 2, 3].map(|mesh| solved[mesh].0[k]);
         let scale = if *quantity == Quantity::PeakPlace { half_width } else { value.abs() };
         let apart = [a, b, c].into_iter().map(|other| (other - value).abs()).fold(0.0, larger);
-        Known { quantity: quantity.clone(), value, bound: FACTOR * apart + ROUND_OFF * scale, scale, others: [a, b, c] }
+        Known { quantity: quantity.clone(), value, bar: FACTOR * apart + ROUND_OFF * scale, scale, others: [a, b, c] }
     };
     let dofs = [0, 1, 2, 3].map(|mesh| solved[mesh].1.dofs);
     Ok(Answer { known: numbers.iter().enumerate().map(known).collect(), dofs })

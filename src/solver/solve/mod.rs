@@ -58,7 +58,7 @@ pub mod wedge;
 pub mod without_limit;
 
 pub use crate::algorithm::problem::LIMITS;
-pub use crate::algorithm::{Iteration, Settings};
+pub use crate::algorithm::{Acceleration, Iteration, Settings};
 pub use crate::contact::Element;
 pub use crate::elasticity::shape_functions::values as shapes;
 pub use crate::scene::Displaced;

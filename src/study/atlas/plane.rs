@@ -305,6 +305,16 @@ const ADVICE: [markdown::Column<Advice>; 6] = [
     ("command", |(_, method, stiffness, _)| format!("`contact-vv solve CASE{}`", options(*method, *stiffness))),
 ];
 
+/// A row for each need: what differs among those that serve it stands side by side.
+fn merged(rows: &[Advice]) -> Vec<Vec<String>> {
+    let of = |(_, cell): &markdown::Column<Advice>, own: &[&Advice]| {
+        let cells = in_order(own.iter().map(|one| (cell(one), ())));
+        cells.into_iter().map(|(cell, _)| cell).collect::<Vec<_>>().join("; ")
+    };
+    let needs = in_order(rows.iter().map(|row| (row.0, row)));
+    needs.iter().map(|(_, own)| ADVICE.iter().map(|column| of(column, own)).collect()).collect()
+}
+
 /// Which element and algorithm to use from which initial stiffness, and which not.
 pub fn recommendation(digests: &[Digest]) -> String {
     let points: usize = digests.iter().flat_map(|digest| &digest.wrong).map(|(_, [_, all])| all).sum();
@@ -330,7 +340,7 @@ pub fn recommendation(digests: &[Digest]) -> String {
     let mut text = format!(
         "Names are `element.algorithm.rule`: what is pressed, how its stiffness changes, and by which formula; `+` is what the program adds \
          to the paper's. From {points} runs over candidate surface, mesh and both paper scenes, {predicted} of them beside a prediction:\n\n{}",
-        markdown::columns(&ADVICE, &rows)
+        markdown::table(&ADVICE.map(|(head, _)| head.into()), &merged(&rows))
     );
     let usual = Formulation::verification();
     let usual = Method::default(usual.element, usual.algorithm);

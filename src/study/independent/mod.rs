@@ -1,5 +1,5 @@
-//! The same physical problem in other codes that share nothing with one another but the scene: mesh, forms of the contact, iteration and
-//! measures are each script's own. A folder, since what is asked and what is held are more than a file.
+//! The same physical problem in other codes that share the scene and the definitions of its quantities, and no line: mesh, forms of the
+//! contact and iteration are each script's own. A folder, since what is asked and what is held are more than a file.
 //!
 //! * `run` — one trial a scene: the scene as numbers, and what every script found of it, beside ours.
 //!
@@ -50,8 +50,11 @@ impl Study for Compared {
         for folder in Folder::ALL {
             let hash: String = frozen.scripts.get(&folder).map_or("", String::as_str).chars().take(12).collect();
             let version = frozen.apart.get(&folder).or_else(|| frozen.versions.get(folder.title()));
-            let live =
-                if folder.is_set_up() { "asked again by the tests" } else { "asked when the answers were frozen" };
+            let live = if folder.is_set_up() {
+                "asked again by `cargo test --workspace`"
+            } else {
+                "asked when the answers were frozen"
+            };
             let _ =
                 writeln!(text, "* {} {}: script {hash}…, {live}.", folder.title(), version.map_or("", String::as_str));
         }

@@ -192,7 +192,7 @@ pub(super) fn exceeds(error: f64, bound: f64) -> bool {
 pub(super) fn percent(x: f64) -> String {
     match x {
         x if x.is_nan() => "–".into(),
-        x if x.abs() < 5e-5 => "< 0.01 %".into(),
+        x if x.abs() < 1e-4 => "< 0.01 %".into(),
         x => format!("{:+.2} %", 100.0 * x),
     }
 }

@@ -106,8 +106,7 @@ const SAME: f64 = 1e-9;
 /// The designed set, and which departures do not count.
 fn readings(courses: &[Course]) -> String {
     let [departures, pairs] = [Reading::departures().len(), Reading::pairs().len()];
-    let (starts, agreement, most) = (starts(), Fared::agreement(courses), most_fulfilled(courses));
-    let (first, open) = &most[0];
+    let (starts, agreement) = (starts(), Fared::agreement(courses));
     format!(
         include_str!("readings.md"),
         nearest = Reading::nearest().name(),
@@ -123,14 +122,24 @@ fn readings(courses: &[Course]) -> String {
         much = MUCH,
         different = DIFFERENT,
         unremarkable = 100.0 * UNREMARKABLE,
-        held = Sentence::ALL.len() - open.len(),
-        sentences = Sentence::ALL.len(),
-        alike = most.len(),
-        most = first.name(),
-        open = open.iter().map(|one| format!("*{}*", one.name())).collect::<Vec<_>>().join(", "),
+        together = together(courses),
         at = agreement.at(),
         told = agreement.told()
     ) + "\n"
+}
+
+/// The reading that fulfils most.
+pub fn together(courses: &[Course]) -> String {
+    let (most, all) = (most_fulfilled(courses), Sentence::ALL.len());
+    let (first, open) = &most[0];
+    format!(
+        "Asked for together, {} of the {all} sentences on iterations hold, and no more, under {} of the readings; the first of them: {}. There \
+         does not: {}.",
+        all - open.len(),
+        most.len(),
+        first.name(),
+        open.iter().map(|one| format!("*{}*", one.name())).collect::<Vec<_>>().join(", ")
+    )
 }
 
 /// What is deliberately not covered.

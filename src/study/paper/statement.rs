@@ -300,11 +300,19 @@ fn statement(sentence: Sentence, nearest: &[Seen; 2], fared: &Fared) -> Statemen
     let flips = |axis: &Axis| fared.flips.iter().any(|one| one.axes() == [*axis]);
     let axes: Vec<String> =
         Axis::ALL.iter().filter(|axis| flips(axis)).map(|axis| axis.title().to_lowercase()).collect();
-    let flips = if axes.is_empty() { NONE.into() } else { format!("hangs on: {}", axes.join(", ")) };
+    let flips = if axes.is_empty() { "none flips it".into() } else { format!("it hangs on: {}", axes.join(", ")) };
+    let cap = match sentence {
+        Sentence::Fails => format!(" by a cap of {}", Reading::nearest().cap),
+        _ => String::new(),
+    };
     let numbers = sentence.numbers(nearest);
     Statement {
         text: sentence.name(),
-        clause: format!("holds at {count} of {} tolerances; {flips}", fared.held.len()),
+        clause: format!(
+            "holds at {count} of {} tolerances{cap}; of {} departures counted {flips}",
+            fared.held.len(),
+            fared.counted
+        ),
         measured: format!(
             "cylinder and pin–rod, reading nearest to the text, by a cap of {}: {numbers}; {}; {}",
             Reading::nearest().cap,
@@ -322,6 +330,8 @@ fn statement(sentence: Sentence, nearest: &[Seen; 2], fared: &Fared) -> Statemen
 pub struct Fared {
     /// Whether it holds under the nearest reading, at each tolerance of [`JUDGED`].
     pub held: [bool; JUDGED.len()],
+    /// How many single departures count.
+    pub counted: usize,
     /// Single departures under which it holds where it else does not, or fails where it else holds.
     pub flips: Vec<Reading>,
     /// Pairs that flip it where neither part does.
@@ -329,9 +339,6 @@ pub struct Fared {
     /// Pairs that do not where a part does.
     pub undone: Vec<Reading>,
 }
-
-/// What is said where none flips it.
-pub const NONE: &str = "no departure that keeps the agreement flips it";
 
 impl Fared {
     /// The agreement itself, of which every departure counts.
@@ -349,13 +356,14 @@ impl Fared {
         };
         let flips = |reading: &Reading| reading.judged().iter().all(&holds) != own;
         let mut singles = counted(Reading::departures());
+        let of = singles.len();
         singles.retain(flips);
         let (mut undone, mut together): (Vec<Reading>, Vec<Reading>) = counted(Reading::pairs())
             .into_iter()
             .partition(|pair| pair.parts().iter().any(|part| singles.contains(part)));
         undone.retain(|pair| !flips(pair));
         together.retain(flips);
-        Self { held, flips: singles, together, undone }
+        Self { held, counted: of, flips: singles, together, undone }
     }
 
     /// Whether it holds under the nearest reading.
@@ -385,7 +393,8 @@ impl Fared {
             part("not so if".into(), &self.undone),
         ];
         let parts: Vec<String> = parts.into_iter().flatten().collect();
-        if parts.is_empty() { NONE.into() } else { parts.join("; ") }
+        let told = if parts.is_empty() { "none flips it".into() } else { parts.join("; ") };
+        format!("of {} departures counted: {told}", self.counted)
     }
 
     /// The judgement that follows.

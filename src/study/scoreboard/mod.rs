@@ -86,7 +86,11 @@ impl Study for Numbers {
         };
         Ok(vec![
             none("frozen answers that cannot be read", unread, "what a code wrote once is read as it was"),
-            none("scripts changed since their answers were frozen", self.changed.len(), RENEW),
+            none(
+                "scripts changed since their answers were frozen",
+                self.changed.len(),
+                "an answer is of the script that asked for it",
+            ),
         ])
     }
 

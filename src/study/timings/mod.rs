@@ -144,14 +144,14 @@ pub fn page(record: &Record) -> String {
     let targets = targets(record);
     let count = |met: Option<bool>| targets.iter().filter(|target| target.met == met).count();
     let asked = format!(
-        "Of {} targets {} are met, {} are not and {} could not be measured. A target is no check: what seconds are worth changes with the machine.\n\n{}",
+        "**Of {} targets {} are met, {} are not and {} could not be measured.** The checks hold the record, not these: what seconds are worth changes with the machine.\n\n{}",
         targets.len(),
         count(Some(true)),
         count(Some(false)),
         count(None),
         markdown::columns(&ASKED, &targets)
     );
-    [machine(record), asked, precision(), growth(record)].concat()
+    [asked, "\n".into(), machine(record), precision(), growth(record)].concat()
 }
 
 fn machine(record: &Record) -> String {
