@@ -1,6 +1,7 @@
 //! What is left out of an answer, stands there of another contact, or hides behind something else is named, and never judged as the whole.
 
 use contact_vv::case::Case;
+use contact_vv::case::library::find;
 use contact_vv::checkout::root;
 use contact_vv::referee::units::Role;
 use contact_vv::referee::{Asked, Truth};
@@ -198,4 +199,79 @@ fn pressures_without_a_limit_that_alternate_are_no_answer() {
     };
     let alternates = |share: f64| failed(share).iter().any(|one| one.starts_with("alternation"));
     assert!(!alternates(0.0) && !alternates(0.05) && alternates(0.3) && alternates(-0.3), "{:?}", failed(0.0));
+}
+
+/// The truth of a case of the library, or of a scene file.
+fn truth(name: &str) -> Truth {
+    let case = find(name, None).or_else(|_| Case::read(&root().join(format!("tests/cases/{name}.toml"))));
+    Truth::of(case.expect("known")).expect("solved")
+}
+
+#[test]
+fn a_cone_is_judged_by_its_profile_though_its_tip_has_no_limit() {
+    let truth = truth("cone");
+    let places: Vec<f64> = (1..=160).map(|k| 2.5 * f64::from(k) / 80.0).collect();
+    let judged = |pressure: &dyn Fn(f64) -> f64| {
+        let rows = places.iter().map(|&r| [r, if r < 2.5 { pressure(r) } else { 0.0 }]);
+        failed(&judged_as(&truth, "cone.csv", &table(PRESSURES, rows), &Asked::default()))
+    };
+    assert_eq!(judged(&|r| truth.pressure(0, r)), [""; 0]);
+    // A paraboloid of pressures with the same force and radius.
+    let mean = truth.run.transmitted() / (std::f64::consts::PI * 2.5 * 2.5);
+    let other = judged(&|r| 2.0 * mean * (1.0 - (r / 2.5).powi(2)));
+    assert!(other.iter().any(|name| name.starts_with("error of the mean pressures")), "{other:?}");
+}
+
+#[test]
+fn forces_and_pressures_of_the_pressed_nodes_alone_are_those_of_all() {
+    let truth = truth("truncated-hertz");
+    for step in [0.05, 0.1, 0.125, 0.2] {
+        let nodes = (0..=50).map(|k| [step * f64::from(k), truth.pressure(0, step * f64::from(k))]);
+        let pressed: Vec<[f64; 2]> = nodes.filter(|[_, pressure]| *pressure > 0.0).collect();
+        let force = |[s, p]: &[f64; 2]| [*s, p * step * if *s > 0.0 { 1.0 } else { 0.5 }];
+        let forces = table("position [mm],force [N]", pressed.iter().map(force));
+        assert_eq!(failed(&judged_as(&truth, "forces.csv", &forces, &Asked::default())), [""; 0], "{step}");
+        // On both sides, with the first point a rounding off the line, or without.
+        let whole =
+            pressed.iter().rev().filter(|[s, _]| *s > 0.0).map(|[s, p]| [-s, *p]).chain(pressed.iter().copied());
+        let whole = table("position [mm],force [N]", whole.map(|[s, p]| [s, p * step]));
+        assert_eq!(failed(&judged_as(&truth, "whole.csv", &whole, &Asked::default())), [""; 0], "{step}");
+        for beside in [-1e-8, 1e-8] {
+            let rows = pressed.iter().map(|&[s, p]| [if s > 0.0 { s } else { beside }, p]);
+            let found = judged_as(&truth, "pressed.csv", &table(PRESSURES, rows), &Asked::default());
+            assert_eq!(failed(&found), [""; 0], "{step}, {beside}");
+        }
+    }
+}
+
+#[test]
+fn uniform_and_linear_pressures_are_judged_by_few_points_on_either_side() {
+    let ring = (-30..=30).map(|k| [3.0 * f64::from(k), 12.7065]);
+    let ring = table("position [deg],pressure [MPa]", ring);
+    let found = failed(&judged_as(&truth("press-fit"), "ring.csv", &ring, &Asked::default()));
+    assert!(!found.iter().any(|name| name.starts_with("begin")), "{found:?}");
+    let linear = table(PRESSURES, [[-10.0, 60.0], [0.0, 100.0], [10.0, 140.0]]);
+    let found = failed(&judged_as(&truth("eccentric-load"), "linear.csv", &linear, &Asked::default()));
+    assert!(!found.iter().any(|name| name.starts_with("peak")), "{found:?}");
+}
+
+#[test]
+fn reports_of_several_columns_end_with_their_extremes_and_where_these_are() {
+    let rows: String = (0..ellipse::NODES)
+        .map(|k| {
+            format!(
+                "{:9} {:13.6e} {:13.6e} {:13.6e} {:13.6e}\n",
+                k + 1,
+                ellipse::place(k),
+                0.0,
+                ellipse::pressure(ellipse::place(k)),
+                ellipse::gap(ellipse::place(k))
+            )
+        })
+        .collect();
+    let text = format!(
+        "Node COORD.COOR1 COORD.COOR2 CPRESS COPEN\n{rows}\n  Minimum              0.             0.             0.             0.\n\
+         \x20     At Node          1              1             60              1\n"
+    );
+    ellipse::assert(&parsed("abaqus.rpt", text, &usual()).expect("read"), 1e-6);
 }
