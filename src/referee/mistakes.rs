@@ -10,6 +10,7 @@ use crate::measure::Quantity;
 use crate::mesh::Order;
 use crate::referee::answer::{Handed, Point};
 use crate::referee::judge::{fails_by_width, judge};
+use crate::referee::norm;
 use crate::referee::profile::{Profile, tributary};
 use crate::referee::truth::Truth;
 use crate::referee::units::{Role, Units, is_angle};
@@ -57,7 +58,14 @@ fn corrections(truth: &Truth, handed: &Handed, beside: Beside) -> Vec<Correction
         (says, scaled(handed, pressure, place, if is_circle { place * place } else { place }))
     });
     // What moves values among the points says nothing of means over edges that were handed in beside them.
-    let moved = if handed.edges.is_empty() { [shifts(scene, handed), middles(handed)].concat() } else { vec![] };
+    let moved = match handed.edges.is_empty() {
+        true => {
+            let before = off(truth, handed);
+            let shifts = shifts(scene, handed).into_iter().filter(|(_, moved)| off(truth, moved) <= EXPLAINED * before);
+            shifts.chain(middles(handed)).collect()
+        }
+        false => vec![],
+    };
     let is_half = handed.points[0].position >= 0.0 && !scene.contacts[handed.contact].path.has_both_sides();
     let sides = if is_circle || is_half || !handed.edges.is_empty() { vec![] } else { halves(handed) };
     scaled.chain(by_rings(scene, handed)).chain(moved).chain(sides).collect()
@@ -92,6 +100,15 @@ fn scales(truth: &Truth, handed: &Handed, beside: Beside) -> Vec<(String, [f64; 
         }
     }
     all
+}
+
+/// Error of the profile that is left by what explains it: any shift of about as much as positions are off is near.
+const EXPLAINED: f64 = 0.2;
+
+/// Error of the mean pressures over edges, relative in L2.
+fn off(truth: &Truth, handed: &Handed) -> f64 {
+    let profile = Profile::of(&truth.case.scene, handed);
+    norm::of_means(&profile.edges, |s| truth.pressure(handed.contact, s))
 }
 
 /// What is said of the other sign.
@@ -162,11 +179,21 @@ fn of_revolution(scene: &Scene, handed: &Handed) -> Vec<(&'static str, [f64; 2])
 fn of_strips(truth: &Truth, handed: &Handed) -> Vec<(&'static str, [f64; 2])> {
     let scene = &truth.case.scene;
     let pair = &scene.contacts[handed.contact];
+    let [half, twice] = match scene.bodies.iter().any(|body| !body.loads.is_empty()) {
+        true => [
+            "the load is half of the scene's: that is of the whole contact, not of one half",
+            "the load is twice the scene's: the load of the whole acts on one half",
+        ],
+        false => [
+            "the interference is half of the scene's (of a radius for a diameter)",
+            "the interference is twice the scene's (of a diameter for a radius)",
+        ],
+    };
     let mut all = vec![
-        ("the load is half of the scene's: that is of the whole contact, not of one half", [SQRT_2, SQRT_2]),
-        ("the load is half of the scene's: that is of the whole contact, not of one half", [2.0, 1.0]),
-        ("the load is twice the scene's: the load of the whole acts on one half", [FRAC_1_SQRT_2, FRAC_1_SQRT_2]),
-        ("the load is twice the scene's: the load of the whole acts on one half", [0.5, 1.0]),
+        (half, [SQRT_2, SQRT_2]),
+        (half, [2.0, 1.0]),
+        (twice, [FRAC_1_SQRT_2, FRAC_1_SQRT_2]),
+        (twice, [0.5, 1.0]),
         (
             "the radius is twice the scene's (a diameter for a radius), or E* half of it (an elastic other side for a rigid one)",
             [SQRT_2, FRAC_1_SQRT_2],

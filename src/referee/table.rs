@@ -52,7 +52,14 @@ struct Column {
 pub fn parse(file: &Path, text: &str, scene: &Scene, asked: &Asked) -> Result<Answer, Error> {
     let source = Source { file, text };
     let table = Table::of(&source, asked)?;
-    let columns = columns(&source, &table.head, scene, asked)?;
+    let mut columns = columns(&source, &table.head, scene, asked)?;
+    // Of one contact the column may say something else, such as whether it sticks.
+    let is_name = |column: &Column| {
+        let names = |(_, cells): &(&str, Vec<String>)| cells.get(column.index) == Some(&scene.contacts[0].name);
+        column.role != Role::Contact || scene.contacts.len() > 1 || table.rows.iter().any(names)
+    };
+    let is_asked = asked.contact.is_some() || asked.column(Role::Contact).is_some();
+    columns.retain(|column| is_asked || is_name(column));
     let reader = Reader { source, columns, scene, asked, comma: table.comma };
     let (mut groups, mut rows): (Vec<(usize, Vec<Point>)>, Vec<Row>) = Default::default();
     for (k, (line, cells)) in table.rows.iter().enumerate() {

@@ -250,6 +250,20 @@ fn uniform_and_linear_pressures_are_judged_by_few_points_on_either_side() {
     let ring = table("position [deg],pressure [MPa]", ring);
     let found = failed(&judged_as(&truth("press-fit"), "ring.csv", &ring, &Asked::default()));
     assert!(!found.iter().any(|name| name.starts_with("begin")), "{found:?}");
+    // A column `contact` of one contact may tell its status; twice the pressure is no load where there is none, and 2 % more is no shift.
+    let hertz = truth("truncated-hertz");
+    let places = || (0..=60).map(|k| 0.05 * f64::from(k));
+    let rows: String = places().map(|s| format!("{s},{},Sticking\n", hertz.pressure(0, s))).collect();
+    let sticking = format!("{PRESSURES},contact\n{rows}");
+    assert_eq!(failed(&judged_as(&hertz, "status.csv", &sticking, &Asked::default())), [""; 0]);
+    let wider = table(PRESSURES, places().map(|s| [1.02 * s, hertz.pressure(0, s)]));
+    let said = judged_as(&hertz, "wider.csv", &wider, &Asked::default()).mistakes;
+    assert!(!said.iter().any(|one| one.contains("shifted")), "{said:?}");
+    let doubled = (0..=30).map(|k| [3.0 * f64::from(k), 2.0 * 12.7065]);
+    let doubled = table("position [deg],pressure [MPa]", doubled);
+    let said = judged_as(&truth("press-fit"), "doubled.csv", &doubled, &Asked::default()).mistakes;
+    assert!(said.iter().any(|one| one.starts_with("the interference is twice")), "{said:?}");
+    assert!(!said.iter().any(|one| one.contains("load")), "{said:?}");
     let linear = table(PRESSURES, [[-10.0, 60.0], [0.0, 100.0], [10.0, 140.0]]);
     let found = failed(&judged_as(&truth("eccentric-load"), "linear.csv", &linear, &Asked::default()));
     assert!(!found.iter().any(|name| name.starts_with("peak")), "{found:?}");
