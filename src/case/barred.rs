@@ -129,7 +129,8 @@ impl Case {
             };
             let within = one.error <= one.check.tolerance + slack;
             // Of a number that the mesh may not resolve nothing is said.
-            !within && !(is_unknown && one.check.quantity.number() != Some(&Number::Resultant))
+            let is_of_mesh = is_unknown && one.check.quantity.number() != Some(&Number::Resultant);
+            !within && !is_of_mesh
         };
         self.beside_closed_forms(run, bars)
             .iter()

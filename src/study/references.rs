@@ -16,7 +16,7 @@ use crate::mesh::Resolution;
 use crate::oracle::cross_code::PhysicalAnswer;
 use crate::oracle::cross_code::high::High;
 use crate::oracle::cross_code::independent::Independent;
-use crate::oracle::cross_code::revolution::Revolution;
+use crate::oracle::cross_code::revolution::{Called, Revolution};
 use crate::scene::{ContactPair, Scene};
 use crate::solve::{Discretisation, Formulation, Run};
 use crate::study::about::{About, Found, Planned, Study};
@@ -229,7 +229,7 @@ pub fn sheet(case: &Case, discretisation: &Discretisation, run: &Run, barred: &[
 }
 
 /// What other codes answered of a case of the library: what each is called, whether its springs are felt, and its answers from coarse to fine.
-fn series(name: &str) -> Result<Vec<(&'static str, bool, Vec<PhysicalAnswer>)>, Error> {
+fn series(name: &str) -> Result<Vec<Called>, Error> {
     if AROUND.contains(&name) {
         return Ok(Revolution::built_in()?.of(name));
     }

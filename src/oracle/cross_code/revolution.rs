@@ -20,6 +20,9 @@ const SCRIPTS: [(&str, &str, bool); 4] = [
     ("half_space", "tamaas, half-space", false),
 ];
 
+/// What a script is called, whether its springs are felt, and its answers from coarse to fine.
+pub type Called = (&'static str, bool, Vec<PhysicalAnswer>);
+
 /// What every script answers, by the name of its module.
 pub type Revolution = Answered<String, Series>;
 
@@ -54,8 +57,8 @@ impl Revolution {
         serde_json::from_str(text).map_err(|error| Error::unreadable(&file(), error, RENEW))
     }
 
-    /// What was answered of a scene: what each script is called, whether its springs are felt, and its answers from coarse to fine.
-    pub fn of(&self, scene: &str) -> Vec<(&'static str, bool, Vec<PhysicalAnswer>)> {
+    /// What was answered of a scene.
+    pub fn of(&self, scene: &str) -> Vec<Called> {
         let answers = self.scenes.get(scene).map(|asked| &asked.answers);
         let of = |(module, called, is_felt): (&str, &'static str, bool)| {
             let series = &answers?.get(module)?.series;
