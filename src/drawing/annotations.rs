@@ -73,15 +73,18 @@ impl Plot<'_> {
         taken.extend(curves.iter().flat_map(|curve| &curve.signs).map(|(at, radius)| Frame::around(*at, radius + 1.0)));
         let mut lines: Vec<Point> = curves.iter().flat_map(|curve| sampled(curve, 0.5 * GUIDE_SIZE)).collect();
         let bars = self.chart.bars.iter().flat_map(|bars| &bars.ends).map(|ends| ends.map(|end| self.place(end)));
-        lines.extend(bars.flat_map(|[a, b]| (0..=8).map(move |k| between(a, b, f64::from(k) / 8.0))));
+        lines.extend(bars.flat_map(|[a, b]| (0..=32).map(move |k| between(a, b, f64::from(k) / 32.0))));
         for (Remark { text, colour, .. }, at) in shown() {
-            let words = free_place(*at, text_width(text, GUIDE_SIZE), self.frame, &taken, &lines);
+            let words = free_place(*at, BOLD * text_width(text, GUIDE_SIZE), self.frame, &taken, &lines);
             let lettering = Lettering::middle(GUIDE_SIZE).coloured(*colour).bold();
             canvas.label(words.middle(), text, lettering);
             taken.push(words);
         }
     }
 }
+
+/// Width of bold letters over that of plain ones.
+const BOLD: f64 = 1.15;
 
 /// Of places around a point one where words of a width cover nothing that is taken and stay in the frame, on the fewest points of lines, the nearest of these.
 fn free_place((x, y): Point, width: f64, within: Frame, taken: &[Frame], lines: &[Point]) -> Frame {

@@ -1,5 +1,6 @@
 //! Planted faults: each finds its line, is caught by a truth alone, and says on which sources it was planted.
 
+use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 use std::process::Command;
@@ -29,6 +30,17 @@ fn every_planted_fault_finds_the_line_it_spoils_exactly_once() {
         let found = text.matches(&was).count();
         assert_eq!(found, 1, "{name}: found {found} times in {file}");
         assert_ne!(was, is);
+    }
+}
+
+#[test]
+fn what_is_listed_as_held_against_a_truth_is_a_claim() {
+    let text = fs::read_to_string(root().join("tests/truths.toml")).expect("read");
+    let listed: BTreeMap<String, Vec<String>> = toml::from_str(&text).expect("lists of claims by kind");
+    for name in listed.values().flatten() {
+        let (module, of) = name.split_once("::").expect("a module and a claim");
+        let claims = fs::read_to_string(root().join(format!("tests/claims/{module}.rs"))).expect("read");
+        assert!(claims.contains(&format!("\nfn {of}(")), "{name}");
     }
 }
 

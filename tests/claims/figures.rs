@@ -293,7 +293,8 @@ fn texts(svg: &str) -> Vec<(String, Bounds)> {
         let words = rest.split('<').next().unwrap_or_default().trim().to_owned();
         let [x, y] = ["x", "y"].map(|name| number(tag, name).expect("a number"));
         let size = number(tag, "font-size").unwrap_or(11.0);
-        let (width, half) = (0.45 * size * words.chars().count() as f64, 0.35 * size);
+        let letter = if attribute(tag, "font-weight").is_some() { 0.56 } else { 0.45 };
+        let (width, half) = (letter * size * words.chars().count() as f64, 0.35 * size);
         let (from, to) = match attribute(tag, "text-anchor") {
             Some("middle") => (-0.5 * width, 0.5 * width),
             Some(_) => (-width, 0.0),

@@ -330,7 +330,15 @@ fn fronts(record: &Record) -> Drawing {
         chart.series.push(drawing::Series::new("", points, Style::run(colour, Dash::Solid, Marker::Circle)));
         let ends = own.iter().map(|point| [place(point.error(), point), place(point.worst(), point)]).collect();
         chart.bars.push(Bars { label: String::new(), ends, colour });
-        chart.remarks.extend(own.last().map(|point| Remark {
+        // At the end that is farther from all others.
+        let away = |point: &&&Point| {
+            let others = COMPARED_CODES.iter().filter(|(other, ..)| *other != name);
+            let each = others.flat_map(|(_, series, _)| front_of(record, series));
+            each.map(|other| (other.seconds / point.seconds).ln().hypot((other.worst() / point.worst()).ln()))
+                .fold(f64::INFINITY, f64::min)
+        };
+        let named = [own.first(), own.last()].into_iter().flatten().max_by(|a, b| away(a).total_cmp(&away(b)));
+        chart.remarks.extend(named.map(|point| Remark {
             at: place(point.worst(), point),
             text: name.into(),
             ring: None,
