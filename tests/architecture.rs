@@ -213,10 +213,10 @@ fn matrix_types_of_libraries_stay_inside_the_numerics() {
 /// Lines that a room may have; raised only by a commit that says what for.
 const BUDGETS: [(&str, usize); 9] = [
     ("solver", 22_612),
-    ("drawing", 2_972),
+    ("drawing", 2_975),
     ("case", 8_233),
     ("oracle", 1_436),
-    ("study", 14_755),
+    ("study", 14_763),
     ("referee", 6_548),
     ("report", 3_021),
     ("cli", 4_679),
