@@ -19,7 +19,7 @@ pub struct Stretch {
 /// Every closed stretch: runs of edges whose mean is above a floor.
 ///
 /// One that goes on to the outermost candidate ends there, or begins on the symmetry line; elsewhere its ends are found by
-/// [`end`].
+/// `end`.
 pub fn closed(pair: &ContactPair, part: Part, floor: f64) -> Vec<Stretch> {
     let pressed: Vec<bool> = part.edges.iter().map(|edge| edge.pressure > floor).collect();
     let mut stretches = Vec::new();
