@@ -2,7 +2,7 @@
 //! fitted to.
 
 use contact_vv::accuracy;
-use contact_vv::case::library::{Bars, Patch, TruncatedHertz};
+use contact_vv::case::library::{Bars, Patch, TruncatedHertz, find};
 use contact_vv::measure::{Quantity, nodal, profile, relative_error};
 use contact_vv::mesh::{Mesh, Order, Resolution};
 use contact_vv::oracle::analytic::hertz::Hertz;
@@ -39,6 +39,27 @@ fn errors(run: &Run, hertz: &Hertz) -> [f64; 2] {
         relative_error(measures.peak.pressure, hertz.peak_pressure()),
         relative_error(measures.second_moment_width, hertz.half_width()),
     ]
+}
+
+#[test]
+fn digits_of_truncated_hertz_and_of_the_truncated_sphere_cost_few_dofs() {
+    for name in ["truncated-hertz", "truncated-sphere"] {
+        let case = find(name, None).expect("known");
+        let truth = [Quantity::PeakPressure, Quantity::SecondMomentWidth].map(|one| case.reading(0, &one).value);
+        for (order, layers, digits, most) in [
+            (Order::Quintic, 1, 1e-3, 900),
+            (Order::Sextic, 1, 1e-4, 1000),
+            (Order::Septic, 2, 1e-5, 1700),
+            (Order::Octic, 3, 1e-6, 2700),
+        ] {
+            let answer = solved(Fitted { order, layers }, &case.scene);
+            let measures = answer.run.measures();
+            let found = [measures.peak.pressure, measures.second_moment_width];
+            let errors = [0, 1].map(|k| relative_error(found[k], truth[k]));
+            assert!(errors.iter().all(|error| *error <= digits), "{name}, {order:?}: {errors:?}");
+            assert!(answer.run.dofs <= most, "{name}, {order:?}: {} dofs", answer.run.dofs);
+        }
+    }
 }
 
 /// Two blocks of other moduli, both with the tractions of their half-planes.

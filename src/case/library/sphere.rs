@@ -19,7 +19,7 @@ pub fn case(a_over_r: f64) -> Case {
     Case { model, ..Case::of("sphere", TITLE, scene, 16).against(oracle) }
 }
 
-/// What Hertz's half-space may be off a sphere: its peak is too high by `(1 − 2ν)²/5(1 − ν) · a/R`, and its radius of contact too small by half of that,
+/// What Hertz's half-space may be off a sphere: its peak is too high by `(1 − 2ν)²/5(1 − ν) · a/R`, and its radius of contact too small by a little less than half,
 /// besides terms of the order of (a/R)².
 ///
 /// The first is no closed form: it is what cells fitted to the contact tell for ν from −0.5 to 0.499 and a/R from 0.005 to 0.1. A cylinder has none

@@ -72,7 +72,7 @@ pub(super) fn found(scene: &Scene, rungs: &mut Rungs) -> Result<Option<Rung>, Er
         if best.as_ref().is_none_or(|best| best.error.is_nan() || estimate < best.error) {
             best = Some(rung);
         }
-        // A mesh that the next one says less of says nothing of one that was near.
+        // How far the search has come is told by its best mesh, and not by one whose bar rises again.
         let least = best.as_ref().map_or(f64::NAN, |best| best.error);
         // What is not smooth within a cell gains nothing by its order, and may by smaller cells.
         stalled = if estimate <= SLOW * before { 0 } else { stalled + 1 };

@@ -98,7 +98,7 @@ fn refine(mut layout: Layout, mut rungs: Rungs, scene: &Scene, other: Option<Run
         if rung.is_open() {
             return rungs.answer(rung, Some("no contact: every candidate is open".into()));
         }
-        let (error, tried) = (rung.error, rung.run.dofs);
+        let (error, dofs) = (rung.error, rung.run.dofs as f64);
         if error <= rungs.asked.relative {
             return rungs.answer(rung, None);
         }
@@ -126,10 +126,13 @@ fn refine(mut layout: Layout, mut rungs: Rungs, scene: &Scene, other: Option<Run
             why = "on finer meshes the error bars are no smaller".into();
             break;
         }
-        let dofs = tried as f64;
         far = if is_far(last, [dofs, error], rungs.asked.relative) { far + 1 } else { 0 };
         if far > 1 {
-            why = "as its bars fall from mesh to mesh, one that is fine enough would be far too large".into();
+            why = match error.is_nan() {
+                true => "large meshes tell no error bar either",
+                false => "as its bars fall from mesh to mesh, one that is fine enough would be far too large",
+            }
+            .into();
             break;
         }
         last = [dofs, error];
