@@ -29,9 +29,9 @@ const TOLERANCE: f64 = 1e-9;
 const READINGS: f64 = 1.8;
 /// Factor on the distance between two readings of an end by the series near it; part of the half-width that both may miss with three layers
 /// of cells, whatever their order, and what every further layer leaves of that.
-const SERIES: (f64, f64) = (2.0, 4e-5);
+const SERIES: (f64, f64) = (1.0, 2e-6);
 const LAYERS: usize = 3;
-const LEFT: f64 = 1.0 / 3.0;
+const LEFT: f64 = 0.1;
 /// What a fourth difference at the top of the pressure that is larger by one than that of a smooth top on three elements may hide: of the
 /// peak and of the largest shear stress over themselves, of an end and of the second-moment width over an element. Under a gap that points
 /// tell, whose curvature may leap, any fourth difference hides something.
@@ -51,8 +51,8 @@ const ALTERNATES: f64 = 1.01;
 /// gap that is steep at the end (s^8 to s^22 on a parabola) series near it are as far off on the next mesh; and where the gap is not smooth
 /// those factors over themselves, and of the relative difference of the half-width what the peak may be off, and of the peak's what an end may
 /// be: order by order either agrees by chance.
-const BY_NEXT: [f64; 2] = [2.0, 4.0];
-const READ: [f64; 2] = [0.6, 0.2];
+const BY_NEXT: [f64; 2] = [2.0, 2.0];
+const READ: [f64; 2] = [0.6, 0.5];
 const ROUGH: [f64; 3] = [2.4, 2.4, 0.5];
 /// Factor on the square of how far an end may be off, over the half-width: 2 tells the error of a half-width, 1/2 that of a peak, since at the
 /// end the potential energy is the least; and half of 2 for that of the force, with whose root both grow.
@@ -363,8 +363,7 @@ impl Family {
             let [of_top, of_end] = READ.map(|part| part * self.missed_by_reading(quantity, measures));
             let read = match quantity {
                 Quantity::PeakPressure => of_top,
-                _ if self.layers > LAYERS => larger(of_end - factor * apart, 0.0),
-                _ => 0.0,
+                _ => larger(of_end - factor * apart, 0.0),
             };
             let half_width = measures.half_width();
             let of_other = match quantity {

@@ -157,6 +157,15 @@ impl Interface {
         (shapes.iter().map(|shape| shape.0).collect(), position, length)
     }
 
+    /// At a natural coordinate of an edge, the area of each of its nodes per ξ: `N_a (n·n_a) ds/dξ · thickness`, of bodies of revolution
+    /// `N_a 2πr ds/dξ` \[mm²\].
+    pub fn areas_at(&self, edge: &[usize], xi: f64) -> Vec<f64> {
+        let (shapes, position, length) = self.at(edge, xi);
+        let area = length * self.circumference(position) * self.thickness;
+        let aligned = |&a: &usize| self.pair.path.alignment(position, self.nodes[a].coordinate);
+        shapes.iter().zip(edge).map(|(shape, a)| shape * aligned(a) * area).collect()
+    }
+
     /// The points of a rule on every piece of an edge, each with its weight, which [`Interface::area`] makes its area.
     ///
     /// Around an axis the area grows with the radius. On edges of 2 nodes one Gauss point then lies at the centre of the area,

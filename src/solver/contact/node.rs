@@ -15,8 +15,8 @@ const ON_AXIS: f64 = 1e-9;
 pub fn points(interface: &Interface) -> Vec<ContactPoint> {
     let mut shares: Vec<Vec<(usize, f64)>> = vec![Vec::new(); interface.nodes.len()];
     for (index, edge) in interface.edges.iter().enumerate() {
-        for (k, &a) in edge.iter().enumerate() {
-            shares[a].push((index, tributary_area(interface, edge, k)));
+        for (&a, area) in edge.iter().zip(tributary_areas(interface, edge)) {
+            shares[a].push((index, area));
         }
     }
     // On the axis of revolution the node of an edge of order 2 or more has no area, `∫ N r dr = 0` but for what a curved
@@ -36,12 +36,11 @@ pub fn points(interface: &Interface) -> Vec<ContactPoint> {
     nodes.map(point).collect()
 }
 
-/// `∫ N_k (n·n_k) ds · thickness`, of bodies of revolution `∫ N_k 2πr ds`, over one edge \[mm²\].
-fn tributary_area(interface: &Interface, edge: &[usize], k: usize) -> f64 {
-    let own = interface.nodes[edge[k]].coordinate;
-    let terms = quadrature::gauss(edge.len().max(3)).into_iter().map(|(xi, weight)| {
-        let (shapes, position, length) = interface.at(edge, xi);
-        shapes[k] * interface.pair.path.alignment(position, own) * weight * length * interface.circumference(position)
-    });
-    terms.sum::<f64>() * interface.thickness
+/// `∫ N_k (n·n_k) ds · thickness`, of bodies of revolution `∫ N_k 2πr ds`, over one edge, for each of its nodes \[mm²\].
+fn tributary_areas(interface: &Interface, edge: &[usize]) -> Vec<f64> {
+    let rule = quadrature::gauss(edge.len().max(3)).into_iter();
+    let parts = rule.map(|(xi, weight)| (interface.areas_at(edge, xi), weight));
+    parts.fold(vec![0.0; edge.len()], |sums, (areas, weight)| {
+        sums.iter().zip(areas).map(|(sum, area)| sum + weight * area).collect()
+    })
 }

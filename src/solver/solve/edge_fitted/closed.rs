@@ -4,9 +4,8 @@
 //! Read from pressures alone, as on any mesh, an end is ten times less accurate than the line that was laid on it, on cells of order 5 and
 //! more: on those of order 4 the series near the end is as rough.
 
-use nalgebra::{DMatrix, DVector};
-
 use super::fitted::{Fitted, REMEDY, on_fitted};
+use super::tip::Tip;
 use crate::algorithm::Exact;
 use crate::contact::ContactPoint;
 use crate::error::{Error, Part};
@@ -18,14 +17,6 @@ use crate::solve::{Discretisation, Formulation, Permits};
 /// Growth, and the coarsest cell over the body, of meshes that know where the contact ends.
 const GROWTH: f64 = 4.0;
 
-/// Distance from the end, over the cell next to it, up to which pressures take part: the outermost layer.
-const WITHIN: f64 = 0.3501;
-/// Distance up to which a point lies at the end itself.
-const AT_END: f64 = 1e-9;
-/// Fewest and most terms of the series, and pressures for each of them. With three the end of the cylinder's contact wandered by 7e-5 from
-/// mesh to mesh, with these by 1e-5.
-const TERMS: [usize; 2] = [4, 6];
-const EACH: usize = 3;
 /// Most that an end moves at once, over the half-width.
 const FARTHEST: f64 = 0.5;
 
@@ -128,14 +119,16 @@ impl Closed {
             let half_width = half_width(one);
             let own = points.iter().zip(&closed).zip(&iterate.pressure);
             let own = own.filter(|((point, closed), _)| **closed && point.contact == contact);
-            let away = |s: f64| (s - end) * inwards;
-            // The cell next to the end reaches up to a leap of the curvature, beyond which the pressure has another series.
-            let leaps = made.scene.contacts[contact].leaps().into_iter().map(away).filter(|d| *d > 0.0);
-            let cell = leaps.reduce(f64::min).unwrap_or(half_width);
-            let near: Vec<[f64; 2]> = own.map(|((point, _), p)| [away(point.position), *p]).collect();
-            beyond(&near, half_width, cell).map_err(|why| {
+            let tip = Tip { end, inwards, half_width };
+            // Beyond a leap of the curvature the pressure has another series.
+            let leaps = made.scene.contacts[contact].leaps().into_iter().map(|leap| tip.away(leap)).filter(|d| *d > 0.0);
+            let smooth = leaps.fold(half_width, f64::min);
+            let forces: Vec<[f64; 2]> = own.map(|((point, _), p)| [point.position, point.weight * p]).collect();
+            let moved = tip.moved(&made.interfaces[contact], &forces, smooth);
+            moved.map(|[by, apart]| [by.clamp(-FARTHEST, FARTHEST), apart]).ok_or_else(|| {
                 let pair = &made.scene.contacts[contact];
-                let message = format!("the end of the contact at s = {} is not found: {why}", pair.path.reported(end));
+                let place = pair.path.reported(end);
+                let message = format!("the end of the contact at s = {place} is not found: the pressure does not fall towards it");
                 Error::at(made.scene.place_of(contact, Part::Stretch), message, REMEDY)
             })
         };
@@ -232,32 +225,4 @@ fn on_lines(one: &Stretch, places: &[f64]) -> Option<Stretch> {
     let begin = if one.reaches[0] || on_symmetry_line { Some(one.begin) } else { nearest(one.begin) };
     let end = if one.reaches[1] { Some(one.end) } else { nearest(one.end) };
     Some(Stretch { begin: begin?, end: end?, reaches: one.reaches })
-}
-
-/// How far the end lies beyond the expected one, over the half-width, from `[distance from that end, pressure]` of closed points, and how
-/// wide the cell next to it is; and how far the series of one term less is from that.
-///
-/// Closed up to a place e that is not the end, a frictionless contact has the pressure of a sharp corner,
-/// `p √d = A₀ + B₀ d + C₀ d² + …` at the distance d from e. At the end itself A₀, its stress intensity, vanishes. Where the end
-/// lies at e + δ, `p ∝ √(δ + d) = √d + δ/(2√d) + …`, so that `δ = 2 A₀/B₀`.
-fn beyond(points: &[[f64; 2]], half_width: f64, cell: f64) -> Result<[f64; 2], String> {
-    let near = points.iter().filter(|[d, _]| *d > AT_END * half_width && *d <= WITHIN * cell);
-    let near: Vec<[f64; 2]> = near.map(|[d, p]| [d / half_width, *p]).collect();
-    let (found, [least, most]) = (near.len(), TERMS);
-    if found < least {
-        return Err(format!("{found} closed points lie within {WITHIN:.2} half-widths of it, and {least} are needed"));
-    }
-    let terms = (near.len() / EACH).clamp(least, most);
-    let both = by_series(&near, terms).zip(by_series(&near, terms - 1));
-    let (delta, other) = both.ok_or("the pressure does not fall towards it")?;
-    Ok([delta.clamp(-FARTHEST, FARTHEST), (delta - other).abs()])
-}
-
-/// `δ = 2 A₀/B₀` of the series of so many terms, in half-widths; none where the pressure does not fall towards an end.
-fn by_series(near: &[[f64; 2]], terms: usize) -> Option<f64> {
-    let powers = DMatrix::from_fn(near.len(), terms, |row, k| near[row][0].powi(k as i32));
-    let rooted = DVector::from_fn(near.len(), |row, _| near[row][1] * near[row][0].sqrt());
-    let series = powers.svd(true, true).solve(&rooted, f64::EPSILON).ok()?;
-    let delta = 2.0 * series[0] / series[1];
-    (series[1] > 0.0 && delta.is_finite()).then_some(delta)
 }

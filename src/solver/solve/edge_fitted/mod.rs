@@ -8,10 +8,12 @@
 //! * `fitted` — order and layers of such a mesh, and what it is not made for.
 //! * `search` — the ends sought on coarse meshes, then on the one asked for.
 //! * `closed` — the closed stretches, a mesh with lines on their ends, how far these shall move, and where the contact ends there.
+//! * `tip` — how far that is from such a line, by the forces near it.
 
 mod closed;
 mod fitted;
 mod search;
+mod tip;
 
 pub(super) use closed::of_lines;
 pub use fitted::Fitted;
