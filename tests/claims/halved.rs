@@ -191,8 +191,8 @@ fn several_contacts_are_found_from_guesses_ten_times_too_long_or_too_short() {
         [0, 1].map(|contact| {
             let (half_width, pair) =
                 (answer.run.contacts[contact].measures.half_width(), &answer.scene.contacts[contact]);
-            // Candidates go little farther than what was found on a cheap mesh, by whole elements.
-            assert!((1.2..1.5).contains(&(pair.stretch / half_width)), "{guess}: {} {half_width}", pair.stretch);
+            // Candidates go as far beyond what was found on a cheap mesh as that is wide.
+            assert!((1.2..2.3).contains(&(pair.stretch / half_width)), "{guess}: {} {half_width}", pair.stretch);
             half_width
         })
     });

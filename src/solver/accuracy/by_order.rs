@@ -9,10 +9,11 @@ use crate::accuracy::longest::longest;
 use crate::accuracy::rungs::{Rung, Rungs};
 use crate::accuracy::{Asked, Quantity};
 use crate::error::{Error, Kind};
+use crate::measure::Stretch;
 use crate::mesh::{Order, Resolution};
 use crate::scene::{ContactPair, Scene};
 use crate::solve::edge_fitted::{self, Sought};
-use crate::solve::{Discretisation, Element, Fitted, Formulation};
+use crate::solve::{Discretisation, Element, Fitted, Formulation, Run};
 
 /// What such meshes are solved for.
 const PURPOSE: &str = "order";
@@ -26,8 +27,8 @@ const FIRST: [(f64, Fitted); 4] = [
     (0.0, Fitted::of(Order::Octic, 3)),
 ];
 
-/// Part of what is asked that ends at rest may leave, as a move that they no longer make, over the half-width: its square is what matters.
-const REST: f64 = 0.02;
+/// Move of an end over the half-width, over what is asked, that no longer matters: a thirtieth to a quarter of it is left in the end.
+const REST: f64 = 2.0;
 /// Move at rest from which on the ends are sought on the mesh itself, without a coarse one.
 const AT_ONCE: f64 = 0.024;
 /// Bar over that of the mesh before, from which on the bars fall too slowly; how many in a row may, and how many where the bars are so near
@@ -83,10 +84,12 @@ pub(super) fn found(scene: &Scene, rungs: &mut Rungs) -> Result<Option<Rung>, Er
 /// The first mesh, whose lines lie on the ends of the contact that the cheap one shows; a coarser one where the iteration does not converge on
 /// it, and none where none can be fitted, or is allowed.
 fn first(scene: &Scene, rungs: &mut Rungs) -> Option<(Discretisation, Rung)> {
+    let known = rungs.first.as_ref().and_then(|first| wider(scene, &first.run, BEYOND));
+    let scene = known.as_ref().unwrap_or(scene);
     let wanted = FIRST.iter().position(|(least, _)| *least <= rungs.asked.relative)?;
     for (_, mesh) in FIRST[..=wanted].iter().rev() {
         let mut answer = sought(*mesh, scene, rungs).map_err(|error| rungs.is_refused(&error)).ok()?;
-        if let Some(wider) = wider(scene, &answer.stretches) {
+        if let Some(wider) = wider(scene, &answer.run, SQUEEZED) {
             answer.tried.iter().for_each(|tried| rungs.sought(tried));
             let permits = |dofs| rungs.watch.permits(dofs);
             let near = Sought {
@@ -122,20 +125,24 @@ fn sought(mesh: Fitted, scene: &Scene, rungs: &Rungs) -> Result<edge_fitted::Ans
     }
 }
 
-/// Candidates over the farther end of a contact below which the cells beyond that end are squeezed, and how far they go then.
-const SQUEEZED: f64 = 1.2;
-const BEYOND: f64 = 4.0 / 3.0;
+/// How far candidates go beyond a stretch, over its half-width: where only a third of that, the mesh leaves five times as much in its end, and
+/// farther out it leaves as much.
+const BEYOND: f64 = 1.0;
+/// The same below which the cells there are squeezed so much that the mesh is made again: of a sphere with 4 % of candidates beyond, as a cheap mesh
+/// took its contact for a quarter shorter, no order of cells told the half-width to better than 1e-4.
+const SQUEEZED: f64 = 0.2;
 
-/// A scene with candidates that go farther than where its contacts end, where they hardly do; none where they do, or cannot.
-///
-/// A cheap mesh may have taken a contact for a quarter shorter than it is: of a sphere with 4 % of candidates beyond, no order of cells told
-/// the half-width to better than 1e-4.
-fn wider(scene: &Scene, stretches: &[Vec<[f64; 2]>]) -> Option<Scene> {
+/// A scene with candidates that go [so far](BEYOND) beyond what a run found closed, where some do not go beyond it by a part of the half-width
+/// and can go farther; none where all do.
+fn wider(scene: &Scene, run: &Run, least: f64) -> Option<Scene> {
     let mut wider = scene.clone();
-    for (pair, ends) in wider.contacts.iter_mut().zip(stretches) {
-        let end = ends.iter().flatten().fold(0.0, |far: f64, end| far.max(end.abs()));
-        if pair.stretch < SQUEEZED * end {
-            pair.stretch = (BEYOND * end).min(longest(scene, pair)).max(pair.stretch);
+    for (pair, contact) in wider.contacts.iter_mut().zip(&run.contacts) {
+        let beyond = |part: f64| {
+            let reached = |one: &Stretch| one.end.abs().max(one.begin.abs()) + part * one.half_width();
+            contact.measures.stretches.iter().map(reached).fold(0.0, f64::max)
+        };
+        if pair.stretch < beyond(least) {
+            pair.stretch = beyond(BEYOND).min(longest(scene, pair)).max(pair.stretch);
         }
     }
     let goes_farther = |(wider, pair): (&ContactPair, &ContactPair)| wider.stretch > pair.stretch * (1.0 + 1e-9);
@@ -144,7 +151,7 @@ fn wider(scene: &Scene, stretches: &[Vec<[f64; 2]>]) -> Option<Scene> {
 
 /// Move of an end, over the half-width, that no longer matters.
 fn at_rest(asked: &Asked) -> f64 {
-    (REST * asked.relative).sqrt()
+    REST * asked.relative
 }
 
 /// The next mesh, its lines on the ends that one shows: of the next order and with a layer more, or of smaller cells.

@@ -27,8 +27,8 @@ const FEWEST: (usize, f64) = (2, 2.4);
 const TOLERANCE: f64 = 1e-9;
 /// Factor on the distance between two readings of a peak.
 const READINGS: f64 = 1.8;
-/// Factor on the distance between two readings of an end by the series near it; part of the half-width that both may miss with three layers
-/// of cells, whatever their order, and what every further layer leaves of that.
+/// Factor on the distance between two series that tell an end; part of the half-width that both may miss with three layers of cells (order 5), and
+/// what every further layer leaves of that.
 const SERIES: (f64, f64) = (1.0, 2e-6);
 const LAYERS: usize = 3;
 const LEFT: f64 = 0.1;
@@ -47,12 +47,12 @@ const RISES: f64 = 1.0;
 /// 3-node edges differ by 0.5 % on four elements.
 const ALTERNATES: f64 = 1.01;
 /// On cells of high order that end with the contact: factor on the difference to the next finer mesh, of a peak and of what else pressures
-/// tell; part of the distance between two readings of a peak that is added, and of an end that is the least on more than three layers: under a
-/// gap that is steep at the end (s^8 to s^22 on a parabola) series near it are as far off on the next mesh; and where the gap is not smooth
+/// tell, of which that mesh leaves a tenth; part of the distance between two readings of a peak that is added, and of that between two series for an
+/// end that is the least: a gap that is steep at the end (s^8 to s^22 on a parabola) has series that are as far off on the next mesh. Where the gap is not smooth
 /// those factors over themselves, and of the relative difference of the half-width what the peak may be off, and of the peak's what an end may
 /// be: order by order either agrees by chance.
-const BY_NEXT: [f64; 2] = [2.0, 2.0];
-const READ: [f64; 2] = [0.6, 0.5];
+const BY_NEXT: [f64; 2] = [2.0, 1.6];
+const READ: [f64; 2] = [0.5, 0.5];
 const ROUGH: [f64; 3] = [2.4, 2.4, 0.5];
 /// Factor on the square of how far an end may be off, over the half-width: 2 tells the error of a half-width, 1/2 that of a peak, since at the
 /// end the potential energy is the least; and half of 2 for that of the force, with whose root both grow.
@@ -69,8 +69,8 @@ const SURFACE: [f64; 2] = [3.0, 2.0];
 /// its ring, and of spheres on 3 to 30 elements half of the bars were up to 1.7 times too small without it.
 const ON_AXIS: f64 = 2.0;
 /// Factor on what tells a peak on an axis of revolution by cells of high order whose dilatation is smoothed: orders 5 and 6 are off by the same
-/// 1e-4, at ν = 0.4999 by 1.3 to 2.1 of what they tell.
-const SMOOTHED: f64 = 2.0;
+/// 1e-4, by 1.3 to 3.6 of what they tell.
+const SMOOTHED: f64 = 4.0;
 /// From which multiple of the first body's elements on those of the second hide a part of their own, and the factor on its exponent: what
 /// they leave falls faster (half-width, peak and second-moment width of two cylinders, one to four elements of the second on the
 /// half-width).
@@ -360,10 +360,13 @@ impl Family {
             let apart = (discrete - of_next(quantity)).abs();
             let factor =
                 BY_NEXT[usize::from(*quantity != Quantity::PeakPressure)] * if is_rough { ROUGH[0] } else { 1.0 };
-            let [of_top, of_end] = READ.map(|part| part * self.missed_by_reading(quantity, measures));
+            let [of_top, of_end] = READ;
             let read = match quantity {
-                Quantity::PeakPressure => of_top,
-                _ => larger(of_end - factor * apart, 0.0),
+                Quantity::PeakPressure => of_top * self.missed_by_reading(quantity, measures),
+                Quantity::HalfWidth | Quantity::Begin(_) | Quantity::End(_) => {
+                    larger(of_end * measures.ends_apart - factor * apart, 0.0)
+                }
+                _ => 0.0,
             };
             let half_width = measures.half_width();
             let of_other = match quantity {
@@ -450,7 +453,7 @@ impl Family {
     /// The same of an end; 0 where no mesh line tells it.
     fn missed_by_end(&self, measures: &Measures) -> f64 {
         let (factor, missed) = SERIES;
-        let missed = missed * LEFT.powi(self.layers.saturating_sub(LAYERS) as i32);
+        let missed = missed * LEFT.powi(self.layers as i32 - LAYERS as i32);
         if self.on_ends { factor * measures.ends_apart + missed * measures.half_width() } else { 0.0 }
     }
 

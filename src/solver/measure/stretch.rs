@@ -16,6 +16,18 @@ pub struct Stretch {
     pub reaches: [bool; 2],
 }
 
+impl Stretch {
+    /// Half its width, or all of it where it begins on a symmetry line \[mm, or rad\].
+    pub fn half_width(&self) -> f64 {
+        if self.begins_within() { 0.5 * (self.end - self.begin) } else { self.end }
+    }
+
+    /// Whether it begins at an end of its own, and not on a symmetry line.
+    pub fn begins_within(&self) -> bool {
+        self.begin.abs() > ROUNDING * self.end.abs()
+    }
+}
+
 /// Every closed stretch: runs of edges whose mean is above a floor.
 ///
 /// One that goes on to the outermost candidate ends there, or begins on the symmetry line; elsewhere its ends are found by

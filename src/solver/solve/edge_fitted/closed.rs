@@ -1,8 +1,7 @@
 //! The closed stretches of every contact, a mesh with lines on their ends, and how far these shall move; where a contact ends on such a
 //! mesh: at the line, moved as the pressures near it ask.
 //!
-//! Read from pressures alone, as on any mesh, an end is ten times less accurate than the line that was laid on it, on cells of order 5 and
-//! more: on those of order 4 the series near the end is as rough.
+//! Read from pressures alone, as on any mesh, an end is ten times less accurate than the line that was laid on it.
 
 use super::fitted::{Fitted, REMEDY, on_fitted};
 use super::tip::Tip;
@@ -68,7 +67,7 @@ impl Closed {
                 })
                 .collect();
             for one in &mut own[0] {
-                let within = near * half_width(one);
+                let within = near * one.half_width();
                 for (end, is_fixed) in [(&mut one.begin, one.reaches[0]), (&mut one.end, one.reaches[1])] {
                     let place = places.iter().find(|place| (**place - *end).abs() <= within);
                     *end = place.copied().filter(|_| !is_fixed).unwrap_or(*end);
@@ -116,24 +115,27 @@ impl Closed {
         let iterate = Exact::bilateral(&problem, &closed)
             .ok_or_else(|| refused("the closed stretches do not hold the bodies"))?;
         let at_end = |contact: usize, one: &Stretch, end: f64, inwards: f64| -> Result<[f64; 2], Error> {
-            let half_width = half_width(one);
+            let half_width = one.half_width();
             let own = points.iter().zip(&closed).zip(&iterate.pressure);
             let own = own.filter(|((point, closed), _)| **closed && point.contact == contact);
             let tip = Tip { end, inwards, half_width };
             // Beyond a leap of the curvature the pressure has another series.
-            let leaps = made.scene.contacts[contact].leaps().into_iter().map(|leap| tip.away(leap)).filter(|d| *d > 0.0);
+            let leaps =
+                made.scene.contacts[contact].leaps().into_iter().map(|leap| tip.away(leap)).filter(|d| *d > 0.0);
             let smooth = leaps.fold(half_width, f64::min);
             let forces: Vec<[f64; 2]> = own.map(|((point, _), p)| [point.position, point.weight * p]).collect();
             let moved = tip.moved(&made.interfaces[contact], &forces, smooth);
             moved.map(|[by, apart]| [by.clamp(-FARTHEST, FARTHEST), apart]).ok_or_else(|| {
                 let pair = &made.scene.contacts[contact];
                 let place = pair.path.reported(end);
-                let message = format!("the end of the contact at s = {place} is not found: the pressure does not fall towards it");
+                let message = format!(
+                    "the end of the contact at s = {place} is not found: the pressure does not fall towards it"
+                );
                 Error::at(made.scene.place_of(contact, Part::Stretch), message, REMEDY)
             })
         };
         let of_stretch = |contact: usize, one: &Stretch| -> Result<[[f64; 2]; 2], Error> {
-            let is_fixed = [one.reaches[0] || !begins_within(one), one.reaches[1]];
+            let is_fixed = [one.reaches[0] || !one.begins_within(), one.reaches[1]];
             let begin = if is_fixed[0] { [0.0; 2] } else { at_end(contact, one, one.begin, 1.0)? };
             let end = if is_fixed[1] { [0.0; 2] } else { at_end(contact, one, one.end, -1.0)? };
             Ok([begin, end])
@@ -156,7 +158,7 @@ impl Closed {
         for ((pair, stretches), moves) in scene.contacts.iter().zip(&mut self.stretches).zip(moves) {
             let least = if pair.path.has_both_sides() { f64::NEG_INFINITY } else { 0.0 };
             for (one, [[begin, _], [end, _]]) in stretches.iter_mut().zip(moves) {
-                let half_width = half_width(one);
+                let half_width = one.half_width();
                 one.begin = (one.begin - begin * half_width).max(least);
                 one.end += end * half_width;
             }
@@ -169,7 +171,7 @@ const SAME: f64 = 1e-9;
 
 /// Where stretches end within the candidates, and not on a symmetry line.
 pub(super) fn places(stretches: &[Stretch]) -> Vec<f64> {
-    let begins = stretches.iter().filter(|one| !one.reaches[0] && begins_within(one)).map(|one| one.begin);
+    let begins = stretches.iter().filter(|one| !one.reaches[0] && one.begins_within()).map(|one| one.begin);
     let ends = stretches.iter().filter(|one| !one.reaches[1]).map(|one| one.end);
     let mut places: Vec<f64> = begins.chain(ends).collect();
     places.sort_by(f64::total_cmp);
@@ -178,18 +180,8 @@ pub(super) fn places(stretches: &[Stretch]) -> Vec<f64> {
 
 /// Largest distance between two readings of the ends of some stretches.
 pub(super) fn apart(stretches: &[Stretch], moves: &[[[f64; 2]; 2]]) -> f64 {
-    let of = |(one, ends): (&Stretch, &[[f64; 2]; 2])| half_width(one) * ends[0][1].max(ends[1][1]);
+    let of = |(one, ends): (&Stretch, &[[f64; 2]; 2])| one.half_width() * ends[0][1].max(ends[1][1]);
     stretches.iter().zip(moves).map(of).fold(0.0, f64::max)
-}
-
-/// Half its width, or all of it where it begins on a symmetry line.
-pub(super) fn half_width(one: &Stretch) -> f64 {
-    if begins_within(one) { 0.5 * (one.end - one.begin) } else { one.end }
-}
-
-/// Whether a stretch begins at an end of its own, and not on a symmetry line.
-fn begins_within(one: &Stretch) -> bool {
-    one.begin.abs() > SAME * one.end.abs()
 }
 
 /// Distance of an end from its line, over the half-width, beyond which it is not the one that the line was laid on.
@@ -199,7 +191,7 @@ const NEAR: f64 = 0.1;
 /// lies from the end, is not known.
 pub(in crate::solve) fn of_lines(discretisation: &Discretisation, measures: &mut [&mut Measures]) {
     let pairs = &discretisation.scene.contacts;
-    let is_told = discretisation.resolution.order > Order::Quartic;
+    let is_told = discretisation.resolution.order >= Order::Quartic;
     if !is_told || pairs.iter().all(|pair| pair.ends.places.is_empty()) {
         return;
     }

@@ -27,7 +27,7 @@ impl Fitted {
 
     /// Move of an end, over the half-width, that no longer matters.
     pub fn at_rest(self) -> f64 {
-        (0.5 * Self::misfit(self.order)).sqrt()
+        4.0 * Self::misfit(self.order)
     }
 
     /// Relative error that ends at rest may leave on cells of an order, half a unit of its last digit.

@@ -1,6 +1,6 @@
 //! The ends of the contact sought on coarse fitted meshes, then on the one that is asked for.
 
-use super::closed::{Closed, half_width, places};
+use super::closed::{Closed, places};
 use super::fitted::{Fitted, REMEDY, on_fitted, refuse_given};
 use crate::error::{Error, Kind};
 use crate::measure::{Stretch, larger};
@@ -64,10 +64,11 @@ const ELSEWHERE: f64 = 0.05;
 const FIRST: Resolution = Resolution { elements: 3, refinement: 0, order: Order::Quadratic };
 /// Times that this mesh is halved where the contact found on it is not that of the fitted mesh.
 const HALVED: u32 = 5;
-/// Mesh on which its ends are sought first.
-const COARSE: Fitted = Fitted { order: Order::Quartic, layers: 1 };
+/// Order of the mesh on which its ends are sought first, with a layer more than the last one: an order costs more than a layer, and tells
+/// less of an end.
+const COARSE: Order = Order::Quartic;
 /// Move of an end, over the half-width, from which on the last mesh is worth while.
-const NEAR: f64 = 2e-2;
+const NEAR: f64 = 2e-3;
 /// Farthest that the ends of two contacts of one body may be from one another and share a mesh line, over the half-width: on the last of the
 /// meshes no farther than an end may be off.
 const TOGETHER: f64 = 0.1;
@@ -148,7 +149,8 @@ impl Fitted {
         let mut ends = found(first);
         let mut tried = Vec::new();
         ends.refuse(scene)?;
-        let meshes = [(COARSE, 1, NEAR), (self, elements, at_rest)];
+        let coarse = Fitted::of(COARSE, self.layers + 1);
+        let meshes = [(coarse, 1, NEAR.max(at_rest)), (self, elements, at_rest)];
         for &(mesh, elements, enough) in &meshes[usize::from(is_near)..] {
             let last = mesh == self;
             for left in (0..MESHES).rev() {
@@ -200,7 +202,7 @@ pub(crate) fn off(pair: &ContactPair, stretches: &[Stretch]) -> f64 {
     let away = |end: f64| pair.ends.places.iter().map(|place| (place - end).abs()).fold(f64::INFINITY, f64::min);
     let of = |one: &Stretch| {
         let ends = places(std::slice::from_ref(one));
-        ends.into_iter().map(away).fold(0.0, larger) / half_width(one)
+        ends.into_iter().map(away).fold(0.0, larger) / one.half_width()
     };
     stretches.iter().map(of).fold(0.0, larger)
 }
