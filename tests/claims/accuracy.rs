@@ -119,7 +119,10 @@ fn cells_of_high_order_meet_up_to_a_millionth_of_peak_and_half_width_with_few_fr
             for (quantity, truth) in [(Quantity::PeakPressure, peak), (Quantity::HalfWidth, end)] {
                 let one = answer.estimates.iter().find(|one| one.quantity == quantity).expect("estimated");
                 let error = relative_error(one.value, truth);
-                assert!(error <= one.relative() && one.relative() <= asked, "{ratio}, {asked}, {quantity:?}: {error:e}");
+                assert!(
+                    error <= one.relative() && one.relative() <= asked,
+                    "{ratio}, {asked}, {quantity:?}: {error:e}"
+                );
             }
             assert!(answer.run.dofs <= dofs, "{ratio}, {asked}: {}", answer.run.dofs);
         }

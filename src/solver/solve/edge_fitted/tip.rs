@@ -13,8 +13,8 @@ const SAME: f64 = 1e-9;
 const TERMS: [usize; 2] = [4, 7];
 /// Fewest functions that tell a series, and the one of a term less.
 const FEWEST: usize = 3;
-/// Part of the stretch on which profiles that are steep at its end have a series of so few terms: the outermost layer of cells.
-const NARROW: f64 = LAYER * (1.0 + SAME);
+/// Parts of the stretch on which profiles that are steep at its end have a series of so few terms: up to the outermost layer of cells, and the next one.
+const NARROW: [f64; 2] = [LAYER, LAYER * LAYER];
 /// Order to which the functions vanish where the piece ends that is looked at.
 const VANISHES: usize = 2;
 /// Gauss points, exact for polynomials in √d of degree 31.
@@ -46,7 +46,8 @@ impl Tip {
     /// Of some series the one whose last term matters least is taken.
     pub(super) fn moved(&self, interface: &Interface, forces: &[[f64; 2]], smooth: f64) -> Option<[f64; 2]> {
         let [few, many] = TERMS;
-        let pieces = [(smooth, few), (smooth, many), (NARROW * smooth, many)];
+        let [narrow, narrower] = NARROW.map(|part| part * smooth);
+        let pieces = [(smooth, few), (smooth, many), (narrow, many), (narrower, many)];
         let by_series = |(within, terms)| self.by_series(interface, forces, within, terms);
         let mut known: Vec<[f64; 2]> = pieces.into_iter().filter_map(by_series).collect();
         known.sort_by(|a, b| a[1].total_cmp(&b[1]));
@@ -64,7 +65,8 @@ impl Tip {
         let [same, width] = [SAME, 2.0].map(|part| part * self.half_width);
         let span = |[a, b]: [f64; 2]| [self.away(a).min(self.away(b)), self.away(a).max(self.away(b))];
         let spans: Vec<[f64; 2]> = interface.contact_edges().map(|edge| span(edge.ends)).collect();
-        let corners = spans.iter().map(|[_, far]| *far).filter(|far| *far > same && *far <= within + same);
+        let corners =
+            spans.iter().map(|[_, far]| *far).filter(|far| *far > same && *far <= within * (1.0 + SAME) + same);
         let reach = corners.reduce(f64::max)?;
         let rows = interface.edges.first()?.len().checked_sub(VANISHES).filter(|rows| *rows >= FEWEST)?;
         let functions = |d: f64| {
