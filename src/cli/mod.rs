@@ -156,8 +156,11 @@ enum Command {
         /// Measure only our own points of speed against accuracy; other codes keep what our solve took beside them.
         #[arg(long)]
         points: bool,
+        /// Measure only the sphere's contact solve over a plain one.
+        #[arg(long, conflicts_with = "points")]
+        revolved: bool,
         /// Ask only this code on meshes of its own, and renew its part of the record.
-        #[arg(long, conflicts_with = "points", value_parser = choice(Series::ASKED))]
+        #[arg(long, conflicts_with_all = ["points", "revolved"], value_parser = choice(Series::ASKED))]
         ask: Option<Series>,
     },
     /// Ask CalculiX, GetFEM, NGSolve, SfePy, Kratos, Akantu, FElupe, scikit-fem and dolfinx for exported cases, and keep what they write in oracles/frozen/scoreboard.
@@ -263,6 +266,7 @@ pub fn main() -> ExitCode {
             growth::memory_of_one_solve(mesh[0] as usize, mesh[1]).map(say).map(well)
         }
         Command::Timings { points: true, .. } => timings::points().map(well),
+        Command::Timings { revolved: true, .. } => timings::revolved().map(well),
         Command::Timings { ask: Some(code), .. } => timings::ask(code).map(well),
         Command::Timings { .. } => timings::run().map(well),
         Command::Scoreboard => survey::scoreboard().map(well),
