@@ -105,7 +105,7 @@ fn sheet(case: &Case) -> Result<String, Error> {
         return Ok(made.into());
     }
     let truth = Truth::of(case.clone())?;
-    Ok(sheet::file(&references::sheet(case, &truth.discretisation, &truth.run, &truth.bars)?).1)
+    Ok(sheet::file(&references::sheet(case, &truth.discretisation, &truth.run, &truth.bars, &Default::default())?).1)
 }
 
 fn document(document: &Document) -> String {

@@ -40,6 +40,7 @@ pub mod writable;
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
+use std::time::Instant;
 
 use clap::{CommandFactory, Parser, Subcommand};
 use clap_complete::Shell;
@@ -53,10 +54,10 @@ use crate::cli::terminal::{say, show};
 use crate::error::Error;
 use crate::referee::document;
 use crate::report;
-use crate::study::promised;
 use crate::study::sheet::{self, SHEETS};
 use crate::study::timings::growth;
 use crate::study::timings::precision::Series;
+use crate::study::{self, promised};
 
 /// Contact elements and iterations for frictionless elastic contact in 2D, verified.
 ///
@@ -156,8 +157,11 @@ enum Command {
         /// Measure only our own points of speed against accuracy; other codes keep what our solve took beside them.
         #[arg(long)]
         points: bool,
+        /// Measure only the sphere's contact solve over a plain one.
+        #[arg(long, conflicts_with = "points")]
+        revolved: bool,
         /// Ask only this code on meshes of its own, and renew its part of the record.
-        #[arg(long, conflicts_with = "points", value_parser = choice(Series::ASKED))]
+        #[arg(long, conflicts_with_all = ["points", "revolved"], value_parser = choice(Series::ASKED))]
         ask: Option<Series>,
     },
     /// Ask CalculiX, GetFEM, NGSolve, SfePy, Kratos, Akantu, FElupe, scikit-fem and dolfinx for exported cases, and keep what they write in oracles/frozen/scoreboard.
@@ -263,6 +267,7 @@ pub fn main() -> ExitCode {
             growth::memory_of_one_solve(mesh[0] as usize, mesh[1]).map(say).map(well)
         }
         Command::Timings { points: true, .. } => timings::points().map(well),
+        Command::Timings { revolved: true, .. } => timings::revolved().map(well),
         Command::Timings { ask: Some(code), .. } => timings::ask(code).map(well),
         Command::Timings { .. } => timings::run().map(well),
         Command::Scoreboard => survey::scoreboard().map(well),
@@ -321,12 +326,24 @@ fn report_command(check: bool) -> Result<bool, Error> {
     Ok(sound && difference.is_none())
 }
 
-/// Whether all checks of a case or a study pass; its page and its charts are written, and the page is printed.
+/// Whether all checks of a case or a study pass; its page and its charts are written, and the page is printed. How many trials that takes, and
+/// the seconds of the last time in this checkout, are told before.
 fn only_command(name: &str) -> Result<bool, Error> {
     let root = writable::checkout()?;
     refuse_read_only(&root)?;
     let only = report::Only::named(name)?;
-    let findings = if only.is_of_all() { suite::run()? } else { suite::of(&only.trials())? };
+    let (trials, kept) = (only.trials(), root.join("target/only").join(name.replace('/', "-")));
+    let last =
+        std::fs::read_to_string(&kept).map_or_else(|_| String::new(), |last| format!(", {last} s the last time"));
+    eprintln!("{name}: {} trials{last}", trials.len());
+    let clock = Instant::now();
+    let mut findings = suite::of(&trials)?;
+    if only.shows_bars() {
+        findings.push(study::on_bars(&findings)?);
+    }
+    let seconds = format!("{:.1}", clock.elapsed().as_secs_f64());
+    // What cannot be kept is not told the next time.
+    kept.parent().and_then(|folder| std::fs::create_dir_all(folder).and_then(|()| std::fs::write(&kept, seconds)).ok());
     let files = only.files(&findings)?;
     report::page::write_all(&files, &root)?;
     files.first().iter().for_each(|(_, page)| say(page.trim_end()));

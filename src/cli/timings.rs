@@ -10,7 +10,7 @@ use crate::cli::terminal::{progress, say};
 use crate::cli::writable;
 use crate::error::Error;
 use crate::study::seconds::{Machine, Spread};
-use crate::study::timings::growth;
+use crate::study::timings::growth::{self, Growth};
 use crate::study::timings::precision::{self, Point, Series};
 use crate::study::timings::record::{Beside, FOLDER, Measured, Record, seconds_of_ours};
 
@@ -34,10 +34,11 @@ fn measure() -> Result<Record, Error> {
     }
     for mesh in growth::MESHES {
         step(&bar, &format!("growth, {} × 2^{}", mesh.0, mesh.1));
-        growth.push(growth::measure(mesh, memory(mesh.0, mesh.1)?)?);
+        growth.push(growth::measure(growth::CYLINDER, mesh, memory(mesh.0, mesh.1)?)?);
     }
+    let revolved = of_revolution()?;
     let (machine, report, beside, absent) = (Machine::here(), f64::NAN, vec![], BTreeMap::new());
-    let measured = Measured { machine, growth, nine, report, beside, absent };
+    let measured = Measured { machine, growth, revolved, nine, report, beside, absent };
     let mut record = Record { measured, points: own_points(&bar)? };
     for code in Series::CODES {
         step(&bar, code.name());
@@ -79,6 +80,19 @@ pub fn points() -> Result<(), Error> {
     record.points.retain(|point| Series::CODES.contains(&point.series));
     record.points.splice(0..0, own);
     written(&record)
+}
+
+/// Measures the sphere's contact solve over a plain one again; all else stays.
+pub fn revolved() -> Result<(), Error> {
+    writable::in_checkout(FOLDER)?;
+    let mut record = Record::read()?;
+    record.measured.revolved = growth::on(1, of_revolution)?;
+    written(&record)
+}
+
+fn of_revolution() -> Result<Vec<Growth>, Error> {
+    let (case, meshes) = growth::SPHERE;
+    growth::MESHES[..meshes].iter().map(|mesh| growth::measure(case, *mesh, None)).collect()
 }
 
 /// Asks one code and writes its part of the record.

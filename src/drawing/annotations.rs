@@ -1,15 +1,13 @@
 //! What stands in a chart beside the curves: reference lines, triangles of orders, areas, bars, and points marked with words.
 
 use super::canvas::Canvas;
-use super::chart::{Bars, Direction, Guide, Remark, Ribbon, Slope};
+use super::chart::{Bars, Direction, Guide, Remark, Slope};
 use super::curves::{Curve, sampled};
 use super::frame::{Frame, Point, between};
 use super::palette::{GREY, tint};
 use super::pen::{Lettering, Pen, text_width};
 use super::plot::{GUIDE_SIZE, Plot};
 
-/// How much of its colour an area has.
-pub(super) const RIBBON: f64 = 0.3;
 /// Width of a bar and of its ends.
 pub(super) const BAR: f64 = 1.1;
 /// How much of grey the area of a triangle has.
@@ -44,14 +42,6 @@ impl Plot<'_> {
         };
         canvas.line(&ends, Pen::dashed(GREY, 1.0));
         canvas.label(place, label, lettering.coloured(GREY));
-    }
-
-    /// Fills the area between two curves.
-    pub fn ribbon(&self, canvas: &mut Canvas, Ribbon { points, colour, .. }: &Ribbon) {
-        let side = |k: usize| points.iter().map(move |point| self.place((point[0], point[k])));
-        let outline: Vec<Point> =
-            side(1).chain(side(2).rev()).filter(|at| at.0.is_finite() && at.1.is_finite()).collect();
-        canvas.within(self.frame, |canvas| canvas.area(&outline, tint(*colour, RIBBON)));
     }
 
     /// Draws bars with short strokes across their ends; of one that leaves the frame, what lies inside.

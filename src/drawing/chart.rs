@@ -69,17 +69,6 @@ pub struct Guide {
     pub label: String,
 }
 
-/// A shaded area between two curves.
-#[derive(Clone, Debug)]
-pub struct Ribbon {
-    /// Text in the legend.
-    pub label: String,
-    /// Abscissa, lower and upper ordinate.
-    pub points: Vec<[f64; 3]>,
-    /// What it is of.
-    pub colour: Colour,
-}
-
 /// Bars from one value to another, as of repeated runs.
 #[derive(Clone, Debug)]
 pub struct Bars {
@@ -141,8 +130,6 @@ pub struct Chart {
     pub guides: Vec<Guide>,
     /// Triangles of orders.
     pub slopes: Vec<Slope>,
-    /// Areas between curves.
-    pub ribbons: Vec<Ribbon>,
     /// Bars on points.
     pub bars: Vec<Bars>,
     /// Points marked with words.
@@ -161,7 +148,6 @@ impl Chart {
             series: vec![],
             guides: vec![],
             slopes: vec![],
-            ribbons: vec![],
             bars: vec![],
             remarks: vec![],
             notes: vec![],

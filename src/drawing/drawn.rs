@@ -39,7 +39,6 @@ impl Chart {
 impl Plot<'_> {
     /// Draws everything.
     pub fn draw(&self, canvas: &mut Canvas) {
-        self.chart.ribbons.iter().for_each(|ribbon| self.ribbon(canvas, ribbon));
         self.axes(canvas);
         self.chart.guides.iter().for_each(|guide| self.guide(canvas, guide));
         let mut curves = curves(self);

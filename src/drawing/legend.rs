@@ -1,10 +1,10 @@
 //! The legend: one entry per style, in columns outside the data.
 
-use super::annotations::{self, RIBBON};
+use super::annotations;
 use super::canvas::Canvas;
 use super::chart::Chart;
 use super::frame::{Frame, Point};
-use super::palette::{Dash, GREY, Marker, Style, tint};
+use super::palette::{Dash, GREY, Marker, Style};
 use super::pen::{LINE_WIDTH, Lettering, Pen, widest};
 use super::signs;
 use super::theme::Colour;
@@ -44,10 +44,6 @@ impl Legend {
             legend.add(&series.label, sample);
         }
         for chart in &charts {
-            chart
-                .ribbons
-                .iter()
-                .for_each(|ribbon| legend.add(&ribbon.label, Sample::Area(tint(ribbon.colour, RIBBON))));
             chart.bars.iter().for_each(|bars| legend.add(&bars.label, Sample::Bar(bars.colour)));
             let rings = chart.remarks.iter().filter_map(|remark| remark.ring.as_deref());
             rings.for_each(|label| legend.add(label, Sample::Ring));

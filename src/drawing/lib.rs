@@ -42,7 +42,7 @@ mod schematic;
 mod signs;
 pub mod theme;
 
-pub use chart::{Axis, Bars, Chart, Direction, Guide, Remark, Ribbon, Scale, Series, Slope};
+pub use chart::{Axis, Bars, Chart, Direction, Guide, Remark, Scale, Series, Slope};
 pub use class_map::{Cell, ClassMap, MapPanel};
 pub use drawing::{Drawing, Error, is_drawing};
 pub use field::{Detail, Field, Mark, Window};

@@ -122,9 +122,8 @@ fn extents(chart: &Chart) -> (Vec<f64>, Vec<f64>) {
     };
     let xs = points().map(|point| point.0).chain(hollow.copied()).chain(guides(Direction::Vertical));
     let ys = points().map(|point| point.1).chain(guides(Direction::Horizontal));
-    let ribbons = || chart.ribbons.iter().flat_map(|ribbon| &ribbon.points);
     let bars = || chart.bars.iter().flat_map(|bars| &bars.ends).flatten();
-    let xs = xs.chain(ribbons().map(|point| point[0])).chain(bars().map(|end| end.0));
-    let ys = ys.chain(ribbons().flat_map(|point| [point[1], point[2]])).chain(bars().map(|end| end.1));
+    let xs = xs.chain(bars().map(|end| end.0));
+    let ys = ys.chain(bars().map(|end| end.1));
     (xs.collect(), ys.collect())
 }

@@ -234,7 +234,6 @@ fn universal_row(name: &str, all: &[&Judged]) -> [String; 6] {
     let (run, absent): (Vec<&Judged>, Vec<&Judged>) =
         all.iter().partition(|one| !matches!(one.verdict, Verdict::NotRun(_)));
     let worst = run.iter().max_by(|a, b| a.share_of_tolerance().total_cmp(&b.share_of_tolerance()));
-    let [error, tolerance] = worst.map_or([f64::NAN; 2], |one| [one.error, one.check.tolerance]);
     let number = match absent.len() {
         0 => run.len().to_string(),
         absent => format!("{} and {absent} not run", run.len()),
@@ -242,8 +241,8 @@ fn universal_row(name: &str, all: &[&Judged]) -> [String; 6] {
     [
         format!("{name}{places}"),
         number,
-        if run.is_empty() { "–".into() } else { markdown::error(error) },
-        if run.is_empty() { "–".into() } else { markdown::tolerance(tolerance) },
+        worst.map_or("–".into(), |one| told::error(one)),
+        worst.map_or("–".into(), |one| markdown::tolerance(one.check.tolerance)),
         judged::worst(run.iter().copied()).map_or("–".into(), Verdict::to_string),
         worst.map_or(String::new(), |one| one.check.because.to_string()),
     ]

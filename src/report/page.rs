@@ -113,8 +113,8 @@ impl Only {
         Err(Error::value("report", "--only", name, "there is no case and no study of this name", remedy))
     }
 
-    /// Whether it needs the checks of all studies, as what is promised does.
-    pub fn is_of_all(&self) -> bool {
+    /// Whether it shows the error bars beside checks, of which those of cases have some.
+    pub fn shows_bars(&self) -> bool {
         matches!(self, Self::Study(room) if room.name == promised::Numbers::NAME)
     }
 
@@ -125,6 +125,10 @@ impl Only {
             Self::Study(room) if room.name == paper::Numbers::NAME => {
                 let others = study::trials().into_iter().filter(|trial| statements::CASES.contains(&&*trial.case));
                 (room.plan)().into_iter().chain(others).collect()
+            }
+            Self::Study(Room { name, .. }) if self.shows_bars() => {
+                let asked = Room::ALL.iter().filter(|one| [*name, cases::Numbers::NAME].contains(&one.name));
+                asked.flat_map(|one| (one.plan)()).collect()
             }
             Self::Study(room) => (room.plan)(),
             Self::Case(page) => on_page(page),

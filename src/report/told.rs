@@ -84,9 +84,17 @@ pub fn closest(judged: &[&Judged]) -> Option<String> {
     Some(format!("{}, {} of {tolerance} allowed", worst.check.quantity, error(worst)))
 }
 
-/// The error of a check: relative ones in per cent, others in the unit of the quantity.
+/// The error of a check: relative ones in per cent, others in the unit of the quantity. Round-off, which differs between machines, is told
+/// by the tolerance that it keeps.
 pub fn error(one: &Judged) -> String {
-    in_unit(one, one.error, markdown::error)
+    let tolerance = one.check.tolerance;
+    match one.error {
+        kept if kept > 0.0 && kept <= tolerance && tolerance < ROUND_OFF => {
+            format!("≤ {}", markdown::tolerance(tolerance))
+        }
+        lost if lost > tolerance && lost < ROUND_OFF => markdown::tolerance(lost),
+        usual => in_unit(one, usual, markdown::error),
+    }
 }
 
 /// An error, a bar or a tolerance in the terms of a check: as it is told where the quantity is itself an error, else in its unit.

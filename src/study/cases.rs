@@ -1,6 +1,5 @@
 //! The cases of the suite, each solved by its formulations; with pictures of the two examples: the schemes of their scenes, contact
-//! pressure in the paper's Figs 10 and 14 with its five formulations, and that of all nine as a band over the reference with their
-//! differences to it.
+//! pressure in the paper's Figs 10 and 14 with its five formulations, and that of all nine with their differences to the reference.
 
 use std::path::PathBuf;
 use std::sync::{Arc, OnceLock};
@@ -8,8 +7,8 @@ use std::sync::{Arc, OnceLock};
 use crate::case::library::{self, Cylinder, PinRod, cylinder, pin_rod};
 use crate::case::{Case, Judged, Meshed, Quantity, file};
 use crate::checkout::root;
-use crate::drawing::palette::{GREY, Style};
-use crate::drawing::{Axis, Chart, Drawing, Ribbon, Series, panels, schematic};
+use crate::drawing::palette::Style;
+use crate::drawing::{Axis, Chart, Drawing, Series, panels, schematic};
 use crate::error::Error;
 use crate::markdown::{self, Column, significant};
 use crate::measure::{Quantity as Number, display_factor};
@@ -272,8 +271,6 @@ const INTERVALS: usize = 200;
 const PARTS: usize = 20;
 /// Where the pictures of the cylinder end, over the half-width.
 const END: f64 = 1.5;
-/// Label of the ribbon.
-const BAND: &str = "all nine formulations, edge means: least to most";
 
 /// The cylinder on its rigid plane with its load and supports (the paper's Fig. 8).
 fn cylinder_scheme() -> Drawing {
@@ -299,23 +296,28 @@ fn pin_rod_scheme() -> Drawing {
     schematic("pin-rod", include_str!("cases/pin-rod.svg"), &shown)
 }
 
-/// Edge means of the pressure of the formulations that the paper shows; runs that did not converge stand hollow at the frame.
+/// Edge means of the pressure; runs that did not converge stand hollow at the frame.
 fn curves(runs: &[&Run], place: f64, scale: f64) -> Vec<Series> {
     let curve = |run: &&&Run| {
         let points = run.solution.edges.iter().map(|edge| (edge.position() * place, edge.pressure / scale));
         let points = points.filter(|_| run.solution.converged());
         Series { hollow: failed(&[run]), ..Series::new(label(&run.formulation), points, style(&run.formulation)) }
     };
-    runs.iter().filter(|run| run.formulation.is_in_the_paper()).map(|run| curve(&run)).collect()
+    runs.iter().map(|run| curve(&run)).collect()
+}
+
+/// The runs of the formulations that the paper shows.
+fn of_paper<'a>(runs: &[&'a Run]) -> Vec<&'a Run> {
+    runs.iter().copied().filter(|run| run.formulation.is_in_the_paper()).collect()
 }
 
 /// Hertz's pressure over p₀ along x/a.
-fn hertz(hollow: Vec<f64>) -> Series {
+fn hertz() -> Series {
     let problem = Cylinder::default().case();
     let ReferenceValues { length: a, pressure: p0, .. } = problem.scene.reference;
     let places = (0..=INTERVALS).map(|k| END * k as f64 / INTERVALS as f64);
     let points = places.map(|x| (x, problem.reference_pressure(0, x * a) / p0));
-    Series { hollow, ..Series::new("Hertz", points, Style::reference()) }
+    Series::new("Hertz", points, Style::reference())
 }
 
 /// Pressure on the cylinder, its axes.
@@ -334,8 +336,8 @@ fn on_pin(title: &str) -> Chart {
 fn figure_10(runs: &[&Run]) -> Chart {
     let ReferenceValues { length: a, pressure: p0, .. } = Cylinder::default().case().scene.reference;
     let mut chart = on_cylinder("Fig. 10: exact and approximate solutions on the cylinder");
-    chart.series = curves(runs, 1.0 / a, p0);
-    chart.series.push(hertz(vec![]));
+    chart.series = curves(&of_paper(runs), 1.0 / a, p0);
+    chart.series.push(hertz());
     chart
 }
 
@@ -343,7 +345,7 @@ fn figure_10(runs: &[&Run]) -> Chart {
 fn figure_14(runs: &[&Run]) -> Chart {
     let scene = PinRod::default().case().scene;
     let mut chart = on_pin("Fig. 14: pressure on the pin");
-    chart.series = curves(runs, display_factor(&scene.contact().path), scene.reference.pressure);
+    chart.series = curves(&of_paper(runs), display_factor(&scene.contact().path), scene.reference.pressure);
     chart.notes.push(WITHOUT_GAERTNER.into());
     chart
 }
@@ -359,8 +361,8 @@ fn all_on_cylinder(runs: &[&Run]) -> Drawing {
         (0..PARTS).map(|k| exact(part(k))).sum::<f64>() / PARTS as f64
     };
     let mut pressure = on_cylinder("Pressure");
-    pressure.ribbons.push(band(runs, 1.0 / a, p0));
-    pressure.series.push(hertz(failed(runs)));
+    pressure.series = curves(runs, 1.0 / a, p0);
+    pressure.series.push(hertz());
     let place = Axis::linear("place over half-width x / a [–]").over(0.0, END);
     let mut difference = Chart::new("Difference to Hertz", place, Axis::linear("(p − p_Hertz) / p₀ [%]"));
     difference.series = differences(runs, 1.0 / a, &|_, edge| 100.0 * (edge.pressure / p0 - mean(edge)));
@@ -375,10 +377,7 @@ fn all_on_pin(runs: &[&Run]) -> Drawing {
     let is_own = |run: &&&Run| (run.formulation.element, run.formulation.algorithm) == (own.element, own.algorithm);
     let edges = runs.iter().find(is_own).map(|run| run.solution.edges.as_slice()).unwrap_or_default();
     let mut pressure = on_pin("Pressure");
-    pressure.ribbons.push(band(runs, degrees, scale));
-    let points = edges.iter().map(|edge| (degrees * edge.position(), edge.pressure / scale));
-    let verification = Series::new(label(&own), points, Style::reference());
-    pressure.series.push(Series { hollow: failed(runs), ..verification });
+    pressure.series = curves(runs, degrees, scale);
     let angle = Axis::linear("θ from the load line [°]").over(0.0, PinRod::default().stretch.to_degrees());
     let axis = Axis::linear("difference of R t p / F [% of its largest]");
     let mut difference = Chart::new(&format!("Difference to {}", label(&own)), angle, axis);
@@ -388,19 +387,6 @@ fn all_on_pin(runs: &[&Run]) -> Drawing {
     };
     difference.series = differences(runs, degrees, &to_own);
     panels("Pin in a connecting-rod eye: all nine formulations", &[pressure, difference], 2)
-}
-
-/// The least and the largest edge mean of the runs that converged, edge by edge.
-fn band(runs: &[&Run], place: f64, scale: f64) -> Ribbon {
-    let sound: Vec<&[EdgeState]> =
-        runs.iter().filter(|run| run.solution.converged()).map(|run| run.solution.edges.as_slice()).collect();
-    let edges = sound.iter().map(|edges| edges.len()).min().unwrap_or(0);
-    let at = |k: usize| {
-        let pressures = sound.iter().map(|edges| edges[k].pressure / scale);
-        let [least, most] = pressures.fold([f64::NAN; 2], |[least, most], p| [p.min(least), p.max(most)]);
-        [sound[0][k].position() * place, least, most]
-    };
-    Ribbon { label: BAND.into(), points: (0..edges).map(at).collect(), colour: GREY }
 }
 
 /// What the edges of every run that converged differ by, with their number.

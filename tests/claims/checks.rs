@@ -73,6 +73,21 @@ fn check_of_every_run_that_was_not_run_is_neither_a_failure_nor_the_worst_error(
 }
 
 #[test]
+fn round_off_is_told_by_the_tolerance_that_it_keeps_where_that_is_finer_than_what_errors_are_told_to() {
+    let told = |tolerance: f64, error: f64| {
+        let check = Check::error("error", Reference::own("exact", 0.0), tolerance, "a reason");
+        let row = |check: Check| checks::of_every_run([&check.judge(error)].into_iter(), false);
+        assert_eq!(
+            told::error(&check.clone().judge(error)),
+            row(check.clone().universal()).split('|').nth(15).expect("a cell").trim()
+        );
+        told::error(&check.judge(error))
+    };
+    assert_eq!([told(2e-12, 1e-13), told(1e-6, 1e-13), told(2e-12, 0.0)], ["≤ 2e-12", "< 1e-9", "0"]);
+    assert_eq!([told(2e-12, 1e-11), told(2e-12, 1e-3)], ["1e-11", "0.10 %"], "what is not kept");
+}
+
+#[test]
 fn every_check_of_a_case_has_a_row_with_reference_tolerance_and_reason() {
     let judged: Vec<Judged> = each().map(|(check, value)| check.judge(value)).into();
     let page = checks::of(&[("first", &judged), ("second", &judged)]);

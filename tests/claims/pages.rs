@@ -9,9 +9,9 @@ use contact_vv::checkout::root;
 use contact_vv::oracle::ReferenceKind;
 use contact_vv::report::front::{self, against, cumulated, right};
 use contact_vv::report::links::{CHARTS, PAGES};
-use contact_vv::report::{case_page, diff, difference, page, study_page, symbols, told, write};
+use contact_vv::report::{Only, case_page, diff, difference, page, record, study_page, symbols, told, write};
 use contact_vv::study::sheet::SHEETS;
-use contact_vv::study::{Files, Finding, Room, Study, cases};
+use contact_vv::study::{Files, Finding, Room, Study, Trial, cases};
 
 use crate::program::{Folder, ended, program};
 use crate::workbench::spoiled;
@@ -214,6 +214,24 @@ fn checks_without_an_error_are_beyond_every_share_of_their_tolerance() {
 }
 
 #[test]
+fn checks_of_cases_alone_have_error_bars_so_that_the_page_of_what_is_promised_needs_no_other() {
+    let table = text(&root().join(record::CHECKS));
+    let mut rows = csv::Reader::from_reader(table.as_bytes());
+    let head: Vec<String> = rows.headers().expect("columns").iter().map(String::from).collect();
+    let at = |name: &str| head.iter().position(|column| column == name).expect("a column");
+    let barred: Vec<csv::StringRecord> = rows.records().flatten().filter(|row| !row[at("bar")].is_empty()).collect();
+    assert!(barred.len() > 50, "{} checks have a bar", barred.len());
+    for row in barred {
+        assert_eq!(&row[at("study")], cases::Numbers::NAME, "{row:?}");
+    }
+    let asked: BTreeSet<String> = Only::named("promised").expect("a study").trials().iter().map(Trial::title).collect();
+    let of = |room: &str| Room::ALL.iter().find(|one| one.name == room).expect("a study");
+    for trial in ["cases", "promised"].into_iter().flat_map(|room| (of(room).plan)()) {
+        assert!(asked.contains(&trial.title()), "{}", trial.title());
+    }
+}
+
+#[test]
 fn one_page_of_a_case_is_that_of_the_report_and_a_mistyped_name_is_told_with_its_like() {
     let folder = Folder::made();
     // A checkout with what pages are made from, and none of them.
@@ -246,7 +264,10 @@ fn one_page_of_a_case_is_that_of_the_report_and_a_mistyped_name_is_told_with_its
         assert_eq!(code, Some(0), "{name}: {error}");
         assert!(read(folder.path()) == committed && shown.starts_with(committed.trim_end()), "{name}: {shown:.300}");
         assert!(shown.trim_end().ends_with(&file), "{name}");
+        assert!(error.starts_with(&format!("{name}: ")) && error.trim_end().ends_with(" trials"), "{error}");
     }
+    let (_, _, again) = report("blocks.toml");
+    assert!(again.contains(" trials, ") && again.trim_end().ends_with(" s the last time"), "{again}");
     let (code, shown, error) = report("blocs.toml");
     assert_eq!((code, shown.as_str()), (Some(2), ""));
     assert!(error.contains("did you mean `blocks.toml`?") && error.contains("fitted"), "{error}");

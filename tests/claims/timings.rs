@@ -5,7 +5,7 @@ use contact_vv::case::Verdict;
 use contact_vv::study::seconds::{Machine, Spread, quantile, ratios};
 use contact_vv::study::timings::growth::{self, Counts, Growth, exponent};
 use contact_vv::study::timings::precision::{self, LOADS, Point, Series, answered, half_widths, nominal};
-use contact_vv::study::timings::record::{Beside, Record, Target, targets};
+use contact_vv::study::timings::record::{Beside, Measured, Record, Target, targets};
 use contact_vv::study::timings::{counts_as_recorded, points_as_recorded};
 
 use crate::workbench::spoiled;
@@ -75,9 +75,12 @@ fn every_recorded_number_but_the_seconds_is_compared() {
 
 #[test]
 fn counts_of_the_growth_tell_one_mesh_from_another() {
-    let kept = committed().measured.growth[0].counts.clone();
-    assert_eq!(growth::counts(kept.elements, kept.refinement).expect("counted"), kept);
-    assert_ne!(growth::counts(kept.elements + 1, kept.refinement).expect("counted"), kept);
+    let Measured { growth, revolved, .. } = committed().measured;
+    for (case, kept) in [(growth::CYLINDER, &growth[0].counts), (growth::SPHERE.0, &revolved[0].counts)] {
+        assert_eq!(kept.case, case);
+        assert_eq!(growth::counts(case, kept.elements, kept.refinement).expect("counted"), *kept);
+        assert_ne!(growth::counts(case, kept.elements + 1, kept.refinement).expect("counted"), *kept);
+    }
 }
 
 #[test]
@@ -87,7 +90,8 @@ fn record_that_is_not_complete_or_was_not_measured_again_is_not_as_recorded() {
     assert_eq!(of_points(&points, &points), Verdict::Pass);
     assert_eq!(of_points(&points[1..], &points), Verdict::Fail);
     assert_eq!(of_points(&points, &[]), Verdict::Fail);
-    let counts: Vec<Counts> = measured.growth.into_iter().map(|one| one.counts).collect();
+    let Measured { growth, revolved, .. } = measured;
+    let counts: Vec<Counts> = growth.into_iter().chain(revolved).map(|one| one.counts).collect();
     let of_counts = |recorded: &[Counts], fresh: &[Counts]| counts_as_recorded(recorded, fresh).verdict;
     assert_eq!(of_counts(&counts, &counts[..2]), Verdict::Pass);
     assert_eq!(of_counts(&counts[1..], &counts[1..]), Verdict::Fail);
@@ -106,6 +110,7 @@ fn target_that_is_missed_or_not_a_number_is_not_met() {
     let mut record = committed();
     for (value, wanted) in [(0.9, true), (1.2, false), (f64::NAN, false)] {
         record.measured.growth.iter_mut().for_each(|one| one.ratio.median = value);
+        record.measured.revolved.iter_mut().for_each(|one| one.ratio.median = value);
         record.measured.nine[0].ratio[0].median = 2.0 * value;
         record.points.iter_mut().filter(|point| point.series == Series::Fitted).for_each(|point| {
             point.seconds = value * 30.0 * record.measured.growth[0].plain.median;
@@ -113,6 +118,12 @@ fn target_that_is_missed_or_not_a_number_is_not_met() {
         for start in ["contact solve ÷ plain solve", "all nine", "time to 1e-6"] {
             assert_eq!(row(&record, start, "").met, Some(wanted), "{start}: {value}");
         }
+        let sphere = row(&record, "contact solve ÷ plain solve", "sphere");
+        assert_eq!(
+            (sphere.asked.as_str(), sphere.met),
+            ("≤ 1.1", Some(wanted)),
+            "of a body of revolution as in the plane"
+        );
     }
     // No mesh reaches the error.
     record.points.retain(|point| point.series != Series::Fitted || point.mesh < 6);

@@ -154,6 +154,7 @@ fn solve_prints_the_numbers_one_quotes_rounded_to_their_bars_on_80_columns() {
         let title = all.lines().next().and_then(|line| line.split_once(": ")).expect("a title").1;
         assert!(title.split_whitespace().all(|word| words.contains(&word)), "{title}: {text}");
         assert!(text.lines().count() < all.lines().count() && all.contains("equilibrium: "), "{text}");
+        assert!(!text.contains(" 0 off"), "what is not off at all is met: {text}");
         // No power of ten, no digit beyond a bar, no line twice within a contact.
         assert!(
             !words.iter().any(|word| word.contains("e-") && word.parse::<f64>().is_ok_and(|x| x.abs() < 1e-6)),

@@ -1,4 +1,5 @@
-//! One contact solve of the cylinder at three sizes, stage by stage, against one plain sparse Cholesky solve; all nine over one.
+//! One contact solve of the cylinder at three sizes, stage by stage, against one plain sparse Cholesky solve, and the same of the sphere
+//! at two; all nine over one.
 
 use std::collections::BTreeMap;
 use std::time::Instant;
@@ -6,7 +7,7 @@ use std::time::Instant;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-use crate::case::library::Cylinder;
+use crate::case::library::find;
 use crate::clock::{Clock, Seconds, Stage};
 use crate::condensation::Plain;
 use crate::elasticity::{ElasticSystem, numbered};
@@ -19,6 +20,10 @@ use crate::study::seconds::{Spread, quantile, ratios};
 
 /// Elements per half-width and refinement of the meshes of some 10⁴, 10⁵ and 10⁶ degrees of freedom, and how often each is measured.
 pub const MESHES: [(usize, u32, usize); 3] = [(12, 1, 15), (8, 3, 7), (20, 4, 3)];
+/// The case that is measured on all of them.
+pub const CYLINDER: &str = "cylinder";
+/// The body of revolution with the same meshes, and on how many of the first it is measured.
+pub const SPHERE: (&str, usize) = ("sphere", 2);
 /// Where nine formulations are solved on one mesh: as many degrees of freedom with fewer and with more of them retained.
 pub const NINE: [(usize, u32); 2] = [(2, 4), (8, 3)];
 
@@ -65,6 +70,8 @@ pub fn exponent(growth: &[Growth], of: impl Fn(&Growth) -> f64) -> f64 {
 /// What does not depend on the machine.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Counts {
+    /// Name of the case.
+    pub case: String,
     /// Elements per half-width.
     pub elements: usize,
     /// Times halved.
@@ -81,19 +88,19 @@ pub struct Counts {
     pub factor_operations: f64,
 }
 
-/// A mesh of the cylinder.
+/// A mesh of either.
 fn resolution(elements: usize, refinement: u32) -> Resolution {
     Resolution { elements, refinement, order: Order::Quadratic }
 }
 
-/// The cylinder on a mesh.
-pub fn discretised(elements: usize, refinement: u32) -> Result<Discretisation, Error> {
-    Discretisation::of(Cylinder::default().scene(), resolution(elements, refinement))
+/// A case on a mesh.
+fn discretised(case: &str, elements: usize, refinement: u32) -> Result<Discretisation, Error> {
+    Discretisation::of(find(case, None)?.scene, resolution(elements, refinement))
 }
 
-/// Counts of a mesh.
-pub fn counts(elements: usize, refinement: u32) -> Result<Counts, Error> {
-    let discretisation = discretised(elements, refinement)?;
+/// Counts of a mesh of a case.
+pub fn counts(case: &str, elements: usize, refinement: u32) -> Result<Counts, Error> {
+    let discretisation = discretised(case, elements, refinement)?;
     let solution = discretisation.solve(&Formulation::verification())?;
     Ok(counted(&discretisation, (elements, refinement), solution.work.iterations))
 }
@@ -101,6 +108,7 @@ pub fn counts(elements: usize, refinement: u32) -> Result<Counts, Error> {
 fn counted(discretisation: &Discretisation, (elements, refinement): (usize, u32), iterations: usize) -> Counts {
     let condensed = &discretisation.condensed;
     Counts {
+        case: discretisation.scene.name.clone(),
         elements,
         refinement,
         dofs: discretisation.system.dofs(),
@@ -111,16 +119,20 @@ fn counted(discretisation: &Discretisation, (elements, refinement): (usize, u32)
     }
 }
 
-/// Measures a mesh so many times, ours and the plain solve by turns.
-pub fn measure((elements, refinement, repeats): (usize, u32, usize), memory: Option<f64>) -> Result<Growth, Error> {
-    let scene = Cylinder::default().scene();
+/// Measures a mesh of a case so many times, ours and the plain solve by turns.
+pub fn measure(
+    case: &str,
+    (elements, refinement, repeats): (usize, u32, usize),
+    memory: Option<f64>,
+) -> Result<Growth, Error> {
+    let scene = find(case, None)?.scene;
     let mesh = Mesh::of(&scene, resolution(elements, refinement))?;
     let system = ElasticSystem::assemble(&scene, &mesh)?;
     let reference = Plain::of(&system.bodies[0])?;
     drop((mesh, system));
     let (mut runs, mut plain) = (Vec::new(), Vec::new());
     for _ in 0..repeats {
-        runs.push(once(elements, refinement)?);
+        runs.push(once(case, elements, refinement)?);
         let clock = Instant::now();
         std::hint::black_box(reference.solve()?);
         plain.push(clock.elapsed().as_secs_f64());
@@ -148,8 +160,8 @@ fn sum(stages: &[(Stage, f64)], which: impl Fn(Stage) -> bool) -> f64 {
 }
 
 /// Seconds of one run: beside counts and stages those of one more solve, and of the assembly on all threads.
-fn once(elements: usize, refinement: u32) -> Result<(Counts, Seconds, [f64; 2]), Error> {
-    let discretisation = discretised(elements, refinement)?;
+fn once(case: &str, elements: usize, refinement: u32) -> Result<(Counts, Seconds, [f64; 2]), Error> {
+    let discretisation = discretised(case, elements, refinement)?;
     let mut clock = Clock::silent().after(&discretisation.seconds);
     let solution = clock.time(Stage::Iteration, || discretisation.solve(&Formulation::verification()))?;
     let recovered = || std::hint::black_box(discretisation.condensed.recover(1.0, &solution.displacement));
@@ -171,7 +183,7 @@ fn once(elements: usize, refinement: u32) -> Result<(Counts, Seconds, [f64; 2]),
 
 /// Solves once and returns the largest memory of this process so far \[bytes\]; NaN where the system does not tell.
 pub fn memory_of_one_solve(elements: usize, refinement: u32) -> Result<f64, Error> {
-    let discretisation = discretised(elements, refinement)?;
+    let discretisation = discretised(CYLINDER, elements, refinement)?;
     let solution = discretisation.solve(&Formulation::verification())?;
     std::hint::black_box(discretisation.condensed.recover(1.0, &solution.displacement));
     let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
@@ -195,13 +207,13 @@ pub fn nine((elements, refinement): (usize, u32), repeats: usize) -> Result<Nine
         let each = || (0..repeats).map(|_| nine_over_one(elements, refinement)).collect::<Result<Vec<f64>, Error>>();
         Ok(Spread::of(&on(threads, each)?))
     };
-    Ok(Nine { counts: counts(elements, refinement)?, ratio: [ratio(1)?, ratio(ALL)?] })
+    Ok(Nine { counts: counts(CYLINDER, elements, refinement)?, ratio: [ratio(1)?, ratio(ALL)?] })
 }
 
 /// Seconds from the mesh to displacements by the nine, side by side on the threads at hand, over those by the single formulation.
 fn nine_over_one(elements: usize, refinement: u32) -> Result<f64, Error> {
     let clock = Instant::now();
-    let discretisation = discretised(elements, refinement)?;
+    let discretisation = discretised(CYLINDER, elements, refinement)?;
     let shared = clock.elapsed().as_secs_f64();
     let solved = |formulations: &[Formulation]| -> Result<f64, Error> {
         let clock = Instant::now();

@@ -13,6 +13,8 @@ pub mod growth;
 pub mod precision;
 pub mod record;
 
+use rayon::prelude::*;
+
 use crate::case::{Check, Judged, Quantity, Reference};
 use crate::clock::Stage;
 use crate::drawing::palette::{self, Dash, Marker, Style};
@@ -72,7 +74,8 @@ impl Study for Numbers {
 fn again(series: Series) -> Result<Numbers, Error> {
     let recorded: Vec<Point> = Record::read()?.of(series).cloned().collect();
     let planned = series.meshes().len() * series.formulations().len();
-    let fresh = series.meshes().iter().map(|mesh| precision::measure(series, *mesh));
+    // The largest mesh takes as long as all others: each is a piece of work of its own.
+    let fresh = series.meshes().par_iter().with_max_len(1).map(|mesh| precision::measure(series, *mesh));
     let fresh = fresh.collect::<Result<Vec<_>, _>>()?.concat();
     Ok(Numbers(points_as_recorded(&recorded, &fresh, planned)))
 }
@@ -88,9 +91,11 @@ pub fn points_as_recorded(recorded: &[Point], fresh: &[Point], planned: usize) -
 
 /// The smaller meshes of the growth once more.
 fn recounted() -> Result<Numbers, Error> {
-    let recorded: Vec<Counts> = Record::read()?.measured.growth.into_iter().map(|one| one.counts).collect();
-    let kept = recorded.iter().filter(|counts| counts.dofs <= RECOUNTED);
-    let fresh = kept.map(|kept| growth::counts(kept.elements, kept.refinement)).collect::<Result<Vec<_>, _>>()?;
+    let record::Measured { growth, revolved, .. } = Record::read()?.measured;
+    let recorded: Vec<Counts> = growth.into_iter().chain(revolved).map(|one| one.counts).collect();
+    let kept = recorded.par_iter().filter(|counts| counts.dofs <= RECOUNTED);
+    let fresh = kept.map(|Counts { case, elements, refinement, .. }| growth::counts(case, *elements, *refinement));
+    let fresh = fresh.collect::<Result<Vec<_>, _>>()?;
     Ok(Numbers(counts_as_recorded(&recorded, &fresh)))
 }
 
@@ -98,7 +103,7 @@ fn recounted() -> Result<Numbers, Error> {
 pub fn counts_as_recorded(recorded: &[Counts], fresh: &[Counts]) -> Judged {
     let what = "mesh whose degrees of freedom, iterations or operations are not those recorded with its seconds";
     let because = "exact counts; `timings` renews the record".into();
-    as_recorded(what, because, (recorded, growth::MESHES.len()), fresh, Counts::eq)
+    as_recorded(what, because, (recorded, growth::MESHES.len() + growth::SPHERE.1), fresh, Counts::eq)
 }
 
 /// How many are not recorded as they are now; not a number where something is missing.
@@ -136,7 +141,7 @@ const ASKED: [Column<Target>; 4] = [
     ("what", |target| target.what.clone()),
     ("asked for", |target| target.asked.clone()),
     ("measured", |target| target.measured.clone()),
-    ("met", |target| target.met.map_or("–", |met| if met { "✓" } else { "✗" }).into()),
+    ("met", |target| target.met.map_or("–", |met| if met { "yes" } else { "no" }).into()),
 ];
 
 /// The page of a record.
