@@ -5,6 +5,7 @@ use std::f64::consts::TAU;
 use crate::elasticity::quadrature::lobatto;
 use crate::mesh::Order;
 use crate::referee::answer::{Handed, Point};
+use crate::referee::truth::Truth;
 use crate::scene::{ContactPair, Path, Scene};
 use crate::solution::{EdgeState, Part, PointState};
 
@@ -21,8 +22,8 @@ pub struct Profile {
     pub points: Vec<PointState>,
     /// Means over the edges between them.
     pub edges: Vec<EdgeState>,
-    /// Contact coordinate and pressure of the points as they were handed in, where they follow one another as those of first order, and neither
-    /// are forces nor stand beside means over edges \[mm or rad, MPa\].
+    /// Contact coordinate and pressure of the points as they were handed in, where they neither are forces nor stand beside means over edges
+    /// \[mm or rad, MPa\].
     pub alone: Vec<[f64; 2]>,
     /// Whether it lies on both sides of the middle.
     pub across: bool,
@@ -52,7 +53,7 @@ impl Profile {
             PointState { position: point.position, weight, pressure, gap: point.gap.unwrap_or(f64::NAN) }
         };
         let mut points: Vec<PointState> = handed.points.iter().zip(&areas).map(state).collect();
-        let alone = match is_of_points && !plain.forces {
+        let alone = match plain.edges.is_empty() && !plain.forces {
             true => plain.points.iter().map(|point| [point.position, point.value]).collect(),
             false => Vec::new(),
         };
@@ -77,6 +78,39 @@ impl Profile {
 
 /// Part of the largest position that rounding explains.
 const SAME: f64 = 1e-9;
+/// Edges of the answer within which an end counts as that of the contact, which ours is read to a part of one.
+pub const EDGES: f64 = 1.1;
+/// Steps before the last candidate at which the middle of an edge lies: half of one where edges are alike.
+const HALF: std::ops::Range<f64> = 0.3..0.7;
+
+/// What was handed in of a contact, with the points beyond that carry nothing where those that press alone are listed, and its ends where the
+/// points are the middles of edges and it reaches to the last candidates.
+pub fn ended(truth: &Truth, handed: &Handed) -> Handed {
+    let (mut all, ours) = (handed.clone(), &truth.run.contacts[handed.contact].measures);
+    let is_plain = handed.order == Order::Linear && handed.edges.is_empty();
+    if !is_plain || handed.points.iter().any(|point| point.area.is_some() || point.gap.is_some()) {
+        return all;
+    }
+    let (Some(begin), Some(end)) = (ours.stretches.first(), ours.stretches.last()) else { return all };
+    let beyond = |k: usize, next: usize, place: f64, reaches: bool| {
+        let [last, before] = [handed.points[k], handed.points[next]];
+        let (step, left) = (last.position - before.position, place - last.position);
+        let position = if reaches { place } else { last.position + step };
+        let value = if reaches { last.value } else { 0.0 };
+        let is_end = match reaches {
+            true => !handed.forces && HALF.contains(&(left / step)),
+            false => left.abs() <= EDGES * step.abs(),
+        };
+        (last.value > 0.0 && is_end && place * last.position > 0.0).then_some(Point { position, value, ..last })
+    };
+    let (last, begins) = (all.points.len() - 1, ours.begin());
+    // A symmetric contact ends on its other half as it does on this one.
+    let is_image = begins < 0.0 && !truth.case.scene.contacts[handed.contact].path.has_both_sides();
+    let image = if is_image { end } else { begin };
+    all.points.extend(beyond(last, last - 1, end.end, end.reaches[1]));
+    all.points.splice(0..0, beyond(0, 1, begins, image.reaches[usize::from(is_image)]));
+    all
+}
 
 /// The scene with a contact on both sides of its middle: no half of it is left to be counted twice.
 fn on_both_sides(scene: &Scene, contact: usize) -> Scene {
