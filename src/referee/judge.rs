@@ -14,6 +14,8 @@ pub const ENGINEERING: f64 = 1e-2;
 /// What tension is told by.
 pub const TENSION: &str = "largest tension over the largest pressure";
 
+/// Why points beside means over edges are not judged one by one: those of springs along an edge sway.
+const MEANS: &str = "nothing: the means over edges beside them are judged";
 /// What alternating pressures are told by.
 const ALTERNATION: &str = "alternation of the pressures from point to point over the peak";
 
@@ -45,6 +47,9 @@ pub fn judge(truth: &Truth, profile: &Profile, tolerance: f64) -> Ruled {
     judged.extend(bench.peak(&mut missing));
     judged.extend(bench.profile_norm(&mut missing));
     judged.extend(bench.alternation());
+    if profile.has_means {
+        missing.push(["pressures at single points".into(), MEANS.into()]);
+    }
     judged.extend(bench.ends());
     judged.push(bench.resultant());
     judged.push(bench.tension());

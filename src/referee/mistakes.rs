@@ -79,7 +79,22 @@ fn corrections(truth: &Truth, handed: &Handed, beside: Beside) -> Vec<Correction
     };
     let is_half = handed.points[0].position >= 0.0 && !scene.contacts[handed.contact].path.has_both_sides();
     let sides = if is_circle || is_half || !handed.edges.is_empty() { vec![] } else { halves(handed) };
-    scaled.chain(by_rings(scene, handed)).chain(moved).chain(sides).chain(by_places(handed)).collect()
+    scaled
+        .chain(by_rings(scene, handed))
+        .chain(moved)
+        .chain(sides)
+        .chain(by_places(handed))
+        .chain(of_ring(&scene.contacts[handed.contact], handed))
+        .collect()
+}
+
+/// The part of a whole ring that the scene has.
+fn of_ring(pair: &ContactPair, handed: &Handed) -> Vec<Correction> {
+    let is_within = |point: &&Point| point.position.abs() <= pair.stretch * (1.0 + ALIKE);
+    let points: Vec<Point> = handed.points.iter().filter(is_within).copied().collect();
+    let says = format!("the scene has a part of the ring: hand in its points up to {:.4}°", pair.stretch.to_degrees());
+    let is_more = !pair.path.is_straight() && handed.edges.is_empty() && points.len() < handed.points.len();
+    is_more.then(|| (says, Handed { points, ..handed.clone() })).into_iter().collect()
 }
 
 /// Without the areas beside the points.
@@ -144,11 +159,11 @@ fn called(scene: &Scene, handed: &Handed) -> Vec<(String, [f64; 2])> {
         true => ["a diameter for a radius", "a radius for a diameter"],
         false => ["a width for a half-width", "a half-width for a width"],
     };
-    let mut all = vec![
-        (NEGATIVE.to_owned(), [-1.0, 1.0]),
-        (format!("positions are doubled: {doubled}"), [1.0, 0.5]),
-        (format!("positions are halved: {halved}"), [1.0, 2.0]),
-    ];
+    let mut all = vec![(NEGATIVE.to_owned(), [-1.0, 1.0])];
+    if scene.contacts[handed.contact].path.is_straight() {
+        all.push((format!("positions are doubled: {doubled}"), [1.0, 0.5]));
+        all.push((format!("positions are halved: {halved}"), [1.0, 2.0]));
+    }
     if is_circle && handed.forces {
         all.push(("nodal forces are per radian: 2π is forgotten".into(), [TAU, 1.0]));
         all.push(("nodal forces are those of a sector of 2°: they are to be multiplied by 180".into(), [180.0, 1.0]));

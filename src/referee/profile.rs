@@ -25,6 +25,8 @@ pub struct Profile {
     /// Contact coordinate and pressure of the points as they were handed in, where they neither are forces nor stand beside means over edges
     /// \[mm or rad, MPa\].
     pub alone: Vec<[f64; 2]>,
+    /// Whether means over edges stand beside them.
+    pub has_means: bool,
     /// Whether it lies on both sides of the middle.
     pub across: bool,
     /// Whether gaps were handed in.
@@ -53,16 +55,18 @@ impl Profile {
             PointState { position: point.position, weight, pressure, gap: point.gap.unwrap_or(f64::NAN) }
         };
         let mut points: Vec<PointState> = handed.points.iter().zip(&areas).map(state).collect();
-        let alone = match plain.edges.is_empty() && !plain.forces {
-            true => plain.points.iter().map(|point| [point.position, point.value]).collect(),
-            false => Vec::new(),
+        let has_means = !plain.edges.is_empty();
+        let alone = match plain.forces || has_means {
+            false => plain.points.iter().map(|point| [point.position, point.value]).collect(),
+            true => Vec::new(),
         };
         let on_axis = scene.is_around_axis(handed.contact) && lends_to_axis(&mut points, handed);
         let edges =
             if handed.edges.is_empty() { means(&scene, pair, &points, handed.order) } else { handed.edges.clone() };
         points.drain(..usize::from(on_axis));
         let has_gaps = handed.points.iter().all(|point| point.gap.is_some());
-        Self { contact: handed.contact, order: handed.order, points, edges, alone, across, has_gaps, has_forces, scene }
+        let (contact, order) = (handed.contact, handed.order);
+        Self { contact, order, points, edges, alone, has_means, across, has_gaps, has_forces, scene }
     }
 
     /// The contact.
@@ -166,7 +170,8 @@ fn with_middles(handed: &Handed) -> Handed {
         position: 0.5 * (pair[0].position + pair[1].position),
         value: 0.5 * (pair[0].value + pair[1].value),
         area: None,
-        gap: pair[0].gap.zip(pair[1].gap).map(|(a, b)| 0.5 * (a + b)),
+        // Where one of them has no other side, the gap is that of the other.
+        gap: pair[0].gap.zip(pair[1].gap).map(|(a, b)| if a.max(b).is_finite() { 0.5 * (a + b) } else { a.min(b) }),
     };
     let mut points: Vec<Point> = handed.points.windows(2).flat_map(|pair| [pair[0], middle(pair)]).collect();
     points.extend(handed.points.last());

@@ -329,6 +329,34 @@ fn tension_that_stresses_have_beside_a_contact_is_none_whatever_they_are_read_fr
 }
 
 #[test]
+fn points_beside_means_over_edges_are_said_not_to_be_judged_and_no_gap_is_none_beyond_a_pressed_node() {
+    let list = |of: &dyn Fn(usize) -> String| (0..ellipse::NODES).map(of).collect::<Vec<_>>().join(",");
+    let pressure = |k: usize| ellipse::pressure(ellipse::place(k));
+    let edge = |k: usize| {
+        let [from, to] = [k, k + 1].map(ellipse::place);
+        let mean = 0.5 * (pressure(k) + pressure(k + 1));
+        format!("{{\"from\":{from},\"to\":{to},\"area\":{},\"pressure\":{mean}}}", to - from)
+    };
+    let edges = (0..ellipse::NODES - 1).map(edge).collect::<Vec<_>>().join(",");
+    let found = |share: f64, more: &str| {
+        let turned = |k: usize| pressure(k) * if k.is_multiple_of(2) { 1.0 + share } else { 1.0 - share };
+        let text = format!(
+            "{{\"units\":{{\"position\":\"mm\",\"pressure\":\"MPa\",\"area\":\"mm2\",\"gap\":\"mm\"}},\"contacts\":[{{\"position\":[{}],\"pressure\":[{}]{more}}}]}}",
+            list(&|k| ellipse::place(k).to_string()),
+            list(&|k| turned(k).to_string())
+        );
+        judged(parsed("theirs.json", text, &usual()).expect("read")).expect("judged")
+    };
+    let means = format!(",\"edges\":[{edges}]");
+    let is_said = |one: &[String; 2]| one[0] == "pressures at single points";
+    assert!(found(0.3, &means).ruled[0].missing.iter().any(is_said));
+    assert!(!found(0.0, "").ruled[0].missing.iter().any(is_said));
+    // Beyond the contact, at 2 mm, there is no other side.
+    let none = list(&|k| if pressure(k) > 0.0 { "0".into() } else { "null".to_owned() });
+    assert_eq!(failed(&found(0.0, &format!(",\"gap\":[{none}]"))), [""; 0]);
+}
+
+#[test]
 fn tables_of_code_aster_are_judged_at_their_last_time() {
     let rows = |share: f64, time: &str| -> String {
         let row = |s: f64| format!(" N{s} 1 {time} {s:.9E} {s:.9E} 0.0E+00 {:.9E}\n", -share * ellipse::pressure(s));
@@ -347,6 +375,12 @@ fn uniform_and_linear_pressures_are_judged_by_few_points_on_either_side() {
     let ring = table("position [deg],pressure [MPa]", ring);
     let fit = truth("press-fit");
     assert_eq!(failed(&judged_as(&fit, "ring.csv", &ring, &Asked::default())), [""; 0]);
+    for places in [-60..=60, 0..=60, 0..=120] {
+        let whole = table("position [deg],pressure [MPa]", places.map(|k| [3.0 * f64::from(k), 12.7065]));
+        let said = judged_as(&fit, "whole.csv", &whole, &Asked::default()).mistakes;
+        let part = "the scene has a part of the ring: hand in its points up to 90.0000°";
+        assert!(said.iter().any(|one| one == part) && !said.iter().any(|one| one.contains("doubled")), "{said:?}");
+    }
     // Its edges end where the last candidates are, half a step behind their middles.
     for places in [-9..9, 0..9] {
         let middles = places.map(|k| [5.0 + 10.0 * f64::from(k), 12.7065]);
