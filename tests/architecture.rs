@@ -217,7 +217,7 @@ const BUDGETS: [(&str, usize); 9] = [
     ("case", 8_233),
     ("oracle", 1_436),
     ("study", 14_763),
-    ("referee", 6_548),
+    ("referee", 6_622),
     ("report", 3_021),
     ("cli", 4_679),
     ("live", 500),

@@ -79,6 +79,8 @@ impl Answer {
     }
 }
 
+/// What is read where there are both.
+pub const BESIDE: &str = "the pressures, not the forces beside them";
 /// Part of the distance to its neighbour by which an outermost point lies off the symmetry line for the digits of its file.
 const OFF_THE_LINE: f64 = 0.05;
 
@@ -183,6 +185,24 @@ pub fn without_gaps(mut nodes: Vec<(f64, Option<Point>)>) -> (Vec<Point>, usize)
     let beyond: usize = beyond.into_iter().filter(|(_, point)| is_free(*point)).map(|(count, _)| count).sum();
     let lacking = nodes.len() - points.len() - beyond.min(nodes.len() - points.len());
     (points, lacking)
+}
+
+/// Tension over the largest pressure that stresses have at nodes beside a contact: they are means of cells, of which one ends it.
+const PULL: f64 = 0.05;
+
+/// Takes such tension for nothing, and says how much it was; none where there is none, or more.
+pub fn without_pull<'a>(pressures: impl Iterator<Item = &'a mut f64>) -> Option<String> {
+    let mut pressures: Vec<&mut f64> = pressures.collect();
+    let largest = pressures.iter().fold(0.0, |most: f64, pressure| most.max(**pressure));
+    let pull = pressures.iter().fold(0.0, |most: f64, pressure| most.max(-**pressure));
+    if pull <= 0.0 || pull > PULL * largest {
+        return None;
+    }
+    pressures.iter_mut().for_each(|pressure| **pressure = pressure.max(0.0));
+    Some(format!(
+        "tension of up to {:.1} % of the largest pressure as none: stresses at nodes are means of cells",
+        100.0 * pull / largest
+    ))
 }
 
 /// Largest pressure at the end of those that are listed, over all, behind which nodes without a value are beyond the contact.

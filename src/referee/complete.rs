@@ -3,9 +3,7 @@
 use crate::error::Error;
 use crate::markdown::significant;
 use crate::measure::{display_factor, larger};
-use crate::mesh::Order;
-use crate::referee::answer::Point;
-use crate::referee::profile::Profile;
+use crate::referee::profile::{EDGES, Profile};
 use crate::referee::source::Source;
 use crate::referee::truth::Truth;
 use crate::referee::{Answer, Handed, mistakes, norm};
@@ -15,8 +13,6 @@ use crate::scene::ContactPair;
 const PRESSED: f64 = 0.02;
 /// Share of the force that may lie behind it.
 const DROPPED: f64 = 1e-3;
-/// Edges of the answer within which an end counts as that of the contact.
-const EDGES: f64 = 1.0 + 1e-3;
 /// Intervals over which the force behind it is summed.
 const INTERVALS: usize = 2000;
 /// Times the spacing of the points beside it from which on a step between two points is a hole: of those on either side, or of the two next ones
@@ -79,34 +75,6 @@ pub fn all(truth: &Truth, answer: &Answer, handed: &Handed, profile: &Profile, t
     let explained = mistakes::explain(truth, handed, beside, tolerance).into_iter().map(|says| format!("; or {says}"));
     let source = Source { file: &answer.file, text: "" };
     Err(source.refused(message, remedy.to_owned() + &explained.collect::<String>()))
-}
-
-/// What was handed in of a contact, with the points beyond that carry nothing where those that press alone are listed.
-pub fn ended(truth: &Truth, handed: &Handed) -> Handed {
-    let (mut all, ours) = (handed.clone(), &truth.run.contacts[handed.contact].measures);
-    let is_plain = handed.order == Order::Linear && handed.edges.is_empty();
-    if !is_plain || handed.points.iter().any(|point| point.area.is_some() || point.gap.is_some()) {
-        return all;
-    }
-    let beyond = |last: &Point, before: &Point| Point {
-        position: 2.0 * last.position - before.position,
-        value: 0.0,
-        gap: None,
-        area: None,
-    };
-    let is_end = |place: f64, from: &Point, to: &Point| {
-        from.value > 0.0 && (place - from.position).abs() <= (to.position - from.position).abs()
-    };
-    if let ([.., before, last], Some(end)) = (&handed.points[..], ours.stretches.last()) {
-        let next = beyond(last, before);
-        all.points.extend((!end.reaches[1] && is_end(end.end, last, &next)).then_some(next));
-    }
-    if let ([first, second, ..], Some(begin)) = (&handed.points[..], ours.stretches.first()) {
-        let (next, place) = (beyond(first, second), ours.begin());
-        let is_it = place < 0.0 && first.position < 0.0 && !begin.reaches[0] && is_end(place, first, &next);
-        all.points.splice(0..0, is_it.then_some(next));
-    }
-    all
 }
 
 /// Where a profile stops under pressure, and how much of the force lies beyond.

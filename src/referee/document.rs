@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::error::{Error, Located};
 use crate::mesh::Order;
-use crate::referee::answer::{Answer, Handed, Point, contact_named, ordered};
+use crate::referee::answer::{Answer, BESIDE, Handed, Point, contact_named, ordered};
 use crate::referee::asked::Asked;
 use crate::referee::units::{Role, Units, is_angle};
 use crate::scene::{self, Scene};
@@ -124,7 +124,9 @@ pub fn parse(file: &Path, text: &str, case: &str, scene: &Scene, asked: &Asked) 
             SCHEMA,
         ));
     }
-    let read = vec!["lists by their keys, in the units that the file names".to_owned()];
+    let has_both = |contact: &Contact| !contact.pressure.is_empty() && !contact.force.is_empty();
+    let mut read = vec!["lists by their keys, in the units that the file names".to_owned()];
+    read.extend(document.contacts.iter().any(has_both).then(|| BESIDE.to_owned()));
     let (code, units) = (document.code, document.units);
     Ok(Answer { file: file.into(), code, read, notes: vec![], units, contacts, field: None })
 }

@@ -5,11 +5,12 @@ use std::path::Path;
 
 use crate::error::Error;
 use crate::mesh::Order;
-use crate::referee::answer::{Answer, Handed, Point, contact_named, joined, ordered, without_gaps};
+use crate::referee::answer::{Answer, Handed, Point, contact_named, joined, ordered, without_gaps, without_pull};
 use crate::referee::asked::Asked;
 use crate::referee::field::Field as Displaced;
 use crate::referee::side::{self, Cell, Side, signed_coordinate};
 use crate::referee::source::Source;
+use crate::referee::state::State;
 use crate::referee::units::Role;
 use crate::referee::unstructured::{Field, Grid};
 use crate::referee::vtu::AGAIN;
@@ -50,25 +51,12 @@ pub fn parse(file: &Path, bytes: &[u8], scene: &Scene, asked: &Asked) -> Result<
     }
     read.sort();
     read.dedup();
+    let state = grid.time.map(|time| State { step: None, time });
+    read.extend(state.map(|state| format!("the grid of {state}")));
+    // At time 0 stands what has none.
+    let notes = state.filter(|state| state.time.abs() > 0.0).map_or_else(Vec::new, |state| state.notes(&[state]));
     let field = grid.displaced(points, cells, asked)?;
-    Ok(Answer { file: file.into(), code: None, read, notes: vec![], units: asked.units(), contacts, field })
-}
-
-/// Tension over the largest pressure that stresses have at nodes beside a contact: they are means of cells, of which one ends it.
-const PULL: f64 = 0.05;
-
-/// Takes such tension for nothing, and says how much it was; none where there is none, or more.
-fn without_pull(pressures: &mut [f64]) -> Option<String> {
-    let largest = pressures.iter().copied().fold(0.0, f64::max);
-    let pull = pressures.iter().fold(0.0, |most: f64, pressure| most.max(-pressure));
-    if pull <= 0.0 || pull > PULL * largest {
-        return None;
-    }
-    pressures.iter_mut().for_each(|pressure| *pressure = pressure.max(0.0));
-    Some(format!(
-        "tension of up to {:.1} % of the largest pressure as none: stresses at nodes are means of cells",
-        100.0 * pull / largest
-    ))
+    Ok(Answer { file: file.into(), code: None, read, notes, units: asked.units(), contacts, field })
 }
 
 /// A quadrilateral of order p, whose nodes lie evenly, as cells of nine nodes, or of four where p is odd; none where no order has so many nodes.
@@ -173,7 +161,7 @@ impl<'a> Grid<'a> {
         nodes.retain(|&node| !pressure(node).is_nan());
         let mut value: Vec<f64> = nodes.iter().map(|&node| pressure(node)).collect();
         let mut read = vec![how];
-        read.extend(is_of_stresses.then(|| without_pull(&mut value)).flatten());
+        read.extend(is_of_stresses.then(|| without_pull(value.iter_mut())).flatten());
         let gaps = self.gaps(&nodes, points, pair, &value, asked, &mut read)?;
         let point = |(k, node): (usize, &usize)| Point {
             position: place(*node),

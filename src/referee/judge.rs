@@ -2,7 +2,6 @@
 
 use crate::case::{Check, Judged, Reference, Verdict};
 use crate::measure::{ACTIVE, Measures, Quantity, display_factor, larger, peak};
-use crate::mesh::Order;
 use crate::referee::bench::Bench;
 use crate::referee::profile::Profile;
 use crate::referee::truth::{Known, Truth};
@@ -15,9 +14,8 @@ pub const ENGINEERING: f64 = 1e-2;
 /// What tension is told by.
 pub const TENSION: &str = "largest tension over the largest pressure";
 
-/// Why single nodes of such cells are not judged.
-const MEANS: &str =
-    "nothing: those of corners and middles differ by rule, and only their means over edges are judged, the peak too";
+/// Why points beside means over edges are not judged one by one: those of springs along an edge sway.
+const MEANS: &str = "nothing: the means over edges beside them are judged";
 /// What alternating pressures are told by.
 const ALTERNATION: &str = "alternation of the pressures from point to point over the peak";
 
@@ -49,8 +47,8 @@ pub fn judge(truth: &Truth, profile: &Profile, tolerance: f64) -> Ruled {
     judged.extend(bench.peak(&mut missing));
     judged.extend(bench.profile_norm(&mut missing));
     judged.extend(bench.alternation());
-    if profile.alone.is_empty() && profile.order > Order::Linear {
-        missing.push(["pressures at single nodes of cells of a higher order".into(), MEANS.into()]);
+    if profile.has_means {
+        missing.push(["pressures at single points".into(), MEANS.into()]);
     }
     judged.extend(bench.ends());
     judged.push(bench.resultant());
@@ -112,15 +110,19 @@ impl Bench<'_> {
         Some(self.ruled(check, error, known))
     }
 
-    /// How far pressures alternate from point to point, which means over edges do not show; none where points are of a higher order, whose
-    /// corners and middles differ.
+    /// How far pressures alternate from point to point, which means over edges do not show.
     ///
     /// Largest `|e_i − (e_{i−1} + e_{i+1})/2| / 2` of the errors e of three points in a row well within the contact, over the peak; where the
-    /// pressure has no limit, of errors over the pressure itself, away from where it has none.
+    /// pressure has no limit, of errors over the pressure itself: up to the last points before an end where it has none.
     fn alternation(&self) -> Option<Judged> {
         let contact = self.profile.contact;
         let is_unbounded = self.truth.is_unbounded(contact);
-        let inside = self.profile.alone.iter().filter(|[s, _]| self.has_limit(*s));
+        let is_at_ends = is_unbounded && self.truth.pressure(contact, 0.0).is_finite();
+        let points: Vec<[f64; 2]> =
+            self.profile.alone.iter().filter(|[s, _]| s.abs() < self.reach()).copied().collect();
+        let far = if self.profile.across { AT_END } else { 0 }..points.len().saturating_sub(AT_END);
+        let is_inside = |(k, [s, _]): &(usize, &[f64; 2])| self.has_limit(*s) || is_at_ends && far.contains(k);
+        let inside = points.iter().enumerate().filter(is_inside).map(|(_, point)| point);
         let peak = self.truth.known(contact, &Quantity::PeakPressure).reference.value;
         let error = |&[s, p]: &[f64; 2]| {
             let known = self.truth.pressure(contact, s);
@@ -217,6 +219,8 @@ impl Bench<'_> {
 const INSIDE: f64 = 0.8;
 /// Part beside the middle in which they may, where the pressure has no limit.
 const BESIDE: f64 = 0.2;
+/// Points at an end where the pressure has no limit in which they may.
+const AT_END: usize = 3;
 const ALTERNATE: f64 = 0.1;
 /// Points up to which the largest pressure is that of one of them.
 const FEW: usize = 4;

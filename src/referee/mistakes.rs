@@ -11,7 +11,7 @@ use crate::mesh::Order;
 use crate::referee::answer::{Handed, Point};
 use crate::referee::judge::{fails_by_width, judge};
 use crate::referee::norm;
-use crate::referee::profile::{Profile, tributary};
+use crate::referee::profile::{Profile, ended, tributary};
 use crate::referee::truth::Truth;
 use crate::referee::units::{Role, Units, is_angle};
 use crate::scene::{ContactPair, PlaneHypothesis, Scene};
@@ -32,15 +32,26 @@ pub struct Beside<'a> {
 /// The mistakes that explain an answer: each turns what fails into what passes. Gaps take no part.
 pub fn explain(truth: &Truth, handed: &Handed, beside: Beside, tolerance: f64) -> Vec<String> {
     let plain = without_gaps(handed);
-    let meets = |one: &Handed| {
-        let profile = Profile::of(&truth.case.scene, one);
-        !fails_by_width(truth, &profile, tolerance)
-            && judge(truth, &profile, tolerance).judged.iter().all(|judged| judged.verdict != Verdict::Fail)
+    let failed = |profile: &Profile| {
+        let judged = judge(truth, profile, tolerance).judged.into_iter();
+        judged.filter(|judged| judged.verdict == Verdict::Fail).collect::<Vec<_>>()
     };
-    if meets(&plain) {
+    let meets = |one: &Handed| {
+        let profile = Profile::of(&truth.case.scene, &ended(truth, one));
+        !fails_by_width(truth, &profile, tolerance) && failed(&profile).is_empty()
+    };
+    let own = failed(&Profile::of(&truth.case.scene, &ended(truth, &plain)));
+    if own.is_empty() {
         return vec![];
     }
     let mut all = corrections(truth, &plain, beside);
+    // What is off at single points is no matter of how they are summed.
+    let is_sum =
+        |number: &Quantity| matches!(number, Quantity::Resultant | Quantity::SecondMomentWidth | Quantity::Centre);
+    let are_sums = || own.iter().all(|judged| judged.check.quantity.number().is_some_and(is_sum));
+    if plain.order == Order::Linear && plain.edges.is_empty() && (plain.forces || are_sums()) {
+        all.push((MID_SIDES.into(), Handed { order: Order::Quadratic, ..plain.clone() }));
+    }
     if plain.points.iter().map(|point| point.value).sum::<f64>() < 0.0 {
         let turned = scaled(&plain, -1.0, 1.0, 1.0);
         let both = |(says, corrected): Correction| (format!("{NEGATIVE}; and {says}"), corrected);
@@ -68,7 +79,30 @@ fn corrections(truth: &Truth, handed: &Handed, beside: Beside) -> Vec<Correction
     };
     let is_half = handed.points[0].position >= 0.0 && !scene.contacts[handed.contact].path.has_both_sides();
     let sides = if is_circle || is_half || !handed.edges.is_empty() { vec![] } else { halves(handed) };
-    scaled.chain(by_rings(scene, handed)).chain(moved).chain(sides).collect()
+    scaled
+        .chain(by_rings(scene, handed))
+        .chain(moved)
+        .chain(sides)
+        .chain(by_places(handed))
+        .chain(of_ring(&scene.contacts[handed.contact], handed))
+        .collect()
+}
+
+/// The part of a whole ring that the scene has.
+fn of_ring(pair: &ContactPair, handed: &Handed) -> Vec<Correction> {
+    let is_within = |point: &&Point| point.position.abs() <= pair.stretch * (1.0 + ALIKE);
+    let points: Vec<Point> = handed.points.iter().filter(is_within).copied().collect();
+    let says = format!("the scene has a part of the ring: hand in its points up to {:.4}°", pair.stretch.to_degrees());
+    let is_more = !pair.path.is_straight() && handed.edges.is_empty() && points.len() < handed.points.len();
+    is_more.then(|| (says, Handed { points, ..handed.clone() })).into_iter().collect()
+}
+
+/// Without the areas beside the points.
+fn by_places(handed: &Handed) -> Vec<Correction> {
+    let says = "areas are not those of the points: leave them out, they follow from the places".to_owned();
+    let points = handed.points.iter().map(|point| Point { area: None, ..*point }).collect();
+    let has_areas = handed.points.iter().any(|point| point.area.is_some());
+    has_areas.then(|| (says, Handed { points, ..handed.clone() })).into_iter().collect()
 }
 
 /// The points at corners alone, where nothing presses at those between.
@@ -111,6 +145,8 @@ fn off(truth: &Truth, handed: &Handed) -> f64 {
     norm::of_means(&profile.edges, |s| truth.pressure(handed.contact, s))
 }
 
+/// What is said of another order.
+const MID_SIDES: &str = "every second point is a mid-side: hand them in with --order 2";
 /// What is said of the other sign.
 const NEGATIVE: &str = "pressures are negative in compression: hand them in with --tension-positive";
 /// Difference of factors that no answer tells apart.
@@ -123,11 +159,11 @@ fn called(scene: &Scene, handed: &Handed) -> Vec<(String, [f64; 2])> {
         true => ["a diameter for a radius", "a radius for a diameter"],
         false => ["a width for a half-width", "a half-width for a width"],
     };
-    let mut all = vec![
-        (NEGATIVE.to_owned(), [-1.0, 1.0]),
-        (format!("positions are doubled: {doubled}"), [1.0, 0.5]),
-        (format!("positions are halved: {halved}"), [1.0, 2.0]),
-    ];
+    let mut all = vec![(NEGATIVE.to_owned(), [-1.0, 1.0])];
+    if scene.contacts[handed.contact].path.is_straight() {
+        all.push((format!("positions are doubled: {doubled}"), [1.0, 0.5]));
+        all.push((format!("positions are halved: {halved}"), [1.0, 2.0]));
+    }
     if is_circle && handed.forces {
         all.push(("nodal forces are per radian: 2π is forgotten".into(), [TAU, 1.0]));
         all.push(("nodal forces are those of a sector of 2°: they are to be multiplied by 180".into(), [180.0, 1.0]));

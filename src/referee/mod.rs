@@ -91,7 +91,7 @@ pub fn verdicts(truth: &Truth, answer: Answer, tolerance: f64) -> Result<Verdict
     for (handed, profile) in handed().zip(&profiles) {
         complete::all(truth, &answer, handed, profile, tolerance)?;
     }
-    let profiles: Vec<Profile> = handed().map(|handed| Profile::of(scene, &complete::ended(truth, handed))).collect();
+    let profiles: Vec<Profile> = handed().map(|handed| Profile::of(scene, &profile::ended(truth, handed))).collect();
     let mut ruled: Vec<Ruled> = profiles.iter().map(|profile| judge::judge(truth, profile, tolerance)).collect();
     let is_of_scene = match &answer.field {
         Some(field) => whole::judge(truth, field, &profiles, &mut ruled, tolerance)?,

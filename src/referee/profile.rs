@@ -5,6 +5,7 @@ use std::f64::consts::TAU;
 use crate::elasticity::quadrature::lobatto;
 use crate::mesh::Order;
 use crate::referee::answer::{Handed, Point};
+use crate::referee::truth::Truth;
 use crate::scene::{ContactPair, Path, Scene};
 use crate::solution::{EdgeState, Part, PointState};
 
@@ -21,9 +22,11 @@ pub struct Profile {
     pub points: Vec<PointState>,
     /// Means over the edges between them.
     pub edges: Vec<EdgeState>,
-    /// Contact coordinate and pressure of the points as they were handed in, where they follow one another as those of first order, and neither
-    /// are forces nor stand beside means over edges \[mm or rad, MPa\].
+    /// Contact coordinate and pressure of the points as they were handed in, where they neither are forces nor stand beside means over edges
+    /// \[mm or rad, MPa\].
     pub alone: Vec<[f64; 2]>,
+    /// Whether means over edges stand beside them.
+    pub has_means: bool,
     /// Whether it lies on both sides of the middle.
     pub across: bool,
     /// Whether gaps were handed in.
@@ -52,16 +55,18 @@ impl Profile {
             PointState { position: point.position, weight, pressure, gap: point.gap.unwrap_or(f64::NAN) }
         };
         let mut points: Vec<PointState> = handed.points.iter().zip(&areas).map(state).collect();
-        let alone = match is_of_points && !plain.forces {
-            true => plain.points.iter().map(|point| [point.position, point.value]).collect(),
-            false => Vec::new(),
+        let has_means = !plain.edges.is_empty();
+        let alone = match plain.forces || has_means {
+            false => plain.points.iter().map(|point| [point.position, point.value]).collect(),
+            true => Vec::new(),
         };
         let on_axis = scene.is_around_axis(handed.contact) && lends_to_axis(&mut points, handed);
         let edges =
             if handed.edges.is_empty() { means(&scene, pair, &points, handed.order) } else { handed.edges.clone() };
         points.drain(..usize::from(on_axis));
         let has_gaps = handed.points.iter().all(|point| point.gap.is_some());
-        Self { contact: handed.contact, order: handed.order, points, edges, alone, across, has_gaps, has_forces, scene }
+        let (contact, order) = (handed.contact, handed.order);
+        Self { contact, order, points, edges, alone, has_means, across, has_gaps, has_forces, scene }
     }
 
     /// The contact.
@@ -77,6 +82,39 @@ impl Profile {
 
 /// Part of the largest position that rounding explains.
 const SAME: f64 = 1e-9;
+/// Edges of the answer within which an end counts as that of the contact, which ours is read to a part of one.
+pub const EDGES: f64 = 1.1;
+/// Steps before the last candidate at which the middle of an edge lies: half of one where edges are alike.
+const HALF: std::ops::Range<f64> = 0.3..0.7;
+
+/// What was handed in of a contact, with the points beyond that carry nothing where those that press alone are listed, and its ends where the
+/// points are the middles of edges and it reaches to the last candidates.
+pub fn ended(truth: &Truth, handed: &Handed) -> Handed {
+    let (mut all, ours) = (handed.clone(), &truth.run.contacts[handed.contact].measures);
+    let is_plain = handed.order == Order::Linear && handed.edges.is_empty();
+    if !is_plain || handed.points.iter().any(|point| point.area.is_some() || point.gap.is_some()) {
+        return all;
+    }
+    let (Some(begin), Some(end)) = (ours.stretches.first(), ours.stretches.last()) else { return all };
+    let beyond = |k: usize, next: usize, place: f64, reaches: bool| {
+        let [last, before] = [handed.points[k], handed.points[next]];
+        let (step, left) = (last.position - before.position, place - last.position);
+        let position = if reaches { place } else { last.position + step };
+        let value = if reaches { last.value } else { 0.0 };
+        let is_end = match reaches {
+            true => !handed.forces && HALF.contains(&(left / step)),
+            false => left.abs() <= EDGES * step.abs(),
+        };
+        (last.value > 0.0 && is_end && place * last.position > 0.0).then_some(Point { position, value, ..last })
+    };
+    let (last, begins) = (all.points.len() - 1, ours.begin());
+    // A symmetric contact ends on its other half as it does on this one.
+    let is_image = begins < 0.0 && !truth.case.scene.contacts[handed.contact].path.has_both_sides();
+    let image = if is_image { end } else { begin };
+    all.points.extend(beyond(last, last - 1, end.end, end.reaches[1]));
+    all.points.splice(0..0, beyond(0, 1, begins, image.reaches[usize::from(is_image)]));
+    all
+}
 
 /// The scene with a contact on both sides of its middle: no half of it is left to be counted twice.
 fn on_both_sides(scene: &Scene, contact: usize) -> Scene {
@@ -132,7 +170,8 @@ fn with_middles(handed: &Handed) -> Handed {
         position: 0.5 * (pair[0].position + pair[1].position),
         value: 0.5 * (pair[0].value + pair[1].value),
         area: None,
-        gap: pair[0].gap.zip(pair[1].gap).map(|(a, b)| 0.5 * (a + b)),
+        // Where one of them has no other side, the gap is that of the other.
+        gap: pair[0].gap.zip(pair[1].gap).map(|(a, b)| if a.max(b).is_finite() { 0.5 * (a + b) } else { a.min(b) }),
     };
     let mut points: Vec<Point> = handed.points.windows(2).flat_map(|pair| [pair[0], middle(pair)]).collect();
     points.extend(handed.points.last());

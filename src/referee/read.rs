@@ -10,7 +10,7 @@ use flate2::read::GzDecoder;
 use crate::case::Case;
 use crate::error::Error;
 use crate::markdown::significant;
-use crate::referee::answer::{Answer, Handed};
+use crate::referee::answer::{Answer, Handed, without_pull};
 use crate::referee::asked::Asked;
 use crate::referee::source::Source;
 use crate::referee::state::State;
@@ -33,6 +33,10 @@ pub fn read(file: &Path, case: &Case, asked: &Asked) -> Result<Answer, Error> {
 pub fn parse(file: &Path, bytes: &[u8], case: &Case, asked: &Asked) -> Result<Answer, Error> {
     let mut answer = by_ending(file, bytes, case, asked)?;
     answer.mirror(&case.scene);
+    // What is negative in compression is a stress.
+    for handed in answer.contacts.iter_mut().filter(|handed| asked.tension_positive && !handed.forces) {
+        answer.read.extend(without_pull(handed.points.iter_mut().map(|point| &mut point.value)));
+    }
     let around = answer.contacts.iter().filter(|handed| case.scene.is_around_axis(handed.contact));
     let ends = |handed: &Handed| Some([handed.points.first()?.position, handed.points.last()?.position]);
     let beyond = |[least, most]: &[f64; 2]| *least < 0.0 - ROUNDING * most.abs();

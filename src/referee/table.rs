@@ -10,7 +10,7 @@ use std::path::Path;
 
 use crate::error::Error;
 use crate::mesh::Order;
-use crate::referee::answer::{Answer, FEWEST, Handed, Point, contact_named, ordered};
+use crate::referee::answer::{Answer, BESIDE, FEWEST, Handed, Point, contact_named, ordered};
 use crate::referee::asked::Asked;
 use crate::referee::side::{signed_coordinate, surface};
 use crate::referee::source::Source;
@@ -97,7 +97,7 @@ pub fn parse(file: &Path, text: &str, scene: &Scene, asked: &Asked) -> Result<An
         !forces && table.head.iter().any(|title| asked.names(Role::Force, title) || is_usual(Role::Force, title));
     let mut read: Vec<String> =
         reader.columns.iter().map(|column| format!("`{}` as {}", column.title, column.role.name())).collect();
-    read.extend(is_beside.then(|| "the pressures, not the forces beside them".to_owned()));
+    read.extend(is_beside.then(|| BESIDE.to_owned()));
     read.extend(table.states.as_ref().map(|(state, _)| format!("the rows of {state}")));
     let notes = table.states.as_ref().map_or_else(Vec::new, |(state, all)| state.notes(all));
     let unit = |roles: &[Role]| {
@@ -116,6 +116,8 @@ pub fn parse(file: &Path, text: &str, scene: &Scene, asked: &Asked) -> Result<An
 const MARKS: [char; 4] = [';', '\t', ',', ' '];
 /// Lines by which what separates cells is found.
 const SEEN: usize = 1000;
+/// What columns of times are called, by code_aster too.
+const TIMES: [&str; 2] = ["time", "inst"];
 /// What comments begin with.
 const COMMENTS: [&str; 6] = ["#", "%", "!", "//", "$", "**"];
 /// What lines below the numbers of a report begin with; `at` where no number follows.
@@ -201,7 +203,7 @@ impl<'a> Table<'a> {
             rows.retain(|(_, cells)| cells.get(mask).and_then(|cell| number(cell, false)) != Some(0.0));
         }
         // Of several times the last one is judged, as of grids.
-        let column = head.iter().position(|title| split(title).0.eq_ignore_ascii_case("time"));
+        let column = head.iter().position(|title| TIMES.iter().any(|time| split(title).0.eq_ignore_ascii_case(time)));
         if asked.step.is_some() || asked.time.is_some() && column.is_none() {
             return Err(State::only(source.file));
         }

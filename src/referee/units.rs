@@ -64,14 +64,18 @@ impl Role {
     }
 
     /// Names that columns and fields have without being named, in small letters, the one that goes first in front: those of contacts, then those that may be of a body.
-    /// They are our own, and those of ParaView, MOOSE, Abaqus, Ansys, COMSOL and CalculiX.
+    /// They are our own, and those of ParaView, MOOSE, Abaqus, Ansys, COMSOL, code_aster and CalculiX.
     pub fn usual(self) -> &'static [&'static str] {
         match self {
             Self::Position => &["position"],
-            Self::X => &["x", "points:0", "points_0", "coord.coor1", "coor1", "x location", "x coordinate", "r"],
-            Self::Y => &["y", "points:1", "points_1", "coord.coor2", "coor2", "y location", "y coordinate", "z"],
+            Self::X => {
+                &["x", "points:0", "points_0", "coord.coor1", "coor1", "x location", "x coordinate", "coor_x", "r"]
+            }
+            Self::Y => {
+                &["y", "points:1", "points_1", "coord.coor2", "coor2", "y location", "y coordinate", "coor_y", "z"]
+            }
             Self::Pressure => {
-                &["contact_pressure", "contact pressure", "cpress", "solid.tn", "pressure", "pres", "tn", "p"]
+                &["contact_pressure", "contact pressure", "cpress", "solid.tn", "pressure", "pres", "lags_c", "tn", "p"]
             }
             Self::Force => &["force", "contact_force", "contact force"],
             Self::Gap => &["contact_gap", "contact gap", "gap", "copen", "solid.gap"],

@@ -16,12 +16,14 @@ pub struct Grid<'a> {
     pub types: Vec<u8>,
     /// Nodal fields.
     pub fields: Vec<Field>,
+    /// Its time, where it says one.
+    pub time: Option<f64>,
 }
 
 impl<'a> Grid<'a> {
     /// One without points.
     pub fn of(file: &'a Path) -> Self {
-        Self { file, points: vec![], connectivity: vec![], ends: vec![], types: vec![], fields: vec![] }
+        Self { file, points: vec![], connectivity: vec![], ends: vec![], types: vec![], fields: vec![], time: None }
     }
 }
 

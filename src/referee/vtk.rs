@@ -141,6 +141,9 @@ impl Reader<'_> {
         of_nodes: bool,
     ) -> Result<(), Error> {
         let data = self.numbers(components, entries, kind)?;
+        if grid.points.is_empty() && ["time", "timevalue"].contains(&name.to_lowercase().as_str()) {
+            grid.time = data.last().copied();
+        }
         grid.fields.extend(of_nodes.then(|| Field { name: plain(name), components, names: vec![], data }));
         Ok(())
     }

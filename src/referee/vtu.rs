@@ -61,7 +61,8 @@ pub fn parse<'a>(file: &'a Path, bytes: &[u8]) -> Result<Grid<'a>, Error> {
         let inside = inside.unwrap_or_default();
         at = end;
         // Other fields than numbers, and those of cells, are not read.
-        if ["<CellData", "<FieldData"].contains(&part) || kind == "String" {
+        let is_time = (part, name) == ("<FieldData", "TimeValue");
+        if ["<CellData", "<FieldData"].contains(&part) && !is_time || kind == "String" {
             continue;
         }
         let numbers = match (attribute(&array, "format").unwrap_or("ascii"), &appended) {
@@ -75,6 +76,7 @@ pub fn parse<'a>(file: &'a Path, bytes: &[u8]) -> Result<Grid<'a>, Error> {
         let data = numbers.map_err(|why| refused(format!("its array `{name}` {why}")))?;
         let index = |value: &f64| if *value >= 0.0 { *value as usize } else { usize::MAX };
         match (part, name) {
+            _ if is_time => grid.time = data.last().copied(),
             ("<Points", _) => grid.points = data,
             ("<Cells", "connectivity") => grid.connectivity = data.iter().map(index).collect(),
             ("<Cells", "offsets") => grid.ends = data.iter().map(index).collect(),

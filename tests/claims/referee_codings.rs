@@ -173,3 +173,37 @@ fn numbers_that_fill_their_columns_have_no_blanks_between_in_a_frd() {
     };
     ellipse::assert(&read("theirs.frd", Frd::plain().text().lines().map(moved).collect::<String>()), 1e-4);
 }
+
+#[test]
+fn the_time_of_a_grid_is_said_and_that_pressures_are_read_where_forces_stand_beside_them() {
+    let number = |s: f64| written(s);
+    let legacy = vtk::ascii(&number);
+    for (time, notes) in [("0", 0), ("0.5", 1), ("1", 0)] {
+        let field = format!("DATASET UNSTRUCTURED_GRID\nFIELD FieldData 1\nTIME 1 1 double\n{time}\n");
+        let array = format!(
+            "<DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">{time}</DataArray>"
+        );
+        let head = format!("<UnstructuredGrid>\n<FieldData>\n{array}\n</FieldData>\n");
+        for (name, text) in [
+            ("theirs.vtk", legacy.replacen("DATASET UNSTRUCTURED_GRID\n", &field, 1)),
+            ("theirs.vtu", grid(|x, y| [x, y, 0.0], written).replacen("<UnstructuredGrid>\n", &head, 1)),
+        ] {
+            let found = read(name, text);
+            ellipse::assert(&found, 1e-5);
+            assert!(found.read.contains(&format!("the grid of time {time}")), "{name}: {:?}", found.read);
+            assert_eq!(found.notes.len(), notes, "{name}: {:?}", found.notes);
+        }
+    }
+    let list = |of: &dyn Fn(f64) -> f64| {
+        (0..ellipse::NODES).map(|k| of(ellipse::place(k)).to_string()).collect::<Vec<_>>().join(",")
+    };
+    let text = format!(
+        "{{\"units\":{{\"position\":\"mm\",\"pressure\":\"MPa\",\"force\":\"N\"}},\"contacts\":[{{\"position\":[{}],\"pressure\":[{}],\"force\":[{}]}}]}}",
+        list(&|s| s),
+        list(&ellipse::pressure),
+        list(&|_| 1.0)
+    );
+    let found = read("theirs.json", text);
+    ellipse::assert(&found, 1e-9);
+    assert!(found.read.iter().any(|how| how == "the pressures, not the forces beside them"), "{:?}", found.read);
+}

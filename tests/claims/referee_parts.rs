@@ -3,12 +3,14 @@
 use contact_vv::case::Case;
 use contact_vv::case::library::find;
 use contact_vv::checkout::root;
+use contact_vv::referee::judge::TENSION;
 use contact_vv::referee::units::Role;
 use contact_vv::referee::{Asked, Truth};
+use contact_vv::solve::{Discretisation, Formulation, Run};
 
 use crate::handed::{PRESSURES, failed, judged_as, read, table};
 use crate::referee_readers::{Frd, ellipse, vtk};
-use crate::referee_wild::{parsed, refused, usual};
+use crate::referee_wild::{judged, parsed, refused, usual};
 use crate::workbench;
 
 #[test]
@@ -190,15 +192,17 @@ fn pressures_without_a_limit_that_alternate_are_no_answer() {
     let case = Case::read(&root().join("tests/cases/flat-punch.toml")).expect("a case");
     let truth = Truth::of(case).expect("solved");
     let end = truth.run.contacts[0].measures.edge();
-    let failed = |share: f64| {
+    // One point beside the end, in the last fifth of the contact, is among them.
+    let failed_by = |turn: &dyn Fn(i32) -> f64| {
         let place = |k: i32| end * (f64::from(k) / 160.0);
-        let turn = |k: i32| if k % 2 == 0 { 1.0 + share } else { 1.0 - share };
         // The last ones lie beside the end, where the pressure has no limit.
         let row = |k: i32| [place(k), turn(k) * truth.pressure(0, place(k).min(0.998 * end))];
         failed(&judged_as(&truth, "theirs.csv", &table(PRESSURES, (0..=160).map(row)), &usual()))
     };
-    let alternates = |share: f64| failed(share).iter().any(|one| one.starts_with("alternation"));
-    assert!(!alternates(0.0) && !alternates(0.05) && alternates(0.3) && alternates(-0.3), "{:?}", failed(0.0));
+    let alternates = |turn: &dyn Fn(i32) -> f64| failed_by(turn).iter().any(|one| one.starts_with("alternation"));
+    let by = |share: f64| alternates(&|k| if k % 2 == 0 { 1.0 + share } else { 1.0 - share });
+    assert!(!by(0.0) && !by(0.05) && by(0.3) && by(-0.3), "{:?}", failed_by(&|_| 1.0));
+    assert!(alternates(&|k| if k == 150 { 0.0 } else { 1.0 }));
 }
 
 /// The truth of a case of the library, or of a scene file.
@@ -245,11 +249,144 @@ fn forces_and_pressures_of_the_pressed_nodes_alone_are_those_of_all() {
 }
 
 #[test]
+fn pressed_nodes_of_which_the_next_one_lies_at_the_end_are_those_of_all() {
+    for (name, peak) in [("cylinder", 5769.23), ("sphere", 7345.61)] {
+        let truth = workbench::truth(name);
+        for edges in [24, 32, 48] {
+            let place = |k: i32| 2.5 * f64::from(k) / f64::from(edges);
+            let hertz = |s: f64| peak * (1.0 - (s / 2.5).powi(2)).sqrt();
+            for first in [0, 1 - edges] {
+                if name == "sphere" && first < 0 {
+                    continue;
+                }
+                let rows = table(PRESSURES, (first..edges).map(|k| [place(k), hertz(place(k))]));
+                assert_eq!(
+                    failed(&judged_as(truth, "pressed.csv", &rows, &Asked::default())),
+                    [""; 0],
+                    "{name}, {edges}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn points_of_another_order_and_areas_of_others_are_named_and_single_points_are_no_matter_of_order() {
+    let said = |truth: &Truth, columns: &str, rows: String| {
+        let found = judged_as(truth, "theirs.csv", &format!("{columns}\n{rows}"), &Asked::default());
+        assert!(!found.met());
+        found.mistakes.join("; ")
+    };
+    let punch = workbench::truth("flat-punch");
+    let mesh = Discretisation::of(punch.case.scene.clone(), punch.case.resolution).expect("meshed");
+    let run = Run::of(&mesh, &Formulation::verification()).expect("solved");
+    let rows =
+        run.solution.points_of(0).iter().map(|point| format!("{},{}\n", point.position, point.pressure)).collect();
+    let by_order = "every second point is a mid-side: hand them in with --order 2";
+    assert_eq!(said(punch, PRESSURES, rows), by_order);
+    let hertz = workbench::truth("cylinder");
+    let rows = |of: &dyn Fn(usize, f64) -> String| -> String {
+        let place = |k: usize| 5.0 * k as f64 / 48.0;
+        let pressure = |s: f64| 5769.23 * (1.0 - (s / 2.5).powi(2)).max(0.0).sqrt();
+        (0..=48).map(|k| format!("{},{}\n", place(k), of(k, pressure(place(k))))).collect()
+    };
+    // Shares of 8-node cells: 1/6, 4/6, 1/6.
+    let shares = |k: usize| {
+        5.0 / 24.0
+            * if k % 2 == 1 {
+                4.0 / 6.0
+            } else if k % 48 == 0 {
+                1.0 / 6.0
+            } else {
+                2.0 / 6.0
+            }
+    };
+    let forces = rows(&|k, p| format!("{}", shares(k) * p));
+    let found = judged_as(hertz, "theirs.csv", &format!("position [mm],force [N]\n{forces}"), &Asked::default());
+    assert!(found.met() || found.mistakes == [by_order], "{:?}", found.mistakes);
+    assert_eq!(said(hertz, PRESSURES, rows(&|k, p| format!("{}", if k == 7 { 1.15 * p } else { p }))), "");
+    for area in [1.0, 2.0 * 5.0 / 48.0] {
+        let areas = said(hertz, &format!("{PRESSURES},area [mm2]"), rows(&|_, p| format!("{p},{area}")));
+        assert!(areas.starts_with("areas are not those of the points"), "{areas}");
+    }
+}
+
+#[test]
+fn tension_that_stresses_have_beside_a_contact_is_none_whatever_they_are_read_from() {
+    let stress = |pull: f64| -> String {
+        let value = |s: f64| if s > 2.0 && s < 2.3 { pull } else { 0.0 - ellipse::pressure(s) };
+        let rows = (0..ellipse::NODES).map(ellipse::place).map(|s| format!("{s},{}\n", value(s)));
+        format!("x [mm],S22 [MPa]\n{}", rows.collect::<String>())
+    };
+    let asked = Asked { columns: vec![(Role::Pressure, "S22".into())], tension_positive: true, ..usual() };
+    let found = judged(parsed("stress.csv", stress(2.0), &asked).expect("read")).expect("judged");
+    assert!(found.met() && found.answer.read.iter().any(|how| how.contains("tension of up to 2.0 %")));
+    assert!(!judged(parsed("stress.csv", stress(8.0), &asked).expect("read")).expect("judged").met());
+    // A contact pressure has none.
+    let plain = stress(2.0).replace(",-", ",").replace(",2\n", ",-2\n").replace("S22", "CPRESS");
+    let found = failed(&judged(parsed("stress.csv", plain, &usual()).expect("read")).expect("judged"));
+    assert!(found.iter().any(|one| one == TENSION), "{found:?}");
+}
+
+#[test]
+fn points_beside_means_over_edges_are_said_not_to_be_judged_and_no_gap_is_none_beyond_a_pressed_node() {
+    let list = |of: &dyn Fn(usize) -> String| (0..ellipse::NODES).map(of).collect::<Vec<_>>().join(",");
+    let pressure = |k: usize| ellipse::pressure(ellipse::place(k));
+    let edge = |k: usize| {
+        let [from, to] = [k, k + 1].map(ellipse::place);
+        let mean = 0.5 * (pressure(k) + pressure(k + 1));
+        format!("{{\"from\":{from},\"to\":{to},\"area\":{},\"pressure\":{mean}}}", to - from)
+    };
+    let edges = (0..ellipse::NODES - 1).map(edge).collect::<Vec<_>>().join(",");
+    let found = |share: f64, more: &str| {
+        let turned = |k: usize| pressure(k) * if k.is_multiple_of(2) { 1.0 + share } else { 1.0 - share };
+        let text = format!(
+            "{{\"units\":{{\"position\":\"mm\",\"pressure\":\"MPa\",\"area\":\"mm2\",\"gap\":\"mm\"}},\"contacts\":[{{\"position\":[{}],\"pressure\":[{}]{more}}}]}}",
+            list(&|k| ellipse::place(k).to_string()),
+            list(&|k| turned(k).to_string())
+        );
+        judged(parsed("theirs.json", text, &usual()).expect("read")).expect("judged")
+    };
+    let means = format!(",\"edges\":[{edges}]");
+    let is_said = |one: &[String; 2]| one[0] == "pressures at single points";
+    assert!(found(0.3, &means).ruled[0].missing.iter().any(is_said));
+    assert!(!found(0.0, "").ruled[0].missing.iter().any(is_said));
+    // Beyond the contact, at 2 mm, there is no other side.
+    let none = list(&|k| if pressure(k) > 0.0 { "0".into() } else { "null".to_owned() });
+    assert_eq!(failed(&found(0.0, &format!(",\"gap\":[{none}]"))), [""; 0]);
+}
+
+#[test]
+fn tables_of_code_aster_are_judged_at_their_last_time() {
+    let rows = |share: f64, time: &str| -> String {
+        let row = |s: f64| format!(" N{s} 1 {time} {s:.9E} {s:.9E} 0.0E+00 {:.9E}\n", -share * ellipse::pressure(s));
+        (0..ellipse::NODES).map(ellipse::place).map(row).collect()
+    };
+    let head = "#\n#ASTER 15.04.00 CONCEPT tab CALCULE LE 28/11/2025\n#TABLE_SDASTER\n NOEUD NUME_ORDRE INST ABSC_CURV COOR_X COOR_Y LAGS_C\n";
+    let text = format!("{head}{}{}", rows(0.5, "5.0E-01"), rows(1.0, "1.0E+00"));
+    let found = parsed("tab.txt", &text, &Asked { tension_positive: true, ..usual() }).expect("read");
+    ellipse::assert(&found, 1e-6);
+    assert_eq!(found.read.last().expect("said"), "the rows of time 1");
+}
+
+#[test]
 fn uniform_and_linear_pressures_are_judged_by_few_points_on_either_side() {
     let ring = (-30..=30).map(|k| [3.0 * f64::from(k), 12.7065]);
     let ring = table("position [deg],pressure [MPa]", ring);
-    let found = failed(&judged_as(&truth("press-fit"), "ring.csv", &ring, &Asked::default()));
-    assert!(!found.iter().any(|name| name.starts_with("begin")), "{found:?}");
+    let fit = truth("press-fit");
+    assert_eq!(failed(&judged_as(&fit, "ring.csv", &ring, &Asked::default())), [""; 0]);
+    for places in [-60..=60, 0..=60, 0..=120] {
+        let whole = table("position [deg],pressure [MPa]", places.map(|k| [3.0 * f64::from(k), 12.7065]));
+        let said = judged_as(&fit, "whole.csv", &whole, &Asked::default()).mistakes;
+        let part = "the scene has a part of the ring: hand in its points up to 90.0000°";
+        assert!(said.iter().any(|one| one == part) && !said.iter().any(|one| one.contains("doubled")), "{said:?}");
+    }
+    // Its edges end where the last candidates are, half a step behind their middles.
+    for places in [-9..9, 0..9] {
+        let middles = places.map(|k| [5.0 + 10.0 * f64::from(k), 12.7065]);
+        let middles = table("position [deg],pressure [MPa]", middles);
+        assert_eq!(failed(&judged_as(&fit, "middles.csv", &middles, &Asked::default())), [""; 0]);
+    }
     // A column `contact` of one contact may tell its status; twice the pressure is no load where there is none, and 2 % more is no shift.
     let hertz = truth("truncated-hertz");
     let places = || (0..=60).map(|k| 0.05 * f64::from(k));

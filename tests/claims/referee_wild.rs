@@ -10,6 +10,7 @@ use contact_vv::case::{Case, Judged, Quantity as Asks};
 use contact_vv::checkout::root;
 use contact_vv::cli::vtu;
 use contact_vv::error::Error;
+use contact_vv::mesh::Order;
 use contact_vv::referee::judge::ENGINEERING;
 use contact_vv::referee::units::Role;
 use contact_vv::referee::{Answer, Asked, Truth, Verdicts, read, verdicts};
@@ -637,19 +638,26 @@ fn cells_of_any_order_are_read_and_so_is_what_we_write_of_fitted_meshes() {
 
 #[test]
 fn pressures_that_alternate_from_point_to_point_are_no_answer() {
-    let failed = |share: f64| {
-        let row = |k: i32| {
-            let s = 3.0 * f64::from(k) / 120.0;
-            let turn = if k % 2 == 0 { 1.0 + share } else { 1.0 - share };
-            [s, 100.0 * turn * (1.0 - s * s / 4.0).max(0.0).sqrt()]
+    // The means over edges of either order stay what they are: of parabolas (c + 4 m + c)/6.
+    for (order, [corner, middle]) in [(Order::Linear, [1.0, -1.0]), (Order::Quadratic, [-2.0, 1.0])] {
+        let failed = |share: f64| {
+            let row = |k: i32| {
+                let s = 3.0 * f64::from(k) / 120.0;
+                let turn = 1.0 + share * if k % 2 == 0 { corner } else { middle };
+                [s, 100.0 * turn * (1.0 - s * s / 4.0).max(0.0).sqrt()]
+            };
+            let asked = Asked { order: Some(order), ..usual() };
+            failed(&judged_as(&TRUTH, "turns.csv", &table(PRESSURES, (0..=120).map(row)), &asked))
         };
-        failed(&judged_as(&TRUTH, "turns.csv", &table(PRESSURES, (0..=120).map(row)), &usual()))
-    };
-    assert_eq!(failed(0.0), Vec::<String>::new());
-    assert_eq!(failed(0.05), Vec::<String>::new());
-    for share in [0.3, -0.3] {
-        let named = failed(share);
-        assert!(named == ["alternation of the pressures from point to point over the peak"], "{named:?}");
+        assert_eq!(failed(0.0), Vec::<String>::new());
+        assert_eq!(failed(0.05), Vec::<String>::new());
+        for share in [0.3, -0.3] {
+            let named = failed(share);
+            assert!(
+                named == ["alternation of the pressures from point to point over the peak"],
+                "{order:?}: {named:?}"
+            );
+        }
     }
 }
 
@@ -672,7 +680,7 @@ fn points_off_the_side_and_pressures_that_begin_behind_the_middle_are_refused() 
     );
     // A y without a unit is none that is read.
     assert!(parsed("sides.csv", plain("x [mm],y,pressure [MPa]", -0.3), &Asked::default()).is_ok());
-    let quadratic = Asked { order: Some(contact_vv::mesh::Order::Quadratic), ..usual() };
+    let quadratic = Asked { order: Some(Order::Quadratic), ..usual() };
     assert!(judged(parsed("sides.csv", table(head, 0, 0.0), &quadratic).expect("read")).expect("judged").met());
     refused("sides.csv", table(head, 2, 0.0), &quadratic, &["stop at 0.2", "of the force lies beyond"]);
 }
