@@ -21,7 +21,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent / "mutants"))
 from spoiled import ROOT, Run
 from switch import MOST, SWITCH, refused
 
-CRATES = ["src/lib.rs", "src/solver/lib.rs"]
+CRATES = ["src/lib.rs", "src/solver/lib.rs", "src/drawing/lib.rs"]
 # What is compiled quicker than it saves time, for a few tests of each change.
 SETTINGS = {"contact-vv.opt-level": 0, "contact-vv-drawing.opt-level": 0, "signorini.opt-level": 2, "signorini.codegen-units": 16}
 QUICK = [word for key, value in SETTINGS.items() for word in ("--config", f"profile.release.package.{key}={value}")]

@@ -288,6 +288,9 @@ fn what_did_not_pass_is_told_first_and_passes_are_summed_up() {
         let whole = text.split_whitespace().collect::<Vec<_>>().join(" ");
         assert!(!whole.contains("first number"), "{text}");
     }
+    let text = suite::text(&findings[..1], 120);
+    let study = text.lines().rfind(|line| line.contains("faults")).expect("a row of the study");
+    assert!(study.trim_start().starts_with("○ not run"), "what was not run is no pass: {text}");
 }
 
 #[test]

@@ -62,6 +62,8 @@ fn formulation_that_cannot_take_the_scene_is_a_row_with_its_reason_behind_the_ot
     }
     let (_, text, _) = contact_vv(&["compare", "press-fit"]);
     assert!(text.lines().count() > 1 + 10 + 3 && text.contains("recommended"), "{text}");
+    let least = answers.iter().min_by_key(|row| row["operations"].as_f64().expect("a number") as u64).expect("answers");
+    assert_eq!(text.lines().last().map(str::trim), least["command"].as_str(), "what is recommended: {text}");
 }
 
 #[test]

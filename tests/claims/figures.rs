@@ -3,11 +3,11 @@
 use std::collections::BTreeSet;
 
 use contact_vv::checkout::root;
-use contact_vv::drawing::palette::{self, CARD, CLASSES, CURVES, Dash, GREY, INK, Marker, ON_CLASSES};
+use contact_vv::drawing::palette::{self, CARD, CLASSES, CURVES, Dash, INK, Marker, ON_CLASSES};
 use contact_vv::drawing::theme::Rgb;
 use contact_vv::drawing::{
-    Axis, Bars, Cell, Chart, ClassMap, Colour, Direction, Drawing, Guide, MapPanel, Remark, Ribbon, Series, Style,
-    Theme, schematic,
+    Axis, Bars, Cell, Chart, ClassMap, Colour, ColourMap, Direction, Drawing, Field, Guide, MapPanel, Remark, Series,
+    Style, Theme, schematic,
 };
 use contact_vv::study::timings::precision::Point;
 use contact_vv::study::timings::record::{Record, cheapest, front, sound};
@@ -73,11 +73,6 @@ fn full() -> Chart {
         chart.series.push(Series { label: format!("curve {k}"), points: points.clone(), style, hollow: vec![3.0] });
     }
     chart.guides.push(Guide { direction: Direction::Horizontal, at: 10.0, label: "a guide".into() });
-    chart.ribbons.push(Ribbon {
-        label: "a ribbon".into(),
-        points: vec![[1.0, 2.0, 3.0], [100.0, 3.0, 9.0]],
-        colour: GREY,
-    });
     chart.bars.push(Bars { label: "bars".into(), ends: vec![[(2.0, 1.0), (2.0, 9.0)]], colour: palette::PURPLE });
     let at = (10.0, 100.0);
     chart.remarks.push(Remark { at, text: "7 ms".into(), ring: Some("rings".into()), colour: palette::ORANGE });
@@ -186,9 +181,7 @@ fn numbers_of_a_schematic_stand_where_it_asks_for_them() {
 #[test]
 fn everything_that_is_drawn_is_in_the_legend() {
     let svg = full().drawing().expect("drawn");
-    for text in
-        ["curve 0", "curve 5", "a guide", "a ribbon", "bars", "rings", "7 ms", "hollow: not converged", "A note."]
-    {
+    for text in ["curve 0", "curve 5", "a guide", "bars", "rings", "7 ms", "hollow: not converged", "A note."] {
         assert!(svg.contains(&format!("\n{text}\n")), "no `{text}`");
     }
     let svg = map().drawing().expect("drawn");
@@ -390,6 +383,117 @@ fn winding(outlines: &[Vec<[f64; 2]>], [x, y]: [f64; 2]) -> i32 {
         sides.map(crossing).sum::<i32>()
     };
     outlines.iter().map(of).sum()
+}
+
+/// The middle of a text of a drawing, and its left end.
+fn place_of(svg: &str, words: &str) -> ([f64; 2], f64) {
+    let found = texts(svg).into_iter().find(|(text, _)| text == words);
+    let (_, [left, top, right, bottom]) = found.unwrap_or_else(|| panic!("no `{words}`"));
+    ([0.5 * (left + right), 0.5 * (top + bottom)], left)
+}
+
+/// The middles of the discs of a colour.
+fn discs(svg: &str, of: Colour) -> Vec<[f64; 2]> {
+    let tags = svg.split('<').filter(|part| part.starts_with("circle"));
+    let own = tags.filter(|tag| attribute(tag, "fill").map(colour) == Some(of.on(Theme::Light)));
+    own.map(|tag| ["cx", "cy"].map(|name| number(tag, name).expect("a number"))).collect()
+}
+
+/// Places are written to tenths of a pixel, and texts are set a little below the middle of their line.
+const SET: f64 = 1.5;
+
+#[test]
+fn points_stand_where_the_numbers_on_linear_and_logarithmic_axes_say() {
+    let mut chart = Chart::new("places", Axis::log("x"), Axis::linear("y"));
+    // Half and two thirds of three decades; one below zero.
+    let points = [(1.0, -2.0), (1000_f64.sqrt(), -1.0), (100.0, 1.0), (1000.0, 2.0)];
+    chart.series.push(Series::new("", points, Style::run(palette::LINE, Dash::Solid, Marker::Circle)));
+    let svg = chart.drawing().expect("drawn");
+    let discs = discs(&svg, palette::LINE);
+    let across = ["1", "10", "100", "1000"].map(|label| {
+        // The number that stands lowest is that of the axis across.
+        let all = texts(&svg).into_iter().filter(|(text, _)| text == label);
+        let lowest = all.max_by(|(_, a), (_, b)| a[3].total_cmp(&b[3])).unwrap_or_else(|| panic!("no `{label}`"));
+        0.5 * (lowest.1[0] + lowest.1[2])
+    });
+    let decade = (across[3] - across[0]) / 3.0;
+    for (k, label) in across.iter().enumerate() {
+        assert!((label - across[0] - k as f64 * decade).abs() < SET, "{across:?}");
+    }
+    for (disc, decades) in discs.iter().zip([0.0, 1.5, 2.0, 3.0]) {
+        assert!((disc[0] - across[0] - decades * decade).abs() < SET, "{discs:?} over {across:?}");
+    }
+    for (disc, label) in [(&discs[0], "−2.0"), (&discs[1], "−1.0"), (&discs[3], "2.0")] {
+        assert!((disc[1] - place_of(&svg, label).0[1]).abs() < SET, "{label}: {discs:?}");
+    }
+}
+
+#[test]
+fn a_text_of_the_legend_stands_beside_the_sign_of_its_own_curve() {
+    let mut chart = Chart::new("legend", Axis::linear("x"), Axis::linear("y"));
+    let named = [("the first", palette::LINE), ("the second", palette::NODE), ("the third", palette::PURPLE)];
+    for (k, (label, colour)) in named.into_iter().enumerate() {
+        let points = [(0.0, k as f64), (1.0, k as f64 + 0.5)];
+        chart.series.push(Series::new(label, points, Style::run(colour, Dash::Solid, Marker::Circle)));
+    }
+    let svg = chart.drawing().expect("drawn");
+    for (label, colour) in named {
+        let ([_, y], left) = place_of(&svg, label);
+        let beside = |disc: &[f64; 2]| (disc[1] - y).abs() < SET && (0.0..60.0).contains(&(left - disc[0]));
+        let signs: Vec<Colour> =
+            named.map(|(_, own)| own).into_iter().filter(|own| discs(&svg, *own).iter().any(beside)).collect();
+        assert_eq!(signs, [colour], "{label}");
+    }
+}
+
+#[test]
+fn a_place_of_a_field_has_the_colour_that_the_bar_has_between_the_numbers_around_its_value() {
+    let bilinear = |_: usize, [x, y]: [f64; 2]| {
+        [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]].map(|[a, b]| 0.25 * (1.0 + a * x) * (1.0 + b * y)).to_vec()
+    };
+    // From 0 on the left side of a square to 10 on the right.
+    let field = Field {
+        title: "a slope".into(),
+        quantity: "height".into(),
+        points: vec![(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)],
+        cells: vec![vec![0, 1, 2, 3]],
+        shapes: bilinear,
+        values: vec![0.0, 10.0, 10.0, 0.0],
+        displacements: vec![(0.0, 0.0); 4],
+        magnification: 0.0,
+        map: ColourMap::Sequential,
+        range: Some((0.0, 10.0)),
+        details: vec![],
+        marks: vec![],
+        notes: vec![],
+    };
+    let svg = field.drawing().expect("drawn");
+    let filled = svg.split('<').filter(|part| part.starts_with("path")).filter_map(|tag| {
+        let fill = attribute(tag, "fill").filter(|fill| *fill != "none")?;
+        Some((fill.to_owned(), outlines(attribute(tag, "d")?)))
+    });
+    let filled: Vec<(String, Vec<Vec<[f64; 2]>>)> = filled.collect();
+    let (painted, bar) = filled.split_at(filled.len() - 10);
+    let ends = |areas: &[(String, Vec<Vec<[f64; 2]>>)]| {
+        let all = areas.iter().flat_map(|(_, outlines)| outlines.concat()).map(|at| at[0]);
+        all.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], x| [a.min(x), b.max(x)])
+    };
+    let on = |areas: &[(String, Vec<Vec<[f64; 2]>>)], at: [f64; 2]| {
+        let top = areas.iter().rev().find(|(_, outlines)| winding(outlines, at) != 0);
+        top.unwrap_or_else(|| panic!("nothing at {at:?}")).0.clone()
+    };
+    let ([left, right], beside) = (ends(painted), ends(bar));
+    let y = painted[0].1[0][0][1] + 100.0;
+    for k in 0..10 {
+        let [below, above] = [k, k + 1].map(|n| place_of(&svg, &n.to_string()).0[1]);
+        let at = [left + (right - left) * (f64::from(k) + 0.5) / 10.0, y];
+        assert_eq!(
+            on(painted, at),
+            on(bar, [0.5 * (beside[0] + beside[1]), 0.5 * (below + above)]),
+            "between {k} and {}",
+            k + 1
+        );
+    }
 }
 
 #[test]

@@ -1,14 +1,16 @@
 //! The paper's statements: each judgement follows its numbers, and a counter-example turns it.
 
 use contact_vv::algorithm::{Criterion, StiffnessRule};
-use contact_vv::case::Verdict;
+use contact_vv::case::library::{cylinder, pin_rod};
+use contact_vv::case::{self, Check, Reference, Verdict};
+use contact_vv::measure::Quantity;
 use contact_vv::report::statements;
 use contact_vv::solve::{Element, Iteration};
 use contact_vv::study::paper::reading::{Axis, Candidates, Reading, Stop};
 use contact_vv::study::paper::sentence::{Met, Seen, Sentence, Starts, agrees};
 use contact_vv::study::paper::statement::{Course, courses, shown};
 use contact_vv::study::paper::statement::{Fared, Judgement};
-use contact_vv::study::{Finding, Study, paper};
+use contact_vv::study::{Finding, Study, cases, paper};
 
 use crate::workbench;
 
@@ -171,6 +173,33 @@ fn one_start_that_never_ends_turns_the_sentence_on_every_case() {
     let is_line = |course: &&mut Course| course.site.element == Element::Line;
     let lost = |all: &mut Vec<Course>| all.iter_mut().find(is_line).expect("line elements").met[3].fill(None);
     assert_ne!(judged(workbench::spoiled(&all, lost), Sentence::LineAlways), Judgement::Reproduced);
+}
+
+/// A passed run of a case, of which nothing is told but errors of the kind that statements ask.
+fn off(case: &str, by: [(case::Quantity, f64); 2]) -> Finding {
+    let judge = |(quantity, error)| {
+        Check::near(quantity, Reference::analytic("Hertz", 100.0), 0.1, "a reason").judge(100.0 + error)
+    };
+    let bars = cases::Numbers::plan()
+        .into_iter()
+        .find(|trial| trial.case == "bars, u/g = 3")
+        .expect("bars are in the library");
+    let mut finding = Finding::of(case, "one", bars.run().expect("solved")).expect("judged");
+    finding.judged = by.map(judge).into();
+    finding
+}
+
+#[test]
+fn what_is_off_of_hertz_is_told_in_per_cent() {
+    let paper = Finding::of("r", "r", paper::Numbers { courses: nearest() }).expect("judged");
+    // Of a hundred, so that the number is the share in per cent.
+    let cylinder =
+        off(cylinder::NINE, [(Quantity::PeakPressure.into(), 0.25), (Quantity::SecondMomentWidth.into(), -0.5)]);
+    let rod = off(pin_rod::NINE, [(Quantity::PeakPressure.into(), 1.25), (case::Quantity::EdgeMeans, 1.75)]);
+    let all = statements::judge(&[paper, cylinder, rod]);
+    let agrees = all.iter().find(|one| one.text == Sentence::Agrees.name()).expect("a statement");
+    let told = "p₀ within 0.25 % of Hertz, a within 0.50 %, pin–rod peak within 1.25 %, edge means within 1.75 %";
+    assert!(agrees.measured.ends_with(told), "{}", agrees.measured);
 }
 
 #[test]
