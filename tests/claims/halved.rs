@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use contact_vv::accuracy::{self, Asked};
-use contact_vv::case::library::{Cylinder, CylinderModel};
+use contact_vv::case::library::{Cylinder, CylinderModel, TruncatedHertz};
 use contact_vv::mesh::{Mesh, Order, Resolution};
 use contact_vv::scene::{Curve, GivenMesh, Scene, Shape};
 use contact_vv::solve::Formulation;
@@ -200,4 +200,13 @@ fn several_contacts_are_found_from_guesses_ten_times_too_long_or_too_short() {
         assert_relative_eq!(left, widths[1][0], max_relative = 3e-2);
         assert_relative_eq!(right, widths[1][1], max_relative = 3e-2);
     }
+}
+
+#[test]
+fn mesh_that_would_have_to_be_halved_too_often_is_answered_with_the_finest() {
+    let scene = brought(TruncatedHertz::default().scene(), resolution(1, 0, Order::Linear));
+    let answer = accuracy::solve(&scene, &Formulation::verification(), &Asked::new(1e-3)).expect("an answer");
+    let why = answer.unmet.clone().expect("not met");
+    assert!(why.contains("halved more than 6 times") && answer.estimate() > 1e-3, "{why}");
+    assert_eq!(answer.tried.len(), 7, "{:?}", answer.tried);
 }

@@ -139,6 +139,13 @@ impl<'a> Rungs<'a> {
     pub(super) fn too_large(&self, (scene, resolution): &(Scene, Resolution)) -> Option<String> {
         let (cells, [_, candidates]) = (cells_of(scene, *resolution), expected(scene, *resolution));
         let (most_cells, [_, most]) = (self.asked.most_cells, MOST);
+        if !resolution.is_allowed() {
+            let (elements, halved) = Resolution::MOST;
+            let what = format!(
+                "the next mesh would have more than {elements} elements, or be halved more than {halved} times"
+            );
+            return Some(what);
+        }
         let fits = cells <= most_cells && dense(scene, *resolution) <= most;
         (!fits).then(|| {
             format!("the next mesh would have about {cells:.1e} cells and {candidates:.0} candidate elements, more than {most_cells:.0e} or {most}")

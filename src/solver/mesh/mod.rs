@@ -51,7 +51,7 @@ impl Mesh {
     /// Meshes every body of a scene.
     pub fn of(scene: &Scene, resolution: Resolution) -> Result<Self, Error> {
         scene.validate()?;
-        if resolution.elements == 0 || resolution.elements > 4096 || resolution.refinement > 6 {
+        if !resolution.is_allowed() {
             return Err(Error::value(
                 scene.name.as_str(),
                 "resolution",

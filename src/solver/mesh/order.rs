@@ -138,3 +138,14 @@ pub struct Resolution {
     /// Element order.
     pub order: Order,
 }
+
+impl Resolution {
+    /// Most elements, and most times that they are halved.
+    pub const MOST: (usize, u32) = (4096, 6);
+
+    /// Whether a mesh may be so fine.
+    pub fn is_allowed(self) -> bool {
+        let (elements, refinement) = Self::MOST;
+        (1..=elements).contains(&self.elements) && self.refinement <= refinement
+    }
+}
