@@ -295,7 +295,7 @@ fn points_of_another_order_and_areas_of_others_are_named_and_single_points_are_n
         5.0 / 24.0
             * if k % 2 == 1 {
                 4.0 / 6.0
-            } else if k % 48 == 0 {
+            } else if k.is_multiple_of(48) {
                 1.0 / 6.0
             } else {
                 2.0 / 6.0
