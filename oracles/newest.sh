@@ -8,7 +8,7 @@ program=${CONTACT_VV:-target/release/contact-vv}
 place=$PWD/target/newest
 cases=(cylinder truncated-hertz pin-rod)
 # What a code is asked by, and what installs it.
-declare -A method=([dolfinx]=active-set [scikit_fem]=active-set [ngsolve]=active-set [sfepy]=stiff-contact [felupe]=stiff-contact [getfem]=basic)
+declare -A method=([dolfinx]=active-set [scikit_fem]=active-set [ngsolve]=active-set [sfepy]="contact --times 10" [felupe]="contact --times 100" [getfem]=basic)
 declare -A packages=([dolfinx]="dolfinx-solver-real" [scikit_fem]="scikit-fem" [ngsolve]="ngsolve" [sfepy]="sfepy" [felupe]="felupe meshio" [getfem]="")
 
 failed=()
@@ -20,10 +20,11 @@ for code in "${@:-${!method[@]}}"; do
         read -ra wanted <<<"${packages[$code]}"
         "$python" -m pip install --quiet --disable-pip-version-check --upgrade "${wanted[@]}" scipy || { failed+=("$code: not installed") && continue; }
     fi
+    read -ra asked <<<"${method[$code]}"
     for case in "${cases[@]}"; do
         folder=$place/$case
         "$program" export "$case" "$folder" --force >/dev/null
-        if ! told=$("$python" "$folder/run_$code.py" "$folder" "${method[$code]}" | tail -n 1); then
+        if ! told=$("$python" "$folder/run_$code.py" "$folder" "${asked[@]}" | tail -n 1); then
             failed+=("$code, $case: the script failed")
             continue
         fi

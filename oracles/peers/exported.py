@@ -265,16 +265,20 @@ def report(**told):
     print(json.dumps(told))
 
 
-def run(main, description, methods, versions):
-    """Calls `main` with the folder and the method of the command line; what breaks off tells where, and the versions the code shall be of."""
+def run(main, description, methods, versions, searched=None):
+    """Calls `main` with what the command line tells; what breaks off tells where, and the versions the code shall be of.
+
+    That is the folder, the method and, where the code's own contact has a parameter, its multiple of the first choice."""
     parser = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("folder", help="folder with the problem.json that `contact-vv export CASE FOLDER` writes; the answer goes there")
     parser.add_argument("method", choices=list(methods), help="the contact, see above")
+    if searched:
+        parser.add_argument("--times", type=float, default=1.0, help=f"multiple of the first choice of {searched} (1)")
     asked = parser.parse_args()
     if not (pathlib.Path(asked.folder) / "problem.json").is_file():
         parser.error(f"{asked.folder} has no problem.json: write it by `contact-vv export CASE {asked.folder}`")
     try:
-        main(asked.folder, asked.method)
+        main(**vars(asked))
     except Exception as other:  # of a code of another version, any
         at = traceback.extract_tb(other.__traceback__)[-1]
         sys.exit(f"{pathlib.Path(at.filename).name}:{at.lineno}: {type(other).__name__}: {other}\n"

@@ -1,11 +1,11 @@
-"""An exported case by Akantu: run_akantu.py FOLDER contact|stiff-contact; writes akantu-METHOD.vtu there.
+"""An exported case by Akantu: run_akantu.py FOLDER contact [--times N]; writes akantu-contact.vtu there.
 
 contact: Akantu's solid and contact models coupled, implicit static, resolution penalty_linear: pressure = epsilon_n overlap at the nodes of the
-first side, each against the nearest edge of the other one that Akantu finds on the deformed mesh; epsilon_n = 400 E per mm, the numbers of its
-documentation (stiff-contact: 4000 E). In the plane its contact has edges with 2 nodes alone, so that cells with 8 nodes are cut into 4 with 4
-nodes. A rigid body is a row of fully held cells along the contact. A body that contact alone holds starts with an overlap: Akantu finds pairs
-only where sides overlap. Stiffness, pairs, gaps, normals, areas and the forces on the first side are Akantu's. The rest is ours, since its
-contact in the plane has faults in version 5.0.7:
+first side, each against the nearest edge of the other one that Akantu finds on the deformed mesh; epsilon_n = N 400 E per mm, with N = 1 the
+numbers of its documentation. In the plane its contact has edges with 2 nodes alone, so that cells with 8 nodes are cut into 4 with 4 nodes. A
+rigid body is a row of fully held cells along the contact. A body that contact alone holds starts with an overlap: Akantu finds pairs only where
+sides overlap. Stiffness, pairs, gaps, normals, areas and the forces on the first side are Akantu's. The rest is ours, since its contact in the
+plane has faults in version 5.0.7:
 
 * The forces on the other side are the reactions to those on the first, by the shape functions of the edge: with is_master_deformable = true
   Akantu halves all forces and, of several nodes on one edge, keeps the force of the last.
@@ -36,7 +36,7 @@ try:
 except ModuleNotFoundError as absent:
     exported.missing(f"Akantu ({absent.name})", "python3 -m pip install akantu meshio")
 
-SETTINGS = {"contact": 400.0, "stiff-contact": 4000.0}  # epsilon_n/E [1/mm]
+STIFFNESS = 400.0  # epsilon_n/E [1/mm]
 STEPS, TOLERANCE = 200, 1e-8  # of the residual over the load
 MOVED = 0.2  # part of the way to the widest gap that it starts at
 DETECTOR = {"type": "explicit", "projection_tolerance": 1e-10, "max_iterations": 100, "extension_tolerance": 1e-3}
@@ -135,7 +135,7 @@ def solved(scene, code):
     raise RuntimeError(f"Akantu's contact has not converged in {STEPS} iterations: residual {left:.1e} of the load")
 
 
-def main(folder, method):
+def main(folder, method, times):
     """Solves, and writes the answer."""
     sys.stdout = os.fdopen(os.dup(1), "w")
     os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # where Akantu itself writes
@@ -143,7 +143,7 @@ def main(folder, method):
     begin = time.perf_counter()
     scene = exported.Linear(problem)
     with tempfile.TemporaryDirectory(prefix="akantu-") as name:
-        code = Discretised(scene, SETTINGS[method] * max(problem.data["young"]), pathlib.Path(name))
+        code = Discretised(scene, times * STIFFNESS * max(problem.data["young"]), pathlib.Path(name))
     u, pushed, steps = solved(scene, code)
     pressure = problem.pressures(pushed, scene.lengths())
     seconds = time.perf_counter() - begin
@@ -155,4 +155,4 @@ def main(folder, method):
 
 
 if __name__ == "__main__":
-    exported.run(main, __doc__, SETTINGS, "Akantu 5.0.7")
+    exported.run(main, __doc__, ["contact"], "Akantu 5.0.7", "epsilon_n")

@@ -1,12 +1,12 @@
-"""An exported case by FElupe: run_felupe.py FOLDER contact|stiff-contact; writes felupe-METHOD.vtu there.
+"""An exported case by FElupe: run_felupe.py FOLDER contact [--times N]; writes felupe-contact.vtu there.
 
 contact: FElupe's contact knows rigid planes only (ContactRigidPlane): the force of a node is a multiplier times its overlap with a plane that
-moves with one point. By its documentation's best practice the multiplier is the mean nodal stiffness of the body at these nodes (stiff-contact:
-100 times that). A flat rigid side is one plane for all nodes. All other sides are ours: each node of the first side has a plane of its own,
-square to the exported normal, with a multiplier of that node's stiffness. It is fixed at the exported gap or, with a second body, moves with the
-node that faces it there: these pairs are found by us, not by FElupe, and where no node faces a node, the case is refused.
-Cells with 8 or 4 nodes, laws for small strain and Newton's method are FElupe's; sides that stay flat, an overlap to start with where contact alone
-holds a body, and the residual over all forces are ours. SuperLU. Pressures are FElupe's contact forces over the areas of the nodes.
+moves with one point. By its documentation's best practice the multiplier is the mean nodal stiffness of the body at these nodes, here N times
+that. A flat rigid side is one plane for all nodes. All other sides are ours: each node of the first side has a plane of its own, square to the
+exported normal, with a multiplier of that node's stiffness. It is fixed at the exported gap or, with a second body, moves with the node that
+faces it there: these pairs are found by us, not by FElupe, and where no node faces a node, the case is refused.
+Cells with 8 or 4 nodes, laws for small strain and Newton's method are FElupe's; sides that stay flat, an overlap to start with where contact
+alone holds a body, and the residual over all forces are ours. SuperLU. Pressures are FElupe's contact forces over the areas of the nodes.
 """
 
 import pathlib
@@ -27,7 +27,6 @@ try:
 except ModuleNotFoundError as absent:
     exported.missing(f"FElupe ({absent.name})", "python3 -m pip install felupe meshio")
 
-MULTIPLIER = {"contact": 1.0, "stiff-contact": 100.0}  # over the mean nodal stiffness; 1 is FElupe's default
 LAWS = {"strain": "LinearElasticPlaneStrain", "stress": "LinearElasticPlaneStress"}
 CELLS = {4: ("quad", "RegionQuad"), 8: ("quad8", "RegionQuadraticQuad")}
 STEPS, TOLERANCE = 100, 1e-6  # of the residual over all forces; FElupe rounds stresses as those of strains beside 1
@@ -102,11 +101,11 @@ def solved(problem, scene):
     return found.x[0].values, found.iterations
 
 
-def main(folder, method):
+def main(folder, method, times):
     """Solves, and writes the answer."""
     problem = exported.Problem(folder, centres=False)
     begin = time.perf_counter()
-    scene = Scene(problem, MULTIPLIER[method])
+    scene = Scene(problem, times)
     u, steps = solved(problem, scene)
     pushed = -problem.data["thickness"] * sum(plane.results.force for plane in scene.contacts).toarray().ravel()[: 2 * len(problem.points)]
     pressure = problem.pressures(pushed)
@@ -118,4 +117,4 @@ def main(folder, method):
 
 
 if __name__ == "__main__":
-    exported.run(main, __doc__, MULTIPLIER, "FElupe 11.3.0")
+    exported.run(main, __doc__, ["contact"], "FElupe 11.3.0", "the multiplier")

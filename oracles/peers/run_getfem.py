@@ -1,6 +1,6 @@
-"""An exported case by GetFEM: run_getfem.py FOLDER integral|basic; writes getfem-METHOD.vtu, or .json, there.
+"""An exported case by GetFEM: run_getfem.py FOLDER integral|basic [--times N]; writes getfem-METHOD.vtu, or .json, there.
 
-integral: GetFEM's contact bricks in integral form, augmented Lagrangian in its default version, r = E, multiplier linear on the contact side:
+integral: GetFEM's contact bricks in integral form, augmented Lagrangian in its default version, r = N E, multiplier linear on the contact side:
 with a rigid obstacle, or of large sliding by rays between two meshes, whose gaps GetFEM finds itself.
 basic: its basic contact brick on the exported rows and gaps, multiplier a nodal force. Displacements have the nodes of the exported cells. MUMPS.
 """
@@ -94,7 +94,7 @@ def started(problem, model, bodies):
         model.set_variable(body.name, own)
 
 
-def integral(problem, model, bodies):
+def integral(problem, model, bodies, times):
     """The bricks in integral form; returns a function to the pressures at the nodes of the first body."""
     if len(problem.data["contacts"]) > 1:
         raise ValueError("scenes with one contact are served")
@@ -106,7 +106,7 @@ def integral(problem, model, bodies):
     multiplier = gf.MeshFem(first.mesh, size)
     multiplier.set_fem(gf.Fem("FEM_QK(2,1)"))
     model.add_filtered_fem_variable("p", multiplier, CONTACT)
-    model.add_initialized_data("r", max(problem.data["young"]))
+    model.add_initialized_data("r", times * max(problem.data["young"]))
     if contact["second"] is None:
         if contact["arc"]:
             raise ValueError("the rigid obstacle of an arc is not set up")
@@ -146,7 +146,7 @@ def integral(problem, model, bodies):
     return written
 
 
-def main(folder, method):
+def main(folder, method, times):
     """Solves, and writes the answer."""
     problem = exported.Problem(folder)
     gf.util_trace_level(0)
@@ -154,7 +154,7 @@ def main(folder, method):
     model = gf.Model("real")
     bodies = [Body(problem, k, model) for k in range(len(problem.data["young"]))]
     supported(problem, model, bodies)
-    written = {"integral": integral, "basic": basic}[method](problem, model, bodies)
+    written = {"integral": integral, "basic": basic}[method](problem, model, bodies, times)
     started(problem, model, bodies)
     scale = np.abs(problem.load().reshape(-1, 2).sum(axis=0)).max() or 1.0
     # What the load asks, and what rounding leaves of the forces that a motion across the gap makes.
@@ -170,7 +170,7 @@ def main(folder, method):
     exported.report(code="getfem", version=version, file=file, iterations=int(steps), seconds=seconds)
 
 
-def basic(problem, model, bodies):
+def basic(problem, model, bodies, times):
     """The basic brick: nodal forces against the exported rows, for all bodies in one variable by constraints of w."""
     known = np.isfinite(problem.gap)
     rows = problem.rows[known].tocoo()
@@ -196,7 +196,7 @@ def basic(problem, model, bodies):
     for k in range(count):
         unit.add(k, k, 1.0)
     model.add_variable("contact", count)
-    model.add_initialized_data("r", max(problem.data["young"]))
+    model.add_initialized_data("r", times * max(problem.data["young"]))
     model.add_initialized_data("gap", problem.gap[known])
     model.add_basic_contact_brick("w", "contact", "r", unit, "gap", "", 1)
 
@@ -210,4 +210,4 @@ def basic(problem, model, bodies):
 
 
 if __name__ == "__main__":
-    exported.run(main, __doc__, ["integral", "basic"], "GetFEM 5.4.2")
+    exported.run(main, __doc__, ["integral", "basic"], "GetFEM 5.4.2", "r")

@@ -1,9 +1,9 @@
-"""An exported case by Kratos: run_kratos.py FOLDER contact|contact-in-steps; writes kratos-METHOD.vtu there.
+"""An exported case by Kratos: run_kratos.py FOLDER contact [--times N]; writes kratos-contact.vtu there.
 
-contact: Kratos's frictionless mortar contact with dual multipliers, augmented Lagrangian in its default version, all load in one step
-(contact-in-steps: in 10, as pairs are only sought at the start of a step). A rigid body is a row of fully held cells along the contact. In the
-plane its contact has edges with 2 nodes alone, so that cells with 8 nodes are cut into 4 with 4 nodes. Sparse LU. Pressures are what the load
-leaves of Kratos's elastic forces of the contact nodes, over their lengths.
+contact: Kratos's frictionless mortar contact with dual multipliers, augmented Lagrangian in its default version, all load in N steps, at whose
+start alone pairs are sought. A rigid body is a row of fully held cells along the contact. In the plane its contact has edges with 2 nodes
+alone, so that cells with 8 nodes are cut into 4 with 4 nodes. Sparse LU. Pressures are what the load leaves of Kratos's elastic forces of the
+contact nodes, over their lengths.
 """
 
 import json
@@ -31,7 +31,6 @@ try:
 except ModuleNotFoundError as absent:
     exported.missing(f"Kratos ({absent.name})", "python3 -m pip install KratosContactStructuralMechanicsApplication KratosLinearSolversApplication")
 
-LOAD_STEPS = {"contact": 1, "contact-in-steps": 10}
 STEPS, TOLERANCE = 100, 1e-9
 LAWS = {"strain": "LinearElasticPlaneStrain2DLaw", "stress": "LinearElasticPlaneStress2DLaw"}
 DISPLACEMENT = [kratos.DISPLACEMENT_X, kratos.DISPLACEMENT_Y]
@@ -145,7 +144,7 @@ def pressed(scene, whole):
     return -elastic.ravel()
 
 
-def main(folder, method):
+def main(folder, method, times):
     """Solves, and writes the answer."""
     sys.stdout = os.fdopen(os.dup(1), "w")
     os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # where Kratos itself writes
@@ -157,7 +156,7 @@ def main(folder, method):
         place = pathlib.Path(name)
         (place / "scene.mdpa").write_text(scene.mesh(), encoding="ascii")
         (place / "materials.json").write_text(scene.laws(), encoding="ascii")
-        analysis = Analysis(scene, place, LOAD_STEPS[method])
+        analysis = Analysis(scene, place, round(times))
         analysis.Run()
         whole = analysis.model["Structure"]
         for n, pressure in enumerate(problem.pressures(pressed(scene, whole), scene.lengths())):
@@ -179,4 +178,4 @@ def write(model, place):
 
 
 if __name__ == "__main__":
-    exported.run(main, __doc__, LOAD_STEPS, "Kratos 10.4.4")
+    exported.run(main, __doc__, ["contact"], "Kratos 10.4.4", "the load steps")

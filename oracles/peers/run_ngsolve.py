@@ -1,8 +1,8 @@
-"""An exported case by NGSolve: run_ngsolve.py FOLDER contact|stiff-contact|active-set; writes ngsolve-METHOD.vtu, or .json, there.
+"""An exported case by NGSolve: run_ngsolve.py FOLDER contact|active-set [--times N]; writes ngsolve-METHOD.vtu, or .json, there.
 
-contact: NGSolve's contact boundary with an energy of overlap, pressure = K overlap, as its documentation has it, K = 50 E per mm (stiff-contact:
-1000 E); a rigid side is the same energy on the boundary alone, with the exported gap. The normals are those of the exported nodes, the pairs
-of points those that NGSolve finds on the undeformed mesh. Newton's method, sparse Cholesky.
+contact: NGSolve's contact boundary with an energy of overlap, pressure = K overlap, as its documentation has it, without a number: K = N 50 E
+per mm, as of CalculiX; a rigid side is the same energy on the boundary alone, with the exported gap. The normals are those of the exported
+nodes, the pairs of points those that NGSolve finds on the undeformed mesh. Newton's method, sparse Cholesky.
 active-set: NGSolve's elasticity, active sets with Lagrange multipliers on the exported rows, UMFPACK.
 Cells are quadrilaterals of order 1, or of order 2 without functions of their inside, which are the exported cells with 8 nodes, curved by a
 deformation of the mesh. Pressures are what the load leaves of the elastic forces of the contact nodes, over their exported areas.
@@ -26,7 +26,7 @@ try:
 except ModuleNotFoundError as absent:
     exported.missing(f"NGSolve ({absent.name})", "python3 -m pip install ngsolve")
 
-STIFFNESS = {"contact": 50.0, "stiff-contact": 1000.0}  # K/E [1/mm]
+STIFFNESS = 50.0  # K/E [1/mm]
 STEPS, TOLERANCE = 100, 1e-9  # of the change over the displacement
 INTEGRATION = 6  # order of the quadrature along the contact
 REACH = 0.05  # longest distance of a pair over the size of the scene
@@ -212,7 +212,7 @@ def pressed(problem, stiffness):
     raise RuntimeError(f"NGSolve has not converged in {STEPS} iterations")
 
 
-def main(folder, method):
+def main(folder, method, times):
     """Solves, and writes the answer."""
     ng.SetNumThreads(1)  # of its sparse Cholesky
     problem = exported.Problem(folder, centres=False)
@@ -224,7 +224,7 @@ def main(folder, method):
         seconds = time.perf_counter() - begin
         exported.write_json(problem, file, f"NGSolve {ng.__version__}", pressure, gap)
     else:
-        scene, u, steps = pressed(problem, STIFFNESS[method])
+        scene, u, steps = pressed(problem, times * STIFFNESS)
         pressure = problem.pressures(scene.stiffness() @ u - problem.load())
         seconds = time.perf_counter() - begin
         file = f"ngsolve-{method}.vtu"
@@ -235,4 +235,4 @@ def main(folder, method):
 
 
 if __name__ == "__main__":
-    exported.run(main, __doc__, [*STIFFNESS, "active-set"], "NGSolve 6.2.2608")
+    exported.run(main, __doc__, ["contact", "active-set"], "NGSolve 6.2.2608", "K")

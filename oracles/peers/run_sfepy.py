@@ -1,11 +1,11 @@
-"""An exported case by SfePy: run_sfepy.py FOLDER contact|stiff-contact; writes sfepy-METHOD.vtu there.
+"""An exported case by SfePy: run_sfepy.py FOLDER contact [--times N]; writes sfepy-contact.vtu there.
 
 contact: SfePy's term dw_contact, pressure = K overlap at the points of integration of both sides, each against the nearest edge of the other
-one that SfePy finds on the deformed mesh; K = 10 E per mm and order 10, the numbers of its own example (stiff-contact: 100 E, order 30). A
-rigid body is a row of fully held cells along the contact. In the plane the term has edges with 2 nodes alone, so that cells with 8 nodes are
-cut into 4 with 4 nodes. A body that contact alone holds starts with an overlap: at mere touching the tangent is singular, and much more of it
-makes Newton's method wander. Newton's method with SfePy's residuals and tangents, SuperLU. Pressures are SfePy's contact forces on the nodes
-of the first side over their lengths; it integrates each side for itself, so that the forces on the other one differ a little.
+one that SfePy finds on the deformed mesh; K = N 10 E per mm, and with N = 1 order 10, the numbers of its own example, else order 30. A rigid
+body is a row of fully held cells along the contact. In the plane the term has edges with 2 nodes alone, so that cells with 8 nodes are cut into
+4 with 4 nodes. A body that contact alone holds starts with an overlap: at mere touching the tangent is singular, and much more of it makes
+Newton's method wander. Newton's method with SfePy's residuals and tangents, SuperLU. Pressures are SfePy's contact forces on the nodes of the
+first side over their lengths; it integrates each side for itself, so that the forces on the other one differ a little.
 """
 
 import time
@@ -27,7 +27,7 @@ try:
 except ModuleNotFoundError as absent:
     exported.missing(f"SfePy ({absent.name})", "python3 -m pip install sfepy")
 
-SETTINGS = {"contact": (10.0, 10), "stiff-contact": (100.0, 30)}  # K/E [1/mm], order of the quadrature along the contact
+STIFFNESS, ORDERS = 10.0, [10, 30]  # K/E [1/mm], order of the quadrature along the contact: by the first choice, else
 STEPS, TOLERANCE = 200, 1e-8  # of the residual over the load
 MOVED = 0.2  # part of the way to the widest gap that it starts at
 
@@ -91,14 +91,13 @@ def solved(scene, code):
     return motions @ q + given, status["n_iter"]
 
 
-def main(folder, method):
+def main(folder, method, times):
     """Solves, and writes the answer."""
     output.set_output(quiet=True)
     problem = exported.Problem(folder)
     begin = time.perf_counter()
     scene = exported.Linear(problem)
-    stiffness, order = SETTINGS[method]
-    code = Discretised(scene, stiffness * max(problem.data["young"]), order)
+    code = Discretised(scene, times * STIFFNESS * max(problem.data["young"]), ORDERS[times != 1.0])
     u, steps = solved(scene, code)
     pressure = problem.pressures(code.pressed(u)[0], scene.lengths())
     fields = {"displacement": u.reshape(-1, 2), "contact_pressure": pressure[:, None]}
@@ -109,4 +108,4 @@ def main(folder, method):
 
 
 if __name__ == "__main__":
-    exported.run(main, __doc__, SETTINGS, "SfePy 2021.4 and 2026.3")
+    exported.run(main, __doc__, ["contact"], "SfePy 2021.4 and 2026.3", "K")

@@ -76,9 +76,9 @@ pub fn scoreboard() -> Result<(), Error> {
     let mut fresh = Board { scripts: hashes(), processor: Machine::here().processor, ..Board::default() };
     let mut files = Vec::new();
     for name in CASES {
-        let (asked, written) = board::ask(name, &named(name)?, |setting| {
-            bar.inc(1);
-            bar.set_message(format!("{name}, {}, {}", setting.code.name(), setting.method));
+        let (asked, written) = board::ask(name, &named(name)?, |setting, times| {
+            bar.inc(u64::from(times == 1));
+            bar.set_message(format!("{name}, {}, {}, {times} times", setting.code.name(), setting.method));
         })?;
         fresh.cases.insert(name.into(), asked);
         files.extend(written);

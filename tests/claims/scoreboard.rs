@@ -1,11 +1,15 @@
 //! The scoreboard is computed from files as other codes wrote them: what is planted in them, or in the record, is found.
 
+use std::fs::File;
+use std::io::Read;
 use std::sync::LazyLock;
 
 use contact_vv::case::Verdict;
+use contact_vv::referee::Truth;
 use contact_vv::study::Study;
-use contact_vv::study::scoreboard::board::{Board, Code, Contact, Ended};
-use contact_vv::study::scoreboard::{CASES, Numbers, named, numbers};
+use contact_vv::study::scoreboard::board::{self, Board, Code, Ended, FALLS, ROUND_OFF, TIMES, scored};
+use contact_vv::study::scoreboard::{CASES, Numbers, Row, named, numbers};
+use flate2::read::GzDecoder;
 
 use crate::workbench::spoiled;
 
@@ -18,6 +22,11 @@ static ALL: LazyLock<[Numbers; CASES.len()]> = LazyLock::new(|| {
     let board = Board::load().expect("frozen");
     CASES.map(|case| of(case, &board))
 });
+
+/// The file that is kept of a run.
+fn file(row: &Row) -> Option<&str> {
+    if let Ended::Answered { file, .. } = &row.told.ended { file.as_deref() } else { None }
+}
 
 /// Which checks of a case do not pass.
 fn not_passed(numbers: &Numbers) -> Vec<String> {
@@ -42,8 +51,8 @@ fn every_code_of_the_scoreboard_is_judged_from_the_file_that_it_wrote_on_at_leas
     ] {
         let read = ALL.iter().filter(|numbers| {
             numbers.rows.iter().any(|row| {
-                let file = if let Ended::Answered { file, .. } = &row.told.ended { file.as_str() } else { "" };
-                row.setting.code.name() == code && file.ends_with(ending) && row.scored.is_ok()
+                let is_of = file(row).is_some_and(|file| file.ends_with(ending));
+                row.setting.code.name() == code && is_of && row.scored.is_ok()
             })
         });
         assert!(read.count() >= 5, "{code} {ending}");
@@ -61,24 +70,88 @@ fn what_is_planted_in_the_record_or_the_files_turns_a_check_of_the_scoreboard_re
     let lost = with(&|board| drop(board.cases.get_mut("bars").expect("asked").runs.pop()));
     assert_eq!(lost.len(), 2, "{lost:?}");
     let unread = with(&|board| {
-        if let Ended::Answered { file, .. } = &mut board.cases.get_mut("bars").expect("asked").runs[0].ended {
-            file.push_str(".absent");
+        let runs = &mut board.cases.get_mut("bars").expect("asked").runs;
+        let rows = runs.iter_mut().find(|told| told.method == "gaps").expect("asked");
+        if let Ended::Answered { file, .. } = &mut rows.ended {
+            *file = Some("absent.dat".into());
         }
     });
     assert_eq!(unread, ["frozen answers that cannot be read, bars"]);
     let none = Numbers { rows: vec![], ..sound };
-    assert_eq!(not_passed(&none).len(), 2);
+    assert_eq!(not_passed(&none).len(), 2 + codes().count());
+}
+
+/// Codes with a contact of their own.
+fn codes() -> impl Iterator<Item = Code> {
+    Code::ALL.into_iter().filter(|code| ![Code::ScikitFem, Code::Dolfinx].contains(code))
 }
 
 #[test]
-fn the_best_setting_is_the_one_with_the_least_that_is_not_met() {
+fn every_search_ends_where_its_rule_says_and_keeps_the_files_of_the_first_choice_and_the_best() {
     for (case, numbers) in CASES.iter().zip(ALL.iter()) {
-        for code in Code::ALL {
-            let Some(best) = numbers.best(|setting| setting.code == code) else { continue };
-            let own = numbers.rows.iter().filter(|row| row.setting.code == code);
-            assert_eq!(own.map(|row| row.not_met()).min(), Some(best.not_met()), "{case}, {}", code.name());
+        for code in codes() {
+            let of = format!("{case}, {}", code.name());
+            let tried: Vec<&Row> = numbers.search(code).collect();
+            let errors: Vec<f64> = tried.iter().map(|row| row.error()).collect();
+            assert!(tried.iter().map(|row| row.told.times).eq(TIMES.into_iter().take(tried.len())), "{of}");
+            let falls = |pair: &[f64]| pair[1] < FALLS * pair[0];
+            let floored: Vec<f64> =
+                errors.iter().map(|error| if error.is_nan() { *error } else { error.max(ROUND_OFF) }).collect();
+            let went_on = floored.windows(2).take(floored.len().saturating_sub(2));
+            assert!(went_on.into_iter().all(falls), "{of}: {errors:?}");
+            let last = floored.windows(2).last().is_none_or(falls);
+            assert!(!last || tried.len() == TIMES.len() || errors.len() == 1 && errors[0].is_nan(), "{of}: {errors:?}");
+            let [first, best] = numbers.own(code).map(|row| row.expect("answered"));
+            let least = floored.iter().copied().fold(f64::INFINITY, f64::min);
+            assert!(best.error().max(ROUND_OFF) <= least, "{of}: {errors:?}");
+            for row in tried {
+                let is_kept =
+                    [first, best].iter().any(|one| one.told.times == row.told.times) && row.error().is_finite();
+                assert_eq!(file(row).is_some(), is_kept, "{of} × {}", row.told.times);
+            }
         }
     }
+}
+
+#[test]
+fn a_factor_in_how_the_pressures_of_a_code_are_read_turns_its_check_of_every_case_red_and_no_other() {
+    for (case, numbers) in CASES.iter().zip(ALL.iter()) {
+        for code in codes() {
+            let mut planted = numbers.clone();
+            for row in planted.rows.iter_mut().filter(|row| row.setting.code == code && row.setting.searched.is_some())
+            {
+                row.departures[0] = 1.05 * (1.0 + row.departures[0]) - 1.0;
+            }
+            let red = format!("error of {}'s own contact at its best, {case}", code.name());
+            assert_eq!(not_passed(&planted), [red]);
+        }
+    }
+}
+
+#[test]
+fn pressures_spoiled_in_the_file_that_a_code_wrote_turn_its_check_red() {
+    let (case, numbers) = (named("truncated-hertz").expect("a case"), &ALL[1]);
+    let (discretisation, truth) =
+        (case.meshed().expect("meshed").discretisation, Truth::of(case.clone()).expect("a truth"));
+    let best = numbers.own(Code::Kratos)[1].expect("answered");
+    let path = board::folder().join(file(best).expect("kept"));
+    let mut text = String::new();
+    GzDecoder::new(File::open(&path).expect("a file")).read_to_string(&mut text).expect("read");
+    let judged = |text: &str| {
+        let scored = scored(&truth, &discretisation, &path.with_extension(""), text.as_bytes()).expect("judged");
+        let mut planted = numbers.clone();
+        let row = planted.rows.iter_mut().find(|row| row.setting == best.setting && row.told.times == best.told.times);
+        row.expect("there").departures = [0, 1].map(|k| scored.departure(k));
+        not_passed(&planted)
+    };
+    assert_eq!(judged(&text), Vec::<String>::new());
+    let from =
+        text.find("Name=\"PRESSURE\"").and_then(|at| text[at..].find('>').map(|end| at + end + 1)).expect("a field");
+    let to = from + text[from..].find('<').expect("its end");
+    let spoiled =
+        text[from..to].split_whitespace().map(|p| format!("{:e} ", 1.05 * p.parse::<f64>().expect("a number")));
+    let spoiled = [&text[..from], &spoiled.collect::<String>(), &text[to..]].concat();
+    assert_eq!(judged(&spoiled), ["error of Kratos's own contact at its best, truncated-hertz"]);
 }
 
 #[test]
@@ -86,9 +159,9 @@ fn frozen_answers_are_of_the_present_meshes_and_judged_as_they_were_when_they_we
     for (case, numbers) in CASES.iter().zip(ALL.iter()) {
         assert_eq!(numbers.dofs[0], numbers.dofs[1], "{case}");
         for row in &numbers.rows {
-            let (Ended::Answered { file, found, .. }, Ok(scored)) = (&row.told.ended, &row.scored) else { continue };
+            let (Ended::Answered { found, .. }, Ok(scored)) = (&row.told.ended, &row.scored) else { continue };
             for (now, then) in scored.scores.iter().zip(found) {
-                assert!((now.value - then).abs() <= 1e-6 * then.abs(), "{file}: {} for {then}", now.value);
+                assert!((now.value - then).abs() <= 1e-6 * then.abs(), "{case}, {:?}: {}", row.told, now.value);
             }
         }
     }
@@ -99,13 +172,12 @@ fn a_code_that_solves_our_rows_is_not_judged_by_them_and_our_answer_is_read_as_t
     for (case, numbers) in CASES.iter().zip(ALL.iter()) {
         for code in Code::ALL {
             let own = numbers.own(code);
-            assert!(own.iter().flatten().all(|row| row.setting.contact != Contact::OurRows), "{case}, {}", code.name());
-            let has_none = [Code::ScikitFem, Code::Dolfinx].contains(&code);
-            assert_eq!(own[1].is_none(), has_none, "{case}, {}", code.name());
+            assert!(own.iter().flatten().all(|row| row.setting.searched.is_some()), "{case}, {}", code.name());
+            assert_eq!(own[1].is_some(), codes().any(|one| one == code), "{case}, {}", code.name());
         }
-        let ours = numbers.ours.as_ref().expect("read");
+        let ours = numbers.ours[0].as_ref().expect("read");
         // Whoever solves our rows exactly finds our answer.
-        let rows = numbers.best(|setting| setting.code == Code::Ngsolve && setting.contact == Contact::OurRows);
+        let rows = numbers.best(|setting| setting.code == Code::Ngsolve && setting.searched.is_none());
         let theirs = rows.and_then(|row| row.scored.as_ref().ok()).expect("solved");
         for (ours, theirs) in ours.scores.iter().zip(&theirs.scores) {
             assert!(

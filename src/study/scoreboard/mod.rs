@@ -17,17 +17,16 @@ use crate::checkout::root;
 use crate::drawing::palette::{self, Dash, Marker, Style};
 use crate::drawing::{Axis, Chart, Drawing, Remark, Series, panels};
 use crate::error::Error;
-use crate::markdown::{self, Column};
+use crate::markdown::{self, Column, table};
 use crate::measure::{Quantity as Number, larger};
-use crate::oracle::ReferenceKind;
+use crate::mesh::{Order, Resolution};
 use crate::referee::Truth;
 use crate::solve::{Discretisation, Formulation};
 use crate::study::about::{About, Found, Planned, Study};
 use crate::study::drawn::picture;
 use crate::study::scoreboard::board::{
-    Board, Code, Contact, Ended, FOLDER, RENEW, Scored, Setting, Told, hashes, scored,
+    Board, Code, Ended, FALLS, FOLDER, RENEW, ROUND_OFF, Scored, Setting, TIMES, Told, hashes, scored,
 };
-use crate::uncertainty::COVERAGE;
 
 /// One body on a rigid one, flat and curved; two bodies, straight, curved, and conforming.
 pub const CASES: [&str; 6] = ["cylinder", "truncated-hertz", "bars", "own-weight", "two-cylinders", "pin-rod"];
@@ -50,10 +49,14 @@ pub struct Numbers {
     pub dofs: [usize; 2],
     /// Scripts that are no longer what they were.
     pub changed: Vec<String>,
-    /// Kind of the truth of the peak.
-    pub kind: ReferenceKind,
-    /// Our own answer on the exported mesh.
-    pub ours: Result<Scored, String>,
+    /// Truth of the peak.
+    pub truth: Reference,
+    /// What the truths of peak and second-moment width may be off, relative: the larger.
+    pub bar: f64,
+    /// What the end of the contact leaves within an edge, relative, see [`at_end`].
+    pub end: f64,
+    /// Our own answer on the exported mesh, and on its cells cut into four with 4 nodes.
+    pub ours: [Result<Scored, String>; 2],
     /// A row a run.
     pub rows: Vec<Row>,
 }
@@ -62,8 +65,8 @@ impl Study for Numbers {
     const NAME: &'static str = "scoreboard";
     const ABOUT: About = About {
         title: "Scoreboard of contact codes",
-        asked: "How far other codes are from the truths of exported cases by their own contact, as they document it and by the best parameters tried.",
-        limits: "One mesh a case, few parameters tried, and by us, seconds of one machine; another user may find better ones. Looked at and not asked: \
+        asked: "How far other codes are from the truths of exported cases by their own contact: by its first choice, and by the best that a stated search finds.",
+        limits: "One mesh a case, one parameter a code, seconds of one machine; another user may find better ones. Looked at and not asked: \
                  FreeFEM, which leaves contact to an optimiser, MFEM's wheel, which has none, and Elmer and code_aster, which neither Debian 12 nor PyPI holds.",
     };
 
@@ -77,21 +80,31 @@ impl Study for Numbers {
     /// Whether the frozen answers are read, and are of the present scripts and meshes.
     fn judge(&self) -> Result<Vec<Judged>, Error> {
         let rows = || self.rows.iter();
-        let unread =
-            rows().filter(|row| matches!(row.told.ended, Ended::Answered { .. }) && row.scored.is_err()).count();
-        let complete = |value: f64| if self.rows.len() == Setting::ALL.len() { value } else { f64::NAN };
+        let unread = rows()
+            .filter(|row| matches!(row.told.ended, Ended::Answered { file: Some(_), .. }) && row.scored.is_err())
+            .count();
+        let is_asked = |setting: &Setting| rows().any(|row| row.setting == *setting);
+        let complete = |value: f64| if Setting::ALL.iter().all(is_asked) { value } else { f64::NAN };
         let named = |name: &'static str| Quantity::at(name, self.case.clone());
         let none = |name, value: usize, because: &'static str| {
             Check::at_most(named(name), Reference::own(FOLDER, 0.0), because).judge(complete(value as f64))
         };
-        Ok(vec![
+        let mut judged = vec![
             none("frozen answers that cannot be read", unread, "what a code wrote once is read as it was"),
             none(
                 "scripts changed since their answers were frozen",
                 self.changed.len(),
                 "an answer is of the script that asked for it",
             ),
-        ])
+        ];
+        for code in Code::ALL.into_iter().filter(|code| own(*code).is_some()) {
+            let error = format!("error of {}'s own contact at its best", code.name());
+            let because = "the bar of the truth, what our contact leaves on the same cells, what its parameter leaves, and the force of the edge in which the contact ends";
+            let check =
+                Check::error(Quantity::at(error, self.case.clone()), self.truth.clone(), self.allowed(code), because);
+            judged.push(check.judge(self.own(code)[1].map_or(f64::NAN, Row::error)));
+        }
+        Ok(judged)
     }
 
     /// The section.
@@ -99,33 +112,38 @@ impl Study for Numbers {
         let board = Board::load()?;
         let mut text = format!(
             include_str!("page.md"),
-            tried = tried(),
+            multiples = TIMES.map(|times| times.to_string()).join(", "),
+            falls = 100.0 * (1.0 - FALLS),
             ours = Formulation::verification().name(),
             processor = board.processor
         ) + "\n";
         text += &(markdown::columns(&SUMMARY, &ranked(findings)) + "\n");
+        let searches = Code::ALL.into_iter().filter_map(own).map(|Setting { code, says, searched, .. }| {
+            let runs: usize = findings.iter().map(|found| found.numbers.search(code).count()).sum();
+            let [first, documented] = searched.unwrap_or_default();
+            [code.name(), says, first, documented, &runs.to_string()].map(str::to_owned).into()
+        });
+        let head = ["code", "its own contact", "first choice", "its documentation", "runs tried"].map(str::to_owned);
+        text += &(table(&head, &searches.collect::<Vec<_>>()) + "\n");
         text += &picture(
             FILE,
             &format!(
-                "Scoreboard: error of each code by its own contact, first choice to best of its parameters tried; errors below {} are drawn there",
+                "Scoreboard: error of each code by its own contact, first choice to best of the search; errors below {} are drawn there",
                 markdown::bound(FLOOR)
             ),
         );
         for found in findings {
             let numbers = found.numbers;
-            // What the truth may itself be off, relative.
-            let bar =
-                |one: &Judged| one.reference.uncertainty.map_or(0.0, |u| COVERAGE * u / one.reference.value.abs());
-            let bar = |scored: &Scored| markdown::error(larger(bar(&scored.scores[0]), bar(&scored.scores[1])));
             let _ = write!(
                 text,
                 "\n## {}, {} degrees of freedom, truth: {}, error bar {}\n\n",
                 numbers.case,
                 numbers.dofs[0],
-                numbers.kind,
-                numbers.ours.as_ref().map_or("unknown".into(), bar)
+                numbers.truth.kind,
+                markdown::error(numbers.bar)
             );
             text += &markdown::columns(&RUNS, &numbers.lines(false));
+            text += &("\n".to_owned() + &markdown::folded("errors of the search", &numbers.tried(), false));
             let rows = markdown::columns(&RUNS, &numbers.lines(true));
             text += &("\n".to_owned() + &markdown::folded("our rows, their solver", &rows, false));
         }
@@ -135,7 +153,7 @@ impl Study for Numbers {
     /// Error of each code by its own contact, a panel a case.
     fn pictures(findings: &[Found<Self>]) -> Result<Vec<(String, Drawing)>, Error> {
         let mut order: Vec<Option<Code>> = ranked(findings).into_iter().rev().map(|(code, _)| code).collect();
-        order.retain(|code| code.is_none_or(|code| own_contacts(code) > 0));
+        order.retain(|code| code.is_none_or(|code| own(code).is_some()));
         let names = || order.iter().map(|code| code.map_or("ours", Code::name).to_owned()).collect();
         let panel = |found: &Found<Self>| {
             let error = Axis::log("larger error of p₀ and a [–]").over(0.5 * FLOOR, 2.0);
@@ -144,7 +162,7 @@ impl Study for Numbers {
             for (row, code) in order.iter().enumerate() {
                 let at = |error: f64| (error.max(FLOOR), row as f64 + 1.0);
                 let Some(code) = code else {
-                    ours.extend(found.numbers.ours.as_ref().map(|scored| at(scored.error())));
+                    ours.extend(found.numbers.ours[0].as_ref().map(|scored| at(scored.error())));
                     continue;
                 };
                 let both = found.numbers.own(*code).map(|row| row.map(Row::error).filter(|error| error.is_finite()));
@@ -160,7 +178,7 @@ impl Study for Numbers {
             let points = |colour, marker| Style::run(colour, Dash::Absent, marker);
             chart.series.extend([
                 Series::new("first choice", first, points(palette::LAYER, Marker::Square)),
-                Series::new("best of its parameters tried", best, points(palette::LINE, Marker::Circle)),
+                Series::new("best of the search", best, points(palette::LINE, Marker::Circle)),
                 Series::new("ours", ours, points(palette::NODE, Marker::Diamond)),
             ]);
             chart
@@ -173,20 +191,9 @@ impl Study for Numbers {
     }
 }
 
-/// How many parameters of each code's own contact were tried.
-fn tried() -> String {
-    let counts = Code::ALL.map(own_contacts).into_iter().filter(|count| *count > 0);
-    let [least, most] = [counts.clone().min(), counts.max()].map(Option::unwrap_or_default);
-    if least == most {
-        format!("{least} that were tried of each code")
-    } else {
-        format!("the {least} to {most} that were tried of each code")
-    }
-}
-
-/// In how many settings a code has a contact of its own.
-fn own_contacts(code: Code) -> usize {
-    Setting::ALL.iter().filter(|one| one.code == code && one.contact != Contact::OurRows).count()
+/// The own contact of a code, if it has one.
+fn own(code: Code) -> Option<Setting> {
+    Setting::ALL.into_iter().find(|one| one.code == code && one.searched.is_some())
 }
 
 /// A run.
@@ -198,17 +205,15 @@ pub struct Row {
     pub told: Told,
     /// What its file holds now; why there is none, or none that can be read.
     pub scored: Result<Scored, String>,
+    /// Departures of peak and second-moment width from their truths, relative: of its file or, where none is kept, of what was found in it
+    /// then; NaN of a run that failed.
+    pub departures: [f64; 2],
 }
 
 impl Row {
-    /// How much of all that is judged is not met.
-    pub fn not_met(&self) -> usize {
-        self.scored.as_ref().map_or(usize::MAX, |scored| scored.failed.len())
-    }
-
-    /// The larger error of peak and second-moment width; NaN of a run that failed.
+    /// The larger of its departures.
     pub fn error(&self) -> f64 {
-        self.scored.as_ref().map_or(f64::NAN, Scored::error)
+        larger(self.departures[0].abs(), self.departures[1].abs())
     }
 
     /// Seconds over those of one sparse Cholesky solve.
@@ -218,30 +223,61 @@ impl Row {
 }
 
 impl Numbers {
-    /// The best row of the settings that hold something: the least that is not met, then the least error; the first one of equals.
+    /// The row of the settings that hold something with the least error; the first one of equals, as those of round-off are.
     pub fn best(&self, of: impl Fn(&Setting) -> bool) -> Option<&Row> {
         let rows = self.rows.iter().filter(|row| of(&row.setting) && row.error().is_finite());
-        // Errors of round-off are equal.
-        rows.min_by(|a, b| {
-            a.not_met().cmp(&b.not_met()).then(a.error().max(ROUND_OFF).total_cmp(&b.error().max(ROUND_OFF)))
-        })
+        rows.min_by(|a, b| a.error().max(ROUND_OFF).total_cmp(&b.error().max(ROUND_OFF)))
     }
 
     /// A code's rows by its own contact: the first choice, and the best.
     pub fn own(&self, code: Code) -> [Option<&Row>; 2] {
-        let first = self.rows.iter().find(|row| row.setting.code == code && row.setting.contact == Contact::First);
-        [first, self.best(|setting| setting.code == code && setting.contact != Contact::OurRows)]
+        [self.search(code).next(), self.best(|setting| setting.code == code && setting.searched.is_some())]
+    }
+
+    /// A code's rows by its own contact, in the order in which they were tried.
+    pub fn search(&self, code: Code) -> impl Iterator<Item = &Row> {
+        self.rows.iter().filter(move |row| row.setting.code == code && row.setting.searched.is_some())
+    }
+
+    /// What the best of a code may be off, relative: the bar of the truth, what our contact leaves on the same cells, what the end of the
+    /// contact leaves, and what its parameter does: a third of what the last tenfold changed, of which a penalty leaves a ninth; of the first
+    /// choice what the next multiple changes.
+    fn allowed(&self, code: Code) -> f64 {
+        let ours = self.ours[usize::from(code.cuts_cells())].as_ref().map_or(f64::NAN, Scored::error);
+        let tried: Vec<&Row> = self.search(code).filter(|row| row.error().is_finite()).collect();
+        let best = self.own(code)[1].and_then(|best| tried.iter().position(|row| std::ptr::eq(*row, best)));
+        let change = |a: usize, b: usize| {
+            let [peak, width] = [0, 1].map(|k| (tried[a].departures[k] - tried[b].departures[k]).abs());
+            larger(peak, width)
+        };
+        let parameter = match best {
+            Some(0) if tried.len() > 1 => change(0, 1),
+            Some(k) if k > 0 => change(k - 1, k) / 3.0,
+            _ => 0.0,
+        };
+        self.bar + self.end + ours + parameter + ROUND_OFF
+    }
+
+    /// Errors of the search, code by code.
+    fn tried(&self) -> String {
+        let head: Vec<String> = TIMES.map(|times| format!("× {times}")).into();
+        let error = |row: &Row| if row.error().is_finite() { markdown::error(row.error()) } else { "failed".into() };
+        let rows = Code::ALL.into_iter().filter_map(own).map(|Setting { code, .. }| {
+            let at = |times| self.search(code).find(|row| row.told.times == times).map_or("–".into(), error);
+            [vec![code.name().into()], TIMES.map(at).into()].concat()
+        });
+        table(&[vec!["code".into()], head].concat(), &rows.collect::<Vec<_>>())
     }
 
     /// The rows of the page, by error: of the codes' own contacts with ours among them, or of our rows by their solvers.
     fn lines(&self, our_rows: bool) -> Vec<Line> {
-        let rows = self.rows.iter().filter(|row| (row.setting.contact == Contact::OurRows) == our_rows);
-        let line = |row: &Row| {
-            let is_best = !our_rows && self.own(row.setting.code)[1].is_some_and(|best| best.setting == row.setting);
-            (Some((row.clone(), is_best)), row.scored.clone())
-        };
-        let mut lines: Vec<Line> = rows.map(line).collect();
-        lines.extend((!our_rows).then(|| (None, self.ours.clone())));
+        let is_best =
+            |row: &Row| !our_rows && self.own(row.setting.code)[1].is_some_and(|best| std::ptr::eq(best, row));
+        let rows = self.rows.iter().filter(|row| row.setting.searched.is_none() == our_rows);
+        let shown = rows.filter(|row| our_rows || row.told.times == TIMES[0] || is_best(row));
+        let line = |row: &Row| (Some((row.clone(), is_best(row))), row.scored.clone());
+        let mut lines: Vec<Line> = shown.map(line).collect();
+        lines.extend((!our_rows).then(|| (None, self.ours[0].clone())));
         let error = |line: &Line| line.1.as_ref().map_or(f64::INFINITY, |scored| scored.error().max(ROUND_OFF));
         lines.sort_by(|a, b| error(a).total_cmp(&error(b)));
         lines
@@ -255,39 +291,56 @@ impl Scored {
     }
 
     /// That of one of them, with its sign.
-    fn departure(&self, k: usize) -> f64 {
+    pub fn departure(&self, k: usize) -> f64 {
         (self.scores[k].value - self.scores[k].reference.value) / self.scores[k].reference.value
     }
 }
-
-/// Relative error that rounding explains.
-pub const ROUND_OFF: f64 = 1e-9;
 
 /// The frozen answers of a case, judged.
 pub fn numbers(name: &str, case: &Case, board: &Board) -> Result<Numbers, Error> {
     let asked = board.of(name)?;
     let discretisation = case.meshed()?.discretisation;
     let truth = Truth::of(case.clone())?;
-    let rows: Vec<Row> = asked.runs.iter().filter_map(|told| row(&truth, &discretisation, told)).collect();
+    let finer = Resolution { order: Order::Linear, refinement: case.resolution.refinement + 1, ..case.resolution };
+    let cut = Discretisation::of(case.scene.clone(), finer)?;
+    let ours = [&discretisation, &cut].map(|mesh| board::ours(&truth, mesh).map_err(|error| error.message.to_string()));
+    let kept = ours[0].as_ref().ok();
+    let rows = asked.runs.iter().filter_map(|told| row(&truth, &discretisation, told, kept)).collect();
+    let off = |number: Number| {
+        let known = truth.known(0, &number);
+        known.bar / known.reference.value.abs()
+    };
     let now = hashes();
     let changed = now.iter().filter(|(script, hash)| board.scripts.get(*script) != Some(*hash));
-    let peak = truth.known(0, &Number::PeakPressure);
     Ok(Numbers {
         case: name.into(),
         dofs: [discretisation.system.dofs(), asked.dofs],
         changed: changed.map(|(script, _)| script.clone()).collect(),
-        kind: peak.reference.kind,
-        ours: board::ours(&truth, &discretisation).map_err(|error| error.message.to_string()),
+        truth: Reference { value: 0.0, ..truth.known(0, &Number::PeakPressure).reference },
+        bar: larger(off(Number::PeakPressure), off(Number::SecondMomentWidth)),
+        end: at_end(&discretisation, truth.known(0, &Number::SecondMomentWidth).reference.value),
+        ours,
         rows,
     })
 }
 
+/// What is left of a second-moment width a where the force of the edge in which the contact ends is lost: of nodes h apart there
+/// `0.9 (h/a)^(3/2)`, as Hertz's pressure has `(4√2/3π) (h/a)^(3/2)` of its force there, at four times its second moment. 0 where all candidates
+/// are closed, so that a side ends it.
+fn at_end(discretisation: &Discretisation, width: f64) -> f64 {
+    let mut places: Vec<f64> = discretisation.interfaces[0].nodes.iter().map(|node| node.coordinate.abs()).collect();
+    places.sort_by(f64::total_cmp);
+    let end = places.windows(2).find(|pair| pair[0] <= width && width < pair[1]);
+    end.map_or(0.0, |pair| 0.9 * ((pair[1] - pair[0]) / width).powf(1.5))
+}
+
 /// The row of a run; none of a setting that is no more.
-fn row(truth: &Truth, discretisation: &Discretisation, told: &Told) -> Option<Row> {
+fn row(truth: &Truth, discretisation: &Discretisation, told: &Told, ours: Option<&Scored>) -> Option<Row> {
     let setting = Setting::named(told.code, &told.method)?;
     let scored = match &told.ended {
         Ended::Failed(why) => Err(why.clone()),
-        Ended::Answered { file, .. } => {
+        Ended::Answered { file: None, .. } => Err("its file is not kept".into()),
+        Ended::Answered { file: Some(file), .. } => {
             let path = board::folder().join(file);
             fs::read(&path)
                 .map_err(|error| Error::unreadable(&path, error, RENEW))
@@ -295,7 +348,14 @@ fn row(truth: &Truth, discretisation: &Discretisation, told: &Told) -> Option<Ro
                 .map_err(|error| error.message.to_string())
         }
     };
-    Some(Row { setting, told: told.clone(), scored })
+    let departures = match (&scored, &told.ended, ours) {
+        (Ok(scored), ..) => [0, 1].map(|k| scored.departure(k)),
+        (_, Ended::Answered { file: None, found, .. }, Some(ours)) => {
+            [0, 1].map(|k| found[k] / ours.scores[k].reference.value - 1.0)
+        }
+        _ => [f64::NAN; 2],
+    };
+    Some(Row { setting, told: told.clone(), scored, departures })
 }
 
 /// A code over all cases, none being ours: its answers by the first choice, by the best parameters, and by our rows, case by case; none where a
@@ -335,11 +395,11 @@ fn ranked(findings: &[Found<Numbers>]) -> Vec<Summed> {
     let answer = |row: Option<&Row>| row.and_then(|row| row.scored.clone().ok());
     let of_code = |code: Code| {
         let own = |which: usize| findings.iter().map(move |found| answer(found.numbers.own(code)[which])).collect();
-        let rows = |setting: &Setting| setting.code == code && setting.contact == Contact::OurRows;
+        let rows = |setting: &Setting| setting.code == code && setting.searched.is_none();
         let ours = findings.iter().map(|found| answer(found.numbers.best(rows))).collect();
         (Some(code), [own(0), own(1), ours])
     };
-    let ours: Vec<Option<Scored>> = findings.iter().map(|found| found.numbers.ours.clone().ok()).collect();
+    let ours: Vec<Option<Scored>> = findings.iter().map(|found| found.numbers.ours[0].clone().ok()).collect();
     let ours = (None, [ours.clone(), ours, vec![]]);
     let mut all: Vec<Summed> = Code::ALL.map(of_code).into_iter().chain([ours]).collect();
     let worst = |(_, [_, best, _]): &Summed| largest_of(best, |scored| Some(scored.error())).unwrap_or(f64::INFINITY);
@@ -360,9 +420,13 @@ const RUNS: [Column<Line>; 10] = [
         None => "**ours**".into(),
     }),
     ("contact", |(run, _)| match run {
-        Some((Row { setting: Setting { says, contact, .. }, .. }, best)) => {
-            let says = if *best { format!("**{says}**") } else { (*says).to_owned() };
-            if *contact == Contact::First { format!("first choice: {says}") } else { says }
+        Some((Row { setting: Setting { says, searched, .. }, told, .. }, best)) => {
+            let which = match (searched, told.times) {
+                (None, _) => (*says).to_owned(),
+                (Some([parameter, _]), 1) => format!("first choice, {parameter}"),
+                (Some(_), times) => format!("× {times}"),
+            };
+            if *best { format!("**{which}**") } else { which }
         }
         None => Formulation::verification().name(),
     }),
