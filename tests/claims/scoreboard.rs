@@ -103,7 +103,7 @@ fn every_search_ends_where_its_rule_says_and_keeps_the_files_of_the_first_choice
             assert!(!last || tried.len() == TIMES.len() || errors.len() == 1 && errors[0].is_nan(), "{of}: {errors:?}");
             let [first, best] = numbers.own(code).map(|row| row.expect("answered"));
             let least = floored.iter().copied().fold(f64::INFINITY, f64::min);
-            assert!(best.error().max(ROUND_OFF) <= least, "{of}: {errors:?}");
+            assert!(best.error().max(ROUND_OFF) <= least * (1.0 + 1e-4), "{of}: {errors:?}");
             for row in tried {
                 let is_kept =
                     [first, best].iter().any(|one| one.told.times == row.told.times) && row.error().is_finite();
@@ -120,7 +120,7 @@ fn a_factor_in_how_the_pressures_of_a_code_are_read_turns_its_check_of_every_cas
             let mut planted = numbers.clone();
             for row in planted.rows.iter_mut().filter(|row| row.setting.code == code && row.setting.searched.is_some())
             {
-                row.departures[0] = 1.05 * (1.0 + row.departures[0]) - 1.0;
+                row.departures[0] = 1.1 * (1.0 + row.departures[0]) - 1.0;
             }
             let red = format!("error of {}'s own contact at its best, {case}", code.name());
             assert_eq!(not_passed(&planted), [red]);
@@ -129,29 +129,34 @@ fn a_factor_in_how_the_pressures_of_a_code_are_read_turns_its_check_of_every_cas
 }
 
 #[test]
-fn pressures_spoiled_in_the_file_that_a_code_wrote_turn_its_check_red() {
+fn pressures_spoiled_in_the_files_that_a_code_wrote_turn_its_check_red() {
     let (case, numbers) = (named("truncated-hertz").expect("a case"), &ALL[1]);
     let (discretisation, truth) =
         (case.meshed().expect("meshed").discretisation, Truth::of(case.clone()).expect("a truth"));
-    let best = numbers.own(Code::Kratos)[1].expect("answered");
-    let path = board::folder().join(file(best).expect("kept"));
-    let mut text = String::new();
-    GzDecoder::new(File::open(&path).expect("a file")).read_to_string(&mut text).expect("read");
-    let judged = |text: &str| {
-        let scored = scored(&truth, &discretisation, &path.with_extension(""), text.as_bytes()).expect("judged");
+    let judged = |factor: f64| {
         let mut planted = numbers.clone();
-        let row = planted.rows.iter_mut().find(|row| row.setting == best.setting && row.told.times == best.told.times);
-        row.expect("there").departures = [0, 1].map(|k| scored.departure(k));
+        for row in planted
+            .rows
+            .iter_mut()
+            .filter(|row| row.setting.code == Code::Getfem && row.setting.searched.is_some() && row.scored.is_ok())
+        {
+            let path = board::folder().join(file(row).expect("kept"));
+            let mut text = String::new();
+            GzDecoder::new(File::open(&path).expect("a file")).read_to_string(&mut text).expect("read");
+            let field =
+                text.find("Name=\"contact_pressure\"").and_then(|at| text[at..].find('>').map(|end| at + end + 1));
+            let from = field.expect("a field");
+            let to = from + text[from..].find('<').expect("its end");
+            let scaled = text[from..to].split_whitespace().map(|p| p.parse::<f64>().expect("a number") * factor);
+            let scaled: String = scaled.map(|p| format!("{p:e} ")).collect();
+            let text = [&text[..from], &scaled, &text[to..]].concat();
+            let scored = scored(&truth, &discretisation, &path.with_extension(""), text.as_bytes()).expect("judged");
+            row.departures = [0, 1].map(|k| scored.departure(k));
+        }
         not_passed(&planted)
     };
-    assert_eq!(judged(&text), Vec::<String>::new());
-    let from =
-        text.find("Name=\"PRESSURE\"").and_then(|at| text[at..].find('>').map(|end| at + end + 1)).expect("a field");
-    let to = from + text[from..].find('<').expect("its end");
-    let spoiled =
-        text[from..to].split_whitespace().map(|p| format!("{:e} ", 1.05 * p.parse::<f64>().expect("a number")));
-    let spoiled = [&text[..from], &spoiled.collect::<String>(), &text[to..]].concat();
-    assert_eq!(judged(&spoiled), ["error of Kratos's own contact at its best, truncated-hertz"]);
+    assert_eq!(judged(1.0), Vec::<String>::new());
+    assert_eq!(judged(1.05), ["error of GetFEM's own contact at its best, truncated-hertz"]);
 }
 
 #[test]

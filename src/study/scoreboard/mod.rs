@@ -21,6 +21,7 @@ use crate::markdown::{self, Column, table};
 use crate::measure::{Quantity as Number, larger};
 use crate::mesh::{Order, Resolution};
 use crate::referee::Truth;
+use crate::scene::Profile;
 use crate::solve::{Discretisation, Formulation};
 use crate::study::about::{About, Found, Planned, Study};
 use crate::study::drawn::picture;
@@ -53,6 +54,8 @@ pub struct Numbers {
     pub truth: Reference,
     /// What the truths of peak and second-moment width may be off, relative: the larger.
     pub bar: f64,
+    /// What chords of cells with straight sides leave of a clearance, relative.
+    pub chords: f64,
     /// What the end of the contact leaves within an edge, relative, see [`at_end`].
     pub end: f64,
     /// Our own answer on the exported mesh, and on its cells cut into four with 4 nodes.
@@ -223,9 +226,10 @@ impl Row {
 }
 
 impl Numbers {
-    /// The row of the settings that hold something with the least error; the first one of equals, as those of round-off are.
+    /// The row of the settings that hold something with the least error, of those whose files are kept; the first one of equals, as those of
+    /// round-off are.
     pub fn best(&self, of: impl Fn(&Setting) -> bool) -> Option<&Row> {
-        let rows = self.rows.iter().filter(|row| of(&row.setting) && row.error().is_finite());
+        let rows = self.rows.iter().filter(|row| of(&row.setting) && row.scored.is_ok() && row.error().is_finite());
         rows.min_by(|a, b| a.error().max(ROUND_OFF).total_cmp(&b.error().max(ROUND_OFF)))
     }
 
@@ -240,22 +244,27 @@ impl Numbers {
     }
 
     /// What the best of a code may be off, relative: the bar of the truth, what our contact leaves on the same cells, what the end of the
-    /// contact leaves, and what its parameter does: a third of what the last tenfold changed, of which a penalty leaves a ninth; of the first
-    /// choice what the next multiple changes.
+    /// contact leaves, what chords leave where cells have straight sides, and what its parameter does: of a third of what the last multiple
+    /// changed (of a penalty ten times as stiff a ninth is left) and of what the next one changes the smaller, as recorded.
     fn allowed(&self, code: Code) -> f64 {
         let ours = self.ours[usize::from(code.cuts_cells())].as_ref().map_or(f64::NAN, Scored::error);
         let tried: Vec<&Row> = self.search(code).filter(|row| row.error().is_finite()).collect();
         let best = self.own(code)[1].and_then(|best| tried.iter().position(|row| std::ptr::eq(*row, best)));
+        let found = |k: usize| match &tried[k].told.ended {
+            Ended::Answered { found, .. } => *found,
+            Ended::Failed(_) => [f64::NAN; 2],
+        };
         let change = |a: usize, b: usize| {
-            let [peak, width] = [0, 1].map(|k| (tried[a].departures[k] - tried[b].departures[k]).abs());
-            larger(peak, width)
+            let [[p, a], [q, b]] = [a, b].map(found);
+            larger((p / q - 1.0).abs(), (a / b - 1.0).abs())
         };
-        let parameter = match best {
-            Some(0) if tried.len() > 1 => change(0, 1),
-            Some(k) if k > 0 => change(k - 1, k) / 3.0,
-            _ => 0.0,
-        };
-        self.bar + self.end + ours + parameter + ROUND_OFF
+        let parameter = best.map_or(f64::NAN, |k| {
+            let before = k.checked_sub(1).map(|before| change(before, k) / 3.0);
+            let next = (k + 1 < tried.len()).then(|| change(k, k + 1));
+            before.into_iter().chain(next).reduce(f64::min).unwrap_or(0.0)
+        });
+        let chords = if code.cuts_cells() { self.chords } else { 0.0 };
+        self.bar + self.end + ours + chords + parameter + ROUND_OFF
     }
 
     /// Errors of the search, code by code.
@@ -318,10 +327,21 @@ pub fn numbers(name: &str, case: &Case, board: &Board) -> Result<Numbers, Error>
         changed: changed.map(|(script, _)| script.clone()).collect(),
         truth: Reference { value: 0.0, ..truth.known(0, &Number::PeakPressure).reference },
         bar: larger(off(Number::PeakPressure), off(Number::SecondMomentWidth)),
+        chords: chords(&cut),
         end: at_end(&discretisation, truth.known(0, &Number::SecondMomentWidth).reference.value),
         ours,
         rows,
     })
+}
+
+/// What chords of cells with straight sides leave of the clearance c of a pin of radius R, `(R φ)²/8R/c` of cells that span the angle φ: the gap of a
+/// node that faces the middle of one is off by its sagitta. 0 of other gaps, which are no narrower than the arcs that face them.
+fn chords(cut: &Discretisation) -> f64 {
+    let (Profile::Hole { radius, clearance } | Profile::Pin { radius, clearance }) = cut.scene.contact().profile else {
+        return 0.0;
+    };
+    let angles = cut.interfaces[0].contact_edges().map(|edge| edge.ends[1] - edge.ends[0]);
+    0.125 * radius * angles.fold(0.0, f64::max).powi(2) / clearance
 }
 
 /// What is left of a second-moment width a where the force of the edge in which the contact ends is lost: of nodes h apart there
