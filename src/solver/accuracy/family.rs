@@ -46,14 +46,15 @@ const RISES: f64 = 1.0;
 /// Largest pressure at a node over the peak that consistent nodal pressures of smooth contacts show: those of corners and middles of
 /// 3-node edges differ by 0.5 % on four elements.
 const ALTERNATES: f64 = 1.01;
-/// On cells of high order that end with the contact: factor on the difference to the next finer mesh, of a peak and of what else pressures
-/// tell, of which that mesh leaves a tenth; part of the distance between two readings of a peak that is added, and of that between two series for an
-/// end that is the least: a gap that is steep at the end (s^8 to s^22 on a parabola) has series that are as far off on the next mesh. Where the gap is not smooth
-/// those factors over themselves, and of the relative difference of the half-width what the peak may be off, and of the peak's what an end may
-/// be: order by order either agrees by chance.
-const BY_NEXT: [f64; 2] = [2.0, 1.6];
+/// On cells of high order that end with the contact: factor on the difference to the next finer mesh, where the gap is smooth and where it is not, of a
+/// peak and of what else pressures tell: of an end under a smooth gap that mesh leaves a tenth, under others it may be as far off.
+const BY_NEXT: [[f64; 2]; 2] = [[2.0, 4.8], [1.6, 9.6]];
+/// Part of the distance between two readings of a peak that is added, and of that between two series for an end that is the least: a gap that is
+/// steep at the end (s^8 to s^22 on a parabola) has series that are as far off on the next mesh.
 const READ: [f64; 2] = [0.5, 0.5];
-const ROUGH: [f64; 3] = [2.4, 2.4, 0.5];
+/// Where the gap is not smooth, of the relative difference of the half-width what the peak may be off, and of the peak's what an end may be:
+/// order by order either agrees by chance.
+const ROUGH: [f64; 2] = [2.4, 0.5];
 /// Factor on the square of how far an end may be off, over the half-width: 2 tells the error of a half-width, 1/2 that of a peak, since at the
 /// end the potential energy is the least; and half of 2 for that of the force, with whose root both grow.
 const MISFIT: f64 = 3.0;
@@ -358,8 +359,7 @@ impl Family {
             let is_rough = !self.profiles[contact].is_smooth(measures.half_width());
             let of_next = |quantity: &Quantity| value_of(&next.readings, contact, quantity);
             let apart = (discrete - of_next(quantity)).abs();
-            let factor =
-                BY_NEXT[usize::from(*quantity != Quantity::PeakPressure)] * if is_rough { ROUGH[0] } else { 1.0 };
+            let factor = BY_NEXT[usize::from(*quantity != Quantity::PeakPressure)][usize::from(is_rough)];
             let [of_top, of_end] = READ;
             let read = match quantity {
                 Quantity::PeakPressure => of_top * self.missed_by_reading(quantity, measures),
@@ -371,10 +371,10 @@ impl Family {
             let half_width = measures.half_width();
             let of_other = match quantity {
                 Quantity::PeakPressure if is_rough => {
-                    ROUGH[1] * measures.peak.pressure * relative_error(of_next(&Quantity::HalfWidth), half_width)
+                    ROUGH[0] * measures.peak.pressure * relative_error(of_next(&Quantity::HalfWidth), half_width)
                 }
                 Quantity::HalfWidth | Quantity::Begin(_) | Quantity::End(_) if is_rough => {
-                    ROUGH[2] * half_width * relative_error(of_next(&Quantity::PeakPressure), measures.peak.pressure)
+                    ROUGH[1] * half_width * relative_error(of_next(&Quantity::PeakPressure), measures.peak.pressure)
                 }
                 _ => 0.0,
             };

@@ -19,7 +19,7 @@ const RATIO: [f64; 2] = [1.15, 2.5];
 const UNKNOWN: f64 = 1.6;
 /// A bar over the smallest one before, from which on it is taken not to fall, and meshes in a row after which a search ends.
 const IDLE: (f64, usize) = (0.9, 3);
-/// Bar over what is asked, from which on 8-node cells are given up where those of high order left less than that.
+/// Bar over that of cells of high order, from which on 8-node cells are given up that have more dofs than those.
 const HOPELESS: f64 = 30.0;
 /// Dofs of the mesh that bars foresee from which on a search gives up after two in a row; and those of meshes whose bars tell that, and of meshes that
 /// have none.
@@ -114,8 +114,7 @@ fn refine(mut layout: Layout, mut rungs: Rungs, scene: &Scene, other: Option<Run
         {
             best = Some(rung);
         }
-        let least = HOPELESS * rungs.asked.relative;
-        if other.as_ref().is_some_and(|other| other.error < least) && error > least {
+        if other.as_ref().is_some_and(|other| dofs > other.run.dofs as f64 && error > HOPELESS * other.error) {
             why = format!(
                 "cells of high order leave less than 8-node cells, which leave {} %",
                 percent_rounded_up(error)
