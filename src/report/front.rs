@@ -170,7 +170,7 @@ fn experiments(findings: &[Finding]) -> String {
 
 /// What accuracy costs: the conclusion of the recorded timings; says so where there are none.
 fn cost() -> String {
-    let Ok(record) = Record::read() else { return "No timings were read.".into() };
+    let Ok(record) = Record::read().map(Record::in_one_run) else { return "No timings were read.".into() };
     let processor = &record.measured.machine.processor;
     format!(
         "{}\nSeconds of one machine ({processor}), one thread; {}.\n\n{}",

@@ -5,7 +5,7 @@ use contact_vv::case::Verdict;
 use contact_vv::study::seconds::{Machine, Spread, quantile, ratios};
 use contact_vv::study::timings::growth::{self, Counts, Growth, exponent};
 use contact_vv::study::timings::precision::{self, LOADS, Point, Series, answered, half_widths, nominal};
-use contact_vv::study::timings::record::{Beside, Measured, Record, Target, targets};
+use contact_vv::study::timings::record::{Beside, COMPARED, Measured, Record, Target, cheapest, ours, sound, targets};
 use contact_vv::study::timings::{counts_as_recorded, points_as_recorded};
 
 use crate::workbench::spoiled;
@@ -179,12 +179,15 @@ fn what_ngsolve_prints_is_held_against_the_accuracy() {
     assert_relative_eq!(point.peak, 2e-6, max_relative = 1e-12);
     assert_relative_eq!(point.worst(), 1e-5, max_relative = 1e-12);
     let mut record = without_ngsolve();
-    let met = |seconds: f64, error: f64, record: &mut Record| {
-        record.renew(vec![of_ngsolve(seconds, error)], two_milliseconds());
-        row(record, "time to 0.1 %", "NGSolve").met
+    // Our own solve under the worst load, had it been recorded on the machine on which that under the median load takes 2 ms.
+    let own = cheapest(sound(&record.points), |point| point.seconds, Point::worst, COMPARED).expect("a mesh of ours");
+    let as_long = 2e-3 * own.seconds / ours(&record.points).expect("a mesh of ours").seconds;
+    let met = |times: f64, error: f64, record: &mut Record| {
+        record.renew(vec![of_ngsolve(times * as_long, error)], two_milliseconds());
+        row(&record.clone().in_one_run(), "time to 0.1 %", "NGSolve").met
     };
-    assert_eq!(met(3e-3, 1e-3, &mut record), Some(true));
-    assert_eq!(met(1e-3, 1e-3, &mut record), Some(false));
+    assert_eq!(met(1.01, 1e-3, &mut record), Some(true));
+    assert_eq!(met(0.99, 1e-3, &mut record), Some(false));
     // None of its meshes is so good: not absent, and not met.
-    assert_eq!([met(3e-3, 1e-1, &mut record), met(3e-3, f64::NAN, &mut record)], [Some(false); 2]);
+    assert_eq!([met(1.5, 1e-1, &mut record), met(1.5, f64::NAN, &mut record)], [Some(false); 2]);
 }

@@ -60,12 +60,12 @@ impl Study for Numbers {
 
     /// The page of the committed record.
     fn section(_: &[Found<Self>]) -> Result<String, Error> {
-        Ok(page(&Record::read()?))
+        Ok(page(&Record::read()?.in_one_run()))
     }
 
     /// The chart of the committed record.
     fn pictures(_: &[Found<Self>]) -> Result<Vec<(String, Drawing)>, Error> {
-        let record = Record::read()?;
+        let record = Record::read()?.in_one_run();
         Ok(vec![(FRONTS[0].into(), fronts(&record)), (CLOUD[0].into(), cloud(&record))])
     }
 }
@@ -283,7 +283,7 @@ pub fn beside(record: &Record) -> Vec<String> {
     let told = |Beside { code, version, seconds, machine }: &Beside| {
         format!(
             "Beside {} {version} ({}, {} threads, {}) our solve to {} under the median load took {}, and {} when our points were recorded: \
-             {} times as long.",
+             {} times as long, by which its own seconds are divided here.",
             code.name(),
             machine.processor,
             machine.threads,

@@ -77,6 +77,17 @@ impl Record {
         self.measured.beside.push(beside);
     }
 
+    /// The same with the seconds of other codes as our own solve beside them took as long as when our points were recorded: a machine is
+    /// half as fast on another day, and what counts is the ratio in one run.
+    pub fn in_one_run(mut self) -> Self {
+        let own = ours(&self.points).map_or(f64::NAN, |own| own.seconds);
+        for Beside { code, seconds, .. } in &self.measured.beside {
+            let of_code = self.points.iter_mut().filter(|point| point.series == *code);
+            of_code.for_each(|point| point.seconds *= own / seconds.median);
+        }
+        self
+    }
+
     /// Reads what is committed.
     pub fn read() -> Result<Self, Error> {
         let [one, two] = files();
