@@ -216,7 +216,7 @@ const BUDGETS: [(&str, usize); 9] = [
     ("drawing", 2_945),
     ("case", 8_233),
     ("oracle", 1_436),
-    ("study", 14_885),
+    ("study", 14_886),
     ("referee", 6_622),
     ("report", 3_032),
     ("cli", 4_711),

@@ -283,8 +283,9 @@ pub fn ask(name: &str, case: &Case, told: impl Fn(&Setting, usize)) -> Result<(A
             let before = tried.last().map_or(f64::INFINITY, |(_, before, _)| *before);
             let Setting { code, method, .. } = setting;
             tried.push((Told { code, method: method.into(), times, version, seconds, cholesky, ended }, error, bytes));
-            // So that NaN ends it.
-            if !(error < FALLS * before) {
+            // NaN ends it.
+            let falls = error < FALLS * before;
+            if !falls {
                 break;
             }
         }
