@@ -56,7 +56,7 @@ pub struct Numbers {
     pub bar: f64,
     /// What chords of cells with straight sides leave of a clearance, relative.
     pub chords: f64,
-    /// What the end of the contact leaves within an edge, relative, see [`at_end`].
+    /// What the end of the contact leaves within an edge, relative.
     pub end: f64,
     /// Our own answer on the exported mesh, and on its cells cut into four with 4 nodes.
     pub ours: [Result<Scored, String>; 2],
