@@ -89,7 +89,8 @@ fn first(scene: &Scene, rungs: &mut Rungs) -> Option<(Discretisation, Rung)> {
     let wanted = FIRST.iter().position(|(least, _)| *least <= rungs.asked.relative)?;
     for (_, mesh) in FIRST[..=wanted].iter().rev() {
         let mut answer = sought(*mesh, scene, rungs).map_err(|error| rungs.is_refused(&error)).ok()?;
-        if let Some(wider) = wider(scene, &answer.run, SQUEEZED) {
+        let is_around_axis = (0..scene.contacts.len()).any(|contact| scene.is_around_axis(contact));
+        if let Some(wider) = wider(scene, &answer.run, SQUEEZED[usize::from(is_around_axis)]) {
             answer.tried.iter().for_each(|tried| rungs.sought(tried));
             let permits = |dofs| rungs.watch.permits(dofs);
             let near = Sought {
@@ -129,8 +130,9 @@ fn sought(mesh: Fitted, scene: &Scene, rungs: &Rungs) -> Result<edge_fitted::Ans
 /// farther out it leaves as much.
 const BEYOND: f64 = 1.0;
 /// The same below which the cells there are squeezed so much that the mesh is made again: of a sphere with 4 % of candidates beyond, as a cheap mesh
-/// took its contact for a quarter shorter, no order of cells told the half-width to better than 1e-4.
-const SQUEEZED: f64 = 0.2;
+/// took its contact for a quarter shorter, no order of cells told the half-width to better than 1e-4. And around an axis, where half of the radius
+/// beyond leaves three times as much in the end.
+const SQUEEZED: [f64; 2] = [0.2, 0.6];
 
 /// A scene with candidates that go [so far](BEYOND) beyond what a run found closed, where some do not go beyond it by a part of the half-width
 /// and can go farther; none where all do.

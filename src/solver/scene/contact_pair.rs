@@ -319,9 +319,16 @@ impl Profile {
                 let powers = coefficients.iter().enumerate().map(|(k, c)| [*c, 2.0 * (k + 1) as f64]);
                 is_mostly_parabola(&powers.collect::<Vec<_>>())
             }
-            Self::Powers { terms } => {
-                terms.iter().all(|[_, n]| (n / 2.0).fract().abs() <= 0.0) && is_mostly_parabola(terms)
-            }
+            Self::Powers { terms } => self.is_analytic() && is_mostly_parabola(terms),
+            _ => !self.is_by_points(),
+        }
+    }
+
+    /// Whether the gap is analytic: not where points tell it, at a tip or a corner, or of powers that are not even.
+    pub fn is_analytic(&self) -> bool {
+        match self {
+            Self::Powers { terms } => terms.iter().all(|[_, n]| (n / 2.0).fract().abs() <= 0.0),
+            Self::Drawn | Self::Punch { .. } | Self::Wedge { .. } => false,
             _ => !self.is_by_points(),
         }
     }

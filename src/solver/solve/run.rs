@@ -6,7 +6,7 @@ use crate::contact::Interface;
 use crate::error::{Coordinate, Error, Kind};
 use crate::measure::{Measures, larger, largest, whole};
 use crate::named::named_enum;
-use crate::solution::{Outcome, Solution, States};
+use crate::solution::{Outcome, Part, Solution, States};
 use crate::solve::{Change, Discretisation, Equilibrium, Formulation, edge_fitted};
 
 /// Imbalance of a body that the round-off of its stiffness may leave, whatever the tolerance: 2e-7 of a ring fifty times as large as thick.
@@ -238,14 +238,14 @@ impl Ended {
 /// What was found of every contact.
 fn measured(discretisation: &Discretisation, solution: &Solution) -> Vec<Contact> {
     let scene = &discretisation.scene;
-    let with_lines = |of: &dyn Fn(usize) -> Measures| {
-        let mut all: Vec<Measures> = (0..scene.contacts.len()).map(of).collect();
-        edge_fitted::of_lines(discretisation, &mut all.iter_mut().collect::<Vec<_>>());
+    let with_lines = |parts: Vec<Part>| {
+        let mut all: Vec<Measures> =
+            parts.iter().enumerate().map(|(contact, part)| Measures::of(scene, contact, *part)).collect();
+        edge_fitted::of_lines(discretisation, &mut all, &parts);
         all
     };
-    let of =
-        |states: &States| with_lines(&|contact| Measures::of(scene, contact, states.part(&solution.contacts[contact])));
-    let measures = with_lines(&|contact| Measures::of(scene, contact, solution.part(contact)));
+    let of = |states: &States| with_lines(solution.contacts.iter().map(|share| states.part(share)).collect());
+    let measures = with_lines((0..scene.contacts.len()).map(|contact| solution.part(contact)).collect());
     let [target, rigid] = [&solution.target, &solution.rigid].map(|states| states.as_ref().map(of));
     let one = |(interface, measures): (&Interface, Measures)| {
         let found = |all: &Option<Vec<Measures>>| all.as_ref().map(|all| all[interface.contact].clone());

@@ -5,12 +5,14 @@
 
 use super::fitted::{Fitted, REMEDY, on_fitted};
 use super::tip::Tip;
+use super::top;
 use crate::algorithm::Exact;
 use crate::contact::ContactPoint;
-use crate::error::{Error, Part};
+use crate::error::{self, Error};
 use crate::measure::{Measures, Stretch};
 use crate::mesh::{Order, Resolution};
-use crate::scene::{Ends, Grading, Scene};
+use crate::scene::{ContactPair, Ends, Grading, Scene};
+use crate::solution::Part;
 use crate::solve::{Discretisation, Formulation, Permits};
 
 /// Growth, and the coarsest cell over the body, of meshes that know where the contact ends.
@@ -29,7 +31,7 @@ impl Closed {
     /// Refuses contacts that do not touch, and those that end where their candidates do.
     pub(super) fn refuse(&self, scene: &Scene) -> Result<(), Error> {
         let refused = |contact: usize, message: &str, remedy: String| {
-            Err(Error::at(scene.place_of(contact, Part::Stretch), message, remedy))
+            Err(Error::at(scene.place_of(contact, error::Part::Stretch), message, remedy))
         };
         for (contact, all) in self.stretches.iter().enumerate() {
             if all.is_empty() {
@@ -97,7 +99,7 @@ impl Closed {
             if let Some(missed) = pair.ends.places.iter().copied().find(|place| !has(*place)) {
                 let place = pair.path.reported(missed);
                 let message = format!("no mesh line can be laid on the end of the contact at s = {place}");
-                return Err(Error::at(made.scene.place_of(interface.contact, Part::Stretch), message, REMEDY));
+                return Err(Error::at(made.scene.place_of(interface.contact, error::Part::Stretch), message, REMEDY));
             }
         }
         Ok(made)
@@ -131,7 +133,7 @@ impl Closed {
                 let message = format!(
                     "the end of the contact at s = {place} is not found: the pressure does not fall towards it"
                 );
-                Error::at(made.scene.place_of(contact, Part::Stretch), message, REMEDY)
+                Error::at(made.scene.place_of(contact, error::Part::Stretch), message, REMEDY)
             })
         };
         let of_stretch = |contact: usize, one: &Stretch| -> Result<[[f64; 2]; 2], Error> {
@@ -187,26 +189,40 @@ pub(super) fn apart(stretches: &[Stretch], moves: &[[[f64; 2]; 2]]) -> f64 {
 /// Distance of an end from its line, over the half-width, beyond which it is not the one that the line was laid on.
 const NEAR: f64 = 0.1;
 
-/// Puts the ends of all stretches where the lines of their mesh tell them; leaves them as they were read where a line, or how far it
-/// lies from the end, is not known.
-pub(in crate::solve) fn of_lines(discretisation: &Discretisation, measures: &mut [&mut Measures]) {
+/// Puts the ends of all stretches where the lines of their mesh tell them, and reads the largest pressures between; leaves them as they were
+/// read where a line, or how far it lies from the end, is not known.
+pub(in crate::solve) fn of_lines(discretisation: &Discretisation, measures: &mut [Measures], parts: &[Part]) {
     let pairs = &discretisation.scene.contacts;
     let is_told = discretisation.resolution.order >= Order::Quartic;
     if !is_told || pairs.iter().all(|pair| pair.ends.places.is_empty()) {
         return;
     }
-    let on_lines = |(contact, measures): (usize, &&mut Measures)| {
+    let on_lines = |(contact, measures): (usize, &Measures)| {
         let places = &pairs[contact].ends.places;
         measures.stretches.iter().map(|one| on_lines(one, places)).collect::<Option<Vec<Stretch>>>()
     };
     let Some(stretches) = measures.iter().enumerate().map(on_lines).collect::<Option<Vec<_>>>() else { return };
     let mut closed = Closed { stretches };
     let Ok(moves) = closed.moves(discretisation) else { return };
+    for (interface, part) in discretisation.interfaces.iter().zip(parts) {
+        let contact = interface.contact;
+        if let [one] = closed.stretches[contact][..]
+            && discretisation.scene.is_around_axis(contact)
+            && is_of_one_series(&pairs[contact], &one)
+        {
+            top::read(interface, &one, *part, &mut measures[contact]);
+        }
+    }
     closed.moved(&discretisation.scene, &moves);
     for ((own, stretches), moves) in measures.iter_mut().zip(closed.stretches).zip(&moves) {
         own.ends_apart = apart(&stretches, moves);
         own.stretches = stretches;
     }
+}
+
+/// Whether a stretch is a circle that ends before its candidates do, under an analytic gap.
+fn is_of_one_series(pair: &ContactPair, one: &Stretch) -> bool {
+    !one.begins_within() && one.reaches == [false; 2] && pair.profile.is_analytic()
 }
 
 /// A stretch whose ends lie on the lines next to them; none where one has no line.

@@ -9,11 +9,13 @@
 //! * `search` — the ends sought on coarse meshes, then on the one asked for.
 //! * `closed` — the closed stretches, a mesh with lines on their ends, how far these shall move, and where the contact ends there.
 //! * `tip` — how far that is from such a line, by the forces near it.
+//! * `top` — the largest pressure between two such lines, by the forces of all of the stretch.
 
 mod closed;
 mod fitted;
 mod search;
 mod tip;
+mod top;
 
 pub(super) use closed::of_lines;
 pub use fitted::Fitted;
