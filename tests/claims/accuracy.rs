@@ -5,9 +5,9 @@ use std::f64::consts::{FRAC_PI_2, SQRT_2};
 use approx::assert_relative_eq;
 use contact_vv::accuracy::longest::longest;
 use contact_vv::accuracy::{self, Answer, Asked, Quantity, fitted, percentage};
-use contact_vv::case::library::{Cylinder, PinPlate, PressFit, TruncatedHertz};
+use contact_vv::case::library::{Cylinder, PinPlate, PressFit, TruncatedHertz, find};
 use contact_vv::case::solved::met;
-use contact_vv::case::{Case, Verdict, library};
+use contact_vv::case::{Case, Verdict};
 use contact_vv::measure::{larger, relative_error};
 use contact_vv::mesh::{Order, Resolution};
 use contact_vv::scene::{Material, PlaneHypothesis, Scene};
@@ -77,7 +77,7 @@ fn every_later_mesh_starts_from_the_contact_set_of_the_one_before() {
 #[test]
 fn pin_and_rod_press_fits_and_scene_files_meet_what_they_are_asked() {
     for name in ["cylinder", "pin-rod", "press-fit", "patch", "own-weight"] {
-        let problem = library::find(name, None).expect("known");
+        let problem = find(name, None).expect("known");
         let fine = answered(&problem.scene, 1e-4);
         let fine = [fine.run.measures().peak.pressure, fine.run.measures().second_moment_width];
         for asked in ASKED {
@@ -110,7 +110,7 @@ fn disc_on_a_block_is_solved_with_8_node_cells_whose_middles_do_not_face() {
 fn cells_of_high_order_meet_up_to_a_millionth_of_peak_and_half_width_with_few_freedoms() {
     // Six digits are those of the load that the block is drawn for; 8-node cells took 27,925 for five.
     let most = [(1e-3, 700), (1e-4, 1_000), (1e-5, 1_700), (1e-6, 2_700)];
-    let problems = [truncated(1.0), truncated(0.94), truncated(1.07), library::truncated_sphere(0.05)];
+    let problems = [truncated(1.0), truncated(0.94), truncated(1.07), find("truncated-sphere", None).expect("known")];
     for (k, problem) in problems.iter().enumerate() {
         let [peak, end] = closed_form(problem);
         for (asked, dofs) in most {
@@ -203,7 +203,7 @@ fn a_bar_of_elements_too_wide_for_the_top_is_no_best() {
 #[test]
 fn what_cannot_be_met_is_said_with_the_best_that_was_found() {
     // The pressure under the corner of a flat punch has no limit, on however many cells; the half-width is met all the same.
-    let punch = library::find("flat-punch", None).expect("known");
+    let punch = find("flat-punch", None).expect("known");
     let answer = accuracy::solve(&punch.scene, &kinematic(), &by_moment(1e-2)).expect("solved");
     assert!(answer.unmet.as_ref().is_some_and(|why| why.contains("no limit")) && answer.run.solution.converged());
     assert!(met(&Asked::new(1e-2), &answer).verdict == Verdict::Fail);
@@ -265,7 +265,7 @@ fn candidates_may_go_as_far_as_the_sides_of_the_bodies_and_the_gap_do() {
         );
         parsed(&block_text(sides, 30.0, "traction = { at = \"far\", value = [0, -1] }", &contact)).scene
     };
-    let library = |name: &str| library::find(name, None).expect("known").scene;
+    let library = |name: &str| find(name, None).expect("known").scene;
     let (on, across) = ([0.0, 60.0], [-45.0, 50.0]);
     for (scene, wanted) in [
         (block(on, "parabola = 50"), 60.0),

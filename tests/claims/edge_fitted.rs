@@ -2,7 +2,7 @@
 //! fitted to.
 
 use contact_vv::accuracy;
-use contact_vv::case::library::{self, Bars, Patch, TruncatedHertz, find};
+use contact_vv::case::library::{Bars, Patch, TruncatedHertz, find};
 use contact_vv::measure::{Quantity, nodal, profile, relative_error};
 use contact_vv::mesh::{Mesh, Order, Resolution};
 use contact_vv::oracle::analytic::hertz::Hertz;
@@ -70,7 +70,7 @@ fn digits_of_truncated_hertz_and_of_the_truncated_sphere_cost_few_dofs() {
 #[test]
 fn peaks_around_an_axis_are_as_accurate_as_the_ends_of_their_contacts() {
     for a_over_r in [0.05, 0.047, 0.053] {
-        let case = library::truncated_sphere(a_over_r);
+        let case = find("truncated-sphere", Some(a_over_r)).expect("known");
         let [peak, end] = [Quantity::PeakPressure, Quantity::HalfWidth].map(|one| case.reading(0, &one).value);
         // By the pressures of points around the axis the peak is 1e-4, 2e-5, 1e-5 and 3e-6 off.
         for (order, layers, digits) in

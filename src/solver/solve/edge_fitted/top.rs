@@ -71,7 +71,7 @@ pub(super) fn read(interface: &Interface, one: &Stretch, part: Part, measures: &
     let by_points = (measures.peak, measures.peak_by_parabola);
     let is_taken = |found: &(Peak, f64)| apart(found) <= larger(SETTLED * measures.peak.pressure, apart(&by_points));
     if let Some((top, other)) = nearest.filter(is_taken) {
-        if measures.peak.position.abs() <= 0.0 && top.position.abs() <= 0.0 {
+        if top.position.abs() <= 0.0 {
             measures.pressure_at_origin = top.pressure;
         }
         (measures.peak, measures.peak_by_parabola) = (top, other);
