@@ -173,7 +173,7 @@ fn cost() -> String {
     let Ok(record) = Record::read().map(Record::in_one_run) else { return "No timings were read.".into() };
     let processor = &record.measured.machine.processor;
     format!(
-        "{}\nSeconds of one machine ({processor}), one thread; {}.\n\n{}",
+        "{}\nSeconds of one machine ({processor}), one thread, those of other codes scaled by our own solve beside them; {}.\n\n{}",
         conclusion(&record),
         to_study("all our runs, growth, stages, memory, targets", timings::Numbers::NAME),
         picture(FRONTS[0], FRONTS[1])
