@@ -498,7 +498,7 @@ fn strip(columns: usize, sets: &[(&str, Vec<usize>)]) -> String {
 }
 
 #[test]
-fn a_set_with_a_hole_of_one_node_is_refused_with_its_number_whatever_it_is_used_for() {
+fn a_set_with_a_hole_of_a_few_nodes_is_refused_with_the_number_of_the_first_whatever_it_is_used_for() {
     let row = |columns: usize, j: usize| (0..=columns).map(|i| 10 * i + j + 1).collect::<Vec<usize>>();
     let without = |own: Vec<usize>, lost: &[usize]| own.into_iter().filter(|node| !lost.contains(node)).collect();
     let usual = |sole: Vec<usize>, roof: Vec<usize>, axis: Vec<usize>| {
@@ -522,11 +522,20 @@ fn a_set_with_a_hole_of_one_node_is_refused_with_its_number_whatever_it_is_used_
         (usual(row(6, 0), without(row(6, 1), &[22]), vec![1, 2]), lacks("roof", 22)),
         (usual(row(6, 0), without(row(6, 1), &[52]), vec![1, 2]), has("roof", 62)),
         (usual(row(6, 0), row(6, 1), vec![2]), has("axis", 2)),
+        // Three of fourteen sides, and four of sixteen.
+        (
+            strip(14, &[("sole", without(row(14, 0), &[31, 41])), ("roof", row(14, 1)), ("axis", vec![1, 2])]),
+            lacks("sole", 31),
+        ),
+        (
+            strip(16, &[("sole", row(16, 0)), ("roof", without(row(16, 1), &[102, 112, 122])), ("axis", vec![1, 2])]),
+            lacks("roof", 122),
+        ),
         eight,
     ] {
         assert!(refused(&deck, &parts).contains("scene.toml:"));
     }
-    // Two nodes are a part that is left out, and so is what lies between two sides that turn.
+    // Half of the sides are a part that is left out, and so is what lies between two sides that turn.
     for deck in [
         usual(row(6, 0), without(row(6, 1), &[32, 42]), vec![1, 2]),
         strip(2, &[("sole", row(2, 0)), ("roof", row(2, 1)), ("axis", vec![1, 2]), ("ends", vec![1, 2, 21, 22])]),

@@ -132,7 +132,7 @@ impl<'a> MeshTable<'a> {
             return Err(given.refused(message, "leave it out, and refine those meshes"));
         }
         let missing = |key: &str| {
-            let remedy = "give `elements` and `per`, or an `accuracy` that chooses the mesh";
+            let remedy = "give `elements` and `per` in [mesh], or an `accuracy` that chooses the mesh; `--accuracy` takes its place";
             Err(self.place.refused(format!("missing field `{key}`"), remedy))
         };
         let elements = match self.get("elements").map(|given| (given, given.read::<usize>())) {

@@ -266,6 +266,10 @@ struct Known<'a> {
     middles: HashSet<u64>,
 }
 
+/// Most sides in a row that a set of nodes is thought to have lost; and of more than two, so many times as many sides as it has at least: else they
+/// are a part that is left out.
+const HOLE: usize = 4;
+const SEVERAL: usize = 3;
 /// Cosine of the turn between two sides up to which they lie along one line.
 const ALONG: f64 = 0.5;
 
@@ -302,7 +306,7 @@ impl<'a> Known<'a> {
         all
     }
 
-    /// What a set lacks: it has a node of the outline, but no side with it, or no side at all, or a hole of one node.
+    /// What a set lacks: it has a node of the outline, but no side with it, or no side at all, or a hole of a few nodes.
     fn half_told(&self, nodes: &[u64], sides: &[&'a Side]) -> Option<HalfTold> {
         let told: HashSet<u64> = sides.iter().flat_map(|(side, _)| side).copied().collect();
         let of = if sides.is_empty() { &self.all } else { &self.outline };
@@ -311,8 +315,8 @@ impl<'a> Known<'a> {
         alone.map(|node| HalfTold::Alone(number(*node))).or_else(hole)
     }
 
-    /// The node that is missing between two sides of the outline which lie along one line: the middle one of a side between them, or the corner of
-    /// two.
+    /// The first node that is missing between two sides of the outline which lie along one line: the middle one of a side between them, or a corner of
+    /// [a few](HOLE).
     fn hole(&self, sides: &[&'a Side]) -> Option<u64> {
         let keys: HashSet<SideKey> = sides.iter().map(|(side, _)| key(side[0], side[1])).collect();
         let is_told = |(side, _): &&Side| keys.contains(&key(side[0], side[1]));
@@ -327,16 +331,19 @@ impl<'a> Known<'a> {
             x * u + y * v > ALONG * x.hypot(y) * u.hypot(v)
         };
         let missing = |first: &&'a Side| -> Option<u64> {
-            let second = next(first).filter(|second| !is_told(second))?;
-            let third = next(second)?;
-            // Of one side the middle node is missing, of two the corner between them.
-            let (line, node) = if is_told(&third) {
-                (vec![*first, second, third], second.0.get(2))
-            } else {
-                let fourth = next(third).filter(is_told)?;
-                (vec![*first, second, third, fourth], second.0.get(1))
+            let mut line = vec![*first];
+            while line.len() < HOLE + 2 && (line.len() == 1 || !is_told(line.last()?)) {
+                line.push(next(line.last()?)?);
+            }
+            let (last, between) = line[1..].split_last()?;
+            let node = match between {
+                // Of one side the middle node is missing, of several the corners between them.
+                [one] => one.0.get(2),
+                [one, _] => one.0.get(1),
+                [one, ..] if SEVERAL * between.len() <= sides.len() => one.0.get(1),
+                _ => None,
             };
-            node.copied().filter(|_| line.windows(2).all(goes_on))
+            node.copied().filter(|_| is_told(last) && line.windows(2).all(goes_on))
         };
         sides.iter().filter(|(_, cells)| *cells == 1).find_map(missing)
     }
