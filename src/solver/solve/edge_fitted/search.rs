@@ -69,6 +69,8 @@ const HALVED: u32 = 5;
 const COARSE: Order = Order::Quartic;
 /// Move of an end, over the half-width, from which on the last mesh is worth while.
 const NEAR: f64 = 2e-3;
+/// Part of a move of an end that is left after it, at most: the mesh itself tells whether it was less.
+const LEFT: f64 = 0.25;
 /// Farthest that the ends of two contacts of one body may be from one another and share a mesh line, over the half-width: on the last of the
 /// meshes no farther than an end may be off.
 const TOGETHER: f64 = 0.1;
@@ -170,7 +172,7 @@ impl Fitted {
                     return Ok(Answer { discretisation, run, stretches, tried });
                 }
                 ends.moved(scene, &moves);
-                if resting {
+                if !last && LEFT * moved <= enough {
                     break;
                 }
             }
