@@ -3,13 +3,13 @@
 use contact_vv::accuracy::{self, Asked};
 use contact_vv::case::Verdict;
 use contact_vv::solve::Formulation;
-use contact_vv::study::promised::met::{Record, consistent, is_as_recorded, near, record, right};
+use contact_vv::study::promised::met::{Record, consistent, is_as_recorded, near, record, right, thrifty};
 use contact_vv::study::random::{Family, Site};
 use contact_vv::study::records::Millionths;
 
 use crate::workbench::spoiled;
 
-/// What the closed forms of cylinders and pins leave out, relative.
+/// What the closed forms of cylinders, pins and spheres leave out, relative.
 const LEFT_OUT: f64 = 1.5e-5;
 
 fn site(family: Family, number: usize) -> Site {
@@ -17,8 +17,9 @@ fn site(family: Family, number: usize) -> Site {
 }
 
 #[test]
-fn closed_forms_of_cylinder_and_pin_leave_out_little() {
-    for (family, number) in [(Family::Cylinder, 38), (Family::Cylinder, 50), (Family::Pin, 2), (Family::Pin, 3)] {
+fn closed_forms_of_cylinder_pin_and_spheres_leave_out_little() {
+    let cylinders_and_pins = [(Family::Cylinder, 38), (Family::Cylinder, 50), (Family::Pin, 2), (Family::Pin, 3)];
+    for (family, number) in cylinders_and_pins.into_iter().chain([0, 1, 2, 3].map(|number| (Family::Spheres, number))) {
         let sample = site(family, number).sample().expect("a scene");
         let found = record(&site(family, number), 2e-5, &sample).expect("solved");
         assert!(found.error() <= LEFT_OUT, "{}, {number}: {found:?}", family.name());
@@ -56,6 +57,7 @@ fn sound() -> Vec<Record> {
         peak: Millionths(5e-4),
         half_width: Millionths(-2e-4),
         dofs: 1000,
+        most_dofs: 3500,
         dofs_in_all: 9000,
     };
     (0..3).map(one).collect()
@@ -83,6 +85,18 @@ fn judges_fail_on_one_answer_falsely_met_far_off_or_not_a_number() {
     for (k, (spoil, wanted)) in spoils.into_iter().enumerate() {
         assert_eq!(verdicts(&spoiled(&sound(), |all| spoil(&mut all[1]))), wanted.map(Verdict::clone), "spoil {k}");
     }
+}
+
+#[test]
+fn search_that_solves_too_much_on_the_way_is_noticed() {
+    let verdicts = |dofs: [usize; 3]| {
+        let spoil = |all: &mut Vec<Record>| all.iter_mut().zip(dofs).for_each(|(one, dofs)| one.dofs_in_all = dofs);
+        thrifty(&spoiled(&sound(), spoil)).map(|check| check.verdict)
+    };
+    let (pass, fail) = (Verdict::Pass, Verdict::Fail);
+    assert_eq!(verdicts([9000, 9000, 36_000]), [pass.clone(), fail.clone()]);
+    assert_eq!(verdicts([9000, 11_000, 34_000]), [fail.clone(), pass]);
+    assert_eq!(thrifty(&[]).map(|check| check.verdict), [fail.clone(), fail]);
 }
 
 #[test]

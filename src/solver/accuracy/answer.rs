@@ -54,6 +54,11 @@ impl Answer {
         self.tried.iter().map(|tried| tried.dofs + tried.coarser).sum()
     }
 
+    /// Those of the largest mesh solved: in most searches the last one, which judges the one answered.
+    pub fn most_dofs(&self) -> usize {
+        self.tried.iter().map(|tried| tried.dofs).max().unwrap_or(0)
+    }
+
     /// Largest estimated relative error of the quantities asked for; NaN where nothing is known.
     pub fn estimate(&self) -> f64 {
         largest(&self.estimates)

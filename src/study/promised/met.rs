@@ -10,7 +10,8 @@ use crate::error::Error;
 use crate::markdown::{self, Column};
 use crate::measure::larger;
 use crate::mesh::Order;
-use crate::solve::{Element, Formulation, Iteration};
+use crate::solve::edge_fitted::Sought;
+use crate::solve::{Element, Fitted, Formulation, Iteration, Run};
 use crate::study::random::{Family, GUESS, Sample, Site, family};
 use crate::study::records::{self, Millionths, Survey, Surveyed};
 use crate::study::seconds::quantile;
@@ -28,7 +29,8 @@ pub const SURVEY: Survey<(Site, f64), Record> = Survey {
 };
 
 /// Columns of the record.
-const HEAD: [&str; 9] = ["family", "number", "asked", "met", "estimate", "peak", "half-width", "dofs", "all dofs"];
+const HEAD: [&str; 10] =
+    ["family", "number", "asked", "met", "estimate", "peak", "half-width", "dofs", "largest dofs", "all dofs"];
 
 /// Relative errors asked for.
 pub const ASKED: [f64; 5] = [3e-2, 1e-2, 3e-3, 1e-3, 3e-4];
@@ -89,6 +91,8 @@ pub struct Record {
     pub half_width: Millionths,
     /// Degrees of freedom of the mesh answered.
     pub dofs: usize,
+    /// Those of the largest mesh solved.
+    pub most_dofs: usize,
     /// Those of all meshes solved.
     pub dofs_in_all: usize,
 }
@@ -96,15 +100,15 @@ pub struct Record {
 impl Record {
     /// Of an answer.
     pub fn of(&Site { family, number }: &Site, asked: f64, sample: &Sample, answer: &Answer) -> Self {
-        let [peak, half_width] = accuracy::Quantity::ASKED.map(|quantity| {
-            let each = answer.run.contacts.iter().enumerate();
-            let errors = each.map(|(at, one)| quantity.of(&one.measures) / sample.truth(at, &quantity) - 1.0);
-            let largest = errors.reduce(|a, b| if a.abs() >= b.abs() || a.is_nan() { a } else { b });
-            Millionths(largest.unwrap_or(f64::NAN))
-        });
+        let [peak, half_width] = errors(sample, &answer.run).map(Millionths);
         let (met, estimate) = (answer.unmet.is_none(), Millionths(answer.estimate()));
-        let (dofs, dofs_in_all) = (answer.run.dofs, answer.dofs_in_all());
-        Self { family, number, asked, met, estimate, peak, half_width, dofs, dofs_in_all }
+        let (dofs, most_dofs, dofs_in_all) = (answer.run.dofs, answer.most_dofs(), answer.dofs_in_all());
+        Self { family, number, asked, met, estimate, peak, half_width, dofs, most_dofs, dofs_in_all }
+    }
+
+    /// Dofs of all meshes over those of the largest one.
+    fn search(&self) -> f64 {
+        self.dofs_in_all as f64 / self.most_dofs as f64
     }
 
     /// The larger error of peak and half-width; NaN where either is.
@@ -117,6 +121,15 @@ impl Record {
         let within = self.error() <= self.asked && self.estimate.0 <= self.asked;
         self.met && !within
     }
+}
+
+/// Relative errors of peak and half-width, with sign; the largest ones of several contacts.
+fn errors(sample: &Sample, run: &Run) -> [f64; 2] {
+    accuracy::Quantity::ASKED.map(|quantity| {
+        let each = run.contacts.iter().enumerate();
+        let errors = each.map(|(at, one)| quantity.of(&one.measures) / sample.truth(at, &quantity) - 1.0);
+        errors.reduce(|a, b| if a.abs() >= b.abs() || a.is_nan() { a } else { b }).unwrap_or(f64::NAN)
+    })
 }
 
 /// A scene solved to one accuracy.
@@ -136,13 +149,14 @@ const ITERATED: f64 = 0.01;
 /// The checks.
 pub(super) fn judge(surveyed: &Surveyed<Record>) -> Vec<Judged> {
     let recorded = &surveyed.recorded;
-    vec![surveyed.as_recorded(), right(recorded), near(recorded), consistent(recorded)]
+    let [usual, worst] = thrifty(recorded);
+    vec![surveyed.as_recorded(), right(recorded), near(recorded), consistent(recorded), usual, worst]
 }
 
 /// Whether a fresh answer is the recorded one: mesh and verdict always, errors but for the iteration.
 pub fn is_as_recorded(kept: &Record, fresh: &Record) -> bool {
     let key = |record: &Record| (record.family, record.number, record.asked.to_bits());
-    let found = |record: &Record| (record.met, record.dofs, record.dofs_in_all);
+    let found = |record: &Record| (record.met, record.dofs, record.most_dofs, record.dofs_in_all);
     let alike = |of: fn(&Record) -> Millionths| of(kept).is_like(of(fresh), ITERATED * kept.asked);
     let errors = [|one: &Record| one.estimate, |one: &Record| one.peak, |one: &Record| one.half_width];
     key(kept) == key(fresh) && found(kept) == found(fresh) && errors.into_iter().all(alike)
@@ -181,11 +195,30 @@ pub fn consistent(recorded: &[Record]) -> Judged {
     Check::at_most(quantity, Reference::own("the estimate", 0.0), because).judge(wrong)
 }
 
+/// Dofs of all meshes of a search over those of its largest one: the median, and of any search.
+const SEARCH: [f64; 2] = [3.0, 10.0];
+
+/// What is solved on the way costs no more than a few times the largest mesh.
+pub fn thrifty(recorded: &[Record]) -> [Judged; 2] {
+    let ratios: Vec<f64> = recorded.iter().map(Record::search).collect();
+    let worst = ratios.iter().copied().reduce(larger).unwrap_or(f64::NAN);
+    let because = "the last mesh is solved to judge the one answered; whatever comes before it only finds the contact";
+    let at_most = |what: &'static str, most: f64, found: f64| {
+        let quantity = Quantity::at(what, format!("of {} answers", recorded.len()));
+        Check::at_most(quantity, Reference::own("work", most), because).judge(found)
+    };
+    [
+        at_most("median of the dofs of all meshes over those of the largest one", SEARCH[0], quantile(&ratios, 0.5)),
+        at_most("largest such ratio", SEARCH[1], worst),
+    ]
+}
+
 /// The answers of a family to an accuracy.
 type Row = (Family, f64, Vec<Record>);
 
-/// An answer with cells of any kind, and one with 8-node cells alone, to one accuracy; each with the order of its cells.
-pub type Beside = (&'static str, f64, [(Record, Order); 2]);
+/// An answer with cells of any kind, and one with 8-node cells alone, to one accuracy, each with the order of its cells; and dofs of the cheapest mesh
+/// that the truth allows.
+pub type Beside = (&'static str, f64, [(Record, Order); 2], Option<usize>);
 
 /// Scenes that are solved beside 8-node cells, and what each stands for.
 const BESIDE: [(&str, Family, usize); 8] = [
@@ -212,24 +245,53 @@ pub fn beside() -> Result<Vec<Beside>, Error> {
         let by = |high_order: bool| {
             let asked = Asked { high_order, most_dofs: Some(MOST_BESIDE), ..Asked::new(asked) };
             let answer = accuracy::solve(&sample.scene, &formulation, &asked)?;
-            Ok((Record::of(&site, asked.relative, &sample, &answer), answer.resolution.order))
+            Ok((Record::of(&site, asked.relative, &sample, &answer), answer))
         };
-        Ok((title, asked, [by(true)?, by(false)?]))
+        let [(own, answer), (other, others)] = [by(true)?, by(false)?];
+        let cheapest = cheapest(asked, &sample, &answer);
+        Ok((title, asked, [(own, answer.resolution.order), (other, others.resolution.order)], cheapest))
     };
     all.collect::<Vec<_>>().into_par_iter().map(one).collect()
 }
 
+/// Orders, and most layers, among which the cheapest mesh is sought.
+const CHEAPEST: ([Order; 3], usize) = ([Order::Quartic, Order::Quintic, Order::Sextic], 4);
+
+/// Move of an end on such a mesh that no longer matters, over what is asked.
+const AT_REST: f64 = 0.1;
+
+/// Dofs of the cheapest fitted mesh, of those that have fewer than the one answered, whose true error is within what is asked.
+fn cheapest(asked: f64, sample: &Sample, answer: &Answer) -> Option<usize> {
+    let (orders, layers) = CHEAPEST;
+    let Answer { scene, run, .. } = answer;
+    let meshes = orders.into_iter().flat_map(|order| (0..=layers).map(move |layers| Fitted::of(order, layers)));
+    // One with as many dofs is not solved.
+    let permits = |dofs: usize| match dofs < run.dofs {
+        true => Ok(()),
+        false => Err(Error::at(scene.name.as_str(), "it has as many dofs", "take a coarser mesh")),
+    };
+    let near = Sought { is_near: true, permits: &permits, ..Sought::new(scene, &run.formulation, AT_REST * asked) };
+    let within = meshes.filter_map(|mesh| {
+        let run = mesh.around(run, &near).ok()?.run;
+        errors(sample, &run).iter().all(|error| error.abs() <= asked).then_some(run.dofs)
+    });
+    within.min()
+}
+
 /// The table of them.
-const COLUMNS_BESIDE: [Column<Beside>; 9] = [
+const COLUMNS_BESIDE: [Column<Beside>; 10] = [
     ("scene", |(title, ..)| (*title).into()),
-    ("asked", |(_, asked, _)| format!("{} %", accuracy::in_percent(*asked))),
-    ("met", |(.., [(own, _), _])| answered(own)),
-    ("cells", |(.., [(_, order), _])| format!("{}-node", order.nodes_per_cell())),
-    ("error over asked", |(.., [(own, _), _])| format!("{:.2}", own.error() / own.asked)),
-    ("dofs", |(.., [(own, _), _])| own.dofs.to_string()),
-    ("of all meshes", |(.., [(own, _), _])| own.dofs_in_all.to_string()),
-    ("8-node cells: met", |(.., [_, (other, _)])| answered(other)),
-    ("dofs of theirs, of all meshes", |(.., [_, (other, _)])| format!("{}, {}", other.dofs, other.dofs_in_all)),
+    ("asked", |(_, asked, ..)| format!("{} %", accuracy::in_percent(*asked))),
+    ("met", |(.., [(own, _), _], _)| answered(own)),
+    ("cells", |(.., [(_, order), _], _)| format!("{}-node", order.nodes_per_cell())),
+    ("error over asked", |(.., [(own, _), _], _)| format!("{:.2}", own.error() / own.asked)),
+    ("dofs", |(.., [(own, _), _], _)| own.dofs.to_string()),
+    ("of the cheapest mesh that the truth allows", |(.., [(own, _), _], cheapest)| {
+        cheapest.unwrap_or(own.dofs).to_string()
+    }),
+    ("of all meshes", |(.., [(own, _), _], _)| own.dofs_in_all.to_string()),
+    ("8-node cells: met", |(.., [_, (other, _)], _)| answered(other)),
+    ("dofs of theirs, of all meshes", |(.., [_, (other, _)], _)| format!("{}, {}", other.dofs, other.dofs_in_all)),
 ];
 
 fn answered(own: &Record) -> String {
@@ -237,7 +299,7 @@ fn answered(own: &Record) -> String {
 }
 
 /// The table of answers.
-const COLUMNS: [Column<Row>; 9] = [
+const COLUMNS: [Column<Row>; 10] = [
     ("scenes", |(family, ..)| family.title().into()),
     ("asked", |(_, asked, _)| format!("{} %", 100.0 * asked)),
     ("answers", |(.., own)| own.len().to_string()),
@@ -247,6 +309,9 @@ const COLUMNS: [Column<Row>; 9] = [
     ("largest error over its estimate", |(.., own)| largest(met(own).map(|one| one.error() / one.estimate.0))),
     ("dofs, median", |(.., own)| median(own, |one| one.dofs)),
     ("of all meshes, median", |(.., own)| median(own, |one| one.dofs_in_all)),
+    ("these over the largest mesh, median", |(.., own)| {
+        format!("{:.1}", quantile(&own.iter().map(Record::search).collect::<Vec<_>>(), 0.5))
+    }),
 ];
 
 fn met(own: &[Record]) -> impl Iterator<Item = &Record> {
@@ -269,6 +334,8 @@ pub(super) fn section(surveyed: &Surveyed<Record>, beside: &[Beside]) -> String 
         let is_own = |record: &&Record| record.family == family && record.asked.to_bits() == asked.to_bits();
         (family, asked, recorded.iter().filter(is_own).cloned().collect())
     };
+    let over = |(.., [(own, _), _], cheapest): &Beside| own.dofs as f64 / cheapest.unwrap_or(own.dofs) as f64;
+    let over_cheapest: Vec<f64> = beside.iter().map(over).collect();
     let rows: Vec<Row> = families().flat_map(|family| ASKED.map(|asked| (family, asked))).map(row).collect();
     format!(
         include_str!("met.md"),
@@ -277,6 +344,10 @@ pub(super) fn section(surveyed: &Surveyed<Record>, beside: &[Beside]) -> String 
         surveyed = surveyed.told(),
         families = markdown::columns(&COLUMNS, &rows),
         most_beside = MOST_BESIDE,
+        orders = CHEAPEST.0.map(|order| order.number().to_string()).join(", "),
+        layers = CHEAPEST.1,
+        usual = quantile(&over_cheapest, 0.5),
+        worst = over_cheapest.iter().copied().fold(0.0, larger),
         beside = markdown::columns(&COLUMNS_BESIDE, beside)
     ) + "\n"
 }
