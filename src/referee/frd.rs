@@ -328,10 +328,10 @@ impl Plane {
         Some(())
     }
 
-    /// Turns the vector of a node of a sector into the plane.
+    /// Turns the vector of a node of a sector into the plane, but for what it has across that, which tells nothing.
     fn turn(&self, number: usize, vector: &mut [f64]) {
         if let (Some([cosine, sine]), [u, _, w, ..]) = (self.turned.get(&number), vector) {
-            (*u, *w) = (cosine * *u + sine * *w, cosine * *w - sine * *u);
+            *u = cosine * *u + sine * *w;
         }
     }
 

@@ -304,6 +304,7 @@ fn percentages_are_read_and_nothing_else_is() {
     for text in ["0.1", "%", "0 %", "-1 %", "nan %", "inf %", "21 %", "1e-5 %", "one %", "", "0.1 % "] {
         assert_eq!(percentage(text).is_ok(), text == "0.1 % ", "{text}");
     }
+    assert_eq!(percentage("21 %"), Err("it must lie between 0.0001 % and 20 %".into()));
 }
 
 #[test]

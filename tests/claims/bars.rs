@@ -201,6 +201,39 @@ fn approach_and_displacement_that_are_prescribed_are_exact() {
 const PUSHED: &str = "supports = [{ at = \"far\", component = \"y\", value = -0.01 }, ";
 
 #[test]
+fn bars_over_their_numbers_depend_neither_on_the_unit_of_force_nor_on_that_of_length() {
+    // A push is prescribed: pressures are as large as the modulus makes them.
+    let of = |young: f64, size: f64| {
+        let pushed = format!("supports = [{{ at = \"far\", component = \"y\", value = {:e} }}, ", -0.01 * size);
+        let side = 10.0 * size;
+        let changes = [
+            ["loads = [{ traction = { at = \"far\", value = [60, -100] } }]", ""],
+            ["supports = [", &pushed],
+            ["young = 1e5", &format!("young = {young:e}")],
+            ["x = [0, 10], y = [0, 10]", &format!("x = [0, {side:e}], y = [0, {side:e}]")],
+            ["parabola = 500", &format!("parabola = {:e}", 500.0 * size)],
+            ["stretch = 5", &format!("stretch = {:e}", 5.0 * size)],
+            ["per = 1", &format!("per = {size:e}")],
+        ];
+        let formulation = Formulation::verification();
+        let answer = Fitted::of(Order::Sextic, 1).solve(&scene("pressed-corner", &changes).scene, &formulation);
+        let answer = answer.expect("solved");
+        bars(&answer.discretisation, &answer.run, &[]).expect("bars").all
+    };
+    let plain = of(1e5, 1.0);
+    for (young, size) in [(0.1, 1.0), (1e5, 1e-6)] {
+        // Of what is 0, such as the place of the peak, nothing is told.
+        let all =
+            plain.iter().zip(of(young, size)).map(|(one, other)| (&one.quantity, one.relative(), other.relative()));
+        let told: Vec<_> = all.filter(|(_, own, _)| *own < 1.0).collect();
+        assert!(told.len() > 8 && told.iter().any(|(one, ..)| **one == Quantity::Resultant), "{told:?}");
+        for (quantity, own, other) in told {
+            assert!((own - other).abs() <= 1e-2 * own + 1e-9, "{young}, {size}, {quantity:?}: {own:e} and {other:e}");
+        }
+    }
+}
+
+#[test]
 fn a_thin_ring_whose_forces_round_off_takes_has_bars_that_hold() {
     let scene = scene("thin-wheel", &[]).scene;
     let [coarse, fine] = [4, 6].map(|digits| {

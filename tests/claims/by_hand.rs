@@ -161,6 +161,15 @@ fn forces_of_an_even_pressure_on_rings_are_that_pressure_at_every_node() {
         0.5 * TAU * 4.0,
         max_relative = 1e-12
     );
+    // The edges are rings, π(b² − a²); in the plane they are as wide as the body is thick.
+    for (edge, two) in profile.edges.iter().zip(RADII.windows(2)) {
+        assert_relative_eq!(edge.weight, 0.5 * TAU * (two[1] * two[1] - two[0] * two[0]), max_relative = 1e-12);
+    }
+    let mut plane = find("truncated-hertz", None).expect("a case").scene;
+    plane.thickness = 2.5;
+    for (edge, two) in Profile::of(&plane, &handed).edges.iter().zip(RADII.windows(2)) {
+        assert_relative_eq!(edge.weight, 2.5 * (two[1] - two[0]), max_relative = 1e-12);
+    }
 }
 
 #[test]

@@ -85,6 +85,8 @@ fn our_own_answer_is_judged_as_what_solve_says_on_every_case() {
     for (name, _) in NAMES {
         let truth = crate::workbench::truth(name);
         let discretisation = Discretisation::of(truth.case.scene.clone(), truth.case.resolution).expect("meshed");
+        // What it is judged by has elements half as large.
+        assert_eq!(truth.discretisation.resolution.refinement, truth.case.resolution.refinement + 1, "{name}");
         for element in [Element::Node, Element::Line] {
             let run = Run::of(&discretisation, &Formulation::new(element, Iteration::Kinematic).tolerance(1e-8));
             let run = run.expect("solved");

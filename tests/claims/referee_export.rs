@@ -36,7 +36,7 @@ fn scene_of([body, contact]: [&str; 2], file: &str, path: &str) -> String {
 fn exported_meshes_are_read_back_by_our_own_gmsh_reader_as_they_were() {
     let folder = tempfile::tempdir().expect("a folder");
     for (name, _) in NAMES {
-        for order in [Order::Linear, Order::Quadratic] {
+        for order in [Order::Linear, Order::Quadratic, Order::Biquadratic] {
             let case = find(name, None).expect("a case");
             let mesh = Mesh::of(&case.scene, Resolution { order, ..case.resolution }).expect("meshed");
             std::fs::write(folder.path().join("mesh.msh"), gmsh::text(&case.scene, &mesh)).expect("written");

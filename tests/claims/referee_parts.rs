@@ -147,6 +147,7 @@ fn edges_of_a_document_reach_from_its_first_point_to_its_last() {
         (&[[0.0, 0.5], [1.0, 2.0]], "reaches from 0.5 to 1"),
         (&[[0.0, 1.0], [0.0, 1.0], [1.0, 2.0]], "reaches from 1 to 0"),
         (&[[-1.0, 0.0], [0.0, 1.0], [1.0, 2.0]], "reaches from 0 to -1"),
+        (&[[0.0, 1.0], [1.0, 2.0], [2.0, 3.0]], "reaches from 3 to 2"),
     ] {
         refused("theirs.json", text(edges), &usual(), &["contacts[0].edges", named]);
     }
