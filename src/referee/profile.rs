@@ -56,11 +56,13 @@ impl Profile {
         };
         let mut points: Vec<PointState> = handed.points.iter().zip(&areas).map(state).collect();
         let has_means = !plain.edges.is_empty();
+        let on_axis = scene.is_around_axis(handed.contact) && lends_to_axis(&mut points, handed);
+        // What a node on the axis is said to press with by one who says that it has no area is none: it had nothing to divide its force by.
+        let lent = usize::from(on_axis && plain.points[0].area.is_some());
         let alone = match plain.forces || has_means {
-            false => plain.points.iter().map(|point| [point.position, point.value]).collect(),
+            false => plain.points[lent..].iter().map(|point| [point.position, point.value]).collect(),
             true => Vec::new(),
         };
-        let on_axis = scene.is_around_axis(handed.contact) && lends_to_axis(&mut points, handed);
         let edges =
             if handed.edges.is_empty() { means(&scene, pair, &points, handed.order) } else { handed.edges.clone() };
         points.drain(..usize::from(on_axis));

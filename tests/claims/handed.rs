@@ -12,8 +12,9 @@ use contact_vv::referee::{Answer, Asked, Truth, Verdicts, read, verdicts};
 pub const PRESSURES: &str = "position [mm],pressure [MPa]";
 
 /// A table of two columns.
-pub fn table(columns: &str, rows: impl IntoIterator<Item = [f64; 2]>) -> String {
-    let rows: String = rows.into_iter().map(|[place, value]| format!("{place:e},{value:e}\n")).collect();
+pub fn table<const N: usize>(columns: &str, rows: impl IntoIterator<Item = [f64; N]>) -> String {
+    let line = |row: [f64; N]| row.map(|value| format!("{value:e}")).join(",") + "\n";
+    let rows: String = rows.into_iter().map(line).collect();
     format!("{columns}\n{rows}")
 }
 

@@ -106,6 +106,19 @@ fn forces_and_pressures_of_rings_add_up_to_the_whole_load() {
 }
 
 #[test]
+fn a_node_on_the_axis_that_has_no_area_has_no_pressure_to_judge() {
+    let (truth, _, run) = solved();
+    let own = run.solution.points_of(0).iter().map(|point| [point.position, point.pressure, point.weight]);
+    // Scripts divide its force by nothing, and write 0.
+    let text = table("position [mm],pressure [MPa],area [mm2]", std::iter::once([0.0; 3]).chain(own));
+    let found = judged_as(&truth, "theirs.csv", &text, &by_nodes());
+    assert!(found.met() && found.mistakes.is_empty(), "{:?}", failed(&found));
+    // One with an area of its own presses with nothing.
+    let spoiled = text.replacen("\n0e0,0e0,0e0\n", "\n0e0,0e0,1e-3\n", 1);
+    assert!(spoiled != text && !judged_as(&truth, "theirs.csv", &spoiled, &by_nodes()).met());
+}
+
+#[test]
 fn usual_mistakes_on_bodies_of_revolution_are_named() {
     let (truth, _, run) = solved();
     let cube = TAU.cbrt();
