@@ -313,6 +313,26 @@ fn what_one_cell_over_half_a_ring_leaves_is_in_the_bars() {
 }
 
 #[test]
+fn a_rim_that_ends_with_its_candidates_is_as_wide_as_it_is_known_where_it_begins() {
+    let text = r#"title = "disc on its rim"
+plane = "axisymmetric"
+body = [{ name = "disc", young = 210e3, poisson = 0.3, shape = { rectangle = { x = [0, 3], y = [0, 2], contact = "bottom" } },
+    loads = [{ traction = { at = "far", force = [0, -500] } }] }]
+contact = { first = "disc", gap = { table = [[0, 0.003], [3, 0]] }, stretch = 3 }
+reference = { gap = 0.003 }
+mesh = { elements = 32, per = 3, growth = { along = 1.0, depth = 1.0 } }
+"#;
+    let on = |text: &str| crate::balance::barred(&parsed(text), &Formulation::verification());
+    let (fine, _) = on(&text.replace("elements = 32", "elements = 96"));
+    let (coarse, bars) = on(text);
+    for (quantity, least) in [(Quantity::HalfWidth, 1e-3), (Quantity::Begin(0), 2e-3)] {
+        let [coarse, fine] = [&coarse, &fine].map(|run| quantity.of(run.measures()));
+        let (error, bar) = ((coarse - fine).abs(), bars.of(0, &quantity).expect("a bar").total());
+        assert!(error > least && error <= bar, "{}: {error} beyond {bar}", quantity.key());
+    }
+}
+
+#[test]
 fn peaks_contain_what_a_force_that_statics_do_not_give_leaves() {
     let was = "stretch = 0.3\noracle = { hertz = { load = 900, radius = 5 } }\n[mesh]\nelements = 12";
     let is = "stretch = 0.1\n[mesh]\ngrowth = { along = 1.3, depth = 1.3, coarsest = 0.1 }\nelements = 16";

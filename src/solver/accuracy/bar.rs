@@ -332,7 +332,8 @@ fn of_candidates(run: &Run, contact: usize, quantity: &Quantity, sizes: &[f64]) 
         Quantity::End(k) => within(*k, 1),
         Quantity::HalfWidth => {
             let end = within(stretches.len().checked_sub(1)?, 1)?;
-            let begin = if run.contacts[contact].measures.across { within(0, 0)? } else { end };
+            let begins = run.contacts[contact].measures.across || stretches.first()?.begins_within();
+            let begin = if begins { within(0, 0)? } else { end };
             Some(0.5 * (begin + end))
         }
         _ => None,
