@@ -212,12 +212,12 @@ fn matrix_types_of_libraries_stay_inside_the_numerics() {
 
 /// Lines that a room may have; raised only by a commit that says what for.
 const BUDGETS: [(&str, usize); 9] = [
-    ("solver", 22_867),
+    ("solver", 22_887),
     ("drawing", 2_945),
     ("case", 8_233),
     ("oracle", 1_436),
-    ("study", 14_886),
-    ("referee", 6_622),
+    ("study", 14_740),
+    ("referee", 6_624),
     ("report", 3_032),
     ("cli", 4_711),
     ("live", 490),
