@@ -37,8 +37,8 @@ impl Study for Numbers {
         title: "Where methods fail",
         asked: "How many iterations every method takes from each initial stiffness, and from which it ends right, over candidates, meshes and \
                 scenes.",
-        limits: "Scenes of one contact in the plane, without friction; what of this holds for bodies of revolution is computed in \
-                 [Predicted against measured](stability.md#bodies-of-revolution). Beyond the surveyed range nothing is known.",
+        limits: "Scenes of one contact, without friction, in the plane and of one body of revolution. Beyond the surveyed range nothing is \
+                 known.",
     };
 
     /// One trial a plane, and one a scene of the paper.
@@ -73,6 +73,10 @@ impl Study for Numbers {
             methods = methods(&digests),
             stretch = picture("atlas-stretch.svg", stretch),
             mesh = picture("atlas-mesh.svg", "The same over initial stiffness and mesh"),
+            sphere = picture(
+                "atlas-sphere.svg",
+                "The same on a body of revolution, over initial stiffness and candidate surface"
+            ),
             predictions = predictions(&charts)
         );
         Ok(page + "\n\n" + &in_the_paper(findings))

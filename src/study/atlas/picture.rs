@@ -172,8 +172,9 @@ fn map(chart: &Chart) -> Drawing {
     let on_each = |method: Method| Element::ALL.map(|element| panel(Method { element, ..method }));
     let limit = Settings::default().max_iterations;
     let [quick, ordinary] = QUICK;
+    let scene = if chart.plane == Plane::Sphere { "the truncated sphere" } else { "truncated Hertz" };
     ClassMap {
-        title: format!("How runs end on truncated Hertz: {} against initial stiffness", chart.plane.label()),
+        title: format!("How runs end on {scene}: {} against initial stiffness", chart.plane.label()),
         axes: ["initial stiffness κ₀ [–]".into(), chart.plane.label().into()],
         panels: Method::of(Element::Node).into_iter().flat_map(on_each).collect(),
         columns: 3,

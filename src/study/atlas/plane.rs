@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::algorithm::{StiffnessRule, StiffnessUnit};
 use crate::case::Case;
-use crate::case::library::{Cylinder, PinRod, TruncatedHertz};
+use crate::case::library::{Cylinder, Indented, PinRod, TruncatedHertz};
 use crate::error::Error;
 use crate::markdown;
 use crate::mesh::Resolution;
@@ -28,12 +28,14 @@ const PIN_ROD_ELEMENTS: usize = 12;
 
 named_enum! {
     /// Initial stiffness against one other number, all else at the centre: truncated Hertz, candidates to 1.9 half-widths, 8
-    /// elements per half-width. The two full planes first, then the scenes of the paper; the name is that of the record.
+    /// elements per half-width. The full planes first, then the scenes of the paper; the name is that of the record.
     pub enum Plane {
         /// Candidate stretch over the half-width.
         Stretch = "stretch",
         /// Elements per half-width.
         Mesh = "mesh",
+        /// Candidate stretch over the radius of the contact, of the truncated sphere.
+        Sphere = "sphere",
         /// The cylinder.
         Cylinder = "cylinder",
         /// The pin-rod.
@@ -50,6 +52,7 @@ impl Plane {
         match self {
             Self::Stretch => ("L/a", &[1.0, 1.3, 1.6, STRETCH, 2.4, 3.1, 4.0]),
             Self::Mesh => ("elements per a", &[4.0, 6.0, 8.0, 12.0, 16.0]),
+            Self::Sphere => ("L/a", &[1.3, STRETCH, 3.1]),
             Self::Cylinder => ("elements per a", &[ELEMENTS as f64]),
             Self::PinRod => ("elements per 10 mm", &[PIN_ROD_ELEMENTS as f64]),
         }
@@ -62,7 +65,7 @@ impl Plane {
 
     /// Whether it has many values of both numbers.
     pub fn is_full(self) -> bool {
-        [Self::Stretch, Self::Mesh].contains(&self)
+        !Self::PAPER.contains(&self)
     }
 
     /// Initial stiffnesses over twelve decades, by halves of them.
@@ -80,11 +83,14 @@ impl Plane {
         self.sites().into_iter().flat_map(|site| Method::all().into_iter().map(move |method| (site, method))).collect()
     }
 
-    /// The case that the library has of it, or truncated Hertz with such candidates.
+    /// The case that the library has of it, or truncated Hertz or sphere with such candidates.
     pub fn case(self, stretch: f64) -> Case {
         match self {
             Self::Cylinder => Cylinder::default().case(),
             Self::PinRod => PinRod::default().case(),
+            Self::Sphere => {
+                Indented { stretch, ..Indented::by_sphere(0.05) }.case("truncated-sphere", "truncated sphere")
+            }
             _ => TruncatedHertz { stretch, ..Default::default() }.case(),
         }
     }
@@ -108,7 +114,7 @@ impl Site {
     /// The case on its mesh.
     pub fn case(&self) -> Case {
         let (stretch, elements) = match self.plane {
-            Plane::Stretch => (self.ordinate, ELEMENTS),
+            Plane::Stretch | Plane::Sphere => (self.ordinate, ELEMENTS),
             Plane::Mesh | Plane::Cylinder | Plane::PinRod => (STRETCH, self.ordinate as usize),
         };
         let case = self.plane.case(stretch);
@@ -339,7 +345,7 @@ pub fn recommendation(digests: &[Digest]) -> String {
         fewest.into_iter().chain(constant).chain(Element::ALL.into_iter().filter_map(of_element)).collect();
     let mut text = format!(
         "Names are `element.algorithm.rule`: what is pressed, how its stiffness changes, and by which formula; `+` is what the program adds \
-         to the paper's. From {points} runs over candidate surface, mesh and both paper scenes, {predicted} of them beside a prediction:\n\n{}",
+         to the paper's. From {points} runs over candidate surface, mesh, a body of revolution and both paper scenes, {predicted} of them beside a prediction:\n\n{}",
         markdown::table(&ADVICE.map(|(head, _)| head.into()), &merged(&rows))
     );
     let usual = Formulation::verification();

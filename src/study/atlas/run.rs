@@ -181,10 +181,12 @@ impl<'a> Ground<'a> {
         let tolerance = formulation.settings.tolerance;
         let (rate, iterations) = match (method.algorithm, method.rule) {
             (Iteration::Kinematic, StiffnessRule::Switching) => {
-                let stretch = self.discretisation.scene.contact().stretch;
+                let scene = &self.discretisation.scene;
+                let stretch = scene.contact().stretch;
                 let spacing = stretch / (self.discretisation.interfaces[0].nodes.len() - 1) as f64;
                 let edge = limit.edge(&problem).max(spacing);
-                return Some(halving::iterations(stretch, edge, spacing, formulation.stiffness) as f64);
+                let law = if scene.is_of_revolution() { halving::of_revolution } else { halving::iterations };
+                return Some(law(stretch, edge, spacing, formulation.stiffness) as f64);
             }
             (Iteration::Constant, StiffnessRule::Correction) => {
                 let iterations = linear::iterations(&problem, limit, IterationError::largest, tolerance);
@@ -226,6 +228,9 @@ pub(super) fn saved(scene: Plane) -> Result<Numbers, Error> {
 pub(super) const FACTOR: f64 = 2.5;
 /// Iterations within which the halving law is met.
 pub(super) const HALVINGS: f64 = 1.0;
+/// From this κ₀ on starts are hard of a body of revolution too: where soft ones cease is known of plane scenes, and on candidates that are
+/// little longer than the contact of the sphere κ₀ = 1 is still as soft.
+const HARD: f64 = 10.0;
 /// Fewer iterations than this are over before a rate matters.
 const FEW: usize = 20;
 
@@ -347,11 +352,12 @@ fn predicted(chart: &Chart) -> Vec<Judged> {
     vec![never_converge, always_converge, in_iterations]
 }
 
-/// Kinematic load on nodes against the halving law; soft starts not where their threshold was taken. The last closed point of the
+/// Kinematic load on nodes against the halving law; soft starts not where their threshold was taken, nor of bodies of revolution. The last closed point of the
 /// pin–rod is that of the solved contact.
 fn halved(chart: &Chart) -> Judged {
     let (which, least) = match chart.plane {
         Plane::Cylinder | Plane::PinRod => ("any start", 0.0),
+        Plane::Sphere => ("hard starts", HARD),
         Plane::Stretch | Plane::Mesh => ("starts that are not soft", SOFT),
     };
     let switching = chart.of_method(Method::usual(Element::Node, Iteration::Kinematic)).flatten();

@@ -1,14 +1,12 @@
-//! Predicted against measured, one iteration at a time; in a folder, since its five predictions have little in common.
+//! Predicted against measured, one iteration at a time; in a folder, since its four predictions have little in common.
 //!
 //! * `rates` — asymptotic rates of constant and varying stiffness, a posteriori and by Hertz's closed form alone.
-//! * `revolution` — what the atlas says of plane scenes, on bodies of revolution.
 //! * `springs` — constant stiffness towards given springs, varying stiffness next to the contact.
 //!
 //! Below is the page, whose text is `page.md`. Each prediction is made and measured by a function, judged by `judge_…` and shown by `table_of_…`. Rules that fail,
 //! and the halving law of kinematic load, are those of the atlas.
 
 pub mod rates;
-pub mod revolution;
 pub mod springs;
 
 use crate::case::Judged;
@@ -18,7 +16,6 @@ use crate::solve::{Element, Iteration};
 use crate::study::about::{About, Found, Planned, Study};
 use crate::study::method::Method;
 use rates::{Before, Rate, SCENES};
-use revolution::Revolved;
 use springs::{Basin, Towards};
 
 /// What came out of a trial.
@@ -28,8 +25,6 @@ pub enum Numbers {
     Rates(Vec<Rate>),
     /// Rates of varying stiffness before anything is solved.
     Before(Vec<Before>),
-    /// Bodies of revolution.
-    Revolved(Vec<Revolved>),
     /// Constant stiffness towards fixed springs.
     Towards(Vec<Towards>),
     /// Varying stiffness with `correction`.
@@ -58,10 +53,6 @@ impl Study for Numbers {
             let run = move || rates::before(stretched).map(Numbers::Before);
             Planned::new("rate of varying stiffness before the contact is solved", name, run)
         }));
-        trials.extend(revolution::SCENES.map(|(name, scene)| {
-            let run = move || revolution::revolved(scene).map(Numbers::Revolved);
-            Planned::new("laws of the plane on bodies of revolution", name, run)
-        }));
         trials.extend(by_element("constant stiffness, fixed target springs", |e| {
             springs::towards(e).map(Numbers::Towards)
         }));
@@ -76,7 +67,6 @@ impl Study for Numbers {
         Ok(match self {
             Numbers::Rates(starts) => rates::judge_rates(starts),
             Numbers::Before(meshes) => vec![rates::judge_before(meshes)],
-            Numbers::Revolved(rows) => revolution::judge_revolved(rows),
             Numbers::Towards(starts) => springs::judge_towards(starts),
             Numbers::Basin(starts) => vec![springs::judge_basin(starts)],
         })
@@ -84,13 +74,12 @@ impl Study for Numbers {
 
     /// A subsection for each prediction.
     fn section(findings: &[Found<Self>]) -> Result<String, Error> {
-        let (mut rates, mut before, mut basin, mut revolved) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+        let (mut rates, mut before, mut basin) = (Vec::new(), Vec::new(), Vec::new());
         let mut towards = String::new();
         for Found { case, name, numbers, .. } in findings {
             match numbers {
                 Numbers::Rates(starts) => rates.extend(starts.iter().map(|start| (*name, start))),
                 Numbers::Before(meshes) => before.extend(meshes.iter().map(|mesh| (*name, mesh))),
-                Numbers::Revolved(rows) => revolved.extend(rows.iter().map(|row| (*name, row))),
                 Numbers::Basin(starts) => basin.extend(starts.iter().map(|start| (*name, start))),
                 Numbers::Towards(starts) => {
                     let title = format!("{case}, {name}: starts κ₀ from 1e-6 to 1e6 by how they end");
@@ -98,14 +87,13 @@ impl Study for Numbers {
                 }
             }
         }
-        let page = format!(
+        Ok(format!(
             include_str!("page.md"),
             towards = towards,
             rates = rates::table_of_rates(&rates),
             before = rates::table_of_before(&before),
             basin = springs::table_of_basin(&basin)
-        );
-        Ok(page + "\n" + &revolution::table_of_revolved(&revolved))
+        ))
     }
 }
 
