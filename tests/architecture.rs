@@ -216,7 +216,7 @@ const BUDGETS: [(&str, usize); 9] = [
     ("drawing", 2_945),
     ("case", 8_233),
     ("oracle", 1_436),
-    ("study", 14_740),
+    ("study", 14_743),
     ("referee", 6_624),
     ("report", 3_032),
     ("cli", 4_711),
