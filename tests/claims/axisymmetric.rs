@@ -169,6 +169,10 @@ fn means_over_rings_are_means_over_their_areas() {
     let hertz = of_rings(43, 2.0, force);
     assert_relative_eq!(hertz.peak.pressure, 1.0, max_relative = 1e-5);
     assert_relative_eq!(hertz.pressure_at_origin, 1.0, max_relative = 1e-5);
+    // The force beyond r is (1 − r²)^{3/2}, whose 2/3-th power falls along a line over r² from the axis on, however few the rings.
+    for (count, radius) in [(43, 2.0), (5, 1.6), (6, 1.3), (8, 1.3)] {
+        assert_relative_eq!(of_rings(count, radius, force).edge(), 1.0, max_relative = 1e-9);
+    }
 }
 
 /// Largest errors of `[σ_r, σ_θ, σ_z]` of a ring under inner pressure, of so many cells across, over the pressure.

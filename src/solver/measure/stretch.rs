@@ -88,19 +88,23 @@ fn one(pair: &ContactPair, part: Part, floor: f64, [from, to]: [usize; 2]) -> St
 /// Where a contact ends on edges that are all pressed, in the order towards that end, the last ones by less than a floor \[mm, or rad\].
 ///
 /// Near a smooth end `p ∝ √(a − s)`, so that the force beyond s, `F = ∫ p ds`, goes with `(a − s)^{3/2}`: `F^{2/3}` at the
-/// corners of the last edges, as a polynomial through up to three of them, vanishes at a. The edge in which the contact ends
-/// has felt the end most and is left out where there are enough others.
+/// corners of the last edges, as a polynomial through up to three of them, vanishes at a. Of rings it is one of the squares of their radii,
+/// with which Hertz's goes all the way from the axis. The edge in which the contact ends has felt the end most and is left out where there
+/// are enough others.
 fn end(edges: &[EdgeState], less: usize) -> f64 {
     let Some(last) = edges.len().checked_sub(1) else { return f64::NAN };
     let beyond = |from: usize| -> f64 { edges[from..].iter().map(|edge| edge.measure() * edge.pressure).sum() };
     let newest = if last >= 3 { last - 1 } else { last };
+    let axis = edges[last].axis;
+    let place = |s: f64| axis.map_or(s, |axis| (s - axis).powi(2));
     let nodes: Vec<[f64; 2]> =
-        (newest.saturating_sub(2)..=newest).map(|k| [beyond(k).powf(2.0 / 3.0), edges[k].ends[0]]).collect();
+        (newest.saturating_sub(2)..=newest).map(|k| [beyond(k).powf(2.0 / 3.0), place(edges[k].ends[0])]).collect();
     let at_zero = (0..nodes.len()).map(|i| {
         let others = (0..nodes.len()).filter(|&k| k != i);
         others.fold(nodes[i][1], |term, k| term * nodes[k][0] / (nodes[k][0] - nodes[i][0]))
     });
     let found: f64 = at_zero.sum();
+    let found = axis.map_or(found, |axis| axis + found.sqrt().copysign(edges[last].ends[1] - axis));
     // One edge alone, or a profile that does not end smoothly, says no more than where the last edge is.
     let ([low, _], [begin, end]) = (edges[last - less].ends, edges[last].ends);
     if nodes.len() > 1 && found.is_finite() { found.clamp(low, end + (end - begin)) } else { end }
