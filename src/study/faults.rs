@@ -101,7 +101,8 @@ impl Study for Numbers {
             of_truths = of_truths,
             all = faults.len(),
             faults = markdown::columns(&columns, &faults),
-            rooms = markdown::columns(&ROOMS, &rooms()?)
+            rooms = markdown::columns(&ROOMS, &rooms()?),
+            fuzzed = markdown::columns(&FUZZED, &fuzzed()?)
         ))
     }
 }
@@ -113,6 +114,15 @@ const ROOMS: [Column<Room>; 5] = [
     ("equivalent", |room| room.equivalent.to_string()),
     ("caught by any test", |room| room.by_claims.shown()),
     ("by truths alone", |room| room.by_truths.shown()),
+];
+
+/// The table of fuzz targets.
+const FUZZED: [Column<Fuzzed>; 5] = [
+    ("fuzz target", |one| format!("`{}`", one.target)),
+    ("executions", |one| one.executions.to_string()),
+    ("edges of code reached", |one| one.edges_covered.to_string()),
+    ("inputs that broke it", |one| one.broke.to_string()),
+    ("sources", |one| one.entry.shown()),
 ];
 
 /// The recorded faults; refused where one of them is no longer the one that the list has.
@@ -259,6 +269,23 @@ pub fn rooms() -> Result<Vec<Room>, Error> {
     let file = root().join(file);
     let mut record: serde_json::Value = read_json(&file, renew)?;
     serde_json::from_value(record["rooms"].take()).map_err(|error| Error::unreadable(&file, error, renew))
+}
+
+/// What libFuzzer found of a reader (`tests/fuzz/run.py`).
+#[derive(Clone, Debug, Deserialize)]
+pub struct Fuzzed {
+    target: String,
+    executions: usize,
+    edges_covered: usize,
+    broke: usize,
+    #[serde(flatten)]
+    entry: Entry,
+}
+
+/// The record of fuzz targets.
+fn fuzzed() -> Result<Vec<Fuzzed>, Error> {
+    let [_, Made { file, renew, .. }, _] = MADE;
+    Ok(read_json::<Record<Fuzzed>>(&root().join(file), renew)?.record)
 }
 
 impl Made {
