@@ -346,7 +346,7 @@ fn scaled(handed: &Handed, pressure: f64, place: f64, area: f64) -> Handed {
         ends: edge.ends.map(|end| place * end),
         weight: area * edge.weight,
         pressure: pressure * edge.pressure,
-        axis: edge.axis.map(|axis| place * axis),
+        axis: edge.axis,
     };
     Handed {
         points: handed.points.iter().map(point).collect(),

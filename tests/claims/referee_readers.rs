@@ -524,8 +524,8 @@ fn coded(appended: bool, raw: bool, zlib: bool, wide: bool, ints: &str) -> Vec<u
     let word =
         |word: usize| if wide { (word as u64).to_le_bytes().to_vec() } else { (word as u32).to_le_bytes().to_vec() };
     let code = |bytes: &[u8]| {
-        // Two blocks, of which the last is not full.
-        let size = bytes.len() / 8 / 2 * 8 + 8;
+        // Two blocks, of which the last is not full; or so small ones that each is longer when it is compressed.
+        let size = if wide { 7 } else { bytes.len() / 8 / 2 * 8 + 8 };
         let packed: Vec<Vec<u8>> = bytes
             .chunks(size)
             .map(|block| {
