@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
+use contact_vv::accuracy::{self, Asked};
 use contact_vv::algorithm::ContactProblem;
 use contact_vv::case::{Against, Case, Check, Quantity, Verdict, notes};
 use contact_vv::condensation::stiffness::Stiffness;
@@ -84,6 +85,36 @@ fn contacts_that_do_not_meet_are_what_each_is_alone() {
             }
         }
     }
+}
+
+#[test]
+fn stretches_that_are_guessed_far_too_short_are_lengthened_until_they_hold_the_contacts() {
+    let text = text_of("plate-on-two-supports.toml");
+    for [left, right] in [["0.001", "0.001"], ["0.00001", "5.0"]] {
+        let guessed = |text: &str, guess: &str| text.replacen("stretch = 1.0", &format!("stretch = {guess}"), 1);
+        let scene = parsed(&guessed(&guessed(&text, left), right)).scene;
+        let asked = Asked { high_order: false, ..Asked::new(1e-2) };
+        let answer = accuracy::solve(&scene, &Formulation::verification(), &asked).expect("solved");
+        assert!(answer.unmet.is_none(), "{left}: {:?}", answer.unmet);
+        let [first, .., last] = &answer.tried[..] else { panic!("{:?}", answer.tried) };
+        for k in [0, 1] {
+            let (load, looked, contact) = ([300.0, 600.0][k], first.contacts[k], last.contacts[k]);
+            // a = √(4PR/πE*), and candidates a quarter longer than it was found, by whole elements.
+            let a: f64 = (4.0 * load * 25.0 / (std::f64::consts::PI * 70e3 / (1.0 - 0.33 * 0.33))).sqrt();
+            assert!((contact.half_width / a - 1.0).abs() < 0.02, "{left}: {contact:?}, {a}");
+            assert!((1.2 * a..2.0 * a).contains(&contact.stretch), "{left}: {contact:?}, {a}");
+            assert!(looked.stretch < 4.0 * a || looked.stretch <= 5.0 && k == 1, "{left}: {looked:?}, {a}");
+        }
+    }
+}
+
+#[test]
+fn elements_of_bodies_that_do_not_touch_are_sized_by_their_own_contacts() {
+    let [one, other] = [roller("one", -70.0, -30.0, 210e3), roller("other", 55.0, -18.0, 120e3)];
+    let other = other.map(|text| text.replace("stretch = 2.5", "stretch = 10"));
+    let (first, _) = accuracy::first(&of_parts(&[one, other]).scene);
+    let densities: Vec<f64> = first.bodies.iter().map(|body| body.density).collect();
+    assert_eq!((first.grading.unit, densities), (10.0, vec![4.0, 1.0]));
 }
 
 #[test]

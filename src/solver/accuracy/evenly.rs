@@ -21,11 +21,11 @@ const MARGIN: f64 = 1.25;
 /// By how much candidates are lengthened where the contact reaches their end.
 const LONGER: f64 = 1.5;
 /// Cells of a mesh that only looks where the contacts end.
-const CHEAP: f64 = 5e4;
+const CHEAP: f64 = 1e4;
 /// Elements in a contact from which on a mesh tells where it ends.
 const TOLD: usize = 3;
 /// First meshes.
-const TRIES: usize = 16;
+const TRIES: usize = 48;
 
 /// Whether the mesh of a scene is chosen in this way.
 pub(super) fn applies(scene: &Scene) -> bool {
