@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use contact_vv::accuracy::{self, Asked, Barred, Bars, Quantity, bars};
+use contact_vv::accuracy::{self, Asked, Barred, Bars, Quantity, Told, bars};
 use contact_vv::algorithm::StiffnessRule;
 use contact_vv::case::library::{self, Cylinder};
 use contact_vv::case::{Case, Judged, Scope, Verdict};
@@ -183,6 +183,26 @@ fn numbers_without_a_limit_or_a_meaning_are_not_quoted() {
     assert!(!has("flat-punch", shear));
     // No load and no side along y but those of symmetry, where nothing moves.
     assert!(!has("press-fit", approach) && !has("press-fit", moved));
+}
+
+#[test]
+fn numbers_are_told_of_their_contact_or_body_and_of_their_stretch_where_there_are_several() {
+    let told = |case: &Case| {
+        let (mesh, run) = solved(case, &kinematic());
+        let all = bars(&mesh, &run, &[]).expect("bars").all;
+        let of = |one: &Barred| Told::of(&mesh.scene, &run, one);
+        all.iter().map(of).map(|one| format!("{}: {}", one.of, one.quantity)).collect::<Vec<_>>().join("; ")
+    };
+    let [one, two] = [told(&scene_file::case("two-cylinders")), told(&scene("far-seen", &[]))];
+    for (all, part, is) in [
+        (&one, "steel: largest von Mises", true),
+        (&one, "aluminium: largest shear", true),
+        (&one, "stretch", false),
+        (&two, "end of stretch 1", true),
+        (&two, "begin of stretch 2", true),
+    ] {
+        assert_eq!(all.contains(part), is, "{part}: {all}");
+    }
 }
 
 #[test]

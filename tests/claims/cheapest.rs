@@ -183,6 +183,35 @@ fn bound_that_is_not_reached_changes_nothing() {
 }
 
 #[test]
+fn every_mesh_is_as_much_finer_as_the_bars_before_it_ask_for_and_those_are_told() {
+    let hertz = TruncatedHertz::default().case().scene;
+    let told = Mutex::new(Vec::new());
+    let tell = |next: &Next| told.lock().expect("nobody panicked").push((next.dofs, next.estimate));
+    let asked = Asked { high_order: false, ..Asked::new(1.5e-3) };
+    let answer = accuracy::solve_telling(&hertz, &kinematic(), &asked, &tell).expect("solved");
+    let told = told.into_inner().expect("nobody panicked");
+    let meshes: Vec<_> = answer.tried.iter().filter(|tried| tried.purpose == "mesh").collect();
+    assert!(answer.unmet.is_none() && meshes.len() > 2, "{meshes:?}");
+    // The first has 0.2/√error elements in the contact; bars fall with them to the power of 1.7, and none is more than 2.5 times as fine.
+    let (mut elements, mut by_bars) = ((0.2 / 1.5e-3_f64.sqrt()).ceil(), 0);
+    for (k, mesh) in meshes.iter().enumerate() {
+        // One that is hardly pressed is counted as well.
+        assert!((mesh.elements as f64 - elements).abs() <= 1.0, "{elements}: {mesh:?}");
+        let finer = (mesh.estimate / 1.5e-3).powf(1.0 / 1.7);
+        by_bars += usize::from((1.2..2.4).contains(&finer));
+        elements = (elements * finer.clamp(1.15, 2.5)).ceil();
+        let (_, estimate) = told.iter().find(|(dofs, _)| *dofs == mesh.dofs).expect("told");
+        assert!(k == 0 || (estimate - meshes[k - 1].estimate).abs() <= 0.0, "{estimate} before {mesh:?}");
+    }
+    assert!(by_bars > 0, "{meshes:?}");
+    // The first mesh with bars would have 0.2/√(1e-4) elements: half of them are few enough.
+    let few = Asked { most_cells: 300.0, relative: 1e-4, ..asked };
+    let answer = accuracy::solve(&hertz, &kinematic(), &few).expect("solved");
+    let first = answer.tried.iter().find(|tried| tried.purpose == "mesh").expect("one");
+    assert!([10, 11].contains(&first.elements), "{first:?}");
+}
+
+#[test]
 fn first_mesh_above_the_dofs_allowed_is_refused() {
     let hertz = TruncatedHertz::default().case().scene;
     let asked = Asked { most_dofs: Some(10), ..Asked::new(1e-2) };
