@@ -156,7 +156,6 @@ fn other_algorithms_leave_what_the_mesh_of_kinematic_load_does() {
                 "{family:?}, {algorithm:?}, {:?}: {error:.1e}",
                 one.quantity
             );
-            // The mesh takes four fifths of it at most.
             assert!(one.bar.mesh <= 0.8 * asked * one.value, "{family:?}, {algorithm:?}, {one:?}");
         }
     }

@@ -217,7 +217,6 @@ fn blocks_of_fewer_elements_grow_as_far_as_those_of_more() {
     for (coarse, _) in coarser(&case.scene, case.resolution) {
         let Shape::Blocks(blocks) = &coarse.bodies[0].shape else { panic!("{:?}", coarse.bodies[0].shape) };
         let BlockShape { elements: [across, deep], growth: [along, depth], .. } = blocks[0];
-        // The same over the whole of a side.
         let over = depth.powi(deep as i32) / 1.3_f64.powi(20);
         assert!(deep < 20 && across < 8 && (along - 1.0).abs() <= 1e-12 && (over - 1.0).abs() <= 1e-9, "{blocks:?}");
     }
