@@ -255,7 +255,7 @@ fn blocks_of_rubber_of_any_size_follow_hertz_as_those_of_steel_do_and_within_the
         for poisson in [0.3, 0.45, 0.49, LARGEST_POISSON] {
             for [error, bar] in pressed(plane, poisson, size) {
                 let what = format!("{plane:?}, ν = {poisson}, {size} half-widths: {error:.1e}, bar {bar:.1e}");
-                assert!(error <= 3e-4 && error <= bar + 2e-6, "{what}");
+                assert!(error <= 4e-4 && error <= bar + 2e-6, "{what}");
             }
         }
     }
