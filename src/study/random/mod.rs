@@ -9,8 +9,8 @@
 //!
 //! Sizes, materials, loads and guesses of the candidate stretch are drawn. What the scene is and the closed form is not must stay
 //! far below the errors that are looked at: blocks carry the stresses of the half-plane on their sides, and leave nothing out;
-//! waves are pressed on blocks at least two waves high, e^(−8π) of which nothing is left; cylinders have a/R ≤ 0.005, spheres
-//! ≤ 5e-5 and pins clearances of 1e-6 radii in plates of 1000 radii, which leaves 1e-5 (a test measures all three).
+//! waves are pressed on blocks at least two waves high, e^(−8π) of which nothing is left; cylinders have a/R ≤ 0.005 and pins
+//! clearances of 1e-6 radii in plates of 1000 radii, which leaves 1e-5 (a test measures both).
 
 mod blocks;
 pub mod family;

@@ -25,13 +25,9 @@ const ACROSS: f64 = 2.0;
 /// Radius of the plate's rim, and clearance, over the radius of the pin.
 const PLATE: [f64; 2] = [1000.0, 1e-6];
 
-/// Half-width over the radius of cylinders, of which a half-plane leaves out the square; and of spheres, of which it leaves out up to a fifth of it.
-const WIDE: [f64; 2] = [0.001, 0.005];
-const NARROW: [f64; 2] = [1e-5, 5e-5];
-
 /// A cylinder on a plane, as a quarter or as a half.
 pub fn cylinder(draw: &mut Draw, Material { young, poisson }: Material, guess: f64) -> Sample {
-    let (radius, a_over_r) = (draw.decades(0.1, 1000.0), draw.decades(WIDE[0], WIDE[1]));
+    let (radius, a_over_r) = (draw.decades(0.1, 1000.0), draw.decades(0.001, 0.005));
     let model = match draw.between(0.0, 3.0) {
         third if third < 1.0 => CylinderModel::Quarter,
         third if third < 2.0 => CylinderModel::Half,
@@ -72,7 +68,7 @@ pub fn pin(draw: &mut Draw, material: Material, guess: f64) -> Sample {
 
 /// An elastic cylinder on another one; the gap is the parabola of both, as Hertz has it.
 pub fn cylinders(draw: &mut Draw, upper: Material, guess: f64) -> Sample {
-    let (mut scene, [half_width, radius, above]) = discs(draw, upper, guess, WIDE);
+    let (mut scene, [half_width, radius, above]) = discs(draw, upper, guess);
     let modulus = scene.contact_modulus();
     let hertz = Hertz { load: Hertz::load_for(half_width, radius, modulus), radius, modulus };
     scene.bodies[0].loads = vec![Load::on("cut", Action::Uniform([0.0, -hertz.load / (2.0 * above)]))];
@@ -81,11 +77,11 @@ pub fn cylinders(draw: &mut Draw, upper: Material, guess: f64) -> Sample {
 }
 
 /// Two quarters of discs without a load: half-width of the contact that they are drawn for, relative radius and that of the upper one.
-pub fn discs(draw: &mut Draw, upper: Material, guess: f64, [least, most]: [f64; 2]) -> (Scene, [f64; 3]) {
+pub fn discs(draw: &mut Draw, upper: Material, guess: f64) -> (Scene, [f64; 3]) {
     let lower = Material { young: upper.young * draw.decades(0.1, 10.0), poisson: draw.between(0.0, 0.45) };
     let (above, below) = (draw.decades(0.1, 1000.0), draw.decades(0.3, 3.0));
     let [above, below] = [above, above * below];
-    let half_width = above.min(below) * draw.decades(least, most);
+    let half_width = above.min(below) * draw.decades(0.001, 0.005);
     let radius = 1.0 / (1.0 / above + 1.0 / below);
     let disc = |name: &str, centre: f64, radius, contact, material| {
         let shape = Shape::Disc { centre: [0.0, centre], radius, sector: Sector::Quarter, contact };
@@ -296,7 +292,7 @@ pub fn power(draw: &mut Draw, material: Material, guess: f64) -> Sample {
 
 /// An elastic sphere on another one; the gap is the paraboloid of both, as Hertz has it.
 pub fn spheres(draw: &mut Draw, upper: Material, guess: f64) -> Sample {
-    let (mut scene, [a, radius, above]) = discs(draw, upper, guess, NARROW);
+    let (mut scene, [a, radius, above]) = discs(draw, upper, guess);
     scene.plane = PlaneHypothesis::Axisymmetric;
     scene.contacts[0].symmetric = false;
     let modulus = scene.contact_modulus();
