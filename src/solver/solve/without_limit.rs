@@ -23,7 +23,8 @@ use crate::solve::{Discretisation, Run};
 
 /// Part of the largest force that a support at a point must exert to leave a stress without limit.
 const AT_POINT: f64 = 1e-6;
-/// Angle by which curved edges may turn at a node of a smooth side \[rad\]: from π on λ falls by about half of it, and no mesh sees `r^-0.0005`.
+/// Angle by which curved edges may turn at a node of a smooth side \[rad\]: from π on λ falls by 2/π of it (both sides free), and
+/// no mesh sees `r^-0.0006`.
 const TURN: f64 = 1e-3;
 /// Cosine of the angle between the direction in which a side is fixed and its normal, from which on they are one.
 const NORMAL: f64 = 1.0 - 1e-6;

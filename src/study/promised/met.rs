@@ -208,8 +208,12 @@ pub fn thrifty(recorded: &[Record]) -> [Judged; 2] {
         Check::at_most(quantity, Reference::own("work", most), because).judge(found)
     };
     [
-        at_most("median of the dofs of all meshes over those of the largest one", SEARCH[0], quantile(&ratios, 0.5)),
-        at_most("largest such ratio", SEARCH[1], worst),
+        at_most(
+            "median ratio of the dofs of all meshes of a search to those of the largest one",
+            SEARCH[0],
+            quantile(&ratios, 0.5),
+        ),
+        at_most("largest ratio of the dofs of all meshes of a search to those of the largest one", SEARCH[1], worst),
     ]
 }
 
