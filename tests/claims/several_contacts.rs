@@ -454,3 +454,26 @@ fn cells_are_foretold_within_a_margin_where_a_body_is_deep_between_its_contacts(
     let made = Mesh::of(&file.scene, file.resolution).expect("mesh").cells() as f64;
     assert!((2.0..4.0).contains(&(cells / made)), "{cells} for {made}");
 }
+
+#[test]
+fn contacts_of_different_widths_on_one_disc_are_met_to_a_millionth() {
+    let asked = Asked { most_dofs: Some(40_000), ..Asked::new(1e-6) };
+    let scene = case("roller-between-plates").scene;
+    let answer = accuracy::solve(&scene, &Formulation::verification(), &asked).expect("solved");
+    assert_eq!(answer.unmet, None);
+    assert!(answer.run.dofs <= 13_500, "{} dofs", answer.run.dofs);
+    // Where bodies in contact have their nodes at different places, the ends were 2e-6 off whatever the order.
+    let mesh = Discretisation::of(answer.scene.clone(), answer.resolution).expect("discretised").mesh;
+    for (pair, contact) in answer.scene.contacts.iter().zip(&answer.run.contacts) {
+        let [disc, plate] = [Some(pair.first), pair.second].map(|body| {
+            let body = body.expect("an elastic body");
+            let edges = mesh.boundary(&answer.scene, body, pair.side(body)).expect("the side");
+            edges.iter().flatten().map(|&node| mesh.points[node][0]).collect::<Vec<_>>()
+        });
+        let end = contact.measures.half_width();
+        for x in disc.iter().filter(|x| **x <= 1.4 * end) {
+            let nearest = plate.iter().map(|other| (x - other).abs()).fold(f64::INFINITY, f64::min);
+            assert!(nearest <= 1e-9 * end, "{x}: {nearest}");
+        }
+    }
+}

@@ -14,13 +14,13 @@ use crate::scene::Sector;
 const CORE: [f64; 2] = [0.45, 0.58];
 
 pub(super) fn blocks(layout: &Layout, centre: Point, radius: f64, sector: Sector) -> Vec<Block> {
-    if !layout.opposite
+    if layout.opposite.is_none()
         && let Some(blocks) = framed(layout, centre, radius, sector)
     {
         return blocks;
     }
     let right = match sector.has_upper_part() {
-        true if layout.opposite => fine_at_both_ends(layout, centre, radius),
+        true if layout.opposite.is_some() => fine_at_both_ends(layout, centre, radius),
         half => right_blocks(layout, centre, radius, half),
     };
     if !sector.has_both_sides() {
@@ -31,18 +31,32 @@ pub(super) fn blocks(layout: &Layout, centre: Point, radius: f64, sector: Sector
     right.into_iter().chain(left).collect()
 }
 
-/// The right half as the lower right quarter and its image: as fine at the highest point as at the lowest.
+/// The right half as two quarters: frames around each contact where both have room for them, and as many columns; else the lower one and its
+/// image, as fine at the highest point as at the lowest.
 fn fine_at_both_ends(layout: &Layout, centre: Point, radius: f64) -> Vec<Block> {
-    let framed = framed(layout, centre, radius, Sector::Quarter);
-    let quarter = framed.unwrap_or_else(|| right_blocks(layout, centre, radius, false)).into_iter();
-    let lower: Vec<Block> =
-        quarter.map(|block| block.instead_of("cut", |points| Side::line("middle", points))).collect();
+    let around = |pair| framed(&layout.alone(pair), centre, radius, Sector::Quarter);
+    let quarter = |blocks: Vec<Block>| -> Vec<Block> {
+        blocks.into_iter().map(|block| block.instead_of("cut", |points| Side::line("middle", points))).collect()
+    };
+    let [lower, upper] = match layout.opposite.map(|pairs| pairs.map(around)) {
+        Some([Some(lower), Some(upper)]) if cut(&lower) == cut(&upper) => [lower, upper].map(quarter),
+        _ => {
+            let lower = quarter(right_blocks(layout, centre, radius, false));
+            [lower.clone(), lower]
+        }
+    };
     let image = |block: &Block| {
         let turned = block.turned_over(centre[1]).without("middle");
         turned.instead_of("contact", |points| Side::named("top", points))
     };
-    let upper: Vec<Block> = lower.iter().map(image).collect();
+    let upper: Vec<Block> = upper.iter().map(image).collect();
     lower.into_iter().chain(upper).collect()
+}
+
+/// The points of a quarter on its upper end.
+fn cut(blocks: &[Block]) -> Vec<Point> {
+    let sides = blocks.iter().flat_map(|block| [&block.bottom, &block.right, &block.top, &block.left]);
+    sides.filter(|side| side.names.iter().any(|name| name == "cut")).flat_map(|side| side.points.clone()).collect()
 }
 
 /// Largest half-width of a contact over the radius that frames are laid around.

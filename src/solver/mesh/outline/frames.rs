@@ -31,7 +31,7 @@ const TALL: f64 = 4.0;
 /// A rectangle whose contact has ends that are known; none where it is too small for a frame, or has more to mesh than one
 /// contact.
 pub(super) fn blocks(layout: &Layout, x: [f64; 2], y: [f64; 2], contact: Face) -> Option<Vec<Block>> {
-    let ends = layout.same_ends().filter(|_| !layout.opposite)?;
+    let ends = layout.same_ends().filter(|_| layout.opposite.is_none())?;
     let columns = ends.of_box(x[0])?;
     let has_left = layout.path.has_both_sides() || columns[0] > x[0];
     let within = (columns, ends.half_width(), has_left);

@@ -35,8 +35,8 @@ pub(crate) struct Layout<'a> {
     pub path: &'a Path,
     /// Candidate stretch in the contact coordinate.
     pub stretch: f64,
-    /// Whether another contact lies on the side opposite to that called `contact`.
-    pub opposite: bool,
+    /// The contact on the side called `contact` and that on the side opposite, where there is one.
+    pub opposite: Option<[&'a ContactPair; 2]>,
     /// Contact coordinates at which nodes must lie: kinks of the gap, which no edge shall straddle.
     pub kinks: Vec<f64>,
     /// Where the contact is expected to end; none where the mesh knows nothing of it.
@@ -70,13 +70,27 @@ impl<'a> Layout<'a> {
             stretch: pair.stretch,
             kinks: pair.profile.kinks(),
             ends: KnownEnds::of(pair, parts),
-            opposite: scene.contacts_of(body).any(|other| other.side(body) != CONTACT),
+            opposite: scene.contacts_of(body).find(|other| other.side(body) != CONTACT).map(|other| [pair, other]),
             points: points(&scene.bodies[body]),
             several: if own.iter().all(|one| *one == own[0]) { vec![] } else { own },
             elements,
             refinement: resolution.refinement,
             order: resolution.order,
             widest: widest(&scene.bodies[body].shape, &scene.grading, resolution.order),
+        }
+    }
+
+    /// What the outline would need to know if this were the only contact of the body.
+    pub fn alone(&self, pair: &'a ContactPair) -> Self {
+        Self {
+            path: &pair.path,
+            stretch: pair.stretch,
+            kinks: pair.profile.kinks(),
+            ends: KnownEnds::of(pair, self.parts()),
+            opposite: None,
+            several: vec![],
+            points: self.points.clone(),
+            ..*self
         }
     }
 
@@ -139,7 +153,7 @@ impl<'a> Layout<'a> {
     pub fn across(&self, surface: f64, depth: f64) -> Vec<f64> {
         let grading = self.grading;
         let first = surface * grading.first;
-        match self.opposite {
+        match self.opposite.is_some() {
             true => spacing::growing_from_both(0.0, depth, [first; 2], grading.depth, grading.coarsest * depth),
             false => self.depth(surface, depth),
         }

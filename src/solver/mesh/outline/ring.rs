@@ -32,7 +32,7 @@ fn right_blocks(layout: &Layout, pole: Point, circles: [Circle; 2], sweep: f64, 
         Face::Bottom => (inner.radius * (angles[1] - angles[0]), outer.radius - inner.radius),
         Face::Top => (outer.radius * (angles[1] - angles[0]), outer.radius - inner.radius),
     };
-    if layout.same_ends().is_some() && !layout.opposite {
+    if layout.same_ends().is_some() && layout.opposite.is_none() {
         return rows(layout, pole, circles, &angles, contact);
     }
     let positions = layout.across(first, depth);
