@@ -9,6 +9,7 @@ use indicatif::ProgressBar;
 use crate::cli::terminal::{progress, say};
 use crate::cli::writable;
 use crate::error::Error;
+use crate::study::promised::met;
 use crate::study::seconds::{Machine, Spread};
 use crate::study::timings::growth::{self, Growth};
 use crate::study::timings::precision::{self, Point, Series};
@@ -26,7 +27,7 @@ pub fn run() -> Result<(), Error> {
 }
 
 fn measure() -> Result<Record, Error> {
-    let bar = progress(growth::MESHES.len() + precision::meshes().len() + Series::CODES.len() + growth::NINE.len() + 1);
+    let bar = progress(growth::MESHES.len() + precision::meshes().len() + Series::CODES.len() + growth::NINE.len() + 2);
     let (mut nine, mut growth) = (Vec::new(), Vec::new());
     for mesh in growth::NINE {
         step(&bar, "nine formulations");
@@ -60,21 +61,23 @@ fn step(bar: &ProgressBar, what: &str) {
     bar.set_message(what.to_owned());
 }
 
-/// Our points of speed against accuracy.
+/// Our points of speed against accuracy; what searches for an accuracy take is measured and recorded beside them.
 fn own_points(bar: &ProgressBar) -> Result<Vec<Point>, Error> {
     let mut points = Vec::new();
     for (series, mesh) in precision::meshes() {
         step(bar, &format!("{}, {mesh}", series.name()));
         points.extend(precision::measure(series, mesh)?);
     }
+    step(bar, "searches for an accuracy");
+    met::time_beside()?;
     Ok(points)
 }
 
-/// Measures our own points of speed against accuracy again; other codes keep what our solve took beside them.
+/// Measures our own points of speed against accuracy and the searches for an accuracy again; other codes keep what our solve took beside them.
 pub fn points() -> Result<(), Error> {
     writable::in_checkout(FOLDER)?;
     let mut record = Record::read()?;
-    let bar = progress(precision::meshes().len());
+    let bar = progress(precision::meshes().len() + 1);
     let own = growth::on(1, || own_points(&bar))?;
     bar.finish_and_clear();
     record.points.retain(|point| Series::CODES.contains(&point.series));

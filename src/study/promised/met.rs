@@ -1,11 +1,14 @@
 //! Whether an accuracy called met is met: random scenes whose truth is known, solved to five accuracies, from guesses of the
 //! candidate stretch up to ten times too long or three times too short.
 
+use std::time::Instant;
+
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use crate::accuracy::{self, Answer, Asked};
 use crate::case::{Check, Judged, Quantity, Reference};
+use crate::checkout::root;
 use crate::error::Error;
 use crate::markdown::{self, Column};
 use crate::measure::larger;
@@ -13,7 +16,7 @@ use crate::mesh::Order;
 use crate::solve::edge_fitted::Sought;
 use crate::solve::{Element, Fitted, Formulation, Iteration, Run};
 use crate::study::random::{Family, GUESS, Sample, Site, family};
-use crate::study::records::{self, Millionths, Survey, Surveyed};
+use crate::study::records::{self, Millionths, Survey, Surveyed, rounded};
 use crate::study::seconds::quantile;
 
 /// The survey.
@@ -220,9 +223,39 @@ pub fn thrifty(recorded: &[Record]) -> [Judged; 2] {
 /// The answers of a family to an accuracy.
 type Row = (Family, f64, Vec<Record>);
 
-/// An answer with cells of any kind, and one with 8-node cells alone, to one accuracy, each with the order of its cells; and dofs of the cheapest mesh
-/// that the truth allows.
-pub type Beside = (&'static str, f64, [(Record, Order); 2], Option<usize>);
+/// An answer with cells of any kind, and one with 8-node cells alone, to one accuracy.
+#[derive(Clone, Debug)]
+pub struct Beside {
+    title: &'static str,
+    asked: f64,
+    /// Both, each with the order of its cells.
+    answers: [(Record, Order); 2],
+    /// Dofs of the cheapest mesh that the truth allows.
+    cheapest: Option<usize>,
+    /// What both searches took when that was measured \[s\].
+    seconds: [f64; 2],
+}
+
+impl Beside {
+    fn own(&self) -> &Record {
+        &self.answers[0].0
+    }
+
+    fn cheapest(&self) -> usize {
+        self.cheapest.unwrap_or(self.own().dofs)
+    }
+}
+
+/// What both searches of a scene took, as it is recorded.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Took {
+    scene: String,
+    asked: f64,
+    /// With cells of any kind \[s\].
+    seconds: f64,
+    /// With 8-node cells alone \[s\].
+    of_8_nodes: f64,
+}
 
 /// Scenes that are solved beside 8-node cells, and what each stands for.
 const BESIDE: [(&str, Family, usize); 8] = [
@@ -239,23 +272,60 @@ const BESIDE: [(&str, Family, usize); 8] = [
 const ASKED_BESIDE: [f64; 3] = [1e-2, 1e-3, 1e-4];
 const MOST_BESIDE: usize = 30_000;
 
-/// Such scenes to each of these accuracies.
-pub fn beside() -> Result<Vec<Beside>, Error> {
-    let all = BESIDE.into_iter().flat_map(|scene| ASKED_BESIDE.map(|asked| (scene, asked)));
-    let one = |((title, family, number), asked): ((&'static str, Family, usize), f64)| {
-        let site = Site { family, number: family::FIRST + number };
+/// What renews that.
+const RENEW: &str = "run `cargo run --release -- timings --points` and review the diff of snapshots/timings";
+/// How often each search is measured, and where what it took is recorded.
+const REPEATS: usize = 3;
+const TOOK: (&str, [&str; 4]) = ("snapshots/timings/searches.csv", ["scene", "asked", "seconds", "of_8_nodes"]);
+
+/// Scenes, each with an accuracy.
+fn asked_beside() -> impl Iterator<Item = (&'static str, Site, f64)> {
+    let site = |family, number| Site { family, number: family::FIRST + number };
+    let of = move |(title, family, number)| ASKED_BESIDE.map(|asked| (title, site(family, number), asked));
+    BESIDE.into_iter().flat_map(of)
+}
+
+/// A scene solved to an accuracy, by cells of any kind or by 8-node cells alone.
+fn searched(sample: &Sample, asked: f64, high_order: bool) -> Result<Answer, Error> {
+    let asked = Asked { high_order, most_dofs: Some(MOST_BESIDE), ..Asked::new(asked) };
+    accuracy::solve(&sample.scene, &Formulation::new(Element::Node, Iteration::Kinematic), &asked)
+}
+
+/// Measures what the searches take, and records it.
+pub fn time_beside() -> Result<(), Error> {
+    let took = |(title, site, asked): (&str, Site, f64)| {
         let sample = site.sample()?;
-        let formulation = Formulation::new(Element::Node, Iteration::Kinematic);
-        let by = |high_order: bool| {
-            let asked = Asked { high_order, most_dofs: Some(MOST_BESIDE), ..Asked::new(asked) };
-            let answer = accuracy::solve(&sample.scene, &formulation, &asked)?;
-            Ok((Record::of(&site, asked.relative, &sample, &answer), answer))
+        let of = |high_order: bool| -> Result<f64, Error> {
+            let once = |_| {
+                let clock = Instant::now();
+                searched(&sample, asked, high_order).map(|_| clock.elapsed().as_secs_f64())
+            };
+            Ok(rounded(quantile(&(0..REPEATS).map(once).collect::<Result<Vec<_>, _>>()?, 0.5)))
         };
-        let [(own, answer), (other, others)] = [by(true)?, by(false)?];
-        let cheapest = cheapest(asked, &sample, &answer);
-        Ok((title, asked, [(own, answer.resolution.order), (other, others.resolution.order)], cheapest))
+        Ok(Took { scene: title.into(), asked, seconds: of(true)?, of_8_nodes: of(false)? })
     };
-    all.collect::<Vec<_>>().into_par_iter().map(one).collect()
+    let (file, columns) = TOOK;
+    let all = asked_beside().map(took).collect::<Result<Vec<_>, Error>>()?;
+    records::write(&root().join(file), &records::named(columns), &all)
+}
+
+/// Such scenes to each of these accuracies, with what the searches took when that was measured.
+pub fn beside() -> Result<Vec<Beside>, Error> {
+    let (file, columns) = TOOK;
+    let file = root().join(file);
+    let took: Vec<Took> = records::read(&file, &records::named(columns), RENEW)?;
+    let one = |(title, site, asked): (&'static str, Site, f64)| {
+        let sample = site.sample()?;
+        let [own, other] = [true, false].map(|high_order| searched(&sample, asked, high_order));
+        let [own, other] = [own?, other?];
+        let cheapest = cheapest(asked, &sample, &own);
+        let recorded = took.iter().find(|took| took.scene == title && took.asked.to_bits() == asked.to_bits());
+        let missing = || Error::unreadable(&file, format!("it has no seconds of `{title}` to {asked}"), RENEW);
+        let seconds = recorded.map(|took| [took.seconds, took.of_8_nodes]).ok_or_else(missing)?;
+        let answers = [&own, &other].map(|one| (Record::of(&site, asked, &sample, one), one.resolution.order));
+        Ok(Beside { title, asked, answers, cheapest, seconds })
+    };
+    asked_beside().collect::<Vec<_>>().into_par_iter().map(one).collect()
 }
 
 /// Orders, and most layers, among which the cheapest mesh is sought.
@@ -283,19 +353,22 @@ fn cheapest(asked: f64, sample: &Sample, answer: &Answer) -> Option<usize> {
 }
 
 /// The table of them.
-const COLUMNS_BESIDE: [Column<Beside>; 10] = [
-    ("scene", |(title, ..)| (*title).into()),
-    ("asked", |(_, asked, ..)| format!("{} %", accuracy::in_percent(*asked))),
-    ("met", |(.., [(own, _), _], _)| answered(own)),
-    ("cells", |(.., [(_, order), _], _)| format!("{}-node", order.nodes_per_cell())),
-    ("error over asked", |(.., [(own, _), _], _)| format!("{:.2}", own.error() / own.asked)),
-    ("dofs", |(.., [(own, _), _], _)| own.dofs.to_string()),
-    ("of the cheapest mesh that the truth allows", |(.., [(own, _), _], cheapest)| {
-        cheapest.unwrap_or(own.dofs).to_string()
+const COLUMNS_BESIDE: [Column<Beside>; 12] = [
+    ("scene", |one| one.title.into()),
+    ("asked", |one| format!("{} %", accuracy::in_percent(one.asked))),
+    ("met", |one| answered(one.own())),
+    ("cells", |one| format!("{}-node", one.answers[0].1.nodes_per_cell())),
+    ("error over asked", |one| format!("{:.2}", one.own().error() / one.asked)),
+    ("dofs", |one| one.own().dofs.to_string()),
+    ("of the cheapest mesh that the truth allows", |one| one.cheapest().to_string()),
+    ("of all meshes", |one| one.own().dofs_in_all.to_string()),
+    ("s", |one| format!("{:.3}", one.seconds[0])),
+    ("8-node cells: met", |one| answered(&one.answers[1].0)),
+    ("dofs of theirs, of all meshes", |one| {
+        let other = &one.answers[1].0;
+        format!("{}, {}", other.dofs, other.dofs_in_all)
     }),
-    ("of all meshes", |(.., [(own, _), _], _)| own.dofs_in_all.to_string()),
-    ("8-node cells: met", |(.., [_, (other, _)], _)| answered(other)),
-    ("dofs of theirs, of all meshes", |(.., [_, (other, _)], _)| format!("{}, {}", other.dofs, other.dofs_in_all)),
+    ("their s", |one| format!("{:.3}", one.seconds[1])),
 ];
 
 fn answered(own: &Record) -> String {
@@ -338,8 +411,7 @@ pub(super) fn section(surveyed: &Surveyed<Record>, beside: &[Beside]) -> String 
         let is_own = |record: &&Record| record.family == family && record.asked.to_bits() == asked.to_bits();
         (family, asked, recorded.iter().filter(is_own).cloned().collect())
     };
-    let over = |(.., [(own, _), _], cheapest): &Beside| own.dofs as f64 / cheapest.unwrap_or(own.dofs) as f64;
-    let over_cheapest: Vec<f64> = beside.iter().map(over).collect();
+    let over_cheapest: Vec<f64> = beside.iter().map(|one| one.own().dofs as f64 / one.cheapest() as f64).collect();
     let rows: Vec<Row> = families().flat_map(|family| ASKED.map(|asked| (family, asked))).map(row).collect();
     format!(
         include_str!("met.md"),
@@ -348,6 +420,7 @@ pub(super) fn section(surveyed: &Surveyed<Record>, beside: &[Beside]) -> String 
         surveyed = surveyed.told(),
         families = markdown::columns(&COLUMNS, &rows),
         most_beside = MOST_BESIDE,
+        repeats = REPEATS,
         orders = CHEAPEST.0.map(|order| order.number().to_string()).join(", "),
         layers = CHEAPEST.1,
         usual = quantile(&over_cheapest, 0.5),
