@@ -246,16 +246,8 @@ impl Beside {
     }
 }
 
-/// What both searches of a scene took, as it is recorded.
-#[derive(Clone, Debug, Serialize, Deserialize)]
-pub struct Took {
-    scene: String,
-    asked: f64,
-    /// With cells of any kind \[s\].
-    seconds: f64,
-    /// With 8-node cells alone \[s\].
-    of_8_nodes: f64,
-}
+/// A scene, the accuracy asked for, and what the searches took, with cells of any kind and with 8-node cells alone \[s\], as it is recorded.
+type Took = (String, f64, f64, f64);
 
 /// Scenes that are solved beside 8-node cells, and what each stands for.
 const BESIDE: [(&str, Family, usize); 8] = [
@@ -276,7 +268,8 @@ const MOST_BESIDE: usize = 30_000;
 const RENEW: &str = "run `cargo run --release -- timings --points` and review the diff of snapshots/timings";
 /// How often each search is measured, and where what it took is recorded.
 const REPEATS: usize = 3;
-const TOOK: (&str, [&str; 4]) = ("snapshots/timings/searches.csv", ["scene", "asked", "seconds", "of_8_nodes"]);
+const TOOK: (&str, [&str; 4]) =
+    ("snapshots/timings/searches.csv", ["scene", "asked", "seconds", "seconds of 8-node cells"]);
 
 /// Scenes, each with an accuracy.
 fn asked_beside() -> impl Iterator<Item = (&'static str, Site, f64)> {
@@ -293,7 +286,7 @@ fn searched(sample: &Sample, asked: f64, high_order: bool) -> Result<Answer, Err
 
 /// Measures what the searches take, and records it.
 pub fn time_beside() -> Result<(), Error> {
-    let took = |(title, site, asked): (&str, Site, f64)| {
+    let took = |(title, site, asked): (&str, Site, f64)| -> Result<Took, Error> {
         let sample = site.sample()?;
         let of = |high_order: bool| -> Result<f64, Error> {
             let once = |_| {
@@ -302,7 +295,7 @@ pub fn time_beside() -> Result<(), Error> {
             };
             Ok(rounded(quantile(&(0..REPEATS).map(once).collect::<Result<Vec<_>, _>>()?, 0.5)))
         };
-        Ok(Took { scene: title.into(), asked, seconds: of(true)?, of_8_nodes: of(false)? })
+        Ok((title.into(), asked, of(true)?, of(false)?))
     };
     let (file, columns) = TOOK;
     let all = asked_beside().map(took).collect::<Result<Vec<_>, Error>>()?;
@@ -319,9 +312,9 @@ pub fn beside() -> Result<Vec<Beside>, Error> {
         let [own, other] = [true, false].map(|high_order| searched(&sample, asked, high_order));
         let [own, other] = [own?, other?];
         let cheapest = cheapest(asked, &sample, &own);
-        let recorded = took.iter().find(|took| took.scene == title && took.asked.to_bits() == asked.to_bits());
+        let recorded = took.iter().find(|(scene, of, ..)| scene == title && of.to_bits() == asked.to_bits());
         let missing = || Error::unreadable(&file, format!("it has no seconds of `{title}` to {asked}"), RENEW);
-        let seconds = recorded.map(|took| [took.seconds, took.of_8_nodes]).ok_or_else(missing)?;
+        let seconds = recorded.map(|(.., own, other)| [*own, *other]).ok_or_else(missing)?;
         let answers = [&own, &other].map(|one| (Record::of(&site, asked, &sample, one), one.resolution.order));
         Ok(Beside { title, asked, answers, cheapest, seconds })
     };
