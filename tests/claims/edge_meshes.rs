@@ -2,10 +2,11 @@
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
-use contact_vv::measure::relative_error;
+use contact_vv::accuracy::{self, Asked};
+use contact_vv::measure::{Quantity, relative_error};
 use contact_vv::mesh::{Mesh, Order, spacing};
 use contact_vv::scene::{Ends, Face, Path, Scene, Sector, Shape};
-use contact_vv::solve::{Element, Fitted, Formulation, Iteration, Run};
+use contact_vv::solve::{Discretisation, Element, Fitted, Formulation, Iteration, Run};
 
 use crate::outputs::scene;
 use crate::scene_file::case;
@@ -195,4 +196,53 @@ fn bodies_have_their_nodes_at_the_same_places_and_line_elements_do_not_oscillate
         let apart = [0, 1].map(|k| relative_error(line[k], node[k]));
         assert!(apart[0] <= 2e-3 && apart[1] <= 1e-4, "{name}: {apart:?}");
     }
+}
+
+/// A pin in a hole that is drawn where it touches it, the centre of the hole above that of the pin.
+pub(crate) fn pin_in_hole() -> String {
+    include_str!("../../src/cli/new/pin-in-hole.toml").into()
+}
+
+/// Contact coordinates of the nodes of a body's side, up to one of them.
+fn places(discretisation: &Discretisation, body: usize, end: f64) -> Vec<f64> {
+    let Discretisation { scene, mesh, .. } = discretisation;
+    let pair = scene.contact();
+    let edges = mesh.boundary(scene, body, pair.side(body)).expect("a side");
+    let all = edges.iter().flatten().map(|&node| pair.path.coordinate(mesh.points[node]));
+    let mut within: Vec<f64> = all.filter(|s| *s <= end * (1.0 + 1e-9)).collect();
+    within.sort_by(f64::total_cmp);
+    within.dedup_by(|a, b| (*a - *b).abs() <= 1e-9);
+    within
+}
+
+#[test]
+fn bodies_on_arcs_of_different_centres_have_their_nodes_at_the_same_places() {
+    let case = parsed(&pin_in_hole());
+    let nine = Discretisation::of(case.scene.clone(), case.resolution).expect("discretised");
+    let asked = Asked { most_dofs: Some(20_000), ..Asked::new(1e-4) };
+    let answer = accuracy::solve(&case.scene, &Formulation::verification(), &asked).expect("solved");
+    assert_eq!(answer.unmet, None);
+    assert!(answer.run.dofs <= 2500, "{}", answer.run.dofs);
+    let fitted = Discretisation::of(answer.scene.clone(), answer.resolution).expect("discretised");
+    // Layers around an end are cut from cells by the polynomials that these are.
+    for (meshed, off) in [(&nine, 1e-5), (&fitted, 1e-8)] {
+        let [pin, hole] = [0, 1].map(|body| places(meshed, body, meshed.scene.contact().stretch));
+        assert_eq!(pin.len(), hole.len());
+        pin.iter().zip(&hole).for_each(|(pin, hole)| assert!((pin - hole).abs() <= off, "{pin} beside {hole}"));
+    }
+
+    // Elements between nodes that lie elsewhere alternate from one to the next, and some stall.
+    let [half_width, peak] = [Quantity::HalfWidth, Quantity::PeakPressure].map(|of| of.of(answer.run.measures()));
+    for formulation in Formulation::compared() {
+        let run = Run::of(&nine, &formulation).expect("a run");
+        assert!(run.solution.converged(), "{}: {}", formulation.name(), run.solution.outcome);
+        assert!(relative_error(run.measures().half_width(), half_width) <= 0.015, "{}", formulation.name());
+        assert!(relative_error(run.measures().peak.pressure, peak) <= 0.005, "{}", formulation.name());
+    }
+
+    // The same gap between circles about one point: another order, other meshes, and the drawing off by a thousandth.
+    let concentric = pin_in_hole().replace("[0, 0.02], inner = 20.02", "[0, 0], inner = 20");
+    let answer = accuracy::solve(&parsed(&concentric).scene, &Formulation::verification(), &asked).expect("solved");
+    assert!(relative_error(answer.run.measures().half_width(), half_width) <= 1e-3);
+    assert!(relative_error(answer.run.measures().peak.pressure, peak) <= 1e-3);
 }

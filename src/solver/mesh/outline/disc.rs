@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
 use super::frames::{Frames, Rim};
 use super::known_ends::KnownEnds;
-use super::layout::Layout;
+use super::layout::{Layout, Rays};
 use crate::mesh::block::{Block, Point, Side, between, polar};
 use crate::mesh::spacing;
 use crate::scene::Sector;
@@ -70,7 +70,7 @@ const LARGER: f64 = 3.3;
 
 /// The lower right quarter, or the right half.
 fn right_blocks(layout: &Layout, centre: Point, radius: f64, half: bool) -> Vec<Block> {
-    let arcs = arcs(layout, radius, half);
+    let arcs = arcs(layout, Rays::of(centre, radius), half);
     let depth = layout.depth(local_size(&arcs, 0, radius), radius * (1.0 - CORE[0]));
     wheel(layout, centre, radius, &arcs, depth.len() - 1, half)
 }
@@ -159,11 +159,7 @@ fn wheel(layout: &Layout, centre: Point, radius: f64, arcs: &[Vec<f64>], rows: u
         .collect();
     let at = |angle: f64| polar(centre, radius, angle);
     let arc = |k: usize| match k {
-        // Evenly along x next to the contact: bodies have their nodes at the same x there.
-        0 if layout.ends.is_some() && layout.path.is_straight() => {
-            let breaks: Vec<f64> = arcs[0].iter().map(|angle| angle.sin()).collect();
-            layout.along(&breaks, |x| at(x.asin()))
-        }
+        0 if layout.ends.is_some() => layout.along_contact(Rays::of(centre, radius), &arcs[0], at),
         _ => layout.along(&arcs[k], at),
     };
     let polygon: Vec<Vec<Point>> = (0..arcs.len()).map(|k| chord(layout, &arcs[k], corner(k), corner(k + 1))).collect();
@@ -180,8 +176,8 @@ fn wheel(layout: &Layout, centre: Point, radius: f64, arcs: &[Vec<f64>], rows: u
 }
 
 /// The arc in pieces of about 45°; each piece is a list of angles.
-fn arcs(layout: &Layout, radius: f64, half: bool) -> Vec<Vec<f64>> {
-    let mut quarter = layout.arc(radius, &[FRAC_PI_4, FRAC_PI_2]);
+fn arcs(layout: &Layout, on: Rays, half: bool) -> Vec<Vec<f64>> {
+    let mut quarter = layout.arc(on, &[FRAC_PI_4, FRAC_PI_2]);
     if quarter.len() < 3 {
         quarter.insert(1, FRAC_PI_4);
     }

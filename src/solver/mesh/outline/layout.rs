@@ -1,11 +1,12 @@
 //! What the outlines need to know of the scene, and the positions that follow from it.
 
 use super::known_ends::KnownEnds;
+use super::ring::on_ray;
 use crate::mesh::block::Point;
 use crate::mesh::spacing;
 use crate::mesh::{Order, Resolution};
 use crate::scene::contact_pair::CONTACT;
-use crate::scene::{Body, ContactPair, Grading, Load, Path, Place, Scene, Shape};
+use crate::scene::{Body, Circle, ContactPair, Grading, Load, Path, Place, Scene, Shape};
 
 /// Angle of the widest cell on an arc over the coarsest element's part of the body \[rad\].
 const WIDEST: f64 = 1.6;
@@ -113,12 +114,11 @@ impl<'a> Layout<'a> {
         parts(self.elements)
     }
 
-    /// Positions of an arc: the candidates, then growing element sizes up to each of the given angles in turn.
-    pub fn arc(&self, radius: f64, until: &[f64]) -> Vec<f64> {
-        let mut angles: Vec<f64> = match self.path {
-            _ if !self.several.is_empty() => self.angles_of_all(radius),
-            Path::Straight { .. } => self.candidates().iter().map(|x| (x / radius).asin()).collect(),
-            Path::Arc(_) => self.candidates(),
+    /// Positions of an arc about a pole: the candidates, then growing element sizes up to each of the given angles in turn.
+    pub fn arc(&self, on: Rays, until: &[f64]) -> Vec<f64> {
+        let mut angles: Vec<f64> = match self.several.is_empty() {
+            false => self.angles_of_all(on.circle.radius),
+            true => self.candidates().iter().map(|s| on.angle(self.path, *s)).collect(),
         };
         for &end in until {
             let [before, last] = last_two(&angles);
@@ -163,11 +163,62 @@ impl<'a> Layout<'a> {
         spacing::lattice(breaks, self.refinement, self.order)
     }
 
+    /// Points at the angles of an arc that lie evenly along the contact in every cell: bodies have their nodes at the same places there.
+    pub fn along_contact(&self, on: Rays, angles: &[f64], at: impl Fn(f64) -> Point) -> Vec<Point> {
+        let coordinates: Vec<f64> = angles.iter().map(|angle| on.coordinate(self.path, *angle)).collect();
+        self.along(&coordinates, |s| at(on.angle(self.path, s)))
+    }
+
     /// Points `at(s)` on the lattice of the given positions.
     pub fn along(&self, breaks: &[f64], at: impl Fn(f64) -> Point) -> Vec<Point> {
         self.lattice(breaks).into_iter().map(at).collect()
     }
 }
+
+/// A circle seen from a pole inside it, by the angles from the downward vertical of the rays that meet it.
+#[derive(Clone, Copy)]
+pub(crate) struct Rays {
+    pub pole: Point,
+    pub circle: Circle,
+}
+
+impl Rays {
+    /// A circle seen from its centre.
+    pub fn of(centre: Point, radius: f64) -> Self {
+        Self { pole: centre, circle: Circle { centre, radius } }
+    }
+
+    /// Angle of the ray to the point of the circle that has a contact coordinate: on an arc about another point of the pole's vertical,
+    /// where the ray from there meets the circle.
+    pub fn angle(&self, path: &Path, s: f64) -> f64 {
+        match path {
+            Path::Straight { .. } => (s / self.circle.radius).asin(),
+            Path::Arc(own) if self.is_beside(own) => {
+                let [x, y] = on_ray(self.circle, own.centre, s);
+                (x - self.pole[0]).atan2(self.pole[1] - y)
+            }
+            Path::Arc(_) => s,
+        }
+    }
+
+    /// The contact coordinate at such an angle.
+    pub fn coordinate(&self, path: &Path, angle: f64) -> f64 {
+        match path {
+            Path::Straight { .. } => self.circle.radius * angle.sin(),
+            Path::Arc(own) if self.is_beside(own) => path.coordinate(on_ray(self.circle, self.pole, angle)),
+            Path::Arc(_) => angle,
+        }
+    }
+
+    /// Whether the contact runs about another point of the same vertical.
+    fn is_beside(&self, own: &Circle) -> bool {
+        let [x, y] = [0, 1].map(|k| (own.centre[k] - self.pole[k]).abs());
+        x <= SAME * own.radius && y > SAME * own.radius
+    }
+}
+
+/// Distance of two points, over a radius, up to which they are one.
+const SAME: f64 = 1e-12;
 
 /// The candidates of one contact of a body.
 #[derive(PartialEq)]

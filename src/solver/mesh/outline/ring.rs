@@ -3,7 +3,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use super::layout::Layout;
+use super::layout::{Layout, Rays};
 use crate::mesh::block::{Block, Point, Side, between, exact_sin};
 use crate::mesh::spacing;
 use crate::scene::{Circle, Face, ROUNDING, Shape};
@@ -25,15 +25,14 @@ pub(super) fn blocks(layout: &Layout, shape: &Shape) -> Vec<Block> {
 /// The part to the right of the downward vertical.
 fn right_blocks(layout: &Layout, pole: Point, circles: [Circle; 2], sweep: f64, contact: Face) -> Vec<Block> {
     let [inner, outer] = circles;
-    // Of the side on which lengths along a straight path are measured: a contact along an arc needs no radius.
-    let on_outer = (contact == Face::Top) == layout.path.is_straight();
-    let angles = layout.arc(if on_outer { outer.radius } else { inner.radius }, &[sweep.min(FRAC_PI_2), sweep]);
+    let face = Rays { pole, circle: if contact == Face::Top { outer } else { inner } };
+    let angles = layout.arc(face, &[sweep.min(FRAC_PI_2), sweep]);
     let (first, depth) = match contact {
         Face::Bottom => (inner.radius * (angles[1] - angles[0]), outer.radius - inner.radius),
         Face::Top => (outer.radius * (angles[1] - angles[0]), outer.radius - inner.radius),
     };
     if layout.same_ends().is_some() && layout.opposite.is_none() {
-        return rows(layout, pole, circles, &angles, contact);
+        return rows(layout, face, circles, &angles, contact);
     }
     let positions = layout.across(first, depth);
     let has_narrow_bore =
@@ -97,7 +96,7 @@ const GROWTH: f64 = 1.8;
 
 /// The ring in cells whose nodes lie evenly in the logarithm of the radius: displacements there are sums of its powers, and rows
 /// across which the radius is multiplied need no more nodes than those at the contact.
-fn rows(layout: &Layout, pole: Point, [inner, outer]: [Circle; 2], angles: &[f64], contact: Face) -> Vec<Block> {
+fn rows(layout: &Layout, on: Rays, [inner, outer]: [Circle; 2], angles: &[f64], contact: Face) -> Vec<Block> {
     let whole = (outer.radius / inner.radius).ln();
     let first = angles[1] - angles[0];
     let near = first.max(NEAR).min(whole);
@@ -111,10 +110,9 @@ fn rows(layout: &Layout, pole: Point, [inner, outer]: [Circle; 2], angles: &[f64
     // From the inner circle to the outer one, on both of them to the last bit.
     let point = |angle: f64, height: f64| {
         let part = if height < whole { height.exp_m1() / whole.exp_m1() } else { 1.0 };
-        between(on_ray(inner, pole, angle), on_ray(outer, pole, angle), part)
+        between(on_ray(inner, on.pole, angle), on_ray(outer, on.pole, angle), part)
     };
-    let face_radius = if contact == Face::Top { outer.radius } else { inner.radius };
-    let last = if layout.path.is_straight() { (1.0 + ROUNDING) * (layout.stretch / face_radius).asin() } else { 0.0 };
+    let last = (1.0 + ROUNDING) * on.angle(layout.path, layout.stretch);
     let side = |name: &'static str, is_outer: bool, points: Vec<Point>| {
         if is_outer { Side::named(name, points) } else { Side::inner(points) }
     };
@@ -122,8 +120,7 @@ fn rows(layout: &Layout, pole: Point, [inner, outer]: [Circle; 2], angles: &[f64
     let [top, bottom] = if contact == Face::Bottom { [face, back] } else { [back, face] };
     let cell = |height: &[f64], angle: &[f64]| {
         let arc = |height: f64| match angle[1] <= last {
-            // Evenly along x next to the contact: bodies have their nodes at the same x there.
-            true => layout.along(&[angle[0].sin(), angle[1].sin()], |x| point(x.asin(), height)),
+            true => layout.along_contact(on, angle, |angle| point(angle, height)),
             false => layout.along(angle, |angle| point(angle, height)),
         };
         let ray = |angle: f64| layout.along(height, |height| point(angle, height));
