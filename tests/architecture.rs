@@ -212,11 +212,11 @@ fn matrix_types_of_libraries_stay_inside_the_numerics() {
 
 /// Lines that a room may have; raised only by a commit that says what for.
 const BUDGETS: [(&str, usize); 9] = [
-    ("solver", 22_927),
+    ("solver", 22_984),
     ("drawing", 2_945),
     ("case", 8_240),
     ("oracle", 1_436),
-    ("study", 14_918),
+    ("study", 14_911),
     ("referee", 6_624),
     ("report", 3_032),
     ("cli", 4_714),

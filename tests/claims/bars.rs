@@ -509,3 +509,30 @@ fn too_many_errors_beyond_their_bars_turn_the_claim_red_and_are_listed() {
     let none = Numbers::of_checks(std::iter::empty());
     assert_eq!(none.judge().expect("judged")[0].verdict, Verdict::Fail);
 }
+
+#[test]
+fn a_contact_cut_short_is_refused_or_its_end_is_within_a_bar_or_unknown() {
+    let whole = parsed(&crate::edge_meshes::pin_in_hole());
+    let asked = Asked { most_dofs: Some(20_000), ..Asked::new(1e-4) };
+    let truth = accuracy::solve(&whole.scene, &Formulation::verification(), &asked).expect("solved");
+    let truth = truth.run.measures().half_width();
+    let mut refusals = 0;
+    for part in [0.9, 0.95, 0.975, 0.985, 0.99, 0.995] {
+        let mut scene = whole.scene.clone();
+        scene.contacts[0].stretch = part * truth;
+        let discretisation = Discretisation::of(scene, whole.resolution).expect("discretised");
+        for formulation in Formulation::compared() {
+            let Ok(run) = Run::of(&discretisation, &formulation) else {
+                refusals += 1;
+                continue;
+            };
+            let all = bars(&discretisation, &run, &[]).expect("bars").all;
+            for quantity in [Quantity::HalfWidth, Quantity::End(0)] {
+                let Barred { value, bar, unknown, .. } = of(&all, &quantity);
+                let within = unknown.is_some() || (value - truth).abs() <= bar.total();
+                assert!(within, "{}, {part}: {value} ± {} beside {truth}", formulation.name(), bar.total());
+            }
+        }
+    }
+    assert!(refusals >= 18, "{refusals}");
+}

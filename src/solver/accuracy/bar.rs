@@ -15,6 +15,7 @@
 //! The parts of iteration and penalty are differences to the solution of the same discrete problem, which is exact.
 
 use crate::accuracy::family::{Evidence, Family, LOST, discrete_of};
+use crate::accuracy::longest::longest;
 use crate::accuracy::reading::{self, Reading, of_discrete, recovered, value_of};
 use crate::accuracy::watch::up_to;
 use crate::algorithm::StiffnessRule;
@@ -212,7 +213,7 @@ fn of_pressures(discretisation: &Discretisation, run: &Run, family: &Family) -> 
             Quantity::PeakPlace if !family.is_at_end(run, contact) => told.and(flat(contact)),
             _ => told,
         };
-        let (told, mesh) = match of_candidates(run, contact, quantity, &family.sizes) {
+        let (told, mesh) = match of_candidates(&discretisation.scene, run, contact, quantity, &family.sizes) {
             None => (Some(told), told.bar()),
             Some(0.0) => (None, 0.0),
             Some(least) => (None, larger(told.bar(), least)),
@@ -314,18 +315,24 @@ fn is_same(one: &Run, other: &Run) -> bool {
 /// Within what an end of a contact lies, whatever coarser meshes say; none where they tell.
 ///
 /// A contact that goes on to its outermost candidate ends there. Only where its pressure falls towards that, it may end anywhere within
-/// the last element.
-fn of_candidates(run: &Run, contact: usize, quantity: &Quantity, sizes: &[f64]) -> Option<f64> {
+/// the last element; where it does not, though the surfaces go on, that is not known.
+fn of_candidates(scene: &Scene, run: &Run, contact: usize, quantity: &Quantity, sizes: &[f64]) -> Option<f64> {
     let edges = run.solution.part(contact).edges;
     let falls = |side: usize| match edges {
         [first, second, ..] if side == 0 => first.pressure < GOES_ON * second.pressure,
         [.., before, last] if side == 1 => last.pressure < GOES_ON * before.pressure,
         _ => true,
     };
+    let pair = &scene.contacts[contact];
+    let goes_on = pair.stretch < longest(scene, pair) * (1.0 - SAME);
     let stretches = &run.contacts[contact].measures.stretches;
     let within = |k: usize, side: usize| {
         let reaches = stretches.get(k).is_some_and(|one| one.reaches[side]);
-        reaches.then(|| if falls(side) { 0.5 * sizes[contact] } else { 0.0 })
+        reaches.then(|| match falls(side) {
+            true => 0.5 * sizes[contact],
+            false if goes_on => f64::NAN,
+            false => 0.0,
+        })
     };
     match quantity {
         Quantity::Begin(k) => within(*k, 0),

@@ -9,6 +9,7 @@ use std::collections::HashSet;
 use crate::contact::{Interface, primary};
 use crate::elasticity::shape_functions;
 use crate::error::{Error, Kind, Part};
+use crate::measure::ACTIVE;
 use crate::mesh::{Edge, candidates};
 use crate::scene::{ContactPair, Profile};
 use crate::solution::{EdgeState, Solution, Unseen};
@@ -212,7 +213,12 @@ fn beside(sides: &Sides, solution: &Solution, tolerance: f64) -> Result<Vec<Unse
     let mut unseen = Vec::new();
     for &at in End::of(&interface.pair) {
         let Some([end, position, penetration]) = sides.deepest_beyond(at) else { continue };
-        let touches = at.outermost(points).is_some_and(|point| point.gap <= accepted);
+        let largest = points.iter().map(|point| point.pressure).fold(0.0, f64::max);
+        let last = at.outermost(points);
+        let pressed = last.filter(|point| point.pressure > ACTIVE * largest);
+        let touches = pressed.is_some() || last.is_some_and(|point| point.gap <= accepted);
+        // An iterate may hold off a point that it presses: the surfaces go on from there.
+        let penetration = penetration + pressed.map_or(0.0, |point| point.gap.max(0.0));
         let share = share_at(edges, at);
         let closed = touches && (share > ASIDE || share.is_nan());
         let most = if closed { accepted } else { accepted.max(ASIDE * approach) };
