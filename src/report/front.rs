@@ -105,10 +105,13 @@ pub fn against(findings: &[Finding]) -> String {
         vec![format!("{against} ({kind})"), shows.into(), own(kind).count().to_string(), share, pass, fail, absent]
     });
     let head = ["held against", "what it can show", "checks", "%", "pass", "fail", "not run"].map(String::from);
-    let truths: Vec<Agreement> = [ReferenceKind::Analytic, ReferenceKind::CrossCode, ReferenceKind::Measured]
-        .into_iter()
-        .flat_map(|kind| agreements(&own(kind).collect::<Vec<_>>()))
-        .collect();
+    let (mut truths, mut others) = (Vec::new(), Vec::new());
+    for kind in [ReferenceKind::Analytic, ReferenceKind::CrossCode, ReferenceKind::Measured] {
+        let all = agreements(own(kind).collect());
+        let (named, rest) = all.split_at(all.len().min(NAMED));
+        truths.extend_from_slice(named);
+        others.extend(rest.iter().map(|(name, all)| format!("{name} ({})", all.len())));
+    }
     let columns: [Column<Agreement>; 4] = [
         ("truth", |(name, all)| format!("{name} ({})", all[0].reference.kind)),
         ("numbers", |(_, all)| all.len().to_string()),
@@ -116,11 +119,12 @@ pub fn against(findings: &[Finding]) -> String {
         ("loosest", |(_, all)| told_agreement(all.last())),
     ];
     format!(
-        "{}\n{} {}. Of each kind the {NAMED} with the most numbers that agree with them, not by round-off alone:\n\n{}",
+        "{}\n{} {}. Of each kind the {NAMED} with the most numbers that agree with them, not by round-off alone:\n\n{}\nOthers, with as many numbers: {}.\n",
         markdown::table(&head, &rows),
         experiments(findings),
         link("Each check, and how near it is to its limit", CHECKS),
         markdown::columns(&columns, &truths),
+        others.join(", "),
     )
 }
 
@@ -134,16 +138,15 @@ fn told_agreement(one: Option<&&Judged>) -> String {
 /// A tolerance from which on an error is counted in what it may be, and is no agreement.
 const COUNTED: f64 = 1.0;
 
-/// The truths of a kind that are named.
-fn agreements<'a>(own: &[&'a Judged]) -> Vec<Agreement<'a>> {
+/// The truths of a kind, those with the most numbers first.
+fn agreements(own: Vec<&Judged>) -> Vec<Agreement<'_>> {
     let is_agreement = |one: &&Judged| {
         let near = !matches!(one.check.relation, Relation::AtLeast | Relation::AtMost);
         one.verdict == Verdict::Pass && near && one.check.tolerance < COUNTED && one.error >= told::ROUND_OFF
     };
-    let told = own.iter().copied().filter(is_agreement);
+    let told = own.into_iter().filter(is_agreement);
     let mut truths = in_order(told.map(|one| (&*one.reference.name, one)));
     truths.sort_by_key(|(_, all)| Reverse(all.len()));
-    truths.truncate(NAMED);
     truths.iter_mut().for_each(|(_, all)| all.sort_by(|a, b| a.error.total_cmp(&b.error)));
     truths
 }

@@ -194,6 +194,25 @@ fn element_stiffness_is_symmetric_with_exactly_the_three_rigid_motions_and_as_ma
 }
 
 #[test]
+fn cells_of_revolution_shift_along_their_axis_alone_without_a_stress() {
+    for (order, (plane, along)) in Order::ALL.into_iter().flat_map(|order| {
+        [(PlaneHypothesis::Axisymmetric, 1), (PlaneHypothesis::AxisymmetricAboutX, 0)].map(|about| (order, about))
+    }) {
+        for poisson in RATIOS {
+            let material = Material { poisson, ..STEEL };
+            let points: Vec<[f64; 2]> = distorted(order).iter().map(|[x, y]| [x + 1.0, y + 1.0]).collect();
+            let k = stiffness(&CellStiffness::of(order, &material, plane, 1.0), &points);
+            let (scale, shear) = (k.amax(), material.stiffness(plane)[2][2]);
+            let what = format!("{order:?}, {plane:?}, ν = {poisson}");
+            let shift = DVector::from_fn(2 * points.len(), |row, _| if row % 2 == along { 1.0 } else { 0.0 });
+            assert!((&k * shift).amax() <= 1e-11 * scale, "{what}");
+            let counted = [-1e-12 * scale, 1e-12 * scale, 1e-3 * shear].map(|limit| eigenvalues_below(&k, limit));
+            assert_eq!(counted, [0, 1, 1], "{what}");
+        }
+    }
+}
+
+#[test]
 fn strain_energy_of_a_uniform_strain_is_half_stress_times_strain_times_volume() {
     let (thickness, strain) = (1.3, Vector3::new(1e-3, -2e-3, 0.7e-3));
     for order in ORDERS {

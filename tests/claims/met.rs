@@ -2,9 +2,11 @@
 
 use contact_vv::accuracy::{self, Asked};
 use contact_vv::case::Verdict;
+use contact_vv::measure::Quantity;
+use contact_vv::scene::Shape;
 use contact_vv::solve::Formulation;
 use contact_vv::study::promised::met::{Record, consistent, is_as_recorded, near, record, right, thrifty};
-use contact_vv::study::random::{Family, Site};
+use contact_vv::study::random::{Family, Site, family};
 use contact_vv::study::records::Millionths;
 
 use crate::workbench::spoiled;
@@ -14,6 +16,24 @@ const LEFT_OUT: f64 = 1.5e-5;
 
 fn site(family: Family, number: usize) -> Site {
     Site { family, number }
+}
+
+/// The same of two spheres over a/R, the radius of the smaller one.
+const OF_SPHERES: f64 = 0.2;
+
+#[test]
+fn closed_form_of_two_spheres_leaves_out_a_fifth_of_the_half_width_over_the_radius() {
+    for number in [9, 24, 28] {
+        let number = family::FIRST + number;
+        let sample = site(Family::Spheres, number).sample().expect("a scene");
+        let found = record(&site(Family::Spheres, number), 2e-5, &sample).expect("solved");
+        let radii = sample.scene.bodies.iter().map(|body| match body.shape {
+            Shape::Disc { radius, .. } => radius,
+            ref other => panic!("{other:?}"),
+        });
+        let wide = sample.truth(0, &Quantity::HalfWidth) / radii.fold(f64::INFINITY, f64::min);
+        assert!(found.error() <= OF_SPHERES * wide && found.error() > 2e-4, "{wide}: {found:?}");
+    }
 }
 
 #[test]

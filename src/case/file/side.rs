@@ -347,7 +347,7 @@ impl Wanted<'_> {
     /// What mends a side that lies elsewhere along the path: around the axis of revolution only one place is right.
     fn remedy(&self, in_the_plane: impl Into<String>) -> String {
         match self.plane.radial() == Some(0) && !self.path.has_both_sides() {
-            true => "a contact begins on the axis x = 0, or is a ring with `both-sides = true` and an `origin`".into(),
+            true => "model what lies at radii x ≥ 0: a contact begins on the axis x = 0, or is a ring with `both-sides = true` and an `origin`".into(),
             false => in_the_plane.into(),
         }
     }

@@ -57,7 +57,8 @@ pub fn rows(found: &Found) -> Vec<[String; 2]> {
     rows.extend(stresses.map(|(stress, name)| [name.into(), of_body(found, stress)]));
     rows.extend(found.accurate.iter().map(|accurate| ["accuracy".into(), accuracy::outcome(accurate)]));
     rows.extend(of_oracles(found));
-    rows.extend(of_checks(&found.checks));
+    // That of the accuracy, the last one, is told already.
+    rows.extend(of_checks(&found.checks[..found.checks.len() - usize::from(found.accurate.is_some())]));
     let of_contacts = (0..run.contacts.len()).flat_map(|contact| found.notes_of(contact));
     let notes = of_contacts.chain(found.notes()).chain(unknown(found));
     rows.extend(notes.map(|note| [NOTE.into(), note]));

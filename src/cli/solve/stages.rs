@@ -9,6 +9,7 @@ use indicatif::{ProgressBar, ProgressFinish};
 use crate::accuracy::{Next, in_percent};
 use crate::cli::terminal::styled;
 use crate::clock::Stage;
+use crate::markdown::significant;
 
 /// A bar on standard error that goes when the solve ends or breaks off; nothing where that is no terminal.
 pub struct Stages {
@@ -65,7 +66,7 @@ fn announced(Next { dofs, seconds, estimate, asked }: &Next) -> String {
     let takes = if seconds.is_nan() { String::new() } else { format!(", some {} s", seconds.ceil()) };
     let why = match estimate {
         unknown if unknown.is_nan() => "no error bar is known yet".to_owned(),
-        known => format!("the error bar of the mesh before is {:.2e} %", 100.0 * known),
+        known => format!("the error bar of the mesh before is {} %", significant(100.0 * known, 2)),
     };
     let asked = in_percent(*asked);
     format!("solves a mesh of {dofs} dofs next{takes}: {why}, and {asked} % is asked; --max-dofs bounds what is solved")

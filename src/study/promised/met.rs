@@ -404,6 +404,10 @@ pub(super) fn section(surveyed: &Surveyed<Record>, beside: &[Beside]) -> String 
         let is_own = |record: &&Record| record.family == family && record.asked.to_bits() == asked.to_bits();
         (family, asked, recorded.iter().filter(is_own).cloned().collect())
     };
+    let wrong = |family: Option<Family>| {
+        let own = recorded.iter().filter(|record| family.is_none_or(|family| record.family == family));
+        own.filter(|record| record.is_falsely_met()).count()
+    };
     let over_cheapest: Vec<f64> = beside.iter().map(|one| one.own().dofs as f64 / one.cheapest() as f64).collect();
     let rows: Vec<Row> = families().flat_map(|family| ASKED.map(|asked| (family, asked))).map(row).collect();
     format!(
@@ -411,6 +415,8 @@ pub(super) fn section(surveyed: &Surveyed<Record>, beside: &[Beside]) -> String 
         shortest = shortest,
         longest = longest,
         surveyed = surveyed.told(),
+        wrong = wrong(None),
+        of_spheres = wrong(Some(Family::Spheres)),
         families = markdown::columns(&COLUMNS, &rows),
         most_beside = MOST_BESIDE,
         repeats = REPEATS,

@@ -2,8 +2,7 @@
 
 use std::f64::consts::PI;
 
-use super::layout::{Layout, last_two};
-use super::ring::on_ray;
+use super::layout::{Layout, last_two, on_ray};
 use crate::mesh::block::{Block, Point, Side, between, polar};
 use crate::mesh::spacing;
 use crate::scene::Shape;

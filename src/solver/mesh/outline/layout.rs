@@ -1,8 +1,9 @@
 //! What the outlines need to know of the scene, and the positions that follow from it.
 
+use std::f64::consts::FRAC_PI_2;
+
 use super::known_ends::KnownEnds;
-use super::ring::on_ray;
-use crate::mesh::block::Point;
+use crate::mesh::block::{Point, exact_sin};
 use crate::mesh::spacing;
 use crate::mesh::{Order, Resolution};
 use crate::scene::contact_pair::CONTACT;
@@ -215,6 +216,12 @@ impl Rays {
         let [x, y] = [0, 1].map(|k| (own.centre[k] - self.pole[k]).abs());
         x <= SAME * own.radius && y > SAME * own.radius
     }
+}
+
+/// Where the ray at angle `θ` from the pole meets a circle.
+pub(super) fn on_ray(circle: Circle, pole: Point, angle: f64) -> Point {
+    let r = circle.along_ray(pole, angle);
+    [pole[0] + r * exact_sin(angle), pole[1] - r * exact_sin(FRAC_PI_2 - angle)]
 }
 
 /// Distance of two points, over a radius, up to which they are one.

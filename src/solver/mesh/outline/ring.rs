@@ -3,8 +3,8 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use super::layout::{Layout, Rays};
-use crate::mesh::block::{Block, Point, Side, between, exact_sin};
+use super::layout::{Layout, Rays, on_ray};
+use crate::mesh::block::{Block, Point, Side, between};
 use crate::mesh::spacing;
 use crate::scene::{Circle, Face, ROUNDING, Shape};
 
@@ -133,10 +133,4 @@ fn rows(layout: &Layout, on: Rays, [inner, outer]: [Circle; 2], angles: &[f64], 
     };
     let cell = &cell;
     heights.windows(2).flat_map(|height| angles.windows(2).map(move |angle| cell(height, angle))).collect()
-}
-
-/// Where the ray at angle `θ` from the pole meets a circle.
-pub(super) fn on_ray(circle: Circle, pole: Point, angle: f64) -> Point {
-    let r = circle.along_ray(pole, angle);
-    [pole[0] + r * exact_sin(angle), pole[1] - r * exact_sin(FRAC_PI_2 - angle)]
 }
