@@ -217,7 +217,7 @@ const BUDGETS: [(&str, usize); 9] = [
     ("case", 8_240),
     ("oracle", 1_436),
     ("study", 14_845),
-    ("referee", 6_657),
+    ("referee", 6_765),
     ("report", 3_032),
     ("cli", 4_711),
     ("live", 490),

@@ -222,6 +222,20 @@ growth = { along = 1.0, depth = 1.0, coarsest = 5.0 }
 "#;
 
 #[test]
+fn our_answer_to_contacts_along_an_arc_and_a_line_is_read_back_in_their_own_units() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let [scene, to] = ["mixed.toml", "to"].map(|name| folder.path().join(name).display().to_string());
+    std::fs::write(&scene, ARC_AND_LINE).expect("written");
+    let (sound, _, error) = contact_vv(&["export", &scene, &to]);
+    assert!(sound, "{error}");
+    for (name, options) in [("ours.json", &[][..]), ("ours.csv", &["--order", "2"])] {
+        let (sound, table, error) = contact_vv(&[&["judge", &scene, &format!("{to}/{name}")], options].concat());
+        assert!(sound && table.contains("meets all") && table.contains("contact `ü`"), "{name}: {table}{error}");
+    }
+    refuses(&["judge", &scene, &format!("{to}/answer.json")], &["neither pressures nor forces"]);
+}
+
+#[test]
 fn bodies_and_contacts_whose_names_a_deck_cannot_tell_apart_have_their_numbers_in_it() {
     let case = Case::parse(Path::new("mixed.toml"), ARC_AND_LINE).expect("a case");
     let discretisation = Discretisation::of(case.scene.clone(), case.resolution).expect("meshed");
