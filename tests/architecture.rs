@@ -216,10 +216,10 @@ const BUDGETS: [(&str, usize); 9] = [
     ("drawing", 2_945),
     ("case", 8_240),
     ("oracle", 1_436),
-    ("study", 14_911),
-    ("referee", 6_624),
-    ("report", 3_032),
-    ("cli", 4_714),
+    ("study", 14_918),
+    ("referee", 6_765),
+    ("report", 3_035),
+    ("cli", 4_716),
     ("live", 490),
 ];
 

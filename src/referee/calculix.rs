@@ -7,7 +7,7 @@ use crate::error::Error;
 use crate::mesh::Order;
 use crate::referee::answer::{Answer, Handed, Point, ordered};
 use crate::referee::asked::Asked;
-use crate::referee::export::deck::{GAPS, SECTORS, named};
+use crate::referee::export::deck::{GAPS, SECTORS, gaps_of};
 use crate::referee::side::signed_coordinate;
 use crate::referee::source::Source;
 use crate::referee::state::State;
@@ -42,7 +42,7 @@ pub fn forces(file: &Path, text: &str, deck: &str, scene: &Scene, asked: &Asked)
     let whole = if scene.is_of_revolution() { SECTORS } else { 1.0 };
     let (mut contacts, mut read, mut notes) = (Vec::new(), Vec::new(), Vec::new());
     for (contact, pair) in scene.contacts.iter().enumerate() {
-        let set = format!("{GAPS}{}", named(&[&pair.name]));
+        let set = gaps_of(scene, contact);
         let tables = tables_of(text, &set);
         if tables.is_empty() {
             continue;

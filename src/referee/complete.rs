@@ -61,7 +61,7 @@ pub fn all(truth: &Truth, answer: &Answer, handed: &Handed, profile: &Profile, t
         (false, _) => ours.begin(),
     };
     let carried = Carried { truth, contact, reach: [from, ours.edge()] };
-    let lacking = cut(&carried, profile).map(|message| {
+    let lacking = cut(&carried, handed, profile).map(|message| {
         (message, "hand in every point up to where nothing presses, on both sides of a contact that is not symmetric")
     });
     let lacking = lacking.or_else(|| {
@@ -78,18 +78,20 @@ pub fn all(truth: &Truth, answer: &Answer, handed: &Handed, profile: &Profile, t
 }
 
 /// Where a profile stops under pressure, and how much of the force lies beyond.
-fn cut(carried: &Carried, profile: &Profile) -> Option<String> {
+fn cut(carried: &Carried, handed: &Handed, profile: &Profile) -> Option<String> {
     let ([first, last], [begin, end]) =
         ([profile.points.first()?, profile.points.last()?], [profile.edges.first()?, profile.edges.last()?]);
     let largest = profile.points.iter().map(|point| point.pressure.abs()).fold(0.0, larger);
     let is_pressed = |pressure: f64| pressure.abs() > PRESSED * largest;
-    // An end within one edge of that of the contact is judged as what it is; at a symmetry line none ends, and forces and areas may be of
-    // points within edges.
+    // An end within one edge of that of the contact is judged as what it is; at a symmetry line none ends, and areas may be of points within
+    // edges.
     let path = &profile.pair().path;
     let is_half = !path.has_both_sides() && !profile.across && !profile.scene.is_around_axis(profile.contact);
-    let is_at_line = is_half && carried.reach[0] <= 0.0 && !profile.has_forces;
+    let has_areas = handed.points.iter().all(|point| point.area.is_some());
+    let is_at_line = is_half && carried.reach[0] <= 0.0 && !has_areas;
+    let begins = first.position.min(begin.ends[0]);
     let cuts = [
-        (first, [carried.reach[0], first.position], if is_at_line { 0.0 } else { EDGES * begin.length() }),
+        (first, [carried.reach[0], begins], if is_at_line { 0.0 } else { EDGES * begin.length() }),
         (last, [last.position, carried.reach[1]], EDGES * end.length()),
     ];
     let dropped =

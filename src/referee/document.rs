@@ -10,6 +10,7 @@ use crate::error::{Error, Located};
 use crate::mesh::Order;
 use crate::referee::answer::{Answer, BESIDE, Handed, Point, contact_named, ordered};
 use crate::referee::asked::Asked;
+use crate::referee::profile::order_of_areas;
 use crate::referee::units::{Role, Units, is_angle};
 use crate::scene::{self, Scene};
 use crate::solution::EdgeState;
@@ -37,6 +38,9 @@ pub struct Contact {
     /// Its name; may be left out where the scene has one only.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub name: Option<String>,
+    /// Units of its lists, where they are others than those of the document: of contacts along arcs beside others along straight lines.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub units: Option<Units>,
     /// Order of the contact edges: 1, every point is a corner (the default); 2, corners and mid-sides by turns.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub order: Option<u8>,
@@ -105,7 +109,7 @@ pub fn parse(file: &Path, text: &str, case: &str, scene: &Scene, asked: &Asked) 
         contact_of(&Reader {
             scene,
             asked,
-            units,
+            units: contact.units.as_ref().unwrap_or(units),
             contact,
             refused: &|of: &str, m, r: &str| refused(&format!("{key}.{of}"), m, r),
         })
@@ -231,6 +235,10 @@ fn contact_of(reader: &Reader) -> Result<Handed, Error> {
     let points = ordered((0..position.len()).map(point).collect(), order, |message, remedy| {
         refused("position", message, remedy)
     })?;
+    let order = match (contact.order, asked.order) {
+        (None, None) if contact.edges.is_empty() => order_of_areas(scene, &scene.contacts[index], &points),
+        _ => order,
+    };
     let edges = edges_of(reader, &scene.contacts[index].path)?;
     if let Some([from, to]) = wrong_step(&edges, &points) {
         let message = format!("none, or more than one, reaches from {from} to {to} (mm, or rad on an arc)");

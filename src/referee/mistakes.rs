@@ -3,7 +3,7 @@
 //! A mistake is a correction of positions and pressures. Loads, radii and moduli enter by the powers of Hertz's contact,
 //! `a ∝ √(PR/E*)`, `p ∝ √(PE*/R)`, of bodies of revolution `a ∝ ∛(FR/E*)`, `p ∝ ∛(FE*²/R²)`, and by those of a contact whose width is given.
 
-use std::f64::consts::{FRAC_1_SQRT_2, PI, SQRT_2, TAU};
+use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, PI, SQRT_2, TAU};
 
 use crate::case::Verdict;
 use crate::measure::Quantity;
@@ -85,7 +85,44 @@ fn corrections(truth: &Truth, handed: &Handed, beside: Beside) -> Vec<Correction
         .chain(sides)
         .chain(by_places(handed))
         .chain(of_ring(&scene.contacts[handed.contact], handed))
+        .chain(from_other_lines(&scene.contacts[handed.contact], handed))
+        .chain(other_way(&scene.contacts[handed.contact], handed))
+        .chain(on_the_line(handed).filter(|_| is_half && !is_circle))
         .collect()
+}
+
+/// Angles of one half of a contact that are counted from another line than the load line, either way round.
+fn from_other_lines(pair: &ContactPair, handed: &Handed) -> Vec<Correction> {
+    if pair.path.is_straight() || !handed.edges.is_empty() {
+        return vec![];
+    }
+    let turned = |(quarters, sign): (u16, f64)| {
+        let off = f64::from(quarters) * FRAC_PI_2;
+        let turn = |point: &Point| Point { position: sign * (point.position - off), ..*point };
+        let mut points: Vec<Point> = handed.points.iter().map(turn).collect();
+        points.sort_by(|a, b| a.position.total_cmp(&b.position));
+        let says = format!("angles are counted from a line {}° off the load line", 90 * quarters);
+        (points[0].position >= 0.0 - ALIKE).then(|| (says, Handed { points, ..handed.clone() }))
+    };
+    (1..4).flat_map(|quarters| [(quarters, 1.0), (quarters, -1.0)]).filter_map(turned).collect()
+}
+
+/// Positions of a contact that is not symmetric, with the other sign.
+fn other_way(pair: &ContactPair, handed: &Handed) -> Option<Correction> {
+    let turn = |point: &Point| Point { position: 0.0 - point.position, ..*point };
+    let points = handed.points.iter().rev().map(turn).collect();
+    let edges = handed.edges.iter().rev().map(EdgeState::mirrored).collect();
+    let says = "positions run the other way: change their sign".to_owned();
+    pair.path.has_both_sides().then(|| (says, Handed { points, edges, ..handed.clone() }))
+}
+
+/// The force on the symmetry line of a model of both halves, of which one half of the nodes is handed in.
+fn on_the_line(handed: &Handed) -> impl Iterator<Item = Correction> {
+    let mut one = handed.clone();
+    one.points[0].value *= 0.5;
+    let says = "the force on the symmetry line is that of both halves: halve it".to_owned();
+    let is_it = handed.forces && handed.edges.is_empty() && handed.points[0].position.abs() <= 0.0;
+    is_it.then_some((says, one)).into_iter()
 }
 
 /// The part of a whole ring that the scene has.
@@ -148,9 +185,13 @@ fn off(truth: &Truth, handed: &Handed) -> f64 {
 /// What is said of another order.
 const MID_SIDES: &str = "every second point is a mid-side: hand them in with --order 2";
 /// What is said of the other sign.
-const NEGATIVE: &str = "pressures are negative in compression: hand them in with --tension-positive";
+const NEGATIVE: &str =
+    "pressures are negative in compression: hand them in with --tension-positive, or without it where it was given";
 /// Difference of factors that no answer tells apart.
 const ALIKE: f64 = 1e-3;
+
+/// Angles of the sectors that are modelled of bodies of revolution \[°\]: 2 by CalculiX.
+const SECTORS: [f64; 9] = [1.0, 2.0, 3.0, 5.0, 10.0, 15.0, 30.0, 45.0, 90.0];
 
 /// Signs, diameters and parts of the whole: numbers of the scene that are called others.
 fn called(scene: &Scene, handed: &Handed) -> Vec<(String, [f64; 2])> {
@@ -166,7 +207,10 @@ fn called(scene: &Scene, handed: &Handed) -> Vec<(String, [f64; 2])> {
     }
     if is_circle && handed.forces {
         all.push(("nodal forces are per radian: 2π is forgotten".into(), [TAU, 1.0]));
-        all.push(("nodal forces are those of a sector of 2°: they are to be multiplied by 180".into(), [180.0, 1.0]));
+        all.extend(SECTORS.map(|angle| {
+            let by = 360.0 / angle;
+            (format!("nodal forces are those of a sector of {angle}°: they are to be multiplied by {by}"), [by, 1.0])
+        }));
     }
     if !is_circle && (scene.thickness - 1.0).abs() > 0.0 {
         let text = format!("forces are per unit thickness, but the scene is {} mm thick", scene.thickness);

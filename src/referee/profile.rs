@@ -56,7 +56,8 @@ impl Profile {
         };
         let mut points: Vec<PointState> = handed.points.iter().zip(&areas).map(state).collect();
         let has_means = !plain.edges.is_empty();
-        let on_axis = scene.is_around_axis(handed.contact) && lends_to_axis(&mut points, handed);
+        let may_lend = scene.is_around_axis(handed.contact) || begun.is_some() && handed.forces;
+        let on_axis = may_lend && lends_to_axis(&mut points, handed);
         // What a node on the axis is said to press with by one who says that it has no area is none: it had nothing to divide its force by.
         let lent = usize::from(on_axis && plain.points[0].area.is_some());
         let alone = match plain.forces || has_means {
@@ -146,24 +147,34 @@ fn lends_to_axis(points: &mut [PointState], handed: &Handed) -> bool {
     has_no_area
 }
 
-/// The same begun on the symmetry line, where points such as the middles of edges do not: the first pressure holds up to there.
-/// None where it begins there, or lies on both sides. Tables of bodies of revolution may leave out the axis, where nodes have no area.
+/// The same begun on the symmetry line, where points such as the middles of edges do not: the first pressure holds up to there, and a first force
+/// is of all the area up to there. None where it begins there, or lies on both sides. Tables of bodies of revolution may leave out the axis, where
+/// nodes have no area.
 fn begun(scene: &Scene, handed: &Handed, across: bool) -> Option<Handed> {
     let [first, second] = [handed.points[0], handed.points[1]];
     let (length, revolves) = (second.position - first.position, scene.is_around_axis(handed.contact));
-    let near = first.position < length || revolves && first.position <= length * (1.0 + SAME);
+    let near = match handed.forces && !revolves {
+        true => HALF.contains(&(first.position / length)),
+        false => first.position < length || revolves && first.position <= length * (1.0 + SAME),
+    };
     if across
         || scene.contacts[handed.contact].path.has_both_sides()
         || first.position <= SAME * second.position
         || !near
         || handed.order != Order::Linear
-        || handed.forces
-        || first.area.is_some() && !revolves
+        || first.area.is_some() && (handed.forces || !revolves)
     {
         return None;
     }
-    let start = Point { position: 0.0, area: first.area.map(|_| 0.0), ..first };
-    Some(Handed { points: [&[start], &handed.points[..]].concat(), ..handed.clone() })
+    let mut points = vec![Point { position: 0.0, area: first.area.map(|_| 0.0), ..first }];
+    points.extend(&handed.points);
+    if handed.forces {
+        let areas = tributary(scene, &scene.contacts[handed.contact], &points, Order::Linear);
+        // On straight lines it is an edge of which the first point is the middle; of rings their hat functions have the area of the first.
+        points[1].area = Some(areas[1] + if revolves { 0.0 } else { areas[0] });
+        points[0] = Point { value: 0.0, area: Some(0.0), ..points[0] };
+    }
+    Some(Handed { points, ..handed.clone() })
 }
 
 /// Straight lines between pressures with their middles, so that Simpson's rule takes their second moments exactly.
@@ -208,6 +219,21 @@ pub fn tributary(scene: &Scene, pair: &ContactPair, points: &[Point], order: Ord
     }
     let across = pair.path.metric() * if scene.is_of_revolution() { TAU } else { scene.thickness };
     sums.into_iter().map(|sum| sum * across).collect()
+}
+
+/// Part of the largest area by which areas may be off from those of an order.
+const OFF: f64 = 0.01;
+
+/// The order of the edges of which the areas of points tell: 2 where they are theirs and not those of edges with two nodes; else 1.
+pub fn order_of_areas(scene: &Scene, pair: &ContactPair, points: &[Point]) -> Order {
+    let Some(areas) = points.iter().map(|point| point.area).collect::<Option<Vec<f64>>>() else { return Order::Linear };
+    let largest = areas.iter().copied().fold(0.0, f64::max);
+    let are_of = |order: Order| {
+        let wanted = tributary(scene, pair, points, order);
+        areas.iter().zip(wanted).all(|(own, wanted)| (own - wanted).abs() <= OFF * largest)
+    };
+    let is_whole = points.len() % 2 == 1;
+    if is_whole && are_of(Order::Quadratic) && !are_of(Order::Linear) { Order::Quadratic } else { Order::Linear }
 }
 
 /// Means over the edges, by the same shares.

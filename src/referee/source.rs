@@ -29,11 +29,13 @@ impl Source<'_> {
     /// What turns numbers of a role into ours, by the unit that the file says, `written`, or that --unit names; `what` has it. None is guessed,
     /// and where both are there they are one.
     pub fn factor(&self, role: Role, what: &str, written: Option<&str>, named: Option<&str>) -> Result<f64, Error> {
-        let remedy = || format!("give --unit {}=UNIT, with one of {}", role.name(), role.known_units());
+        let give = || format!("give --unit {}=UNIT, with one of {}", role.name(), role.known_units());
         if let Some([message, remedy]) = written.zip(named).and_then(|both| role.contradiction(what, both)) {
             return Err(self.refused(message, remedy));
         }
-        let unit = written.or(named).ok_or_else(|| self.refused(format!("{what} has no unit"), remedy()))?;
-        role.factor(unit).ok_or_else(|| self.refused(format!("the unit `{unit}` of {what} is not known"), remedy()))
+        let unit = written.or(named).ok_or_else(|| self.refused(format!("{what} has no unit"), give()))?;
+        // What --unit says is none in place of what the file says.
+        let correct = || format!("write a known one in its place; where it is no unit, {}", give());
+        role.factor(unit).ok_or_else(|| self.refused(format!("the unit `{unit}` of {what} is not known"), correct()))
     }
 }

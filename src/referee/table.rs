@@ -12,6 +12,7 @@ use crate::error::Error;
 use crate::mesh::Order;
 use crate::referee::answer::{Answer, BESIDE, FEWEST, Handed, Point, contact_named, ordered};
 use crate::referee::asked::Asked;
+use crate::referee::profile::order_of_areas;
 use crate::referee::side::{signed_coordinate, surface};
 use crate::referee::source::Source;
 use crate::referee::state::State;
@@ -33,6 +34,9 @@ const ROW_NUMBERS: &str =
 /// What to do about a second table.
 const ONE: &str = "keep the table of the side, step and frame that is to be judged, and remove the others; of one that was printed in pages remove the \
                    lines between them";
+
+/// What is said of edges whose areas tell their order.
+const BY_AREAS: &str = "corners and mid-sides by turns, of which the areas are";
 
 /// A column that is read.
 struct Column {
@@ -86,18 +90,21 @@ pub fn parse(file: &Path, text: &str, scene: &Scene, asked: &Asked) -> Result<An
     if groups.is_empty() {
         return Err(source.refused("it has no line behind its head", "the file is cut: write it again"));
     }
-    let order = asked.order.unwrap_or(Order::Linear);
     let forces = !reader.columns.iter().any(|column| column.role == Role::Pressure);
     let handed = |(contact, points): (usize, Vec<Point>)| {
-        let points = ordered(points, order, |message, remedy| source.refused(message, remedy))?;
+        let points =
+            ordered(points, asked.order.unwrap_or(Order::Linear), |message, remedy| source.refused(message, remedy))?;
+        let order = asked.order.unwrap_or_else(|| order_of_areas(scene, &scene.contacts[contact], &points));
         Ok(Handed { contact, points, order, edges: vec![], forces })
     };
-    let contacts = groups.into_iter().map(handed).collect::<Result<_, Error>>()?;
+    let contacts: Vec<Handed> = groups.into_iter().map(handed).collect::<Result<_, Error>>()?;
     let is_beside =
         !forces && table.head.iter().any(|title| asked.names(Role::Force, title) || is_usual(Role::Force, title));
     let mut read: Vec<String> =
         reader.columns.iter().map(|column| format!("`{}` as {}", column.title, column.role.name())).collect();
     read.extend(is_beside.then(|| BESIDE.to_owned()));
+    let of_areas = |one: &Handed| asked.order.is_none() && one.order == Order::Quadratic;
+    read.extend(contacts.iter().any(of_areas).then(|| BY_AREAS.to_owned()));
     read.extend(table.states.as_ref().map(|(state, _)| format!("the rows of {state}")));
     let notes = table.states.as_ref().map_or_else(Vec::new, |(state, all)| state.notes(all));
     let unit = |roles: &[Role]| {
@@ -483,6 +490,7 @@ impl Asked {
 fn columns(source: &Source, head: &[String], scene: &Scene, asked: &Asked) -> Result<Vec<Column>, Error> {
     let shown = || head.iter().map(|title| format!("`{title}`")).collect::<Vec<_>>().join(", ");
     let of = |is_it: &dyn Fn(&str) -> bool| (0..head.len()).filter(|&k| is_it(&head[k])).collect::<Vec<usize>>();
+    let is_of_angles = |k: usize| split(&head[k]).1.is_some_and(is_angle);
     let mut found: Vec<(Role, usize)> = Vec::new();
     for role in Role::OF_TABLES {
         let usual = |name: &&str| of(&|title: &str| is_called(title, name));
@@ -501,6 +509,10 @@ fn columns(source: &Source, head: &[String], scene: &Scene, asked: &Asked) -> Re
                 return Err(source.refused(message, format!("name the column of {} by --column", role.name())));
             }
             ([index], _) => found.push((role, *index)),
+            // Of contacts along straight lines and along arcs, as our own table has them.
+            ([a, b], None) if role == Role::Position && is_of_angles(*a) != is_of_angles(*b) => {
+                found.extend([(role, *a), (role, *b)]);
+            }
             (_, _) => {
                 let message = format!("more than one column is called {}: {}", role.name(), shown());
                 return Err(source.refused(message, "name it by --column, with its unit"));
@@ -567,15 +579,22 @@ struct Reader<'a> {
 }
 
 impl Reader<'_> {
+    /// The column of a role; of positions that of the kind of a path, where there are both.
+    fn column(&self, role: Role, straight: bool) -> Option<&Column> {
+        let all = || self.columns.iter().filter(|column| column.role == role);
+        let is_of_path = |column: &&Column| column.unit.as_deref().is_some_and(is_angle) != straight;
+        all().find(is_of_path).or_else(|| all().next())
+    }
+
     /// The number of a role in our unit; none where there is no such column.
-    fn number(&self, line: &str, cells: &[String], role: Role) -> Result<Option<f64>, Error> {
-        let Some(column) = self.columns.iter().find(|column| column.role == role) else { return Ok(None) };
+    fn number(&self, line: &str, cells: &[String], column: Option<&Column>) -> Result<Option<f64>, Error> {
+        let Some(column) = column else { return Ok(None) };
         let text = &cells[column.index];
         let mixed = self.comma && text.contains('.');
         match number(text, self.comma).filter(|_| !mixed) {
             Some(value) if value.is_finite() => Ok(Some(column.factor * value)),
             // Far from the other side there is no gap.
-            Some(value) if role == Role::Gap && value == f64::INFINITY => Ok(Some(value)),
+            Some(value) if column.role == Role::Gap && value == f64::INFINITY => Ok(Some(value)),
             _ => {
                 let also = if mixed { ": other numbers of the file have a decimal comma" } else { "" };
                 let message = format!("`{}` is `{text}`, which is no number{also}", column.title);
@@ -598,10 +617,10 @@ impl Reader<'_> {
 
     /// The point of a line of a contact.
     fn point(&self, contact: usize, line: &str, cells: &[String]) -> Result<Point, Error> {
-        let number = |role: Role| self.number(line, cells, role);
-        let column = |role: Role| self.columns.iter().find(|column| column.role == role);
         let pair = &self.scene.contacts[contact];
         let straight = pair.path.is_straight();
+        let column = |role: Role| self.column(role, straight);
+        let number = |role: Role| self.number(line, cells, column(role));
         let position = match (number(Role::Position)?, number(Role::X)?, number(Role::Y)?) {
             (Some(position), ..) => {
                 if column(Role::Position).and_then(|column| column.unit.as_deref()).is_some_and(is_angle) == straight {

@@ -177,6 +177,101 @@ fn files_of_a_scene_whose_name_no_code_can_type_are_called_case() {
     assert!(sound && table.contains("meets all"), "{table}{error}");
 }
 
+/// Two rings, one shrunk on to the other, and a block apart on a rigid plane: a contact along an arc beside one along a straight line.
+const ARC_AND_LINE: &str = r#"
+plane = "stress"
+thickness = 1.0
+[[body]]
+name = "Welle ü"
+young = 210e3
+poisson = 0.3
+shape = { ring = { centre = [0, 0], inner = 20, outer = 40, sweep = 90, contact = "outer" } }
+supports = [{ at = "start", component = "x" }, { at = "end", component = "y" }]
+[[body]]
+name = "Welle ä"
+young = 120e3
+poisson = 0.34
+shape = { ring = { centre = [0, 0], inner = 40, outer = 55, sweep = 90, contact = "inner" } }
+supports = [{ at = "start", component = "x" }, { at = "end", component = "y" }]
+[[body]]
+name = "weak"
+young = 70e3
+poisson = 0.3
+shape = { rectangle = { x = [100, 120], y = [0, 20], contact = "bottom" } }
+supports = [{ at = "left", component = "x" }]
+loads = [{ traction = { at = "far", force = [0, -1000] } }]
+[[contact]]
+name = "ä"
+first = "Welle ü"
+second = "Welle ä"
+arc = { centre = [0, 0], radius = 40 }
+gap = { uniform = -0.02 }
+stretch = 90
+[[contact]]
+name = "ü"
+first = "weak"
+origin = [100, 0]
+gap = { uniform = 0 }
+stretch = 20
+[reference]
+pressure = 30
+[mesh]
+elements = 12
+per = 62.831853
+growth = { along = 1.0, depth = 1.0, coarsest = 5.0 }
+"#;
+
+#[test]
+fn our_answer_to_contacts_along_an_arc_and_a_line_is_read_back_in_their_own_units() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let [scene, to] = ["mixed.toml", "to"].map(|name| folder.path().join(name).display().to_string());
+    std::fs::write(&scene, ARC_AND_LINE).expect("written");
+    let (sound, _, error) = contact_vv(&["export", &scene, &to]);
+    assert!(sound, "{error}");
+    for (name, options) in [("ours.json", &[][..]), ("ours.csv", &["--order", "2"])] {
+        let (sound, table, error) = contact_vv(&[&["judge", &scene, &format!("{to}/{name}")], options].concat());
+        assert!(sound && table.contains("meets all") && table.contains("contact `ü`"), "{name}: {table}{error}");
+    }
+    refuses(&["judge", &scene, &format!("{to}/answer.json")], &["neither pressures nor forces"]);
+}
+
+#[test]
+fn bodies_and_contacts_whose_names_a_deck_cannot_tell_apart_have_their_numbers_in_it() {
+    let case = Case::parse(Path::new("mixed.toml"), ARC_AND_LINE).expect("a case");
+    let discretisation = Discretisation::of(case.scene.clone(), case.resolution).expect("meshed");
+    let text = deck::text(&discretisation).expect("written");
+    let deck = blocks(&text);
+    let named = |begin: &str| {
+        let heads = deck.iter().filter_map(|(head, _)| head.strip_prefix(begin));
+        heads.map(str::to_owned).collect::<Vec<String>>()
+    };
+    let [mut materials, mut sets] = ["MATERIAL, NAME=", "NSET, NSET="].map(named);
+    // Three bodies, and the material that none is of; a body called as the set of the springs is none of these.
+    assert_eq!(materials.len(), 4);
+    assert!(named("ELEMENT, TYPE=CPS8, ELSET=").iter().all(|name| name != "WEAK" && materials.contains(name)));
+    for all in [&mut materials, &mut sets] {
+        let count = all.len();
+        all.sort();
+        all.dedup();
+        assert_eq!(all.len(), count, "{all:?}");
+    }
+    // Lamé's pressure of the rings, plane stress, and N/A of the block: 2 · 1000 N on 2 · 20 mm².
+    let folder = tempfile::tempdir().expect("a folder");
+    std::fs::write(folder.path().join("mixed.inp"), text).expect("written");
+    if ccx(folder.path(), "mixed").is_none() {
+        return;
+    }
+    let answer = read::read(&folder.path().join("mixed.dat"), &case, &Asked::default()).expect("read");
+    let found = verdicts(&Truth::of(case).expect("solved"), answer, ENGINEERING).expect("judged");
+    let bore = |r: f64, outer: f64| (outer * outer + r * r) / (outer * outer - r * r);
+    let compliance = 40.0 * ((bore(40.0, 55.0) + 0.34) / 120e3 + (bore(20.0, 40.0) - 0.3) / 210e3);
+    for (ruled, peak) in found.ruled.iter().zip([0.02 / compliance, 50.0]) {
+        let own = ruled.measures.peak.pressure;
+        assert!((own - peak).abs() <= 1e-3 * peak, "{own} for {peak}");
+    }
+    assert!(found.ruled.len() == 2 && found.met(), "{:?}", failed(&found));
+}
+
 /// The blocks of a deck: a keyword with its options, and rows of words.
 fn blocks(deck: &str) -> Vec<(&str, Vec<Vec<&str>>)> {
     let mut all: Vec<(&str, Vec<Vec<&str>>)> = Vec::new();

@@ -313,6 +313,33 @@ fn points_of_another_order_and_areas_of_others_are_named_and_single_points_are_n
 }
 
 #[test]
+fn areas_of_corners_and_mid_sides_tell_that_edges_have_three_nodes() {
+    // N/A of a block under its own weight, by consistent pressures: a third of 0.94 and two of 1.03.
+    let truth = workbench::truth("own-weight");
+    let rows = |share: [f64; 3]| {
+        let area = |k: usize| {
+            5.0 * if k % 2 == 1 {
+                share[1]
+            } else if k % 8 == 0 {
+                share[0]
+            } else {
+                share[0] + share[2]
+            }
+        };
+        let row = |k: usize| [2.5 * k as f64, 0.4 * if k % 2 == 1 { 1.03 } else { 0.94 }, area(k)];
+        table("position [mm],pressure [MPa],area [mm2]", (0..=8).map(row))
+    };
+    let found = judged_as(truth, "theirs.csv", &rows([1.0 / 6.0, 4.0 / 6.0, 1.0 / 6.0]), &Asked::default());
+    assert!(
+        found.met() && found.answer.read.iter().any(|how| how.contains("mid-sides by turns")),
+        "{:?}",
+        failed(&found)
+    );
+    // By halves they are those of edges with two nodes.
+    assert!(!judged_as(truth, "theirs.csv", &rows([0.25, 0.5, 0.25]), &Asked::default()).met());
+}
+
+#[test]
 fn tension_that_stresses_have_beside_a_contact_is_none_whatever_they_are_read_from() {
     let stress = |pull: f64| -> String {
         let value = |s: f64| if s > 2.0 && s < 2.3 { pull } else { 0.0 - ellipse::pressure(s) };

@@ -4,7 +4,7 @@ use contact_vv::case::library::{TruncatedHertz, find};
 use contact_vv::referee::Asked;
 use contact_vv::referee::units::Role;
 
-use crate::handed::read;
+use crate::handed::{in_units, read};
 use crate::workbench::refused;
 
 #[test]
@@ -15,6 +15,7 @@ fn what_is_unknown_is_asked_for_with_file_found_and_remedy() {
     assert!(read(&case, "theirs.csv", good, &Asked::default()).is_ok());
     let plain = Asked::default();
     let named = Asked { columns: vec![(Role::Pressure, "cpress".into())], ..Asked::default() };
+    let megapascals = in_units(&[(Role::Pressure, "MPa")]);
     for (case, text, asked, parts) in [
         (&case, "0,3\n1,2\n2,1\n", &plain, ["its first line holds no names", "position [mm],pressure [MPa]"]),
         (
@@ -43,6 +44,13 @@ fn what_is_unknown_is_asked_for_with_file_found_and_remedy() {
             ["mm off the side of contact", "in the coordinates of the scene"],
         ),
         (&case, "position [mm],pressure [torr]\n0,3\n", &plain, ["the unit `torr`", "MPa, N/mm2, kPa, Pa, GPa"]),
+        // What --unit names is none in place of what stands in brackets, and no remedy.
+        (
+            &case,
+            "position [mm],pressure [N/mm]\n0,3\n",
+            &megapascals,
+            ["the unit `N/mm`", "write a known one in its place"],
+        ),
         (&case, good, &named, ["there is no column `cpress`", "--column"]),
         (
             &case,

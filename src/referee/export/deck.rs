@@ -11,7 +11,7 @@
 //! Of bodies of revolution ccx makes bricks of a sector of 2°. Loads on nodes of cells are whole forces, as in Abaqus; forces in gap elements,
 //! whose nodes belong to no cell, are those of the sector.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 
 use crate::contact::interface::ContactNode;
@@ -19,7 +19,7 @@ use crate::elasticity::{axis, loads};
 use crate::error::Error;
 use crate::mesh::{Edge, Order};
 use crate::referee::export::rows::approach;
-use crate::scene::{Component, Load, Place, PlaneHypothesis, ReferenceValues};
+use crate::scene::{Component, Load, Place, PlaneHypothesis, ReferenceValues, Scene};
 use crate::solve::Discretisation;
 
 /// Stiffness of a closed gap element, over E t.
@@ -32,6 +32,11 @@ const WEAK: f64 = 1e-7;
 pub const SECTORS: f64 = 180.0;
 /// Set of the fixed nodes behind the gap elements of a contact, before its name.
 pub const GAPS: &str = "GAPS_";
+/// Sets of all nodes, of weak springs, and of a gap element before its number; and a material that nothing is of.
+const ALL: &str = "ALL";
+const WEAK_SET: &str = "WEAK";
+const GAP: &str = "GAP";
+const UNUSED: &str = "UNUSED";
 /// Set of the nodes of a body on the axis of revolution, before its name.
 const AXIS: &str = "AXIS";
 
@@ -40,6 +45,7 @@ pub fn text(discretisation: &Discretisation) -> Result<String, Error> {
     let kind = kind(discretisation)?;
     let mut deck = Deck {
         discretisation,
+        names: names_of_bodies(discretisation),
         text: String::new(),
         nodes: discretisation.mesh.points.len(),
         elements: discretisation.mesh.cells(),
@@ -94,14 +100,47 @@ fn slice(discretisation: &Discretisation) -> f64 {
 }
 
 /// A name that both codes take.
-pub fn named(parts: &[&str]) -> String {
+fn named(parts: &[&str]) -> String {
     let plain = |letter: char| if letter.is_ascii_alphanumeric() { letter.to_ascii_uppercase() } else { '_' };
     parts.join("_").chars().map(plain).collect()
+}
+
+/// Names with their numbers before them where two of all that a deck has are the same in it, as those in other letters than ASCII are: it
+/// would join their materials, supports and forces.
+fn apart(names: Vec<String>, all: &[String]) -> Vec<String> {
+    if all.iter().collect::<BTreeSet<_>>().len() == all.len() {
+        return names;
+    }
+    names.into_iter().enumerate().map(|(k, name)| format!("N{}_{name}", k + 1)).collect()
+}
+
+/// Names of the bodies: no two of them, of their sides, or of what a deck has of its own are the same.
+fn names_of_bodies(Discretisation { scene, mesh, .. }: &Discretisation) -> Vec<String> {
+    let names: Vec<String> = scene.bodies.iter().map(|body| named(&[&body.name])).collect();
+    let sides = names
+        .iter()
+        .zip(&mesh.bodies)
+        .flat_map(|(name, part)| part.boundaries.iter().chain(&part.lines).map(move |(side, _)| named(&[name, side])));
+    let gaps = (0..scene.contacts.len()).map(|contact| gaps_of(scene, contact));
+    let axis = names.iter().map(|name| named(&[AXIS, name]));
+    let own = [ALL, WEAK_SET, UNUSED].map(str::to_owned).into_iter().chain(gaps).chain(axis);
+    let is_gap = |name: &String| name.strip_prefix(GAP).is_some_and(|rest| rest.parse::<usize>().is_ok());
+    let twice = names.iter().filter(|name| is_gap(name)).cloned();
+    let all: Vec<String> = sides.chain(own).chain(names.clone()).chain(twice).collect();
+    apart(names, &all)
+}
+
+/// Set of the fixed nodes behind the gap elements of a contact.
+pub fn gaps_of(scene: &Scene, contact: usize) -> String {
+    let names: Vec<String> = scene.contacts.iter().map(|pair| named(&[&pair.name])).collect();
+    format!("{GAPS}{}", apart(names.clone(), &names)[contact])
 }
 
 /// A deck being written.
 struct Deck<'a> {
     discretisation: &'a Discretisation,
+    /// Names of the bodies.
+    names: Vec<String>,
     text: String,
     /// Last number of a node.
     nodes: usize,
@@ -125,20 +164,14 @@ impl Deck<'_> {
             false => "Forces are those of the modelled part.",
         };
         self.line(format!("** {name}: mm, N, MPa. {of}"));
-        let stretches: Vec<String> = scene
-            .contacts
-            .iter()
-            .map(|pair| {
-                format!(
-                    "** contact `{}`: reactions of the set {}{} along 1 are the contact forces, turned round.",
-                    pair.name,
-                    GAPS,
-                    named(&[&pair.name])
-                )
-            })
-            .collect();
-        stretches.into_iter().for_each(|line| self.line(line));
-        self.line("*NODE, NSET=ALL");
+        for (contact, pair) in scene.contacts.iter().enumerate() {
+            let set = gaps_of(scene, contact);
+            self.line(format!(
+                "** contact `{}`: reactions of the set {set} along 1 are the contact forces, turned round.",
+                pair.name
+            ));
+        }
+        self.line(format!("*NODE, NSET={ALL}"));
         for (k, [x, y]) in self.discretisation.mesh.points.iter().enumerate() {
             let _ = writeln!(self.text, "{}, {x:.12e}, {y:.12e}", k + 1);
         }
@@ -151,8 +184,8 @@ impl Deck<'_> {
         if slice < 1.0 {
             self.line(format!("** Thickness times {slice:.6e}, moduli divided by it: stresses are to be multiplied by it, forces are not."));
         }
-        for (body, part) in scene.bodies.iter().zip(&mesh.bodies) {
-            let name = named(&[&body.name]);
+        for (index, (body, part)) in scene.bodies.iter().zip(&mesh.bodies).enumerate() {
+            let name = self.names[index].clone();
             self.line(format!("*ELEMENT, TYPE={kind}, ELSET={name}"));
             for cell in part.cells.clone() {
                 let nodes: Vec<String> = mesh.cell(cell).iter().map(|node| (node + 1).to_string()).collect();
@@ -172,11 +205,11 @@ impl Deck<'_> {
 
     /// A set of nodes and a surface for every side of every body.
     fn sets(&mut self) {
-        let Discretisation { scene, mesh, .. } = self.discretisation;
-        for (body, part) in scene.bodies.iter().zip(&mesh.bodies) {
+        let mesh = &self.discretisation.mesh;
+        for (index, part) in mesh.bodies.iter().enumerate() {
             let faces = faces(mesh, part.cells.clone());
             for (side, edges) in part.boundaries.iter().chain(&part.lines) {
-                let name = named(&[&body.name, side]);
+                let name = named(&[&self.names[index], side]);
                 self.set(&name, edges.iter().flatten().map(|node| node + 1).collect());
                 self.line(format!("*SURFACE, NAME=S_{name}, TYPE=ELEMENT"));
                 for edge in edges {
@@ -204,7 +237,7 @@ impl Deck<'_> {
                 let axis = support.component.index();
                 let nodes = mesh.nodes_at(scene, index, &support.at)?;
                 let at = match &support.at {
-                    Place::Boundary(side) => named(&[&body.name, side]),
+                    Place::Boundary(side) => named(&[&self.names[index], side]),
                     Place::Point(_) => (nodes[0] + 1).to_string(),
                 };
                 self.line(format!("*BOUNDARY\n{at}, {0}, {0}, {1:.12e}", axis + 1, support.value));
@@ -214,7 +247,7 @@ impl Deck<'_> {
             let axis = mesh.bodies[index].nodes.clone().filter(|&node| on_axis(node) && !held.contains(&(node, 0)));
             let axis: Vec<usize> = axis.collect();
             if !axis.is_empty() {
-                let name = named(&[AXIS, &body.name]);
+                let name = named(&[AXIS, &self.names[index]]);
                 self.set(&name, axis.iter().map(|node| node + 1).collect());
                 self.line(format!("*BOUNDARY\n{name}, 1, 1"));
                 held.extend(axis.into_iter().map(|node| (node, 0)));
@@ -266,7 +299,7 @@ impl Deck<'_> {
         let stiffness = STIFFNESS * across * scene.bodies.iter().map(|body| body.material.young).fold(0.0, f64::max);
         let (mut held, weak) = (false, WEAK * stiffness / STIFFNESS);
         let tail = TAIL * pressure * length * across;
-        for interface in &discretisation.interfaces {
+        for (contact, interface) in discretisation.interfaces.iter().enumerate() {
             let (mut fixed, open) = (Vec::new(), interface.nodes.iter().all(|node| node.gap > 0.0));
             for node in interface.nodes.iter().filter(|node| node.gap.is_finite()) {
                 let (moved, still) = (self.nodes + 1, self.nodes + 2);
@@ -275,22 +308,22 @@ impl Deck<'_> {
                 self.line(format!("*NODE\n{moved}, {x:.12e}, {y:.12e}\n{still}, {x:.12e}, {y:.12e}"));
                 self.equation(&[vec![(moved, 0, -1.0)], approach(discretisation, node)].concat());
                 self.line(format!("*BOUNDARY\n{moved}, 2, 3\n{still}, 1, 3"));
-                self.line(format!("*ELEMENT, TYPE=GAPUNI, ELSET=GAP{moved}\n{}, {moved}, {still}", self.elements));
+                self.line(format!("*ELEMENT, TYPE=GAPUNI, ELSET={GAP}{moved}\n{}, {moved}, {still}", self.elements));
                 self.line(format!(
-                    "*GAP, ELSET=GAP{moved}\n{:.12e}, 1., 0., 0., , {stiffness:.6e}, {tail:.6e}",
+                    "*GAP, ELSET={GAP}{moved}\n{:.12e}, 1., 0., 0., , {stiffness:.6e}, {tail:.6e}",
                     node.gap
                 ));
                 if open {
                     self.elements += 1;
-                    self.line(format!("*ELEMENT, TYPE=SPRING1, ELSET=WEAK\n{}, {moved}", self.elements));
+                    self.line(format!("*ELEMENT, TYPE=SPRING1, ELSET={WEAK_SET}\n{}, {moved}", self.elements));
                 }
                 fixed.push(still);
             }
             held |= open && !fixed.is_empty();
-            self.set(&format!("{GAPS}{}", named(&[&interface.pair.name])), fixed);
+            self.set(&gaps_of(scene, contact), fixed);
         }
         if held {
-            self.line(format!("*SPRING, ELSET=WEAK\n1\n{weak:.6e}"));
+            self.line(format!("*SPRING, ELSET={WEAK_SET}\n1\n{weak:.6e}"));
         }
     }
 
@@ -298,7 +331,7 @@ impl Deck<'_> {
     fn step(&mut self, faces: &[(usize, Component, f64)]) -> Result<(), Error> {
         let Discretisation { scene, mesh, interfaces, .. } = self.discretisation;
         self.line("** Under gap elements alone ccx takes a step for linear; a plastic material, though nothing is of it, makes it iterate.");
-        self.line("*MATERIAL, NAME=UNUSED\n*ELASTIC\n1., 0.\n*PLASTIC\n1e20, 0.\n2e20, 1.");
+        self.line(format!("*MATERIAL, NAME={UNUSED}\n*ELASTIC\n1., 0.\n*PLASTIC\n1e20, 0.\n2e20, 1."));
         self.line(
             "*STEP, INC=1000\n*STATIC, DIRECT\n1., 1.\n*CONTROLS, PARAMETERS=FIELD\n1e-7, 1e-7, , , , , ,\n*CLOAD",
         );
@@ -312,8 +345,8 @@ impl Deck<'_> {
         for (node, component, force) in faces {
             self.line(format!("{node}, {}, {force:.12e}", component.index() + 1));
         }
-        for interface in interfaces {
-            self.line(format!("*NODE PRINT, NSET={GAPS}{}\nRF", named(&[&interface.pair.name])));
+        for contact in 0..interfaces.len() {
+            self.line(format!("*NODE PRINT, NSET={}\nRF", gaps_of(scene, contact)));
         }
         self.line("*NODE FILE, OUTPUT=2D\nU\n*EL FILE, OUTPUT=2D\nS\n*END STEP");
         Ok(())

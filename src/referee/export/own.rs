@@ -14,7 +14,7 @@ pub fn answer(name: &str, discretisation: &Discretisation, run: &Run) -> Documen
     Document {
         case: Some(name.into()),
         code: Some(format!("contact-vv {}", env!("CARGO_PKG_VERSION"))),
-        units: units(discretisation),
+        units: units(discretisation.scene.contact()),
         contacts: discretisation.scene.contacts.iter().enumerate().map(of).collect(),
     }
 }
@@ -25,19 +25,20 @@ pub fn template(name: &str, discretisation: &Discretisation) -> Document {
         let factor = display_factor(&pair.path);
         let places = discretisation.interfaces[index].nodes.iter().map(|node| factor * node.coordinate);
         let order = Some(discretisation.mesh.order.number());
-        Contact { name: Some(pair.name.clone()), order, position: places.collect(), ..Contact::default() }
+        let (name, units) = (Some(pair.name.clone()), others(discretisation, pair));
+        Contact { name, units, order, position: places.collect(), ..Contact::default() }
     };
     Document {
         case: Some(name.into()),
         code: None,
-        units: units(discretisation),
+        units: units(discretisation.scene.contact()),
         contacts: discretisation.scene.contacts.iter().enumerate().map(nodes).collect(),
     }
 }
 
-/// Our units; degrees where the contacts run along arcs.
-fn units(discretisation: &Discretisation) -> Units {
-    let straight = discretisation.scene.contact().path.is_straight();
+/// Our units; degrees where a contact runs along an arc.
+fn units(pair: &ContactPair) -> Units {
+    let straight = pair.path.is_straight();
     let named = |unit: &str| Some(unit.to_owned());
     Units {
         position: named(if straight { "mm" } else { "deg" }),
@@ -46,6 +47,11 @@ fn units(discretisation: &Discretisation) -> Units {
         gap: named("mm"),
         area: named("mm2"),
     }
+}
+
+/// Those of a contact, where they are others than those of the document.
+fn others(discretisation: &Discretisation, pair: &ContactPair) -> Option<Units> {
+    Some(units(pair)).filter(|own| *own != units(discretisation.scene.contact()))
 }
 
 /// Points of node elements are the nodes; those of other elements lie inside the edges.
@@ -75,6 +81,7 @@ fn contact(discretisation: &Discretisation, run: &Run, index: usize) -> Contact 
     };
     Contact {
         name: Some(pair.name.clone()),
+        units: others(discretisation, pair),
         order: Some(order.number()),
         position: points.iter().map(|point| factor * point.position).collect(),
         pressure: list(|point| point.pressure),
