@@ -216,7 +216,7 @@ const BUDGETS: [(&str, usize); 9] = [
     ("drawing", 2_945),
     ("case", 8_240),
     ("oracle", 1_436),
-    ("study", 14_918),
+    ("study", 14_923),
     ("referee", 6_765),
     ("report", 3_035),
     ("cli", 4_716),

@@ -15,7 +15,6 @@ mod picture;
 pub mod plane;
 pub mod run;
 
-use crate::algorithm::StiffnessRule;
 use crate::algorithm::logarithms::STOOD;
 use crate::case::Judged;
 use crate::drawing::Drawing;
@@ -23,7 +22,7 @@ use crate::error::Error;
 use crate::markdown::{self, Column};
 use crate::solve::{Element, Formulation, Iteration, Settings};
 use crate::study::about::{About, Found, Planned, Study};
-use crate::study::atlas::plane::{Digest, STRETCH, Safe, digests};
+use crate::study::atlas::plane::{Digest, STRETCH, Safe, digests, obstacle};
 use crate::study::atlas::run::{ENOUGH, FACTOR, HALVINGS, agreement, charts};
 use crate::study::drawn::picture;
 use crate::study::method::Method;
@@ -105,36 +104,6 @@ fn ranges(all: &[Digest], method: Method) -> String {
     };
     let own = all.iter().filter(|digest| digest.method == Method { element: digest.method.element, ..method });
     own.map(range).collect::<Vec<_>>().join("; ")
-}
-
-/// What a rule has to overcome, by its own formula.
-fn obstacle(method: Method) -> &'static str {
-    match (method.algorithm, method.rule) {
-        (Iteration::Varying, _) if method.is_accelerated() => {
-            "points that part from the contact one by one: until those that press stand still, the rule goes alone"
-        }
-        (Iteration::Constant, _) if method.is_accelerated() => "which points press is found step by step",
-        (Iteration::Varying, StiffnessRule::Secant) => {
-            "an open point loses its force by w/g an iteration, and w/g → 1 at the contact edge"
-        }
-        (Iteration::Varying, StiffnessRule::Correction) => {
-            "a correction by κ ≥ k₀ of points near the edge, where p/w is small: of hard κ₀ it is too large, and they swing"
-        }
-        (Iteration::Constant, StiffnessRule::Correction) => {
-            "a closed point keeps 1 − k₀ C of an error at each iteration, nearly all where κ₀ is soft; an open one k₀ C, nearly all where it is hard"
-        }
-        (Iteration::Constant, StiffnessRule::Secant) => "the spring asked for, p/g, has no bound where g → 0",
-        (Iteration::Constant, StiffnessRule::Literal) => {
-            "Σ Δk w is not the change of k w: what is missing stays in points that open"
-        }
-        (Iteration::Kinematic, StiffnessRule::Switching) => {
-            "the alternating mode of Gauss points, which the halving law of nodes does not know"
-        }
-        (Iteration::Kinematic, StiffnessRule::Penalty) => {
-            "the penetration p/k, which is its own law; soft springs let the contact reach the end of the candidate surface"
-        }
-        _ => "not offered",
-    }
 }
 
 /// How often each prediction fails, by method.

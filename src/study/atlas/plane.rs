@@ -345,19 +345,25 @@ pub fn recommendation(digests: &[Digest]) -> String {
         fewest.into_iter().chain(constant).chain(Element::ALL.into_iter().filter_map(of_element)).collect();
     let mut text = format!(
         "Names are `element.algorithm.rule`: what is pressed, how its stiffness changes, and by which formula; `+` is what the program adds \
-         to the paper's. From {points} runs over candidate surface, mesh, a body of revolution and both paper scenes, {predicted} of them beside a prediction:\n\n{}",
+         to the paper's. From {points} runs over candidate surface, mesh, a body of revolution and both paper scenes, {predicted} of them beside a prediction; a run *ends right* that converges with p₀ and a within {} % of the discrete solution:\n\n{}",
+        100.0 * RIGHT,
         markdown::table(&ADVICE.map(|(head, _)| head.into()), &merged(&rows))
     );
     let usual = Formulation::verification();
     let usual = Method::default(usual.element, usual.algorithm);
     let _ = writeln!(text, "\nIf nothing is said, `contact-vv` takes `{usual}`.");
     let nowhere = digests.iter().filter(|digest| digest.safe.is_none());
-    let failing = in_order(nowhere.map(|digest| (failures(digest), format!("`{}`", digest.method))));
+    let failing = in_order(nowhere.map(|digest| (failures(digest), digest.method)));
     if !failing.is_empty() {
-        let row = |(failures, methods): &([String; 2], Vec<String>)| {
-            std::iter::once(methods.join(", ")).chain(failures.clone()).collect::<Vec<_>>()
+        let row = |(failures, methods): &([String; 2], Vec<Method>)| {
+            let names: Vec<String> = methods.iter().map(|method| format!("`{method}`")).collect();
+            let why: Vec<&str> = in_order(methods.iter().map(|method| (obstacle(*method), ())))
+                .into_iter()
+                .map(|(why, _)| why)
+                .collect();
+            [vec![names.join(", ")], failures.to_vec(), vec![why.join("; ")]].concat()
         };
-        let head = ["what fails", "runs that end right", "runs that do not, by plane"].map(String::from);
+        let head = ["what fails", "runs that end right", "runs that do not, by plane", "why"].map(String::from);
         let rows: Vec<Vec<String>> = failing.iter().map(row).collect();
         let _ = write!(
             text,
@@ -366,6 +372,36 @@ pub fn recommendation(digests: &[Digest]) -> String {
         );
     }
     text
+}
+
+/// What a rule has to overcome, by its own formula.
+pub fn obstacle(method: Method) -> &'static str {
+    match (method.algorithm, method.rule) {
+        (Iteration::Varying, _) if method.is_accelerated() => {
+            "points that part from the contact one by one: until those that press stand still, the rule goes alone"
+        }
+        (Iteration::Constant, _) if method.is_accelerated() => "which points press is found step by step",
+        (Iteration::Varying, StiffnessRule::Secant) => {
+            "an open point loses its force by w/g an iteration, and w/g → 1 at the contact edge"
+        }
+        (Iteration::Varying, StiffnessRule::Correction) => {
+            "a correction by κ ≥ k₀ of points near the edge, where p/w is small: of hard κ₀ it is too large, and they swing"
+        }
+        (Iteration::Constant, StiffnessRule::Correction) => {
+            "a closed point keeps 1 − k₀ C of an error at each iteration, nearly all where κ₀ is soft; an open one k₀ C, nearly all where it is hard"
+        }
+        (Iteration::Constant, StiffnessRule::Secant) => "the spring asked for, p/g, has no bound where g → 0",
+        (Iteration::Constant, StiffnessRule::Literal) => {
+            "Σ Δk w is not the change of k w: what is missing stays in points that open"
+        }
+        (Iteration::Kinematic, StiffnessRule::Switching) => {
+            "the alternating mode of Gauss points, which the halving law of nodes does not know"
+        }
+        (Iteration::Kinematic, StiffnessRule::Penalty) => {
+            "the penetration p/k, which is its own law; soft springs let the contact reach the end of the candidate surface"
+        }
+        _ => "not offered",
+    }
 }
 
 /// How many runs of a method end right, and where the others are.
