@@ -53,8 +53,8 @@ const ROW: f64 = 16.0;
 const LABELS: f64 = 30.0;
 const SIZE: f64 = 10.0;
 const LABEL: f64 = 8.5;
-/// A label may be wider than its cells by this.
-const BEYOND: f64 = 1.5;
+/// By how much the cells of a label are wider, so that it does not run into the next one.
+const ROOM: f64 = 1.5;
 /// Between a label and its row.
 const GAP: f64 = 5.0;
 /// Room of the title of the rows.
@@ -131,7 +131,7 @@ impl ClassMap {
         canvas.lines(&edges, Pen::solid(INK, BOUNDARY));
         for (row, from, to) in regions(&rows) {
             let Cell { class, label, .. } = &rows[row][from];
-            if !label.is_empty() && text_width(label, LABEL) <= x(to) - x(from) + BEYOND {
+            if !label.is_empty() && text_width(label, LABEL) + ROOM <= x(to) - x(from) {
                 let middle = (0.5 * (x(from) + x(to)), y(row) - 0.5 * ROW);
                 canvas.label(middle, label, Lettering::middle(LABEL).coloured(ON_CLASSES[*class]));
             }

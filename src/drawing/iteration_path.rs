@@ -63,7 +63,7 @@ pub struct IterationPaths {
 
 /// Room from a number to the next one, and to a state.
 const CLEAR: f64 = 17.0;
-const BESIDE: f64 = 11.5;
+const BESIDE: f64 = 12.5;
 
 impl IterationPaths {
     /// The panels, drawn, on the same axes.
