@@ -371,6 +371,9 @@ fn what_no_mesh_is_fitted_to_is_refused_with_its_place_and_the_remedy() {
         let told = refusal(&scene);
         assert!(told.contains(place) && told.contains(message), "{}: {told}", scene.name);
         assert!(told.contains("leave out --fitted"), "{}: {told}", scene.name);
+        // A contact that goes on beyond its candidates ends with them too.
+        let widens = told.contains("widen the candidate stretch");
+        assert_eq!(widens, message.contains("candidates end"), "{}: {told}", scene.name);
     }
 }
 

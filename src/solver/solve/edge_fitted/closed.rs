@@ -41,11 +41,8 @@ impl Closed {
             if places(all).is_empty() {
                 let message =
                     "--fitted cannot be used: the contact ends where its candidates end, and any mesh has a line there";
-                return refused(
-                    contact,
-                    message,
-                    format!("{REMEDY}; give more elements there, where a corner is pressed"),
-                );
+                let remedy = "widen the candidate stretch where the surfaces go on; give more elements where a corner is pressed";
+                return refused(contact, message, format!("{REMEDY}; {remedy}"));
             }
         }
         Ok(())
