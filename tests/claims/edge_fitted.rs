@@ -391,3 +391,49 @@ fn fitted_meshes_are_iterated_to_their_last_digit_unless_a_tolerance_is_asked_fo
     let loose = error("8", &["--tolerance", "1e-3"]);
     assert!(loose > Fitted::misfit(Order::Octic), "{loose}");
 }
+
+/// Part of a number below which it is met, whatever its bar.
+const MILLIONTH: f64 = 1e-6;
+
+/// The numbers of a fitted mesh whose bar is smaller than their error, of those that Hertz tells.
+fn beyond_their_bars(answer: &Answer, hertz: &Hertz) -> Vec<String> {
+    let bars = accuracy::bars(&answer.discretisation, &answer.run, &[]).expect("bars");
+    let truths = [
+        (Quantity::PeakPressure, hertz.peak_pressure()),
+        (Quantity::SecondMomentWidth, hertz.half_width()),
+        (Quantity::HalfWidth, hertz.half_width()),
+    ];
+    let told = truths.into_iter().filter_map(|(quantity, truth)| {
+        let one = bars.all.iter().find(|one| (one.contact, &one.quantity) == (0, &quantity)).expect("barred");
+        let (error, bar) = ((one.value - truth).abs(), one.bar.total());
+        let is_within = error <= bar.max(MILLIONTH * truth);
+        (!is_within).then(|| format!("{}: {error:e} beyond {bar:e}", quantity.key()))
+    });
+    told.collect()
+}
+
+#[test]
+fn a_contact_that_ends_close_to_its_candidates_or_its_block_is_found_within_its_bars() {
+    for beyond in [0.02, 0.04, 0.08, 0.15] {
+        let numbers = TruncatedHertz { stretch: 1.0 + beyond, ..Default::default() };
+        let hertz = numbers.closed_form();
+        for digits in 3..=6 {
+            let answer = solved(Fitted::of_digits(digits), &numbers.scene());
+            let wrong = beyond_their_bars(&answer, &hertz);
+            assert!(wrong.is_empty(), "{beyond}, {digits} digits: {wrong:?}");
+        }
+        // The block ends there, too.
+        let numbers = TruncatedHertz { size: 1.0 + beyond, ..numbers };
+        for asked in [1e-2, 1e-3, 1e-4] {
+            let wanted = accuracy::Asked { most_dofs: Some(20_000), ..accuracy::Asked::new(asked) };
+            let answer = accuracy::solve(&numbers.scene(), &Formulation::verification(), &wanted).expect("solved");
+            if answer.unmet.is_some() {
+                println!("ZZ {:?}", answer.unmet);
+            }
+            let [peak, width] = errors(&answer.run, &hertz);
+            let half_width = relative_error(answer.run.measures().half_width(), hertz.half_width());
+            let error = peak.max(width).max(half_width);
+            assert!(error <= asked, "{beyond}: {error} of {asked}");
+        }
+    }
+}

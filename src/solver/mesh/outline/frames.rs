@@ -37,7 +37,8 @@ pub(super) fn blocks(layout: &Layout, x: [f64; 2], y: [f64; 2], contact: Face) -
     let within = (columns, ends.half_width(), has_left);
     let opposite = if contact == Face::Bottom { y[1] } else { y[0] };
     let far = layout.points.iter().filter(|point| point[1] == opposite).map(|point| point[0]).collect();
-    let frames = Frames { far, ..Frames::around(within, (x, y[1] - y[0]), LARGER)? };
+    let rows = ends.rows(ends.half_width()).iter().map(|depth| depth / ends.half_width()).collect();
+    let frames = Frames { far, rows, ..Frames::around(within, (x, y[1] - y[0]), LARGER)? };
     // The far side to the last bit, as supports and other bodies know it.
     let height = |depth: f64| match (contact, depth < y[1] - y[0]) {
         (Face::Bottom, true) => y[0] + depth,
@@ -61,6 +62,8 @@ pub(super) struct Frames {
     depths: Vec<f64>,
     /// Whether there are cells on the left of the box: it does not begin on a symmetry line.
     has_left: bool,
+    /// Fractions of the depth of the box at which its rows begin and end.
+    rows: Vec<f64>,
     /// Positions opposite the contact on which corners of cells shall lie.
     far: Vec<f64>,
 }
@@ -93,7 +96,7 @@ impl Frames {
         let mut depths: Vec<f64> = powers(deep).map(|power| first * power).collect();
         let last = ends.len() - 1;
         (begins[last], ends[last], depths[last]) = (left, right, depth);
-        Some(Self { columns, begins, ends, depths, has_left, far: vec![] })
+        Some(Self { columns, begins, ends, depths, has_left, rows: vec![0.0, 1.0], far: vec![] })
     }
 
     /// Columns of the box to the left and to the right of about its middle; all of them to the right of a symmetry line.
@@ -229,7 +232,9 @@ impl Draft<'_> {
             return if x < self.frames.ends[k] { rim.left.clone() } else { rim.right.clone() };
         }
         let depth = self.frames.depths[k];
-        self.layout.along(&self.parts(), |t| (self.place)(x, if t < 1.0 { t * depth } else { depth }))
+        let rows = self.frames.rows.windows(2).map(|row| spacing::uniform(row[0], row[1], self.layout.parts()));
+        let rows = spacing::joined(&rows.collect::<Vec<_>>());
+        self.layout.along(&rows, |t| (self.place)(x, if t < 1.0 { t * depth } else { depth }))
     }
 
     /// From a lower corner of the frame inside to that of a frame.

@@ -1,5 +1,7 @@
 //! Positions along a contact whose ends are known.
 
+use std::ops::Range;
+
 use crate::mesh::spacing;
 use crate::scene::ContactPair;
 
@@ -7,6 +9,9 @@ use crate::scene::ContactPair;
 const WIDEST: f64 = 0.8;
 /// Size of a cell over that of the one nearer to an end, as of the frames of a rectangle.
 const LARGER: f64 = 2.8;
+/// Room beyond an end over the half-width, below which columns and rows there are as fine as that is wide; from the first on, since a contact
+/// that ends nearer has none.
+const NARROW: Range<f64> = 1e-3..0.2;
 /// Difference of positions, over the stretch, below which they are one.
 const SAME: f64 = 1e-9;
 
@@ -80,25 +85,70 @@ impl<'a> KnownEnds<'a> {
     fn near(&self, breaks: Vec<f64>, [first, last]: [f64; 2]) -> Option<Vec<f64>> {
         let far = (1.5 + SAME) * self.reach();
         let is_near = |s: &f64| first - far <= *s && *s <= last + far;
-        let columns: Vec<f64> = breaks.into_iter().filter(is_near).collect();
+        let within: Vec<f64> = breaks.into_iter().filter(is_near).collect();
+        let stretch = self.pair.stretch;
+        let after = self.beyond(last, stretch, within.last());
+        let before = self.beyond(first, -stretch, within.first());
+        let columns = [before.into_iter().rev().collect(), within, after].concat();
         let holds_all = columns.len() > 1 && self.pair.profile.kinks().iter().all(is_near);
         holds_all.then(|| self.cut(&columns))
+    }
+
+    /// Columns of a box beyond candidates that end close to the contact, as much wider as these are; nothing where the box ends before them.
+    fn beyond(&self, end: f64, candidates: f64, column: Option<&f64>) -> Vec<f64> {
+        let (room, half) = ((candidates - end).abs(), self.half_width());
+        if !self.is_narrow(room) || column.is_none_or(|column| (column - candidates).abs() > SAME * half) {
+            return vec![];
+        }
+        let last = end + half * (candidates - end).signum();
+        towards(candidates, last, LARGER * room).into_iter().chain([last]).collect()
     }
 
     fn breaks_to_the_right(&self) -> Vec<f64> {
         let places = &self.pair.ends.places;
         if self.pair.path.has_both_sides() {
-            return self.breaks(places.iter().map(|end| end.abs()).collect(), 0.0);
+            let last = places.iter().map(|end| end.abs()).fold(0.0, f64::max);
+            let crowded = self.crowded(last, self.pair.stretch);
+            return self.breaks(places.iter().map(|end| end.abs()).chain(crowded).collect(), 0.0);
         }
         let line = places[..1].iter().filter(|_| !self.begins_on_line());
         let before = line.flat_map(|begin| towards(*begin, 0.0, self.half_width()));
-        self.breaks(places.iter().copied().chain(self.between()).chain(before).collect(), 0.0)
+        let crowded = self.crowded(places[places.len() - 1], self.pair.stretch);
+        self.breaks(places.iter().copied().chain(self.between()).chain(before).chain(crowded).collect(), 0.0)
     }
 
     fn breaks_across(&self) -> Vec<f64> {
         let (places, stretch) = (&self.pair.ends.places, self.pair.stretch);
         let before = towards(places[0], -stretch, self.half_width());
-        self.breaks(places.iter().copied().chain(self.between()).chain(before).collect(), -stretch)
+        let crowded =
+            [(places[0], -stretch), (places[places.len() - 1], stretch)].map(|(end, beyond)| self.crowded(end, beyond));
+        let all = places.iter().copied().chain(self.between()).chain(before).chain(crowded.into_iter().flatten());
+        self.breaks(all.collect(), -stretch)
+    }
+
+    /// The least that is between an outermost end and that of the stretch, which may be that of the body.
+    pub fn room(&self) -> f64 {
+        let (places, stretch) = (&self.pair.ends.places, self.pair.stretch);
+        let [first, last] = [places[0], places[places.len() - 1]];
+        if self.pair.path.has_both_sides() { (stretch - last).min(stretch + first) } else { stretch - last }
+    }
+
+    fn is_narrow(&self, room: f64) -> bool {
+        NARROW.contains(&(room / self.half_width()))
+    }
+
+    /// Depths of the rows of a box that is so deep: one, but where there is little room beyond an end ever deeper ones, the first as deep as
+    /// that is wide.
+    pub fn rows(&self, depth: f64) -> Vec<f64> {
+        let room = self.room();
+        let within = if self.is_narrow(room) { towards(0.0, depth, room) } else { vec![] };
+        [0.0].into_iter().chain(within).chain([depth]).collect()
+    }
+
+    /// Places from an outermost end inwards, the first as near to it as the end of the stretch is on its other side; nothing where that is far.
+    fn crowded(&self, end: f64, beyond: f64) -> Vec<f64> {
+        let room = (beyond - end).abs();
+        if self.is_narrow(room) { towards(end, 0.0, room) } else { vec![] }
     }
 
     /// Half way between neighbouring ends, and between there and both of them; nothing where the gap has a line of its own.

@@ -12,7 +12,7 @@ pub(super) fn blocks(layout: &Layout, x: [f64; 2], y: [f64; 2], contact: Face) -
     }
     let along = columns(layout, x);
     let finest = match layout.same_ends() {
-        Some(ends) => ends.half_width() / layout.elements,
+        Some(ends) => ends.rows(ends.half_width())[1] / layout.elements,
         None => {
             let [before, last] = last_two(&layout.candidates());
             layout.several.iter().map(|one| one.size).fold(last - before, f64::min)
