@@ -8,19 +8,26 @@ use super::known_ends::KnownEnds;
 use super::layout::{Layout, Rays};
 use crate::mesh::block::{Block, Point, Side, between, polar};
 use crate::mesh::spacing;
-use crate::scene::Sector;
+use crate::scene::{ContactPair, Sector};
 
 /// Corner radius of the core over the disc's, on the axes and on the diagonal.
 const CORE: [f64; 2] = [0.45, 0.58];
 
 pub(super) fn blocks(layout: &Layout, centre: Point, radius: f64, sector: Sector) -> Vec<Block> {
-    if layout.opposite.is_none()
-        && let Some(blocks) = framed(layout, centre, radius, sector)
-    {
+    let framed = match layout.opposite {
+        None => framed(layout, centre, radius, sector),
+        Some(pairs) if sector.has_upper_part() => framed_at_both_ends(layout, pairs, (centre, radius), sector),
+        Some(_) => None,
+    };
+    if let Some(blocks) = framed {
         return blocks;
     }
     let right = match sector.has_upper_part() {
-        true if layout.opposite.is_some() => fine_at_both_ends(layout, centre, radius),
+        // As fine at the highest point as at the lowest.
+        true if layout.opposite.is_some() => {
+            let lower = right_blocks(layout, centre, radius, false);
+            joined(centre, [lower.clone(), lower])
+        }
         half => right_blocks(layout, centre, radius, half),
     };
     if !sector.has_both_sides() {
@@ -31,20 +38,25 @@ pub(super) fn blocks(layout: &Layout, centre: Point, radius: f64, sector: Sector
     right.into_iter().chain(left).collect()
 }
 
-/// The right half as two quarters: frames around each contact where both have room for them, and as many columns; else the lower one and its
-/// image, as fine at the highest point as at the lowest.
-fn fine_at_both_ends(layout: &Layout, centre: Point, radius: f64) -> Vec<Block> {
-    let around = |pair| framed(&layout.alone(pair), centre, radius, Sector::Quarter);
-    let quarter = |blocks: Vec<Block>| -> Vec<Block> {
-        blocks.into_iter().map(|block| block.instead_of("cut", |points| Side::line("middle", points))).collect()
-    };
-    let [lower, upper] = match layout.opposite.map(|pairs| pairs.map(around)) {
-        Some([Some(lower), Some(upper)]) if cut(&lower) == cut(&upper) => [lower, upper].map(quarter),
-        _ => {
-            let lower = quarter(right_blocks(layout, centre, radius, false));
-            [lower.clone(), lower]
-        }
-    };
+/// Frames around the contacts at the lowest and at the highest point; none where either has no room for them, or other columns.
+fn framed_at_both_ends<'a>(
+    layout: &Layout<'a>,
+    pairs: [&'a ContactPair; 2],
+    (centre, radius): (Point, f64),
+    sector: Sector,
+) -> Option<Vec<Block>> {
+    let part = if sector.has_both_sides() { Sector::LowerHalf } else { Sector::Quarter };
+    let [lower, upper] = pairs.map(|pair| framed(&layout.alone(pair), centre, radius, part));
+    let (lower, upper) = (lower?, upper?);
+    (cut(&lower) == cut(&upper)).then(|| joined(centre, [lower, upper]))
+}
+
+/// A lower part and another one, turned over, that meet in the horizontal diameter.
+fn joined(centre: Point, parts: [Vec<Block>; 2]) -> Vec<Block> {
+    let [lower, upper] = parts.map(|blocks| {
+        let blocks = blocks.into_iter();
+        blocks.map(|block| block.instead_of("cut", |points| Side::line("middle", points))).collect::<Vec<_>>()
+    });
     let image = |block: &Block| {
         let turned = block.turned_over(centre[1]).without("middle");
         turned.instead_of("contact", |points| Side::named("top", points))
@@ -53,7 +65,7 @@ fn fine_at_both_ends(layout: &Layout, centre: Point, radius: f64) -> Vec<Block> 
     lower.into_iter().chain(upper).collect()
 }
 
-/// The points of a quarter on its upper end.
+/// The points of a lower part on its upper end.
 fn cut(blocks: &[Block]) -> Vec<Point> {
     let sides = blocks.iter().flat_map(|block| [&block.bottom, &block.right, &block.top, &block.left]);
     sides.filter(|side| side.names.iter().any(|name| name == "cut")).flat_map(|side| side.points.clone()).collect()
