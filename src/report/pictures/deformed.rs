@@ -1,5 +1,6 @@
 //! The deformed bodies of one run with their von Mises stress, the contact enlarged where it is small.
 
+use crate::contact::interface::ContactNode;
 use crate::drawing::{ColourMap, Detail, Field, Window};
 use crate::error::Error;
 use crate::markdown::significant;
@@ -119,9 +120,13 @@ fn detail(
 /// What closed gaps look like where displacements are magnified, if it can be seen.
 fn overlap(discretisation: &Discretisation, run: &Run, magnification: f64, visible: f64) -> Option<String> {
     let floor = run.formulation.settings.tolerance * discretisation.scene.reference.pressure;
-    let gaps = discretisation.scene.contacts.iter().enumerate().flat_map(|(contact, pair)| {
-        let closed = run.solution.points_of(contact).iter().filter(move |point| point.pressure > floor);
-        closed.map(|point| pair.gap(point.position))
+    let gaps = discretisation.interfaces.iter().flat_map(|own| {
+        let closed = run.solution.points_of(own.contact).iter().filter(move |point| point.pressure > floor);
+        // That of the node beside it: of bodies whose gap is drawn no profile has it.
+        closed.filter_map(|point| {
+            let away = |node: &&ContactNode| (node.coordinate - point.position).abs();
+            own.nodes.iter().min_by(|a, b| away(a).total_cmp(&away(b))).map(|node| node.gap)
+        })
     });
     let (low, high) = gaps.fold((0.0_f64, 0.0_f64), |(low, high), gap| (low.min(gap), high.max(gap)));
     let shown = |gap: f64| gap * magnification > visible;
