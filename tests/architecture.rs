@@ -212,13 +212,13 @@ fn matrix_types_of_libraries_stay_inside_the_numerics() {
 
 /// Lines that a room may have; raised only by a commit that says what for.
 const BUDGETS: [(&str, usize); 9] = [
-    ("solver", 23_048),
+    ("solver", 23_049),
     ("drawing", 2_945),
     ("case", 8_240),
     ("oracle", 1_436),
     ("study", 14_923),
     ("referee", 6_765),
-    ("report", 3_035),
+    ("report", 3_039),
     ("cli", 4_716),
     ("live", 490),
 ];

@@ -1,6 +1,5 @@
 //! The deformed bodies of one run with their von Mises stress, the contact enlarged where it is small.
 
-use crate::contact::interface::ContactNode;
 use crate::drawing::{ColourMap, Detail, Field, Window};
 use crate::error::Error;
 use crate::markdown::significant;
@@ -124,8 +123,8 @@ fn overlap(discretisation: &Discretisation, run: &Run, magnification: f64, visib
         let closed = run.solution.points_of(own.contact).iter().filter(move |point| point.pressure > floor);
         // That of the node beside it: of bodies whose gap is drawn no profile has it.
         closed.filter_map(|point| {
-            let away = |node: &&ContactNode| (node.coordinate - point.position).abs();
-            own.nodes.iter().min_by(|a, b| away(a).total_cmp(&away(b))).map(|node| node.gap)
+            let all = own.nodes.iter().map(|node| ((node.coordinate - point.position).abs(), node.gap));
+            all.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, gap)| gap)
         })
     });
     let (low, high) = gaps.fold((0.0_f64, 0.0_f64), |(low, high), gap| (low.min(gap), high.max(gap)));

@@ -96,11 +96,12 @@ impl<'a> KnownEnds<'a> {
 
     /// Columns of a box beyond candidates that end close to the contact, as much wider as these are; nothing where the box ends before them.
     fn beyond(&self, end: f64, candidates: f64, column: Option<&f64>) -> Vec<f64> {
-        let (room, half) = ((candidates - end).abs(), self.half_width());
+        let (side, half) = (candidates.signum(), self.half_width());
+        let room = side * (candidates - end);
         if !self.is_narrow(room) || column.is_none_or(|column| (column - candidates).abs() > SAME * half) {
             return vec![];
         }
-        let last = end + half * (candidates - end).signum();
+        let last = end + half * side;
         towards(candidates, last, LARGER * room).into_iter().chain([last]).collect()
     }
 
@@ -147,7 +148,7 @@ impl<'a> KnownEnds<'a> {
 
     /// Places from an outermost end inwards, the first as near to it as the end of the stretch is on its other side; nothing where that is far.
     fn crowded(&self, end: f64, beyond: f64) -> Vec<f64> {
-        let room = (beyond - end).abs();
+        let room = (beyond - end) * beyond.signum();
         if self.is_narrow(room) { towards(end, 0.0, room) } else { vec![] }
     }
 
