@@ -318,9 +318,9 @@ fn areas_of_corners_and_mid_sides_tell_that_edges_have_three_nodes() {
     let truth = workbench::truth("own-weight");
     let rows = |share: [f64; 3]| {
         let area = |k: usize| {
-            5.0 * if k % 2 == 1 {
+            5.0 * if !k.is_multiple_of(2) {
                 share[1]
-            } else if k % 8 == 0 {
+            } else if k.is_multiple_of(8) {
                 share[0]
             } else {
                 share[0] + share[2]
