@@ -216,9 +216,9 @@ const BUDGETS: [(&str, usize); 9] = [
     ("drawing", 2_945),
     ("case", 8_240),
     ("oracle", 1_436),
-    ("study", 14_923),
+    ("study", 14_929),
     ("referee", 6_765),
-    ("report", 3_039),
+    ("report", 3_047),
     ("cli", 4_716),
     ("live", 490),
 ];

@@ -105,12 +105,14 @@ pub fn against(findings: &[Finding]) -> String {
         vec![format!("{against} ({kind})"), shows.into(), own(kind).count().to_string(), share, pass, fail, absent]
     });
     let head = ["held against", "what it can show", "checks", "%", "pass", "fail", "not run"].map(String::from);
-    let (mut truths, mut others) = (Vec::new(), Vec::new());
+    let (mut truths, mut others, mut of_one) = (Vec::new(), Vec::new(), 0);
     for kind in [ReferenceKind::Analytic, ReferenceKind::CrossCode, ReferenceKind::Measured] {
         let all = agreements(own(kind).collect());
         let (named, rest) = all.split_at(all.len().min(NAMED));
         truths.extend_from_slice(named);
-        others.extend(rest.iter().map(|(name, all)| format!("{name} ({})", all.len())));
+        let (several, single): (Vec<_>, Vec<_>) = rest.iter().partition(|(_, all)| all.len() > 1);
+        others.extend(several.iter().map(|(name, all)| format!("{name} ({})", all.len())));
+        of_one += single.len();
     }
     let columns: [Column<Agreement>; 4] = [
         ("truth", |(name, all)| format!("{name} ({})", all[0].reference.kind)),
@@ -119,12 +121,18 @@ pub fn against(findings: &[Finding]) -> String {
         ("loosest", |(_, all)| told_agreement(all.last())),
     ];
     format!(
-        "{}\n{} {}. Of each kind the {NAMED} with the most numbers that agree with them, not by round-off alone:\n\n{}\nOthers, with as many numbers: {}.\n",
+        "{}\n{} {}. Of each kind the {NAMED} with the most numbers that agree with them, not by round-off alone:\n\n{}\n{}\n",
         markdown::table(&head, &rows),
         experiments(findings),
         link("Each check, and how near it is to its limit", CHECKS),
         markdown::columns(&columns, &truths),
-        others.join(", "),
+        match others.is_empty() {
+            true => String::new(),
+            false => format!(
+                "Further truths, each with how many numbers agree with it: {}; and {of_one} with one each.",
+                others.join(", ")
+            ),
+        },
     )
 }
 

@@ -6,6 +6,7 @@ use contact_vv::measure::Quantity;
 use contact_vv::scene::Shape;
 use contact_vv::solve::Formulation;
 use contact_vv::study::promised::met::{Record, consistent, is_as_recorded, near, record, right, thrifty};
+use contact_vv::study::random::round::OF_SPHERES;
 use contact_vv::study::random::{Family, Site, family};
 use contact_vv::study::records::Millionths;
 
@@ -17,9 +18,6 @@ const LEFT_OUT: f64 = 1.5e-5;
 fn site(family: Family, number: usize) -> Site {
     Site { family, number }
 }
-
-/// The same of two spheres over a/R, the radius of the smaller one.
-const OF_SPHERES: f64 = 0.2;
 
 #[test]
 fn closed_form_of_two_spheres_leaves_out_a_fifth_of_the_half_width_over_the_radius() {

@@ -15,6 +15,7 @@ use crate::measure::larger;
 use crate::mesh::Order;
 use crate::solve::edge_fitted::Sought;
 use crate::solve::{Element, Fitted, Formulation, Iteration, Run};
+use crate::study::random::round::{OF_SPHERES, WIDEST};
 use crate::study::random::{Family, GUESS, Sample, Site, family};
 use crate::study::records::{self, Millionths, Survey, Surveyed, rounded};
 use crate::study::seconds::quantile;
@@ -417,6 +418,8 @@ pub(super) fn section(surveyed: &Surveyed<Record>, beside: &[Beside]) -> String 
         surveyed = surveyed.told(),
         wrong = wrong(None),
         of_spheres = wrong(Some(Family::Spheres)),
+        share = OF_SPHERES,
+        most = 100.0 * OF_SPHERES * WIDEST,
         families = markdown::columns(&COLUMNS, &rows),
         most_beside = MOST_BESIDE,
         repeats = REPEATS,

@@ -10,13 +10,12 @@
 //! Sizes, materials, loads and guesses of the candidate stretch are drawn. What the scene is and the closed form is not must stay
 //! far below the errors that are looked at: blocks carry the stresses of the half-plane on their sides, and leave nothing out;
 //! waves are pressed on blocks at least two waves high, e^(−8π) of which nothing is left; cylinders have a/R ≤ 0.005 and pins
-//! clearances of 1e-6 radii in plates of 1000 radii, which leaves 1e-5. Of spheres with a/R ≤ 0.005 a half-space leaves out up to a fifth of that;
-//! where it is smaller, round-off takes as much of their forces (a test measures all three).
+//! clearances of 1e-6 radii in plates of 1000 radii, which leaves 1e-5; of spheres a half-space leaves out up to a fifth of a/R (tests measure all three).
 
 mod blocks;
 pub mod family;
 mod gaps;
-mod round;
+pub mod round;
 
 use std::sync::Arc;
 

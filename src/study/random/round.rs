@@ -22,6 +22,10 @@ use crate::study::random::gaps::{even_gap, size};
 
 /// Elements across a ring: one has no coarser neighbour.
 const ACROSS: f64 = 2.0;
+/// Largest half-width of cylinders and spheres over the radius of the smaller one.
+pub const WIDEST: f64 = 0.005;
+/// What Hertz's closed form of two spheres leaves out at most, over the half-width over that radius.
+pub const OF_SPHERES: f64 = 0.2;
 /// Radius of the plate's rim, and clearance, over the radius of the pin.
 const PLATE: [f64; 2] = [1000.0, 1e-6];
 
@@ -81,7 +85,7 @@ pub fn discs(draw: &mut Draw, upper: Material, guess: f64) -> (Scene, [f64; 3]) 
     let lower = Material { young: upper.young * draw.decades(0.1, 10.0), poisson: draw.between(0.0, 0.45) };
     let (above, below) = (draw.decades(0.1, 1000.0), draw.decades(0.3, 3.0));
     let [above, below] = [above, above * below];
-    let half_width = above.min(below) * draw.decades(0.001, 0.005);
+    let half_width = above.min(below) * draw.decades(0.001, WIDEST);
     let radius = 1.0 / (1.0 / above + 1.0 / below);
     let disc = |name: &str, centre: f64, radius, contact, material| {
         let shape = Shape::Disc { centre: [0.0, centre], radius, sector: Sector::Quarter, contact };
