@@ -14,7 +14,7 @@
 //!
 //! The parts of iteration and penalty are differences to the solution of the same discrete problem, which is exact.
 
-use crate::accuracy::family::{Evidence, Family, LOST, discrete_of};
+use crate::accuracy::family::{Evidence, Family, LOST, discrete_of, lost_balance};
 use crate::accuracy::longest::longest;
 use crate::accuracy::reading::{self, Reading, of_discrete, recovered, value_of};
 use crate::accuracy::watch::up_to;
@@ -102,7 +102,7 @@ impl Barred {
         let one = Self { contact, quantity, value, bar, unknown: None, told };
         match () {
             _ if (bar.iteration + bar.penalty).is_nan() => {
-                Self { unknown: Some(if run.imbalance() > BALANCED { LOST } else { NOT_FOUND }), ..one }
+                Self { unknown: Some(if lost_balance(run) > BALANCED { LOST } else { NOT_FOUND }), ..one }
             }
             _ if mesh.is_nan() => Self { unknown: Some(family.why_unknown(&reading.quantity, measures, run)), ..one },
             // It says nothing.

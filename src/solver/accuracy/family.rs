@@ -7,7 +7,7 @@ use crate::accuracy::counted::{Kind, Row};
 use crate::accuracy::reading::{Reading, of_discrete, recovered, value_of};
 use crate::measure::{Measures, Quantity, Stretch, larger, relative_error};
 use crate::mesh::Order;
-use crate::scene::{ContactPair, Place, Profile};
+use crate::scene::{ContactPair, Place, Profile, Scene};
 use crate::solve::run::BALANCED;
 use crate::solve::{Discretisation, Displaced, Element, Fitted, Formulation, Iteration, Permits, Run, Settings};
 
@@ -25,6 +25,11 @@ pub(super) const LOST: &str =
 const FEWEST: (usize, f64) = (2, 2.4);
 /// Tolerance of the runs on coarser meshes.
 const TOLERANCE: f64 = 1e-9;
+/// The same where cells shrink towards a cusp of the pressure: on an axis of revolution round-off leaves a hundred-thousandth of what the smallest
+/// rings carry.
+const CUSPED: f64 = 1e-4;
+/// Length of the edge at such a cusp over that by which the peak misses it: of rⁿ, n from 1.15 to 1.98, by a half of that at most.
+const SHRUNK: f64 = 4.0;
 /// Factor on the distance between two readings of a peak.
 const READINGS: f64 = 1.8;
 /// Factor on the distance between two series that tell an end; part of the half-width that both may miss with three layers of cells (order 5), and
@@ -166,7 +171,7 @@ impl Family {
         wanted: Option<&[Displaced]>,
         permits: Permits,
     ) -> Self {
-        let formulation = exact(formulation);
+        let formulation = exact(formulation, &discretisation.scene);
         let (scene, resolution) = (&discretisation.scene, discretisation.resolution);
         let on_ends = scene.contacts.iter().any(|pair| !pair.ends.places.is_empty());
         // A mesh too coarse to hold the contact says nothing.
@@ -194,7 +199,7 @@ impl Family {
         formulation: &Formulation,
         finer: (&Discretisation, &Run),
     ) -> Self {
-        Self { next: said(finer, None, true), ..Self::alone(discretisation, exact(formulation)) }
+        Self { next: said(finer, None, true), ..Self::alone(discretisation, exact(formulation, &discretisation.scene)) }
     }
 
     /// The mesh itself, beside no other.
@@ -248,7 +253,7 @@ impl Family {
                 "the pressure rises up to the last element of the contact"
             }
             _ if self.shallow => "a body is one element deep",
-            _ if run.imbalance() > BALANCED => LOST,
+            _ if lost_balance(run) > BALANCED => LOST,
             _ if self.meshes() == 0 => "no coarser mesh of this scene holds the contact",
             _ => "no coarser mesh has this number",
         }
@@ -274,8 +279,7 @@ impl Family {
             Some(None) => f64::NAN,
             None => 0.0,
         };
-        // What the iteration leaves of the balance is its own part.
-        let own = larger(run.imbalance() - run.iteration_error(), 0.0);
+        let own = lost_balance(run);
         let imbalance = self.coarse.iter().map(|other| other.imbalance).fold(own, larger);
         let lost = match reading.quantity {
             _ if imbalance.is_nan() || imbalance > BALANCED => UNBALANCED.1 * imbalance,
@@ -555,10 +559,17 @@ fn is_found(run: &Run, on_ends: bool) -> bool {
     if on_ends { run.is_found(UNBALANCED.0) } else { run.solution.converged() }
 }
 
-/// The formulation that finds the discrete solution of a contact element, with the settings of another one.
-fn exact(formulation: &Formulation) -> Formulation {
+/// What of a body's balance round-off takes: what the iteration leaves is its own part.
+pub(super) fn lost_balance(run: &Run) -> f64 {
+    larger(run.imbalance() - run.iteration_error(), 0.0)
+}
+
+/// The formulation that finds the discrete solution of a contact element on meshes of a scene, with the settings of another one.
+fn exact(formulation: &Formulation, scene: &Scene) -> Formulation {
     let Formulation { element, layer_thickness, settings, .. } = *formulation;
-    let settings = Settings { tolerance: TOLERANCE.min(settings.tolerance), ..Settings::default() };
+    let has_cusp = scene.contacts.iter().any(|pair| pair.cusp().is_some());
+    let tolerance = if has_cusp { CUSPED } else { TOLERANCE.min(settings.tolerance) };
+    let settings = Settings { tolerance, ..Settings::default() };
     Formulation { layer_thickness, settings, ..Formulation::new(element, Iteration::Kinematic) }
 }
 
@@ -596,15 +607,17 @@ fn sizes(discretisation: &Discretisation) -> Vec<f64> {
     each.collect()
 }
 
-/// About the distance from s = 0 of each contact to the next node, by the candidate edge there: the widest of those that end with it.
+/// About the distance from s = 0 of each contact to the next node, by the candidate edge there, the widest of those that end with it; a
+/// part of that edge where cells shrink towards it.
 fn spacings_at_vertex(discretisation: &Discretisation) -> Vec<f64> {
     let order = discretisation.resolution.order;
     let of_8_nodes = order.intervals() as f64 / 2.0;
     let from_zero = |[a, b]: &[f64; 2]| if a * b <= 0.0 { 0.0 } else { a.abs().min(b.abs()) };
-    let each = discretisation.interfaces.iter().map(|interface| {
+    let each = discretisation.interfaces.iter().zip(&discretisation.scene.contacts).map(|(interface, pair)| {
         let ends = |edge: &Vec<usize>| [0, 1].map(|end| interface.nodes[edge[end]].coordinate);
         let nearest = interface.edges.iter().map(ends).min_by(|a, b| from_zero(a).total_cmp(&from_zero(b)));
-        nearest.map_or(f64::NAN, |[a, b]| (b - a).abs() / (of_8_nodes * f64::from(order.number())))
+        let part = if pair.cusp().is_some() { SHRUNK } else { of_8_nodes * f64::from(order.number()) };
+        nearest.map_or(f64::NAN, |[a, b]| (b - a).abs() / part)
     });
     each.collect()
 }

@@ -11,6 +11,9 @@ use crate::measure::profile;
 use crate::mesh::lobatto::{self, lagrange, legendre};
 use crate::solution::{EdgeState, Part, PointState};
 
+/// Length of an edge over that of the one around the highest point, from which on its points are left out of a fit: cells that shrink towards
+/// a place do so for the pressure has a cusp there, which no polynomial over wider ones tells.
+const WIDER: f64 = 4.0;
 /// Nodes of an edge beyond which its points tell the profile better than means over edges.
 const MANY: usize = 3;
 /// Fewest points of a fit, where there are so many: two more than the coefficients of a quartic, so that it smooths.
@@ -39,7 +42,10 @@ pub fn read(part: Part, centre: f64) -> Option<(Peak, [f64; 2])> {
     if !are_many(part) {
         return None;
     }
-    let points = with_images(part);
+    let mut points = with_images(part);
+    let highest = nearest_to(&points, |point| -point.pressure)?;
+    let [from, to] = of_like_edges(part, points[highest].position);
+    points.retain(|point| from <= point.position && point.position <= to);
     let highest = nearest_to(&points, |point| -point.pressure)?;
     let top = around(&points, highest, DROP, FEWEST);
     let peak = top.top();
@@ -55,6 +61,18 @@ pub fn read(part: Part, centre: f64) -> Option<(Peak, [f64; 2])> {
         return Some((Peak { position: 0.0, pressure }, [through_points, pressure]));
     }
     Some((if flat { Peak { position: centre, ..peak } } else { peak }, [through_points, at_origin]))
+}
+
+/// From where to where edges around a point are not [far wider](WIDER) than its own; with their images where they begin on a symmetry line, s = 0.
+fn of_like_edges(part: Part, at: f64) -> [f64; 2] {
+    let edges = part.edges;
+    let at = if on_one_side(edges) { at.abs() } else { at };
+    let own = edges.iter().position(|edge| at <= edge.ends[1]).unwrap_or(edges.len() - 1);
+    let is_like = |edge: &&EdgeState| edge.length() <= WIDER * edges[own].length();
+    let last = edges[own..].iter().take_while(is_like).count() + own - 1;
+    let first = own + 1 - edges[..=own].iter().rev().take_while(is_like).count();
+    let [from, to] = [edges[first].ends[0], edges[last].ends[1]];
+    [if first == 0 && on_one_side(edges) { -to } else { from }, to]
 }
 
 /// The coefficients of `(r/h)^{2k}` in the pressure over the first edge of a body of revolution, from the axis to r = h, by the means that its nodes

@@ -1,5 +1,5 @@
-//! Layers of cells towards the ends of a contact, leaps of the curvature of its gap, and forces at points: every cell with a corner there
-//! is cut into one like it, smaller, and two around that, and so again.
+//! Layers of cells towards the ends of a contact, leaps of the curvature of its gap, the cusp of its pressure, and forces at points: every
+//! cell with a corner there is cut into one like it, smaller, and two around that, and so again.
 //!
 //! Neighbours that share the corner cut their common side at the same place, and sides that do not meet the corner stay as
 //! they are: the mesh hangs together, whatever it was.
@@ -16,48 +16,65 @@ const SAME: f64 = 1e-9;
 /// Layers towards the re-entrant corner of eye and shank, beyond those towards the ends.
 const AT_CORNER: usize = 1;
 
+/// Layers towards the cusp of the pressure under a gap sⁿ, times `n − 1`, without and for each of those towards the ends: every layer leaves
+/// `LAYERⁿ⁻¹` of it, and `LAYER²` of an end. And the most: nodes nearer than rounding are one.
+const AT_CUSP: [f64; 2] = [4.0, 2.0];
+const MOST_AT_CUSP: usize = 12;
+
 /// The blocks of a body with layers towards the ends of its contacts and the leaps within, and towards points at which a force acts.
 pub(super) fn towards_ends(mut blocks: Vec<Block>, scene: &Scene, body: usize, order: Order) -> Vec<Block> {
-    let mut layered =
-        |place: Singular| blocks = blocks.drain(..).flat_map(|block| place.layered(block, order)).collect();
     for pair in scene.contacts_of(body) {
-        for place in pair.ends.places.iter().copied().chain(pair.leaps()) {
-            let is_here = |point: Point| (pair.path.coordinate(point) - place).abs() <= SAME * pair.stretch;
-            layered(Singular { side: Some(pair.side(body)), layers: pair.ends.layers, is_here: &is_here });
+        let at_ends = pair.ends.places.iter().copied().chain(pair.leaps()).map(|s| (s, pair.ends.layers));
+        let at_cusp = pair.cusp().map(|power| (0.0, layers_at_cusp(power, pair.ends.layers)));
+        for (s, layers) in at_ends.chain(at_cusp) {
+            let is_here = |point: &Point| (pair.path.coordinate(*point) - s).abs() <= SAME * pair.stretch;
+            let sides = blocks.iter().flat_map(|block| [&block.bottom, &block.right, &block.top, &block.left]);
+            let own = sides.filter(|side| side.names.iter().any(|name| name == pair.side(body)));
+            let place = own.flat_map(|side| side.points.iter().step_by(order.intervals())).copied().find(is_here);
+            blocks = layered(blocks, scene, place, layers, order);
         }
     }
     let layers = scene.contacts_of(body).filter(|pair| !pair.ends.places.is_empty()).map(|pair| pair.ends.layers).max();
     let Some(layers) = layers.filter(|layers| *layers > 0) else { return blocks };
-    if let Some(corner) = eye::corner(&scene.bodies[body].shape) {
-        let is_here = |[x, y]: Point| (x - corner[0]).hypot(y - corner[1]) <= SAME * scene.grading.unit;
-        layered(Singular { side: None, layers: layers + AT_CORNER, is_here: &is_here });
-    }
+    blocks = layered(blocks, scene, eye::corner(&scene.bodies[body].shape), layers + AT_CORNER, order);
     for load in &scene.bodies[body].loads {
         if let Load::Force { at, .. } = load {
-            let is_here = |[x, y]: Point| (x - at[0]).hypot(y - at[1]) <= SAME * scene.grading.unit;
-            layered(Singular { side: None, layers, is_here: &is_here });
+            blocks = layered(blocks, scene, Some(*at), layers, order);
         }
     }
     blocks
 }
 
-/// A place where the stresses are singular.
-struct Singular<'a> {
-    /// Side of the body on which it lies; none where any corner of a cell may be meant.
-    side: Option<&'a str>,
-    /// Times the cells there are cut.
-    layers: usize,
-    /// Whether a point is the place.
-    is_here: &'a dyn Fn(Point) -> bool,
+/// The blocks with so many layers towards a place, if there is one.
+fn layered(blocks: Vec<Block>, scene: &Scene, place: Option<Point>, layers: usize, order: Order) -> Vec<Block> {
+    let Some(at) = place else { return blocks };
+    let place = Singular { at, near: SAME * scene.grading.unit, layers };
+    blocks.into_iter().flat_map(|block| place.layered(block, order)).collect()
 }
 
-impl Singular<'_> {
+/// Layers towards the cusp that a power below 2 leaves in the pressure, where so many lie towards the ends.
+fn layers_at_cusp(power: f64, at_ends: usize) -> usize {
+    let [alone, each] = AT_CUSP;
+    ((alone + each * at_ends as f64) / (power - 1.0)).ceil().min(MOST_AT_CUSP as f64) as usize
+}
+
+/// A place where the stresses are singular: all cells with a corner there are cut, of whatever side, or the mesh would tear.
+struct Singular {
+    at: Point,
+    /// Distance below which a point is the place.
+    near: f64,
+    /// Times the cells there are cut.
+    layers: usize,
+}
+
+impl Singular {
+    fn is_here(&self, [x, y]: Point) -> bool {
+        (x - self.at[0]).hypot(y - self.at[1]) <= self.near
+    }
+
     /// A block, cut into its cells where one of them has its corner at the place.
     fn layered(&self, block: Block, order: Order) -> Vec<Block> {
-        let touches = |side: &&Side| {
-            let mut corners = side.points.iter().step_by(order.intervals());
-            self.is_on(side) && corners.any(|corner| (self.is_here)(*corner))
-        };
+        let touches = |side: &&Side| side.points.iter().step_by(order.intervals()).any(|corner| self.is_here(*corner));
         if ![&block.bottom, &block.right, &block.top, &block.left].iter().any(touches) {
             return vec![block];
         }
@@ -77,16 +94,10 @@ impl Singular<'_> {
     }
 
     /// The corner of a cell at the place, counter-clockwise from the lower left one.
-    fn corner(&self, Block { bottom, right, top, left }: &Block) -> Option<usize> {
+    fn corner(&self, Block { bottom, top, .. }: &Block) -> Option<usize> {
         let last = |side: &Side| side.points[side.points.len() - 1];
         let corners = [bottom.points[0], last(bottom), last(top), top.points[0]];
-        let meeting = [[bottom, left], [bottom, right], [right, top], [top, left]];
-        let is_there = |k: &usize| (self.is_here)(corners[*k]) && meeting[*k].iter().any(|side| self.is_on(side));
-        (0..4).find(is_there)
-    }
-
-    fn is_on(&self, side: &Side) -> bool {
-        self.side.is_none_or(|own| side.names.iter().any(|name| name == own))
+        corners.iter().position(|corner| self.is_here(*corner))
     }
 }
 

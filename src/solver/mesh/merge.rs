@@ -5,8 +5,12 @@ use std::collections::HashMap;
 use super::block::Block;
 use super::{BodyMesh, Edge, Mesh, Order};
 
-/// Points closer than this fraction of the body's size are one node.
+/// Points closer than this fraction of the body's size are one node; or than a part of the shortest distance along a side, where layers of cells
+/// are so small.
 const SAME: f64 = 1e-9;
+const APART: f64 = 0.01;
+/// The same up to which rounding explains a distance.
+const ROUNDING: f64 = 1e-12;
 
 impl Mesh {
     /// Adds a body made of blocks.
@@ -84,7 +88,11 @@ impl Register {
             .iter()
             .flat_map(|b| b.bottom.points.iter().chain(&b.top.points))
             .fold(0.0_f64, |size, p| size.max(p[0].abs()).max(p[1].abs()));
-        Self { cell: SAME * size, known: HashMap::new() }
+        let sides = blocks.iter().flat_map(|b| [&b.bottom, &b.right, &b.top, &b.left]);
+        let apart = |two: &[[f64; 2]]| (two[1][0] - two[0][0]).hypot(two[1][1] - two[0][1]);
+        let all = sides.flat_map(|side| side.points.windows(2).map(apart));
+        let shortest = all.filter(|length| *length > ROUNDING * size).fold(f64::INFINITY, f64::min);
+        Self { cell: (SAME * size).min(APART * shortest), known: HashMap::new() }
     }
 
     /// The node at a point, new or known; a neighbour on the grid counts, so that rounding cannot split a node.

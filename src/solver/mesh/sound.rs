@@ -10,10 +10,11 @@ const SAME: f64 = 1e-6;
 /// What to do about a mesh that does not hang together.
 const JOINED: &str = "let neighbouring cells share their nodes (Coherence in Gmsh, common curves of neighbouring surfaces, whole common sides of blocks)";
 
-/// Refuses bodies given cell by cell or block by block that do not hang together.
+/// Refuses bodies that do not hang together: given cell by cell or block by block, or cut into layers towards the ends of contacts.
 pub(super) fn refuse_loose(mesh: &Mesh, scene: &Scene) -> Result<(), Error> {
     for (index, body) in scene.bodies.iter().enumerate() {
-        if !body.shape.has_given_mesh() {
+        let is_layered = scene.contacts_of(index).any(|pair| !pair.ends.places.is_empty());
+        if !body.shape.has_given_mesh() && !is_layered {
             continue;
         }
         let refused = |what: &str, node: usize| {

@@ -203,6 +203,16 @@ impl ContactPair {
         if leaps.len() > MANY { Vec::new() } else { leaps }
     }
 
+    /// The least power n < 2 of a gap whose pressure has a cusp at s = 0, where that lies within the known ends of the contact.
+    pub fn cusp(&self) -> Option<f64> {
+        let places = &self.ends.places;
+        let is_within = match self.path.has_both_sides() {
+            true => places.first().zip(places.last()).is_some_and(|(first, last)| *first < 0.0 && 0.0 < *last),
+            false => places.len() % 2 == 1,
+        };
+        self.profile.least_power().filter(|power| is_within && *power < 2.0)
+    }
+
     /// Gap between a point of the first body and one of the second, as drawn \[mm\]; negative is interference.
     pub fn drawn(&self, first: f64, second: f64) -> f64 {
         if self.above { second - first } else { first - second }
@@ -291,6 +301,12 @@ impl Profile {
             }
             _ => Vec::new(),
         })
+    }
+
+    /// The least power of a gap that is a sum of powers.
+    fn least_power(&self) -> Option<f64> {
+        let Self::Powers { terms } = self else { return None };
+        terms.iter().map(|[_, n]| *n).min_by(f64::total_cmp)
     }
 
     /// By how much the pressure falls from s = 0 over a spacing of nodes, over E\*: `c n (2 − n)/(n − 1) hⁿ⁻¹` of a power below 2, whose

@@ -74,7 +74,8 @@ impl Discretisation {
         let contacts = self.scene.contacts.iter().zip(&run.contacts);
         for (pair, found) in contacts.filter(|(pair, _)| pair.bodies().any(|own| own == body)) {
             let Some(place) = found.unbounded.map(|unbounded| unbounded.position.value()) else { continue };
-            let away = |node: usize| (pair.path.coordinate(self.mesh.points[node]).abs() - place.abs()).abs();
+            let side = |s: f64| if pair.path.has_both_sides() { s } else { s.abs() };
+            let away = |node: usize| (side(pair.path.coordinate(self.mesh.points[node])) - side(place)).abs();
             let nodes = candidates::facing_edges(&self.mesh, &self.scene, pair, body)?.into_iter().flatten();
             let nearest = nodes.min_by(|a, b| away(*a).total_cmp(&away(*b)));
             all.extend(nearest.map(|node| WithoutLimit { node, because: PRESSURE }));
