@@ -28,11 +28,10 @@ pub fn doubts(discretisation: &Discretisation, run: &Run) -> Vec<Vec<String>> {
     let Discretisation { scene, mesh, .. } = discretisation;
     let displacement = discretisation.displacement_under(run.share(), &run.solution);
     let bodies: Vec<Body> = (0..scene.bodies.len()).map(|body| Body::of(mesh, body, &displacement)).collect();
-    let deepest = |contact| {
-        let points = discretisation.points(&run.formulation);
-        let own = points.into_iter().filter(|point| point.contact == contact);
-        own.map(|point| -point.gap).fold(0.0, f64::max)
-    };
+    let mut deepest = vec![0.0_f64; scene.contacts.len()];
+    for point in discretisation.points(&run.formulation) {
+        deepest[point.contact] = deepest[point.contact].max(-point.gap);
+    }
     let of = |(index, contact): (usize, &Contact)| {
         let pair = &scene.contacts[index];
         // What is said of a body is said with its first contact.
@@ -40,8 +39,7 @@ pub fn doubts(discretisation: &Discretisation, run: &Run) -> Vec<Vec<String>> {
             pair.bodies().filter(|body| scene.contacts_of(*body).next().is_some_and(|first| std::ptr::eq(first, pair)));
         let of_bodies = own.flat_map(|body| [moved(scene, &bodies, body), turned(scene, body)]);
         let of_pair = [strained(scene, pair, contact), apart(scene, &bodies, pair)];
-        let depth = deepest(index);
-        let deep = pair.bodies().map(|body| interference(scene, &bodies, body, depth)).find(Option::is_some);
+        let deep = pair.bodies().map(|body| interference(scene, &bodies, body, deepest[index])).find(Option::is_some);
         of_pair.into_iter().chain(deep).chain(of_bodies).flatten().collect()
     };
     run.contacts.iter().enumerate().map(of).collect()

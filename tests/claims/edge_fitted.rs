@@ -341,6 +341,25 @@ fn chain_of_bodies_whose_contacts_end_alike_is_fitted() {
     }
 }
 
+#[test]
+fn a_contact_that_stays_open_beside_others_has_no_end_to_fit() {
+    let scene = parsed(
+        "plane = \"strain\"\nthickness = 1\n[[body]]\nname = \"block\"\nyoung = 210e3\npoisson = 0.3\n\
+         shape = { rectangle = { x = [-60, 60], y = [0, 60], contact = \"bottom\" } }\n\
+         supports = [{ at = \"left\", component = \"x\" }]\nloads = [{ rigid-face = { at = \"far\", component = \"y\", force = -1000 } }]\n\
+         [[contact]]\nfirst = \"block\"\nboth-sides = true\ngap = { parabola = 20 }\nstretch = 2\n\
+         [[contact]]\nname = \"beside\"\nfirst = \"block\"\nboth-sides = true\norigin = [30, 0]\ngap = { parabola = 20, clearance = 1 }\nstretch = 2\n\
+         [mesh]\nelements = 8\nper = 1\n",
+    )
+    .scene;
+    let answer = solved(Fitted { order: Order::Sextic, layers: 2 }, &scene);
+    let [closed, open] = &answer.run.contacts[..] else { panic!("two contacts") };
+    assert!(open.measures.stretches.is_empty());
+    let hertz = Hertz { load: 1000.0, radius: 20.0, modulus: Material::STEEL.plane_modulus(scene.plane) };
+    let error = relative_error(closed.measures.peak.pressure, hertz.peak_pressure());
+    assert!(error <= 1e-3, "{error}");
+}
+
 /// What is said of a scene that no mesh can be fitted to.
 fn refusal(scene: &Scene) -> String {
     let error = Fitted::of_digits(4).solve(scene, &Formulation::verification()).expect_err("refused");

@@ -1,5 +1,6 @@
 //! Meshes around contacts whose ends are known: discs in frames, rings in rows, and several contacts of a body.
 
+use std::collections::BTreeSet;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
 use contact_vv::accuracy::{self, Asked};
@@ -166,6 +167,38 @@ fn both_ends_of_a_contact_off_the_middle_of_a_disc_are_found() {
             assert!(relative_error(*one, other) <= 1e-5, "{shift}: {septic:?} {octic:?}");
         }
         assert!((0.5 * (ends[0] + ends[1]) - shift).abs() <= 1e-2, "{shift}: {ends:?}");
+    }
+}
+
+#[test]
+fn a_sheet_between_two_contacts_hangs_together_wherever_they_end() {
+    let sheet = |size: f64| format!("{{ rectangle = {{ x = [0, 30], y = [-{size}, 0], contact = \"top\" }} }}");
+    for height in [0.5, 1.0, 2.0] {
+        for [top, bottom] in [[2.0, 2.0], [2.078, 2.218], [2.45, 2.92], [1.23, 1.46], [3.0, 1.1]] {
+            let mut scene = parsed(&format!(
+                "plane = \"strain\"\nthickness = 1\n[[body]]\nname = \"sheet\"\nyoung = 2e3\npoisson = 0.35\nshape = {}\n\
+                 supports = [{{ at = \"left\", component = \"x\" }}]\n[[contact]]\nfirst = \"sheet\"\ngap = {{ circle = 20 }}\n\
+                 stretch = 4\n[[contact]]\nname = \"below\"\nfirst = \"sheet\"\nfirst-side = \"far\"\norigin = [0, -{height}]\ngap = {{ uniform = 0 }}\n\
+                 stretch = 12\n[mesh]\nelements = 10\nper = 2\n",
+                sheet(height)
+            ))
+            .scene;
+            for (pair, place) in scene.contacts.iter_mut().zip([top, bottom]) {
+                pair.ends = Ends { places: vec![place], layers: 2, off: 0.0 };
+            }
+            for order in [Order::Quartic, Order::Sextic] {
+                let mesh = Mesh::of(&scene, resolution(1, 0, order)).expect("a mesh that hangs together");
+                // Euler: corners − sides + cells = 1 of a body without a hole, and 0 of one that is cut open.
+                let (mut corners, mut sides) = (BTreeSet::<usize>::new(), BTreeSet::new());
+                for cell in 0..mesh.cells() {
+                    let nodes = &mesh.cell(cell)[..4];
+                    corners.extend(nodes.iter().copied());
+                    sides.extend((0..4).map(|k| [nodes[k], nodes[(k + 1) % 4]]).map(|[a, b]| [a.min(b), a.max(b)]));
+                }
+                let euler = corners.len() as i64 - sides.len() as i64 + mesh.cells() as i64;
+                assert_eq!(euler, 1, "{height} {top} {bottom} {order:?}");
+            }
+        }
     }
 }
 

@@ -214,8 +214,15 @@ struct Number {
 impl Number {
     /// That of a contact.
     fn of(found: &Found, contact: usize, quantity: &Quantity) -> Self {
-        let value = found.discretisation.number(&found.run, contact, quantity).unwrap_or(f64::NAN);
-        let width = found.run.contacts[contact].measures.second_moment_width;
+        let Found { discretisation, run, displacement, .. } = found;
+        let measures = &run.contacts[contact].measures;
+        // Displacements of all bodies are recovered once, for however many contacts.
+        let value = match quantity {
+            Quantity::Approach => discretisation.of_displacement(displacement, measures, contact, quantity),
+            other => discretisation.number(run, contact, other).map(Some),
+        };
+        let value = value.ok().flatten().unwrap_or(f64::NAN);
+        let width = measures.second_moment_width;
         let is_round_off = *quantity == Quantity::PeakPlace && value.abs() <= ROUND_OFF * width;
         Self::valued(found, contact, quantity, if is_round_off { 0.0 } else { value })
     }

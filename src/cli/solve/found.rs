@@ -36,6 +36,8 @@ pub struct Found {
     pub is_mesh_given: bool,
     /// What its supports exert.
     pub reactions: Vec<ReactionReading>,
+    /// Displacement of every node \[mm\].
+    pub displacement: Vec<[f64; 2]>,
     /// The largest von Mises stress of every body.
     pub stresses: Vec<VonMises>,
     /// How far each number may be from the truth; none where that was not asked for.
@@ -78,7 +80,19 @@ impl Found {
         let reactions = reactions(&discretisation, &run)?;
         let displacement = discretisation.displacement_under(run.share(), &run.solution);
         let stresses = discretisation.largest_von_mises(&run, &displacement)?;
-        Ok(Self { problem, discretisation, run, doubts, is_mesh_given, reactions, stresses, bars, checks, accurate })
+        Ok(Self {
+            problem,
+            discretisation,
+            run,
+            doubts,
+            is_mesh_given,
+            reactions,
+            displacement,
+            stresses,
+            bars,
+            checks,
+            accurate,
+        })
     }
 
     /// What must be known of a contact before it is quoted.

@@ -1,4 +1,4 @@
-//! Several contacts, and bodies whose mesh is given.
+//! Several contacts, one on several crests of a wave, and bodies whose mesh is given.
 //!
 //! Cells that are given are cut both ways, and so is all of the mesh beside them. Where all bodies are meshed here, the elements on the
 //! contacts are made smaller by any ratio and the growth follows them, which needs far fewer cells.
@@ -9,7 +9,7 @@ use crate::accuracy::rungs::Rungs;
 use crate::error::{Error, Kind, Place};
 use crate::mesh::size::expected;
 use crate::mesh::{Order, Resolution};
-use crate::scene::{ContactPair, Grading, Scene, Shape};
+use crate::scene::{ContactPair, Grading, Profile, Scene, Shape};
 use crate::solve::run::Run;
 
 /// Elements of the first mesh on the shortest candidate stretch, then on the shortest half-contact.
@@ -29,7 +29,13 @@ const TRIES: usize = 48;
 
 /// Whether the mesh of a scene is chosen in this way.
 pub(super) fn applies(scene: &Scene) -> bool {
-    scene.contacts.len() > 1 || scene.bodies.iter().any(|body| body.shape.has_given_mesh())
+    let has_crests = |pair: &ContactPair| match pair.profile {
+        Profile::Cosine { wavelength, .. } => pair.stretch > 0.5 * wavelength * (1.0 + 1e-9),
+        _ => false,
+    };
+    scene.contacts.len() > 1
+        || scene.contacts.iter().any(has_crests)
+        || scene.bodies.iter().any(|body| body.shape.has_given_mesh())
 }
 
 /// The scene on its first mesh: candidates as they are guessed, growth as usual, cells of the order that is given.
@@ -150,6 +156,7 @@ impl Evenly {
             known &= pressed >= TOLD || filled && pair.stretch >= self.longest[contact];
             pair.stretch = wanted.min(self.longest[contact]);
         }
+        self.shorten_open(run);
         fit(&mut self.scene, MARGIN);
         let elements = self.resolution.elements as f64;
         for (pair, longest) in self.scene.contacts.iter_mut().zip(&self.longest) {
@@ -158,6 +165,19 @@ impl Evenly {
             pair.stretch = whole.min(*longest);
         }
         known
+    }
+
+    /// Gives contacts that are open candidates no longer than the shortest of those that press.
+    fn shorten_open(&mut self, run: &Run) {
+        let length = |pair: &ContactPair| pair.stretch * pair.path.metric();
+        let presses = |contact: usize| fitted::pressed(run, contact)[0] > 0;
+        let pressed = self.scene.contacts.iter().enumerate().filter(|(contact, _)| presses(*contact));
+        let shortest = pressed.map(|(_, pair)| length(pair)).fold(f64::INFINITY, f64::min);
+        for (contact, pair) in self.scene.contacts.iter_mut().enumerate() {
+            if !presses(contact) && length(pair) > shortest {
+                pair.stretch = shortest / pair.path.metric();
+            }
+        }
     }
 
     /// Lengthens the candidates of a contact that reaches their end; whether that is why a mesh was not solved.

@@ -47,27 +47,24 @@ pub fn longest(scene: &Scene, pair: &ContactPair) -> f64 {
         }
     };
     let neighbours = scene.contacts.iter().map(next);
-    pair.bodies()
-        .map(|body| round(body).unwrap_or_else(|| side(body)))
-        .chain(neighbours)
-        .fold(of_gap(&pair.profile), f64::min)
+    pair.bodies().map(|body| round(body).unwrap_or_else(|| side(body))).chain(neighbours).fold(of_gap(pair), f64::min)
 }
 
 /// How far a gap goes \[mm, or rad\].
-fn of_gap(profile: &Profile) -> f64 {
+fn of_gap(pair: &ContactPair) -> f64 {
     let length = |points: &[[f64; 2]]| match points {
         [[first, _], .., [last, _]] if *first < 0.0 => last.min(-first),
         [.., [last, _]] => *last,
         [] => 0.0,
     };
-    match profile {
+    match &pair.profile {
         Profile::Punch { half_width } => *half_width,
         Profile::Table(points) => length(points),
         Profile::Smooth(cubic) => length(&cubic.points),
         Profile::Circle { radius } => radius * FRAC_1_SQRT_2,
         Profile::Circles { radii: [a, b] } => a.abs().min(b.abs()) * FRAC_1_SQRT_2,
-        // Beyond the trough the next crest comes near.
-        Profile::Cosine { wavelength, .. } => 0.5 * wavelength,
+        // Beyond the trough the next crest comes near, unless the candidates shall hold it too.
+        Profile::Cosine { wavelength, .. } => (0.5 * wavelength).max(pair.stretch),
         _ => f64::INFINITY,
     }
 }

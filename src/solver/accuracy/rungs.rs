@@ -15,8 +15,10 @@ use crate::solve::{Change, Discretisation, Formulation, edge_fitted};
 
 /// Meshes in a row whose peak has no limit, from which on none is sought for it: on a coarse one a sharp top may look like that.
 const WITHOUT_LIMIT: usize = 2;
-/// Why no mesh meets an accuracy of a peak without a limit.
+/// Why no mesh meets an accuracy of a peak without a limit, where the scene tells that and where only meshes do.
 const UNBOUNDED: &str = "the peak has no limit, so that no mesh meets an accuracy of it";
+const GROWS: &str =
+    "the peak grows with every halving of the elements: it has no limit, or is narrower than these meshes show";
 
 /// A mesh solved.
 pub(super) struct Rung {
@@ -193,10 +195,14 @@ impl<'a> Rungs<'a> {
         if estimates.is_empty() || !of_peak {
             run = run.with_limits(&Discretisation::of(scene.clone(), resolution)?)?;
         }
-        let unbounded = of_peak && run.contacts.iter().any(|contact| contact.unbounded.is_some());
+        let without_limit = scene.contacts.iter().zip(&run.contacts).find(|(_, contact)| contact.unbounded.is_some());
+        let unbounded = without_limit.filter(|_| of_peak).map(|(pair, _)| match pair.profile.tips() {
+            Some(_) => UNBOUNDED,
+            None => GROWS,
+        });
         let next = self.next.filter(|_| unmet.is_some() && !run.is_open());
         let unmet = match next.zip(self.asked.most_dofs) {
-            _ if unbounded => Some(UNBOUNDED.to_owned()),
+            _ if let Some(unbounded) = unbounded => Some(unbounded.to_owned()),
             Some((next, most)) => {
                 let until = largest(&estimates);
                 let until = match until.is_nan() {

@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use crate::error::Error;
 use crate::mesh::Order;
-use crate::scene::{BoundaryName, Place, Scene};
+use crate::scene::{BoundaryName, Load, Place, Scene};
 
 /// An edge on a boundary: first node, last node, then those between, of 8-node cells the mid-side node; the body lies to its
 /// left.
@@ -112,7 +112,13 @@ impl Mesh {
             _ => {
                 let [x, y] = nearest.map_or([f64::NAN; 2], |node| self.points[node]);
                 let message = format!("there is no node at `({}, {})`", point[0], point[1]);
-                let remedy = format!("choose the nearest node, ({x}, {y}), corners of the outline or centres of discs");
+                let is_force = |load: &Load| matches!(load, Load::Force { at, .. } if *at == point);
+                let fitted = match scene.bodies[body].loads.iter().any(is_force) {
+                    true => "; meshes of --fitted and --accuracy have a node where a force acts",
+                    false => "",
+                };
+                let remedy =
+                    format!("choose the nearest node, ({x}, {y}), corners of the outline or centres of discs{fitted}");
                 Err(Error::at(scene.place_of_body(body), message, remedy))
             }
         }

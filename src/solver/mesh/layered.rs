@@ -17,15 +17,16 @@ const SAME: f64 = 1e-9;
 const AT_CORNER: usize = 1;
 
 /// Layers towards the cusp of the pressure under a gap sⁿ, times `n − 1`, without and for each of those towards the ends: every layer leaves
-/// `LAYERⁿ⁻¹` of it, and `LAYER²` of an end. And the most: nodes nearer than rounding are one.
+/// `LAYERⁿ⁻¹` of it, and `LAYER²` of an end. And the shortest distance of two nodes over the cell
+/// that is cut: round-off takes what smaller rings around an axis carry, a 10⁻¹³th of the load.
 const AT_CUSP: [f64; 2] = [4.0, 2.0];
-const MOST_AT_CUSP: usize = 12;
+const NEAREST: f64 = 3.5e-7;
 
 /// The blocks of a body with layers towards the ends of its contacts and the leaps within, and towards points at which a force acts.
 pub(super) fn towards_ends(mut blocks: Vec<Block>, scene: &Scene, body: usize, order: Order) -> Vec<Block> {
     for pair in scene.contacts_of(body) {
         let at_ends = pair.ends.places.iter().copied().chain(pair.leaps()).map(|s| (s, pair.ends.layers));
-        let at_cusp = pair.cusp().map(|power| (0.0, layers_at_cusp(power, pair.ends.layers)));
+        let at_cusp = pair.cusp().map(|power| (0.0, layers_at_cusp(power, pair.ends.layers, order)));
         for (s, layers) in at_ends.chain(at_cusp) {
             let is_here = |point: &Point| (pair.path.coordinate(*point) - s).abs() <= SAME * pair.stretch;
             let sides = blocks.iter().flat_map(|block| [&block.bottom, &block.right, &block.top, &block.left]);
@@ -53,9 +54,10 @@ fn layered(blocks: Vec<Block>, scene: &Scene, place: Option<Point>, layers: usiz
 }
 
 /// Layers towards the cusp that a power below 2 leaves in the pressure, where so many lie towards the ends.
-fn layers_at_cusp(power: f64, at_ends: usize) -> usize {
+fn layers_at_cusp(power: f64, at_ends: usize, order: Order) -> usize {
     let [alone, each] = AT_CUSP;
-    ((alone + each * at_ends as f64) / (power - 1.0)).ceil().min(MOST_AT_CUSP as f64) as usize
+    let most = (NEAREST / order.fractions()[1]).ln() / LAYER.ln();
+    ((alone + each * at_ends as f64) / (power - 1.0)).ceil().min(most.floor()) as usize
 }
 
 /// A place where the stresses are singular: all cells with a corner there are cut, of whatever side, or the mesh would tear.

@@ -28,16 +28,16 @@ pub(super) struct Closed {
 }
 
 impl Closed {
-    /// Refuses contacts that do not touch, and those that end where their candidates do.
+    /// Refuses a scene without any contact, and contacts that end where their candidates do.
     pub(super) fn refuse(&self, scene: &Scene) -> Result<(), Error> {
         let refused = |contact: usize, message: &str, remedy: String| {
             Err(Error::at(scene.place_of(contact, error::Part::Stretch), message, remedy))
         };
-        for (contact, all) in self.stretches.iter().enumerate() {
-            if all.is_empty() {
-                let message = "no candidate is closed on the first mesh: there is no contact to fit a mesh to";
-                return refused(contact, message, format!("increase the load, or {REMEDY}"));
-            }
+        if self.stretches.iter().all(Vec::is_empty) {
+            let message = "no candidate is closed on the first mesh: there is no contact to fit a mesh to";
+            return refused(0, message, format!("increase the load, or {REMEDY}"));
+        }
+        for (contact, all) in self.stretches.iter().enumerate().filter(|(_, all)| !all.is_empty()) {
             if places(all).is_empty() {
                 let message =
                     "--fitted cannot be used: the contact ends where its candidates end, and any mesh has a line there";
