@@ -217,7 +217,7 @@ const BUDGETS: [(&str, usize); 9] = [
     ("case", 8_240),
     ("oracle", 1_436),
     ("study", 14_929),
-    ("referee", 6_765),
+    ("referee", 6_940),
     ("report", 3_047),
     ("cli", 4_716),
     ("live", 490),

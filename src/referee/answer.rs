@@ -3,10 +3,12 @@
 use std::path::PathBuf;
 
 use crate::error::Error;
+use crate::markdown::significant;
+use crate::measure::display_factor;
 use crate::mesh::Order;
 use crate::referee::field::Field;
 use crate::referee::units::Units;
-use crate::scene::Scene;
+use crate::scene::{ContactPair, Scene};
 use crate::solution::EdgeState;
 
 /// An answer as it was handed in.
@@ -124,10 +126,17 @@ pub fn contact_named(
     }
 }
 
+/// Places of a contact, in mm or degrees.
+pub fn places(pair: &ContactPair, all: &[f64]) -> String {
+    let all: Vec<String> = all.iter().map(|s| significant(display_factor(&pair.path) * s, 4)).collect();
+    format!("{} {}", all.join(" to "), if pair.path.is_straight() { "mm" } else { "°" })
+}
+
 /// Points in order; refuses too few, two at one place, and three-node edges that do not add up.
 pub fn ordered(
     mut points: Vec<Point>,
     order: Order,
+    pair: &ContactPair,
     refused: impl Fn(String, &str) -> Error,
 ) -> Result<Vec<Point>, Error> {
     if points.len() < FEWEST {
@@ -137,7 +146,7 @@ pub fn ordered(
     points.sort_by(|a, b| a.position.total_cmp(&b.position));
     let length = points[points.len() - 1].position - points[0].position;
     if let Some(two) = points.windows(2).find(|two| two[1].position - two[0].position <= SAME * length) {
-        let message = format!("two points lie at one place, {}", two[0].position);
+        let message = format!("two points lie at one place, {}", places(pair, &[two[0].position]));
         return Err(refused(message, "hand in the points of one side of one contact, of one step and time, each once"));
     }
     // On an axis a node may have no area, and codes give none to nodes that are open.
@@ -146,7 +155,7 @@ pub fn ordered(
     let wrong = |point: &Point| Some((point.position, point.area.filter(|area| is_wrong(point, *area))?));
     if let Some((position, area)) = points.iter().find_map(wrong) {
         let remedy = "areas are positive, but 0 where nothing presses; without areas they follow from the places";
-        return Err(refused(format!("the area at {position} is {area} mm²"), remedy));
+        return Err(refused(format!("the area at {} is {area} mm²", places(pair, &[position])), remedy));
     }
     let nodes = usize::from(order.number()) + 1;
     if !(points.len() - 1).is_multiple_of(nodes - 1) {
@@ -173,7 +182,8 @@ pub fn joined(mut points: Vec<Point>) -> Vec<Point> {
     points.chunk_by(|a, b| b.position - a.position <= SAME * length).map(one).collect()
 }
 
-/// Points in order, and how many nodes of the contact lack one: those between others, and those at an end that is pressed.
+/// Points in order, and how many nodes of the contact lack one: those between others, and those up to an end on the symmetry line that is pressed.
+/// What lies beyond the others is not guessed: whether the contact ends there is judged as that of a list of points.
 pub fn without_gaps(mut nodes: Vec<(f64, Option<Point>)>) -> (Vec<Point>, usize) {
     nodes.sort_by(|a, b| a.0.total_cmp(&b.0));
     let points: Vec<Point> = nodes.iter().filter_map(|(_, point)| *point).collect();
@@ -181,10 +191,12 @@ pub fn without_gaps(mut nodes: Vec<(f64, Option<Point>)>) -> (Vec<Point>, usize)
     let is_free = |point: Option<&Point>| point.is_some_and(|point| point.value.abs() <= CLOSED * largest);
     let begin = nodes.iter().take_while(|(_, point)| point.is_none()).count();
     let end = nodes.iter().rev().take_while(|(_, point)| point.is_none()).count();
-    let beyond = [(begin, points.first()), (end, points.last())];
-    let beyond: usize = beyond.into_iter().filter(|(_, point)| is_free(*point)).map(|(count, _)| count).sum();
-    let lacking = nodes.len() - points.len() - beyond.min(nodes.len() - points.len());
-    (points, lacking)
+    let length = nodes.last().zip(nodes.first()).map_or(0.0, |(last, first)| last.0 - first.0);
+    let is_at_line = nodes.first().is_some_and(|(at, _)| at.abs() <= SAME * length);
+    let begin = if is_at_line && !is_free(points.first()) { 0 } else { begin };
+    let lacking = nodes.len() - points.len();
+    let beyond = if points.is_empty() { 0 } else { begin + end };
+    (points, lacking - beyond)
 }
 
 /// Tension over the largest pressure that stresses have at nodes beside a contact: they are means of cells, of which one ends it.

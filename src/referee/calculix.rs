@@ -73,7 +73,8 @@ pub fn forces(file: &Path, text: &str, deck: &str, scene: &Scene, asked: &Asked)
             Ok(Point { position, value: 0.0 - whole * asked.sign() * force * value, area: None, gap: None })
         };
         let points = lines.iter().map(point).collect::<Result<Vec<Point>, Error>>()?;
-        let points = ordered(points, order, |message, remedy| source.refused(format!("set {set}: {message}"), remedy))?;
+        let points =
+            ordered(points, order, pair, |message, remedy| source.refused(format!("set {set}: {message}"), remedy))?;
         contacts.push(Handed { contact, points, order, edges: vec![], forces: true });
     }
     if contacts.is_empty() {

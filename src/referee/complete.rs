@@ -1,13 +1,12 @@
 //! Whether an answer holds the whole contact: a part of it is not judged.
 
 use crate::error::Error;
-use crate::markdown::significant;
-use crate::measure::{display_factor, larger};
+use crate::measure::larger;
+use crate::referee::answer::places;
 use crate::referee::profile::{EDGES, Profile};
 use crate::referee::source::Source;
 use crate::referee::truth::Truth;
 use crate::referee::{Answer, Handed, mistakes, norm};
-use crate::scene::ContactPair;
 
 /// Pressure at an end, over the largest, from which on the contact does not end there.
 const PRESSED: f64 = 0.02;
@@ -148,10 +147,4 @@ fn holes(handed: &Handed) -> Vec<([f64; 2], f64)> {
         Some(length(&steps[k]) / longer).filter(|times| *times > BETWEEN)
     };
     (0..steps.len()).filter_map(|k| Some((steps[k], times(k).or_else(|| between(k))?))).collect()
-}
-
-/// Places of a contact, in mm or degrees.
-fn places(pair: &ContactPair, all: &[f64]) -> String {
-    let all: Vec<String> = all.iter().map(|s| significant(display_factor(&pair.path) * s, 4)).collect();
-    format!("{} {}", all.join(" to "), if pair.path.is_straight() { "mm" } else { "°" })
 }

@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::error::{Error, Located};
 use crate::mesh::Order;
-use crate::referee::answer::{Answer, BESIDE, Handed, Point, contact_named, ordered};
+use crate::referee::answer::{Answer, BESIDE, Handed, Point, contact_named, ordered, places};
 use crate::referee::asked::Asked;
 use crate::referee::profile::order_of_areas;
 use crate::referee::units::{Role, Units, is_angle};
@@ -232,16 +232,18 @@ fn contact_of(reader: &Reader) -> Result<Handed, Error> {
         area: area.as_ref().map(|area| area[k]),
         gap: gap.as_ref().map(|gap| gap[k]),
     };
-    let points = ordered((0..position.len()).map(point).collect(), order, |message, remedy| {
-        refused("position", message, remedy)
-    })?;
+    let points =
+        ordered((0..position.len()).map(point).collect(), order, &scene.contacts[index], |message, remedy| {
+            refused("position", message, remedy)
+        })?;
     let order = match (contact.order, asked.order) {
         (None, None) if contact.edges.is_empty() => order_of_areas(scene, &scene.contacts[index], &points),
         _ => order,
     };
     let edges = edges_of(reader, &scene.contacts[index].path)?;
     if let Some([from, to]) = wrong_step(&edges, &points) {
-        let message = format!("none, or more than one, reaches from {from} to {to} (mm, or rad on an arc)");
+        let ends = places(&scene.contacts[index], &[from, to]);
+        let message = format!("none, or more than one, reaches from {ends}");
         let remedy = "give one for every part of the contact from its first point to its last, or none at all";
         return Err(refused("edges", message, remedy));
     }

@@ -21,6 +21,9 @@ const CONTACT: &str =
 /// How they are written such that their nodes are there.
 const EXPANDED: &str = "write *CONTACT FILE and *NODE FILE with OUTPUT=3D, so that the file has the nodes into which ccx expands plane elements and those \
                         of the contact are among them; or hand in a .csv of positions and nodal forces";
+/// What to do where they are there, and have no values.
+const BETWEEN: &str =
+    "hand in values at every node up to where nothing presses, as `*CONTACT PAIR, TYPE=SURFACE TO SURFACE` has them";
 
 /// Pressures and gaps of the contact block of the state that is asked for, or of the last one.
 pub fn parse(file: &Path, text: &str, scene: &Scene, asked: &Asked) -> Result<Answer, Error> {
@@ -69,11 +72,12 @@ pub fn parse(file: &Path, text: &str, scene: &Scene, asked: &Asked) -> Result<An
             nodes.len(),
             pair.name
         );
-        return Err(source.refused(message, EXPANDED));
+        return Err(source.refused(message, if strange > 0 { EXPANDED } else { BETWEEN }));
     }
     side.all_pressed(&source, (pair, scene.plane.radial()), &places, value)?;
     let order = asked.order.unwrap_or(side.order());
-    let points = ordered(points, order, |message, remedy| source.refused(format!("contact block: {message}"), remedy))?;
+    let points =
+        ordered(points, order, pair, |message, remedy| source.refused(format!("contact block: {message}"), remedy))?;
     let mut read = vec![format!("{name} as pressure")];
     read.extend(gap.map(|gap| format!("{} as gap", block.components[gap])));
     read.extend(heads.iter().map(|head| format!("block {} of {}", head.name, head.state)));

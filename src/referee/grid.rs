@@ -96,7 +96,10 @@ impl<'a> Grid<'a> {
             let (corners, all) = match kind {
                 5 => (3, 3),
                 22 => (3, 6),
-                9 => (4, 4),
+                8 | 9 => (4, 4),
+                // Polygons with three nodes or four, and triangles of any order with three or six.
+                7 if (3..5).contains(&range.len()) => (range.len(), range.len()),
+                69 if [3, 6].contains(&range.len()) => (3, range.len()),
                 23 => (4, 8),
                 28 => (4, 9),
                 // Quadrilaterals of any order.
@@ -105,7 +108,7 @@ impl<'a> Grid<'a> {
                 1..=4 | 21 | 68 => continue,
                 other => {
                     let message = format!(
-                        "it has cells of VTK's type {other}, and read are those of types 5, 22, 9, 23, 28 and 70"
+                        "it has cells of VTK's type {other}, and read are those of types 5, 22, 9, 23, 28 and 70, and 7, 8 and 69 of as many nodes"
                     );
                     return Err(self.source().refused(
                         message,
@@ -115,8 +118,12 @@ impl<'a> Grid<'a> {
             };
             match self.connectivity.get(range) {
                 Some(nodes) if nodes.len() == all && nodes.iter().all(|&node| node < self.points.len() / 3) => {
-                    let more =
-                        if *kind == 70 { parts(nodes) } else { Some(vec![Cell { nodes: nodes.to_vec(), corners }]) };
+                    let more = match (*kind, nodes) {
+                        (70, _) => parts(nodes),
+                        // A pixel goes row by row, and not around.
+                        (8, &[a, b, c, d]) => Some(vec![Cell { nodes: vec![a, b, d, c], corners }]),
+                        _ => Some(vec![Cell { nodes: nodes.to_vec(), corners }]),
+                    };
                     let message =
                         || format!("a quadrilateral of VTK's type 70 has {all} nodes, and no square of a number");
                     found.extend(more.ok_or_else(|| refused(message()))?);
@@ -175,8 +182,9 @@ impl<'a> Grid<'a> {
             points = joined(points);
             read.push(format!("means of {all} points of cells at {} places of the contact side", points.len()));
         }
-        let points =
-            ordered(points, order, |message, remedy| source.refused(format!("its contact side: {message}"), remedy))?;
+        let points = ordered(points, order, pair, |message, remedy| {
+            source.refused(format!("its contact side: {message}"), remedy)
+        })?;
         Ok((Handed { contact, points, order, edges: vec![], forces: false }, read))
     }
 
@@ -257,8 +265,11 @@ impl<'a> Grid<'a> {
             ));
         }
         let places = self.field(Role::Stress, asked)?.and_then(|(field, _)| match field.components {
-            9 => Some((field, [0, 4, 1])),
-            6 => Some((field, [0, 1, 3])),
+            6 | 9 => {
+                let at = ["xx", "yy", "xy"].map(|name| field.component(name));
+                let [Some(x), Some(y), Some(xy)] = at else { return None };
+                Some((field, [x, y, xy]))
+            }
             _ => None,
         });
         if self.fields.is_empty() {
@@ -280,7 +291,10 @@ impl<'a> Grid<'a> {
             let (n, [x, y, xy]) = (pair.normal(points[node]), at.map(|k| field.at(node, k)));
             0.0 - factor * (n[0] * n[0] * x + n[1] * n[1] * y + 2.0 * n[0] * n[1] * xy)
         };
-        let how = format!("−n·σn of `{}` as pressure, {} components", field.name, field.components);
+        let how = format!(
+            "−n·σn of `{}` as pressure, {} components, of which xx, yy and xy are {}, {} and {}",
+            field.name, field.components, at[0], at[1], at[2]
+        );
         Ok((Box::new(pressure), how, true))
     }
 

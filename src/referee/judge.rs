@@ -1,7 +1,9 @@
 //! An answer held against the truth of its case, quantity by quantity.
 
-use crate::case::{Check, Judged, Reference, Verdict};
+use crate::case::{self, Check, Judged, Reference, Verdict};
+use crate::markdown::significant;
 use crate::measure::{ACTIVE, Measures, Quantity, display_factor, larger, peak};
+use crate::referee::answer::places;
 use crate::referee::bench::Bench;
 use crate::referee::profile::Profile;
 use crate::referee::truth::{Known, Truth};
@@ -47,6 +49,7 @@ pub fn judge(truth: &Truth, profile: &Profile, tolerance: f64) -> Ruled {
     judged.extend(bench.peak(&mut missing));
     judged.extend(bench.profile_norm(&mut missing));
     judged.extend(bench.alternation());
+    judged.extend(bench.lone());
     if profile.has_means {
         missing.push(["pressures at single points".into(), MEANS.into()]);
     }
@@ -140,6 +143,39 @@ impl Bench<'_> {
         Some(self.error(ALTERNATION, reference, ALTERNATE, because, largest))
     }
 
+    /// The point whose pressure departs most from the truth while those of two on either side do not, where it is off by more than is allowed: the
+    /// peak that is fitted passes it by. Not the last ones before an end, nor where the truth bends as much from point to point.
+    fn lone(&self) -> Option<Judged> {
+        let contact = self.profile.contact;
+        let peak = self.truth.known(contact, &Quantity::PeakPressure).reference.value;
+        let known = |&[s, p]: &[f64; 2]| [s, p, self.truth.pressure(contact, s)];
+        let is_inside = |[s, _]: &&[f64; 2]| s.abs() < self.reach();
+        let mut points: Vec<[f64; 3]> = self.profile.alone.iter().filter(is_inside).map(known).collect();
+        points.truncate(points.len().saturating_sub(AT_END));
+        points.drain(..if self.profile.across { AT_END.min(points.len()) } else { 0 });
+        if !self.profile.across && !self.profile.pair().path.has_both_sides() {
+            // What lies on an axis has no area, and is not asked for.
+            let images = if self.profile.scene.is_around_axis(contact) { 1 } else { 2 };
+            let mirrored: Vec<[f64; 3]> = points.iter().filter(|[s, ..]| *s > 0.0).take(images).copied().collect();
+            points.splice(0..0, mirrored.into_iter().rev());
+        }
+        let off = |five: &[[f64; 3]]| {
+            let scale = if self.truth.is_unbounded(contact) { five[2][2] } else { peak };
+            let error = |k: usize| (five[k][1] - five[k][2]).abs() / scale;
+            let bend = (five[2][2] - 0.5 * (five[1][2] + five[3][2])).abs() / scale;
+            let beside = [0, 1, 3, 4].map(error).into_iter().fold(bend, larger);
+            (LONE * beside..f64::INFINITY).contains(&error(2)).then_some((error(2), five[2]))
+        };
+        let (error, [s, p, wanted]) = points.windows(5).filter_map(off).max_by(|a, b| a.0.total_cmp(&b.0))?;
+        let known = self.truth.of_profile(contact);
+        let (place, [p, wanted]) = (places(self.profile.pair(), &[s]), [p, wanted].map(|one| significant(one, 4)));
+        let quantity = format!("departure of one point alone, at {place}: {p} for {wanted} MPa, over the peak");
+        let because = "the tolerance, the bar of the reference, and what one point of an answer may be off";
+        let allowed = self.tolerance + SPIKE + known.bar;
+        let check = Check::error(case::Quantity::at(quantity, ""), known.reference.clone(), allowed, because);
+        Some(self.ruled(check, error, known)).filter(|judged| judged.verdict == Verdict::Fail)
+    }
+
     /// Whether a place lies well within the contact, and not where the pressure has no limit: at its ends, or at s = 0 under a cone.
     fn has_limit(&self, s: f64) -> bool {
         let contact = self.profile.contact;
@@ -222,6 +258,9 @@ const BESIDE: f64 = 0.2;
 /// Points at an end where the pressure has no limit in which they may.
 const AT_END: usize = 3;
 const ALTERNATE: f64 = 0.1;
+/// What one point may be off over the peak, and times what those beside it are off from which on it is alone in that.
+const SPIKE: f64 = 0.05;
+const LONE: f64 = 4.0;
 /// Points up to which the largest pressure is that of one of them.
 const FEW: usize = 4;
 /// Half-widths over which profiles are compared.

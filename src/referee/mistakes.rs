@@ -8,7 +8,7 @@ use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, PI, SQRT_2, TAU};
 use crate::case::Verdict;
 use crate::measure::Quantity;
 use crate::mesh::Order;
-use crate::referee::answer::{Handed, Point};
+use crate::referee::answer::{Handed, Point, places};
 use crate::referee::judge::{fails_by_width, judge};
 use crate::referee::norm;
 use crate::referee::profile::{Profile, ended, tributary};
@@ -31,7 +31,7 @@ pub struct Beside<'a> {
 
 /// The mistakes that explain an answer: each turns what fails into what passes. Gaps take no part.
 pub fn explain(truth: &Truth, handed: &Handed, beside: Beside, tolerance: f64) -> Vec<String> {
-    let plain = without_gaps(handed);
+    let plain = thinned(handed);
     let failed = |profile: &Profile| {
         let judged = judge(truth, profile, tolerance).judged.into_iter();
         judged.filter(|judged| judged.verdict == Verdict::Fail).collect::<Vec<_>>()
@@ -44,28 +44,27 @@ pub fn explain(truth: &Truth, handed: &Handed, beside: Beside, tolerance: f64) -
     if own.is_empty() {
         return vec![];
     }
-    let mut all = corrections(truth, &plain, beside);
     // What is off at single points is no matter of how they are summed.
     let is_sum =
         |number: &Quantity| matches!(number, Quantity::Resultant | Quantity::SecondMomentWidth | Quantity::Centre);
     let are_sums = || own.iter().all(|judged| judged.check.quantity.number().is_some_and(is_sum));
-    if plain.order == Order::Linear && plain.edges.is_empty() && (plain.forces || are_sums()) {
-        all.push((MID_SIDES.into(), Handed { order: Order::Quadratic, ..plain.clone() }));
+    let may_have = plain.order == Order::Linear && plain.edges.is_empty() && (plain.forces || are_sums());
+    let mid_sides = may_have.then(|| (MID_SIDES.into(), Handed { order: Order::Quadratic, ..plain.clone() }));
+    let is_it = |(says, corrected): Correction| (sound(&corrected) && meets(&corrected)).then_some(says);
+    let found: Vec<String> = corrections(truth, &plain, beside).chain(mid_sides).filter_map(is_it).collect();
+    if !found.is_empty() || plain.points.iter().map(|point| point.value).sum::<f64>() >= 0.0 {
+        return found;
     }
-    if plain.points.iter().map(|point| point.value).sum::<f64>() < 0.0 {
-        let turned = scaled(&plain, -1.0, 1.0, 1.0);
-        let both = |(says, corrected): Correction| (format!("{NEGATIVE}; and {says}"), corrected);
-        all.extend(corrections(truth, &turned, beside).into_iter().map(both));
-    }
-    let all = all.into_iter().filter(|(_, corrected)| sound(corrected) && meets(corrected));
-    all.map(|(says, _)| says).collect()
+    let turned = scaled(&plain, -1.0, 1.0, 1.0);
+    let both = corrections(truth, &turned, beside).filter_map(is_it);
+    both.map(|says| format!("{NEGATIVE}; and {says}")).collect()
 }
 
-/// Every correction that is tried.
-fn corrections(truth: &Truth, handed: &Handed, beside: Beside) -> Vec<Correction> {
+/// Every correction that is tried, most of them made one by one.
+fn corrections<'a>(truth: &'a Truth, handed: &'a Handed, beside: Beside) -> impl Iterator<Item = Correction> + use<'a> {
     let (scene, is_circle) = (&truth.case.scene, truth.case.scene.is_around_axis(handed.contact));
     let scales = scales(truth, handed, beside).into_iter();
-    let scaled = scales.map(|(says, [pressure, place])| {
+    let scaled = scales.map(move |(says, [pressure, place])| {
         (says, scaled(handed, pressure, place, if is_circle { place * place } else { place }))
     });
     // What moves values among the points says nothing of means over edges that were handed in beside them.
@@ -87,8 +86,7 @@ fn corrections(truth: &Truth, handed: &Handed, beside: Beside) -> Vec<Correction
         .chain(of_ring(&scene.contacts[handed.contact], handed))
         .chain(from_other_lines(&scene.contacts[handed.contact], handed))
         .chain(other_way(&scene.contacts[handed.contact], handed))
-        .chain(on_the_line(handed).filter(|_| is_half && !is_circle))
-        .collect()
+        .chain(on_the_line(handed).filter(move |_| is_half && !is_circle))
 }
 
 /// Angles of one half of a contact that are counted from another line than the load line, either way round.
@@ -117,12 +115,12 @@ fn other_way(pair: &ContactPair, handed: &Handed) -> Option<Correction> {
 }
 
 /// The force on the symmetry line of a model of both halves, of which one half of the nodes is handed in.
-fn on_the_line(handed: &Handed) -> impl Iterator<Item = Correction> {
+fn on_the_line(handed: &Handed) -> Option<Correction> {
     let mut one = handed.clone();
     one.points[0].value *= 0.5;
     let says = "the force on the symmetry line is that of both halves: halve it".to_owned();
     let is_it = handed.forces && handed.edges.is_empty() && handed.points[0].position.abs() <= 0.0;
-    is_it.then_some((says, one)).into_iter()
+    is_it.then_some((says, one))
 }
 
 /// The part of a whole ring that the scene has.
@@ -160,11 +158,11 @@ fn scales(truth: &Truth, handed: &Handed, beside: Beside) -> Vec<(String, [f64; 
     let is_circle = scene.is_around_axis(handed.contact);
     let mut all = called(scene, handed);
     if !beside.is_of_scene {
-        let others = if is_circle { of_revolution(scene, handed) } else { of_strips(truth, handed) };
+        let others = if is_circle { of_revolution(truth, handed) } else { of_strips(truth, handed) };
         all.extend(others.into_iter().map(|(says, by)| (says.to_owned(), by)));
     }
     let others = units(&scene.contacts[handed.contact], handed, beside.units, is_circle).into_iter();
-    for (says, [times, by]) in others.chain(normalised(truth, handed.contact)) {
+    for (says, [times, by]) in others.chain(normalised(truth, handed)) {
         let is_alike = |known: &[f64; 2]| (times / known[0] - 1.0).hypot(by / known[1] - 1.0) < ALIKE;
         if !all.iter().any(|(_, known)| is_alike(known)) {
             all.push((says, [times, by]));
@@ -189,9 +187,13 @@ const NEGATIVE: &str =
     "pressures are negative in compression: hand them in with --tension-positive, or without it where it was given";
 /// Difference of factors that no answer tells apart.
 const ALIKE: f64 = 1e-3;
+/// Points by which mistakes are told.
+const ENOUGH: usize = 20_000;
+/// Part of the half-width at which the sides are apart where the contact widens.
+const NEAR_END: f64 = 0.9;
 
-/// Angles of the sectors that are modelled of bodies of revolution \[°\]: 2 by CalculiX.
-const SECTORS: [f64; 9] = [1.0, 2.0, 3.0, 5.0, 10.0, 15.0, 30.0, 45.0, 90.0];
+/// Angles of the sectors that are modelled of bodies of revolution \[°\]: 2 by CalculiX, 180 as one half.
+const SECTORS: [f64; 10] = [1.0, 2.0, 3.0, 5.0, 10.0, 15.0, 30.0, 45.0, 90.0, 180.0];
 
 /// Signs, diameters and parts of the whole: numbers of the scene that are called others.
 fn called(scene: &Scene, handed: &Handed) -> Vec<(String, [f64; 2])> {
@@ -202,8 +204,8 @@ fn called(scene: &Scene, handed: &Handed) -> Vec<(String, [f64; 2])> {
     };
     let mut all = vec![(NEGATIVE.to_owned(), [-1.0, 1.0])];
     if scene.contacts[handed.contact].path.is_straight() {
-        all.push((format!("positions are doubled: {doubled}"), [1.0, 0.5]));
-        all.push((format!("positions are halved: {halved}"), [1.0, 2.0]));
+        all.push((format!("positions are doubled: {doubled}"), places_alone(handed, is_circle, 0.5)));
+        all.push((format!("positions are halved: {halved}"), places_alone(handed, is_circle, 2.0)));
     }
     if is_circle && handed.forces {
         all.push(("nodal forces are per radian: 2π is forgotten".into(), [TAU, 1.0]));
@@ -219,8 +221,37 @@ fn called(scene: &Scene, handed: &Handed) -> Vec<(String, [f64; 2])> {
     all
 }
 
+/// Positions times a factor: forces are what they are wherever they act, so that pressures are less by the area.
+fn places_alone(handed: &Handed, is_circle: bool, by: f64) -> [f64; 2] {
+    [if handed.forces { by.powi(if is_circle { -2 } else { -1 }) } else { 1.0 }, by]
+}
+
+/// Whether a larger load makes the contact wider: its sides are farther apart at its ends than in its middle.
+fn widens(truth: &Truth, contact: usize) -> bool {
+    let measures = &truth.run.contacts[contact].measures;
+    let [middle, half] = [1.0, -1.0].map(|sign| 0.5 * (measures.edge() + sign * measures.begin()));
+    let gap = |at: f64| truth.case.scene.contacts[contact].gap(middle + at * half);
+    (gap(-NEAR_END).max(gap(NEAR_END)) - gap(0.0)) > ALIKE * ALIKE * half
+}
+
+/// What is said where twice the scene's, or half of it, presses over the scene's width: of the load only where it does not change the width.
+fn of_amount(truth: &Truth, handed: &Handed, of_load: [&'static str; 2]) -> [&'static str; 2] {
+    match (widens(truth, handed.contact), handed.forces) {
+        (false, _) => of_load,
+        (true, false) => [
+            "pressures are half of the scene's over the scene's width: they were halved",
+            "pressures are twice the scene's over the scene's width: those of two halves, or of two sides, were added",
+        ],
+        (true, true) => [
+            "forces are half of the scene's over the scene's width: they are of one half",
+            "forces are twice the scene's over the scene's width: those of two halves, or of two sides, were added",
+        ],
+    }
+}
+
 /// Those of bodies of revolution: of a load so many times the scene's `a` and `p₀` are `∛` of it, of a contact of given radius p alone.
-fn of_revolution(scene: &Scene, handed: &Handed) -> Vec<(&'static str, [f64; 2])> {
+fn of_revolution(truth: &Truth, handed: &Handed) -> Vec<(&'static str, [f64; 2])> {
+    let scene = &truth.case.scene;
     let per_radian = "the load is 2π times the scene's: the whole force is given per radian";
     let whole =
         "the load is 1/2π of the scene's: it is given per radian, and the scene's is that of the whole circumference";
@@ -232,12 +263,14 @@ fn of_revolution(scene: &Scene, handed: &Handed) -> Vec<(&'static str, [f64; 2])
     let loads = [
         (per_radian, TAU, false),
         (whole, TAU.recip(), of_forces),
-        (half, 0.5, false),
+        (half, 0.5, of_forces),
         (twice, 2.0, false),
         (sector, 1.0 / 180.0, of_forces),
     ];
+    let amounts = of_amount(truth, handed, [half, twice]);
     let of_load = |(says, times, is_named): (&'static str, f64, bool)| {
         let of_hertz = (says, [times.cbrt().recip(); 2]);
+        let says = [half, twice].iter().position(|one| *one == says).map_or(says, |k| amounts[k]);
         let of_given_radius = (says, [times.recip(), 1.0]);
         std::iter::once(of_hertz).chain((!is_named).then_some(of_given_radius))
     };
@@ -269,11 +302,12 @@ fn of_strips(truth: &Truth, handed: &Handed) -> Vec<(&'static str, [f64; 2])> {
             "the interference is twice the scene's (of a diameter for a radius)",
         ],
     };
+    let amounts = of_amount(truth, handed, [half, twice]);
     let mut all = vec![
         (half, [SQRT_2, SQRT_2]),
-        (half, [2.0, 1.0]),
+        (amounts[0], [2.0, 1.0]),
         (twice, [FRAC_1_SQRT_2, FRAC_1_SQRT_2]),
-        (twice, [0.5, 1.0]),
+        (amounts[1], [0.5, 1.0]),
         (
             "the radius is twice the scene's (a diameter for a radius), or E* half of it (an elastic other side for a rigid one)",
             [SQRT_2, FRAC_1_SQRT_2],
@@ -310,10 +344,9 @@ fn units(pair: &ContactPair, handed: &Handed, units: &Units, is_circle: bool) ->
     for (place, by, is_plain) in &places {
         for (value, times, may_both) in &values {
             let both = [&**place, value].into_iter().filter(|text| !text.is_empty()).collect::<Vec<_>>();
-            let area = if is_circle { by * by } else { *by };
-            let times = if handed.forces { times / area } else { *times };
             if both.len() == 1 || both.len() == 2 && *is_plain && *may_both {
-                all.push((format!("units: {}", both.join(", ")), [times, *by]));
+                let [alone, _] = places_alone(handed, is_circle, *by);
+                all.push((format!("units: {}", both.join(", ")), [times * alone, *by]));
             }
         }
     }
@@ -343,14 +376,16 @@ fn others(role: Role, own: &str, are_lengths: bool) -> Vec<(String, f64, bool)> 
 }
 
 /// Pressures over the peak, and places over the half-width.
-fn normalised(truth: &Truth, contact: usize) -> Vec<(String, [f64; 2])> {
+fn normalised(truth: &Truth, handed: &Handed) -> Vec<(String, [f64; 2])> {
+    let contact = handed.contact;
     let [peak, width] =
         [Quantity::PeakPressure, Quantity::HalfWidth].map(|one| truth.known(contact, &one).reference.value);
-    let all = [
-        ("pressures are over their peak", [peak, 1.0]),
-        ("positions are over the half-width", [1.0, width]),
-        ("pressures are over their peak, and positions over the half-width", [peak, width]),
-    ];
+    let places = places_alone(handed, truth.case.scene.is_around_axis(contact), width);
+    let mut all = vec![("positions are over the half-width", places)];
+    if !handed.forces {
+        all.insert(0, ("pressures are over their peak", [peak, 1.0]));
+        all.push(("pressures are over their peak, and positions over the half-width", [peak, width]));
+    }
     let says = |text: &str| format!("{text}: hand them in with their units");
     all.into_iter().filter(|(_, by)| by.iter().all(|x| x.is_normal())).map(|(text, by)| (says(text), by)).collect()
 }
@@ -418,8 +453,7 @@ fn shifts(scene: &Scene, handed: &Handed) -> Vec<Correction> {
     let moment: f64 = forces.iter().zip(&handed.points).map(|(force, point)| force * point.position).sum();
     let centre = moment / forces.iter().sum::<f64>();
     let points = handed.points.iter().map(|point| Point { position: point.position - centre, ..*point }).collect();
-    let offset =
-        format!("all positions are off by about {} (mm, or rad on an arc)", crate::markdown::significant(centre, 3));
+    let offset = format!("all positions are off by about {}", places(&scene.contacts[handed.contact], &[centre]));
     let by_one = "pressures are shifted by one node";
     vec![
         (format!("{by_one}: each belongs to the node before"), moved(outwards)),
@@ -454,9 +488,13 @@ fn halves(handed: &Handed) -> Vec<Correction> {
     both.map(|(name, sign)| (says(name), half(sign < 0.0))).collect()
 }
 
-fn without_gaps(handed: &Handed) -> Handed {
-    let points = handed.points.iter().map(|point| Point { gap: None, ..*point }).collect();
-    Handed { points, ..handed.clone() }
+/// Without gaps, and of a great many pressures at points alone by so many only that mistakes are told by: corners and mid-sides by turns still.
+fn thinned(handed: &Handed) -> Handed {
+    let [last, step] = [handed.points.len() - 1, (handed.points.len() / ENOUGH) | 1];
+    let may_be = handed.order == Order::Linear && !handed.forces && handed.edges.is_empty();
+    let step = if may_be && handed.points.iter().all(|point| point.area.is_none()) { step } else { 1 };
+    let kept = handed.points.iter().enumerate().filter(|(k, _)| k % step == 0 || *k == last);
+    Handed { points: kept.map(|(_, point)| Point { gap: None, ..*point }).collect(), ..handed.clone() }
 }
 
 /// Whether it is a profile still.

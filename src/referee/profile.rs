@@ -95,7 +95,7 @@ const HALF: std::ops::Range<f64> = 0.3..0.7;
 pub fn ended(truth: &Truth, handed: &Handed) -> Handed {
     let (mut all, ours) = (handed.clone(), &truth.run.contacts[handed.contact].measures);
     let is_plain = handed.order == Order::Linear && handed.edges.is_empty();
-    if !is_plain || handed.points.iter().any(|point| point.area.is_some() || point.gap.is_some()) {
+    if !is_plain || handed.points.iter().any(|point| point.area.is_some()) {
         return all;
     }
     let (Some(begin), Some(end)) = (ours.stretches.first(), ours.stretches.last()) else { return all };

@@ -1,4 +1,4 @@
-//! Collections of ParaView (`.pvd`): a grid in a file of its own for each time, of which one is judged.
+//! Collections of ParaView (`.pvd`): a grid in a file of its own for each time, of which one is judged; and grids in pieces (`.pvtu`) that have one.
 
 use std::path::{Path, PathBuf};
 
@@ -6,10 +6,18 @@ use crate::error::Error;
 use crate::referee::asked::Asked;
 use crate::referee::source::Source;
 use crate::referee::state::State;
-use crate::referee::vtu::{attribute, tag, uncommented};
+use crate::referee::vtu::{attribute, tag, uncommented, unescaped};
 
 /// What to do with a collection that is not read.
 const ONE: &str = "hand in the .vtu of the last time itself";
+
+/// The file of a grid in pieces (`.pvtu`) that has one alone; none of several, or where that is no `.vtu`.
+pub fn only_piece(file: &Path, text: &str) -> Option<PathBuf> {
+    let plain = uncommented(text.as_bytes());
+    let own = tag(&plain, b"<Piece", 0).filter(|own| tag(&plain, b"<Piece", own.end).is_none())?;
+    let piece = file.with_file_name(unescaped(attribute(&text[own.begin..own.end], "Source")?));
+    piece.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("vtu")).then_some(piece)
+}
 
 /// The file that is judged and its state, that of the largest time or that of the time that is asked for; and the states of all.
 pub fn chosen(file: &Path, text: &str, asked: &Asked) -> Result<(PathBuf, State, Vec<State>), Error> {
@@ -26,7 +34,7 @@ pub fn chosen(file: &Path, text: &str, asked: &Asked) -> Result<(PathBuf, State,
         let time = attribute(entry, "timestep").map_or(Some(found.len() as f64 + 1.0), |time| time.trim().parse().ok());
         let time =
             time.filter(|time| time.is_finite()).ok_or_else(|| source.at(entry, "its time is no number", ONE))?;
-        found.push((file.parent().unwrap_or(Path::new("")).join(named), entry, State { step: None, time }));
+        found.push((file.parent().unwrap_or(Path::new("")).join(unescaped(named)), entry, State { step: None, time }));
     }
     // Programs that add to a collection do not write its times in order.
     found.sort_by(|(.., a), (.., b)| a.time.total_cmp(&b.time));

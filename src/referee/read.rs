@@ -65,6 +65,10 @@ fn by_ending(file: &Path, bytes: &[u8], case: &Case, asked: &Asked) -> Result<An
         }
         return parse(&within, &decompressed(file, bytes)?, case, asked);
     }
+    let piece = if ending == "pvtu" { pvd::only_piece(file, &text(file, bytes)?) } else { None };
+    if let Some(piece) = piece {
+        return parse(&piece, &self::bytes(&piece)?, case, asked);
+    }
     if asked.has_state() && matches!(ending.as_str(), "json" | "vtu" | "vtk") {
         return Err(State::only(file));
     }
@@ -142,6 +146,8 @@ fn text<'a>(file: &Path, bytes: &'a [u8]) -> Result<Cow<'a, str>, Error> {
             Err(_) => Some(rest.iter().map(|byte| char::from(*byte)).collect::<String>().into()),
         },
     };
+    // UTF-16 that Windows has not marked has every second byte 0.
+    let text = text.filter(|text| !text.contains('\0'));
     let text =
         text.ok_or_else(|| Error::unreadable(file, "it is no text", "write it as text, in UTF-8 and not in binary"))?;
     Ok(if text.contains('\n') { text } else { text.replace('\r', "\n").into() })

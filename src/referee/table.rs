@@ -93,7 +93,9 @@ pub fn parse(file: &Path, text: &str, scene: &Scene, asked: &Asked) -> Result<An
     let forces = !reader.columns.iter().any(|column| column.role == Role::Pressure);
     let handed = |(contact, points): (usize, Vec<Point>)| {
         let points =
-            ordered(points, asked.order.unwrap_or(Order::Linear), |message, remedy| source.refused(message, remedy))?;
+            ordered(points, asked.order.unwrap_or(Order::Linear), &scene.contacts[contact], |message, remedy| {
+                source.refused(message, remedy)
+            })?;
         let order = asked.order.unwrap_or_else(|| order_of_areas(scene, &scene.contacts[contact], &points));
         Ok(Handed { contact, points, order, edges: vec![], forces })
     };
@@ -176,17 +178,23 @@ impl<'a> Table<'a> {
                 continue;
             }
             let own = fitting(line, mark, head.len());
-            let is_text = own.iter().all(|cell| number(cell, mark != ',').is_none());
+            // What begins like a number is of a row, which is refused where it is none.
+            let is_word = |cell: &String| is_unit(cell) || number(cell, mark != ',').is_none() && !is_like_number(cell);
+            let is_text = own.iter().all(is_word);
             match first.is_some_and(|first| k < first) && is_text {
-                true if are_units(&own, head.len()) => head = with_units(&head, &own),
                 true if own.len() == head.len() && own.iter().any(|cell| is_known_unit(inner(cell))) => {
-                    let unknown = own.iter().find(|cell| !is_unit(cell)).map_or("", |cell| cell.as_str());
-                    let message = format!("this row of units has `{unknown}`, which is none that is known");
-                    return Err(source.at(
-                        line,
-                        message,
-                        "write units that `--help` tells, or remove the row and name them by --unit",
-                    ));
+                    // Units of columns that are not read need not be known.
+                    let is_read = |title: &str| {
+                        let mut roles = [Role::Position, Role::X, Role::Pressure].into_iter();
+                        roles.any(|role| asked.names(role, title) || is_usual(role, title))
+                    };
+                    let unknown = head.iter().zip(&own).find(|(title, cell)| !is_unit(cell) && is_read(title));
+                    if let Some((_, unknown)) = unknown {
+                        let message = format!("this row of units has `{unknown}`, which is none that is known");
+                        let remedy = "write units that `--help` tells, or remove the row and name them by --unit";
+                        return Err(source.at(line, message, remedy));
+                    }
+                    head = with_units(&head, &own);
                 }
                 // The second line of a head of two.
                 true => {}
@@ -233,10 +241,10 @@ impl<'a> Table<'a> {
                 .filter(|(_, cell)| cell.contains(','))
         };
         let comma = mark != ',' && commas().next().is_some();
-        if let (true, Some((line, cell))) = (comma && commas().all(|(_, cell)| is_of_thousands(cell)), commas().next())
-        {
-            let message =
-                format!("`{cell}` may be a number with a decimal comma, or one with a mark between thousands");
+        let has_marks = |(_, cell): &(_, &String)| is_like_number(cell) && cell.matches(',').count() > 1;
+        let may_be = || commas().next().filter(|_| commas().all(|(_, cell)| is_of_thousands(cell)));
+        if let Some((line, cell)) = commas().find(has_marks).or_else(may_be).filter(|_| comma) {
+            let message = format!("`{cell}` may be a number with a decimal comma, or one with marks between thousands");
             return Err(source.at(line, message, "write numbers with a decimal point, and no mark between thousands"));
         }
         Ok(Self { head, rows, comma, states: chosen })
@@ -400,7 +408,9 @@ fn fitting(line: &str, mark: char, wanted: usize) -> Vec<String> {
     }
     let apart: Vec<String> =
         line.split("  ").map(str::trim).filter(|cell| !cell.is_empty()).map(str::to_owned).collect();
-    if apart.len() == wanted { apart } else { own }
+    // Names of several words with a unit behind each have one blank between them too.
+    let behind: Vec<String> = line.split_inclusive([']', ')']).map(|cell| cell.trim().to_owned()).collect();
+    [apart, behind].into_iter().find(|cells| cells.len() == wanted).unwrap_or(own)
 }
 
 /// Whether the cells are those of a row: two numbers or more, and fewer names.
@@ -421,6 +431,12 @@ fn number(cell: &str, comma: bool) -> Option<f64> {
     plain.replacen(',', ".", 1).parse().ok()
 }
 
+/// Whether a cell begins as numbers do, or stands for one that is not there.
+fn is_like_number(cell: &str) -> bool {
+    let plain = cell.trim_start_matches(['+', '-', '−']).trim_start_matches(['.', ',']);
+    plain.starts_with(|first: char| first.is_ascii_digit()) || cell.eq_ignore_ascii_case("n/a")
+}
+
 /// What stands within brackets, where a cell is in any.
 fn inner(cell: &str) -> &str {
     cell.trim_matches(|mark: char| "[]() ".contains(mark))
@@ -428,7 +444,7 @@ fn inner(cell: &str) -> &str {
 
 /// Whether a cell is a unit, or says that there is none.
 fn is_unit(cell: &str) -> bool {
-    ["", "-", "–"].contains(&inner(cell)) || is_known_unit(inner(cell))
+    ["", "-", "–", "1"].contains(&inner(cell)) || is_known_unit(inner(cell))
 }
 
 fn is_known_unit(name: &str) -> bool {

@@ -45,7 +45,8 @@ impl Field {
         self.data[node * self.components + component]
     }
 
-    /// The component of a number, from 0 as in ParaView, or of a name: one that the file gives, or `x` of a vector and `xy` of a stress.
+    /// The component of a number, from 0 as in ParaView, or of a name: one that the file gives, as it is or behind others such as `S_XX`; where it
+    /// gives none of them, `x` of a vector and `xy` of a stress.
     pub fn component(&self, name: &str) -> Option<usize> {
         let usual: &[&str] = match self.components {
             2 | 3 => &["x", "y", "z"],
@@ -53,7 +54,12 @@ impl Field {
             9 => &["xx", "xy", "xz", "yx", "yy", "yz", "zx", "zy", "zz"],
             _ => &[],
         };
-        let named = || self.names.iter().position(|known| known == name);
+        let is_it = |known: &String| {
+            let own = known.to_lowercase();
+            let before = own.strip_suffix(&name.to_lowercase());
+            before.is_some_and(|before| ["", "s"].contains(&before) || before.ends_with(['_', '-', ' ', ':']))
+        };
+        let named = || self.names.iter().position(|known| known == name).or_else(|| self.names.iter().position(is_it));
         let common = || usual.iter().position(|known| known.eq_ignore_ascii_case(name));
         let found = name.parse().ok().or_else(named).or_else(common);
         found.filter(|component| *component < self.components)

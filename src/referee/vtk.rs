@@ -34,6 +34,10 @@ pub fn parse<'a>(file: &'a Path, bytes: &'a [u8]) -> Result<Grid<'a>, Error> {
             }
             part @ ("POINT_DATA" | "CELL_DATA") => {
                 section = (count(1)?, part == "POINT_DATA");
+                let points = grid.points.len() / 3;
+                if section.1 && section.0 != points {
+                    return Err(reader.refused(&format!("it has data of {} points, and {points} points", section.0)));
+                }
                 None
             }
             "METADATA" => reader.pass_over(),
@@ -47,6 +51,14 @@ pub fn parse<'a>(file: &'a Path, bytes: &'a [u8]) -> Result<Grid<'a>, Error> {
                 let has_table = reader.next().is_some_and(|line| line.to_ascii_uppercase().starts_with("LOOKUP_TABLE"));
                 reader.at = if has_table { reader.at } else { before };
                 Some(told(3).unwrap_or(1))
+            }
+            "COLOR_SCALARS" => {
+                reader.numbers(count(2)?, section.0, if reader.binary { "unsigned_char" } else { "float" })?;
+                None
+            }
+            "TEXTURE_COORDINATES" => {
+                reader.numbers(count(2)?, section.0, word(3))?;
+                None
             }
             "VECTORS" | "NORMALS" => Some(3),
             "TENSORS" => Some(9),
@@ -106,6 +118,21 @@ impl Reader<'_> {
         None
     }
 
+    /// Passes over a string: a line, or its letters behind their number, whose two first bits tell by how many bytes it is written.
+    fn pass_over_word(&mut self) -> Result<(), Error> {
+        if !self.binary && self.at < self.bytes.len() {
+            self.line();
+            return Ok(());
+        }
+        let first = self.bytes.get(self.at).copied().unwrap_or_default();
+        let head =
+            self.bytes.get(self.at + 1..self.at + (8 >> (first >> 6))).ok_or_else(|| self.refused("it is cut"))?;
+        let length = head.iter().fold(usize::from(first & 63), |sum, byte| sum << 8 | usize::from(*byte));
+        let end = self.at.saturating_add(1 + head.len()).saturating_add(length);
+        self.at = Some(end).filter(|end| *end <= self.bytes.len()).ok_or_else(|| self.refused("it is cut"))?;
+        Ok(())
+    }
+
     /// Numbers of a type, so many entries with so many components.
     fn numbers(&mut self, components: usize, entries: usize, kind: &str) -> Result<Vec<f64>, Error> {
         let count = components.saturating_mul(entries);
@@ -140,6 +167,9 @@ impl Reader<'_> {
         kind: &str,
         of_nodes: bool,
     ) -> Result<(), Error> {
+        if kind.eq_ignore_ascii_case("string") {
+            return (0..components.saturating_mul(entries)).try_for_each(|_| self.pass_over_word());
+        }
         let data = self.numbers(components, entries, kind)?;
         if grid.points.is_empty() && ["time", "timevalue"].contains(&name.to_lowercase().as_str()) {
             grid.time = data.last().copied();

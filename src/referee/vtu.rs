@@ -86,7 +86,7 @@ pub fn parse<'a>(file: &'a Path, bytes: &[u8]) -> Result<Grid<'a>, Error> {
                 let names =
                     (0..components.min(9)).map(|k| attribute(&array, &format!("ComponentName{k}")).unwrap_or_default());
                 grid.fields.push(Field {
-                    name: name.into(),
+                    name: unescaped(name),
                     components,
                     names: names.map(str::to_owned).collect(),
                     data,
@@ -147,11 +147,17 @@ fn position(bytes: &[u8], wanted: &[u8], from: usize) -> Option<usize> {
 
 /// The value of an attribute of a tag.
 pub fn attribute<'a>(tag: &'a str, name: &str) -> Option<&'a str> {
-    let key = format!("{name}=");
-    let (at, _) = tag.match_indices(&key).find(|(at, _)| tag[..*at].ends_with(char::is_whitespace))?;
-    let rest = &tag[at + key.len()..];
+    let behind = |at: usize| tag[at + name.len()..].trim_start().strip_prefix('=');
+    let is_key = |at: &usize| tag[..*at].ends_with(char::is_whitespace) && behind(*at).is_some();
+    let rest = behind(tag.match_indices(name).map(|(at, _)| at).find(is_key)?)?.trim_start();
     let mark = rest.chars().next().filter(|mark| ['"', '\''].contains(mark))?;
     rest[1..].split_once(mark).map(|(value, _)| value)
+}
+
+/// What an attribute says: XML has names of its own for some marks.
+pub fn unescaped(value: &str) -> String {
+    let marks = [("&quot;", "\""), ("&apos;", "'"), ("&lt;", "<"), ("&gt;", ">"), ("&amp;", "&")];
+    marks.into_iter().fold(value.to_owned(), |text, (name, mark)| text.replace(name, mark))
 }
 
 /// Base64 with padding anywhere: four letters at a time. Nothing of what is no base64.

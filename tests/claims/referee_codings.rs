@@ -1,11 +1,13 @@
 //! Files as other programs code, name and cut them: letters of Windows and of old Macs, what VTK and COMSOL write beside numbers, left halves.
 
 use approx::assert_relative_eq;
+use contact_vv::referee::units::Role;
 use contact_vv::referee::{Answer, Asked, Truth, verdicts};
 
-use crate::handed::{PRESSURES, table};
+use crate::handed::{PRESSURES, failed, table};
 use crate::referee_readers::{Frd, ellipse, vtk};
 use crate::referee_wild::{judged, parsed, refused, tiny, usual};
+use crate::workbench::refused as refused_as;
 
 fn read(name: &str, text: impl AsRef<[u8]>) -> Answer {
     parsed(name, text, &usual()).unwrap_or_else(|error| panic!("{error}"))
@@ -40,7 +42,8 @@ fn grid(place: impl Fn(f64, f64) -> [f64; 3], pressure: impl Fn(f64) -> String) 
     let cell = |k: usize| format!("{k} {} {} {}", k + 1, k + 1 + ellipse::NODES, k + ellipse::NODES);
     let count = ellipse::NODES - 1;
     let points = nodes().map(|(x, y)| place(x, y)).map(|[x, y, z]| format!("{x} {y} {z}")).collect();
-    let pressures = nodes().map(|(x, y)| if y > 0.0 { "0".into() } else { pressure(x) }).collect();
+    // Far from the contact nothing presses.
+    let pressures = nodes().map(|(x, y)| pressure(if y > 0.0 { 2.1 } else { x })).collect();
     format!(
         "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt32\" \
          compressor=\"vtkLZ4DataCompressor\">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{count}\">\n<PointData>\n{}</PointData>\n\
@@ -74,9 +77,77 @@ fn nodes_beyond_the_contact_may_have_no_number_in_grids_as_in_files_of_calculix(
     assert_eq!(answer.contacts[0].points.len(), 22);
     assert!(judged(answer).expect("judged").met());
     let within = |s: f64| if s > 1.55 { "nan".into() } else { written(s) };
-    refused("theirs.vtu", grid(|x, y| [x, y, 0.0], within), &usual(), &["33 of the 49 nodes", "none is no zero"]);
+    // Where the last one is pressed they are beyond what is handed in, as in a table that ends there: as far as the contact does.
+    let found = judged(read("theirs.vtu", grid(|x, y| [x, y, 0.0], within)));
+    refused_as(found, &["stop at 1.5", "of the force lies beyond"]);
+    let active = |s: f64| if s > 1.95 { "nan".into() } else { written(s) };
+    let listed = table(PRESSURES, (0..20).map(ellipse::place).map(|s| [s, ellipse::pressure(s)]));
+    let pressed = Frd { listed: (0..20).collect(), ..Frd::plain() };
+    let answers = [
+        read("theirs.csv", listed),
+        read("theirs.vtu", grid(|x, y| [x, y, 0.0], active)),
+        read("theirs.frd", pressed.text()),
+    ];
+    for answer in answers {
+        let found = judged(answer).expect("judged");
+        assert!(found.met(), "{:?}", failed(&found));
+    }
+    let between = |s: f64| if (0.55..0.65).contains(&s) { "nan".into() } else { written(s) };
+    refused("theirs.vtu", grid(|x, y| [x, y, 0.0], between), &usual(), &["1 of the 49 nodes", "none is no zero"]);
+    let at_line = |s: f64| if s < 0.05 { "nan".into() } else { written(s) };
+    refused("theirs.vtu", grid(|x, y| [x, y, 0.0], at_line), &usual(), &["1 of the 49 nodes", "none is no zero"]);
     let infinite = |s: f64| if s > 2.15 { "inf".into() } else { written(s) };
     refused("theirs.vtu", grid(|x, y| [x, y, 0.0], infinite), &usual(), &["of the 49 nodes", "none is no zero"]);
+}
+
+#[test]
+fn components_of_a_stress_are_those_that_the_file_names() {
+    for (names, row) in [
+        (["XX", "XY", "XZ", "YY", "YZ", "ZZ"], [7, 5, 1, 0, 2, 3]),
+        (["S_XX", "S_YY", "S_ZZ", "S_YZ", "S_XZ", "S_XY"], [7, 0, 3, 2, 1, 5]),
+        // Without names the order is that of VTK.
+        ([""; 6], [7, 0, 3, 5, 2, 1]),
+    ] {
+        let stress =
+            |s: f64| row.map(|k| if k == 0 { (0.0 - ellipse::pressure(s)).to_string() } else { k.to_string() });
+        let called: String = (0..6).map(|k| format!("ComponentName{k}=\"{}\" ", names[k])).collect();
+        let head = format!("Name = \"stress\" NumberOfComponents=\"6\" {called}");
+        let text = grid(|x, y| [x, y, 0.0], |s| stress(s).join(" "));
+        let mut asked = usual();
+        asked.units.push((Role::Stress, "MPa".into()));
+        let answer = parsed("theirs.vtu", text.replace("Name=\"contact_pressure\"", &head), &asked).expect("read");
+        ellipse::assert(&answer, 1e-9);
+        let place = |own: i32| row.iter().position(|k| *k == own).expect("one").to_string();
+        let said = format!("of which xx, yy and xy are {}, {} and {}", place(7), place(0), place(5));
+        assert!(answer.read.iter().any(|how| how.contains(&said)), "{:?}", answer.read);
+    }
+}
+
+#[test]
+fn what_stands_beside_the_numbers_of_a_grid_is_passed_over() {
+    let legacy = vtk::ascii(&written);
+    let count = 2 * ellipse::NODES;
+    let title = "DATASET UNSTRUCTURED_GRID\nFIELD FieldData 1\ntitle 1 2 string\nrun%205\n7\n";
+    let mut titled = vtk::binary(true);
+    let at = titled.windows(7).position(|window| window == b"\nPOINTS").expect("points");
+    // Six letters behind their number, of which the two first bits say that it is one byte.
+    titled.splice(at..at, b"\nFIELD FieldData 1\ntitle 1 1 string\n\xc6run\n 5\n".iter().copied());
+    ellipse::assert(&read("theirs.vtk", titled), 1e-5);
+    for (head, what) in [
+        ("DATASET UNSTRUCTURED_GRID\n", title.to_owned()),
+        ("VECTORS", format!("TEXTURE_COORDINATES tc 2 float\n{}VECTORS", "0 1\n".repeat(count))),
+        ("VECTORS", format!("COLOR_SCALARS rgb 3\n{}VECTORS", "0 0.5 1\n".repeat(count))),
+    ] {
+        ellipse::assert(&read("theirs.vtk", legacy.replacen(head, &what, 1)), 1e-5);
+    }
+    let fewer = legacy.replacen(&format!("POINT_DATA {count}"), &format!("POINT_DATA {}", count - 1), 1);
+    refused("theirs.vtk", fewer, &usual(), &["it has data of 97 points, and 98 points"]);
+    let plain = grid(|x, y| [x, y, 0.0], written);
+    // Names with marks of XML, blanks around the sign, and cells of other kinds with the same corners.
+    let named = plain.replace("Name=\"contact_pressure\"", "Name = 'p &amp; q'");
+    let asked = Asked { columns: vec![(Role::Pressure, "p & q".into())], ..usual() };
+    ellipse::assert(&parsed("theirs.vtu", named, &asked).expect("read"), 1e-9);
+    ellipse::assert(&read("theirs.vtk", legacy.replace("\n9\n", "\n7\n").replace("\n9\n", "\n7\n")), 1e-5);
 }
 
 #[test]
@@ -148,6 +219,16 @@ fn tables_are_read_as_comsol_excel_and_fortran_write_them() {
     ] {
         ellipse::assert(&read("theirs.txt", text), 1e-9);
     }
+    // Units of columns that are not read need not be known, and 1 is none.
+    let numbered: String = row(",", "\n").lines().map(|line| format!("1,{line},closed\n")).collect();
+    for head in ["Time,x,p,status\ns,mm,MPa,closed/open\n", "node,x,p,status\n1,mm,N/mm^2,-\n"] {
+        ellipse::assert(&read("theirs.csv", format!("{head}{numbered}")), 1e-9);
+    }
+    let strange = format!("node,x,p,status\n1,mm,torr,-\n{numbered}");
+    refused("theirs.csv", strange, &Asked::default(), &["theirs.csv:2", "this row of units has `torr`"]);
+    // One blank between names of several words, each with its unit.
+    let spaced = format!("# position [mm] contact pressure [MPa]\n{}", row(" ", "\n"));
+    ellipse::assert(&read("theirs.txt", spaced), 1e-9);
     let inches = ellipse::rows(",", |x| x.to_string());
     let inches =
         parsed("theirs.csv", format!("position [inch],pressure [MPa]\n{inches}"), &Asked::default()).expect("read");

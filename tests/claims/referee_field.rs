@@ -84,7 +84,7 @@ fn no_other_load_or_radius_explains_pressures_beside_displacements_of_the_scene(
         judged(truth, answer).mistakes
     };
     assert_eq!(mistakes(&|_| ()), Vec::<String>::new());
-    assert!(mistakes(&|answer| answer.field = None).iter().any(|says| says.starts_with("the load is twice")));
+    assert!(mistakes(&|answer| answer.field = None).iter().any(|says| says.starts_with("pressures are twice")));
 }
 
 #[test]

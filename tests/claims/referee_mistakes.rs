@@ -75,8 +75,9 @@ fn every_wrong_input_of_hertz_is_named_by_what_it_does_to_width_and_pressure() {
         (&strain, RIGHT, [1.0, -1.0], vec!["pressures are negative in compression".into()]),
         (&strain, Hertz { force: 0.5 * RIGHT.force, ..RIGHT }, [1.0, 1.0], vec![half.into()]),
         (&strain, Hertz { force: 2.0 * RIGHT.force, ..RIGHT }, [1.0, 1.0], vec![twice.into()]),
-        (&strain, RIGHT, [1.0, 0.5], vec![half.into()]),
-        (&strain, RIGHT, [1.0, 2.0], vec![twice.into()]),
+        // A load moves the width with the pressures.
+        (&strain, RIGHT, [1.0, 0.5], vec!["pressures are half of the scene's over the scene's width".into()]),
+        (&strain, RIGHT, [1.0, 2.0], vec!["pressures are twice the scene's over the scene's width".into()]),
         (&strain, Hertz { radius: 2.0 * RIGHT.radius, ..RIGHT }, [1.0, 1.0], vec![RADIUS.into()]),
         (&strain, Hertz { radius: 0.5 * RIGHT.radius, ..RIGHT }, [1.0, 1.0], vec![FLATTER.into()]),
         (&strain, Hertz { modulus: 0.5 * RIGHT.modulus, ..RIGHT }, [1.0, 1.0], vec![RADIUS.into()]),
@@ -161,12 +162,62 @@ fn forces_of_another_thickness_are_named_and_those_of_every_order_are_right() {
             &thick,
             forces(&two, linear, 1.0),
             &of_two,
-            vec!["forces are per unit thickness, but the scene is 2 mm thick", "the load is half"],
+            vec![
+                "forces are per unit thickness, but the scene is 2 mm thick",
+                "forces are half of the scene's over the scene's width",
+            ],
         ),
     ] {
         let found = named(truth, "force [N]", &rows, asked);
         assert_named(&found, &wanted, &format!("{wanted:?}"));
     }
+}
+
+#[test]
+fn forces_are_what_they_are_where_their_positions_are_others() {
+    // Of a half-width of 2 mm positions over it would be halved as well: this one is 2/√3.
+    let (truth, thicker) = (scene("strain", 3.0), Hertz { thickness: 3.0, ..RIGHT });
+    let right = forces(&thicker.profile([1.0, 1.0]), &[0.5, 0.5], 3.0);
+    let scaled = |[place, force]: [f64; 2]| right.iter().map(|[s, f]| [place * s, force * f]).collect::<Vec<_>>();
+    for (factors, wanted) in [
+        ([2.0, 1.0], vec!["positions are doubled"]),
+        ([0.5, 1.0], vec!["positions are halved"]),
+        ([1.0 / thicker.half_width(), 1.0], vec!["positions are over the half-width"]),
+        ([1.0, 2.0], vec!["forces are twice the scene's over the scene's width"]),
+    ] {
+        let found = named(&truth, "force [N]", &scaled(factors), &Asked::default());
+        assert_named(&found, &wanted, &format!("{factors:?}"));
+    }
+    // Twice the force over twice the width is no mistake of positions.
+    for factors in [[2.0, 2.0], [0.5, 0.5]] {
+        let text = table("position [mm],force [N]", scaled(factors));
+        let found = judged_as(&truth, "theirs.csv", &text, &Asked::default());
+        assert!(!found.met() && found.mistakes.is_empty(), "{factors:?}: {:?}", found.mistakes);
+    }
+}
+
+#[test]
+fn twice_the_pressure_is_twice_the_load_where_that_does_not_change_the_width() {
+    let truth = Truth::of(find("flat-punch", None).expect("a case")).expect("solved");
+    let end = truth.run.contacts[0].measures.edge();
+    let row = |k: i32| {
+        let s = end * f64::from(k) / 160.0;
+        [s, 2.0 * truth.pressure(0, s.min(0.998 * end))]
+    };
+    let text = table(PRESSURES, (0..=160).map(row));
+    let found = verdicts(&truth, read(&truth.case, "theirs.csv", text, &Asked::default()).expect("read"), 5e-2);
+    assert_named(&found.expect("judged").mistakes, &["the load is twice the scene's"], "punch");
+}
+
+#[test]
+fn mistakes_are_found_in_a_great_many_points() {
+    let (truth, a) = (scene("strain", 1.0), RIGHT.half_width());
+    let row = |k: u32| {
+        let x = 1.3 * f64::from(k) / 70_000.0;
+        [2.0 * a * x, RIGHT.profile([1.0, 1.0])[0][1] * (1.0 - x * x).max(0.0).sqrt()]
+    };
+    let found = named(&truth, "pressure [MPa]", &(0..70_000).map(row).collect::<Vec<_>>(), &Asked::default());
+    assert_named(&found, &["positions are doubled"], "many");
 }
 
 #[test]

@@ -101,7 +101,7 @@ fn a_comma_that_may_stand_between_thousands_is_not_taken_for_a_decimal_one() {
 fn areas_where_something_presses_are_positive() {
     let table = |area: &str| format!("position [mm],pressure [MPa],area [mm2]\n0,3,{area}\n1,2,{area}\n2,0,0\n");
     assert!(parsed("theirs.csv", table("1"), &usual()).is_ok());
-    for (area, named) in [("-1", "the area at 0 is -1"), ("0", "the area at 1 is 0")] {
+    for (area, named) in [("-1", "the area at 0 mm is -1"), ("0", "the area at 1.000 mm is 0")] {
         refused("theirs.csv", table(area), &usual(), &[named, "positive"]);
         let lists = "\"position\":[0,1,2],\"pressure\":[3,2,0]";
         let text = format!(
@@ -142,12 +142,12 @@ fn edges_of_a_document_reach_from_its_first_point_to_its_last() {
     };
     assert!(parsed("theirs.json", text(&[[0.0, 1.0], [1.0, 2.0]]), &usual()).is_ok());
     for (edges, named) in [
-        (&[[0.0, 0.5], [0.5, 1.0]][..], "reaches from 1 to 2"),
-        (&[[1.0, 1.5], [1.5, 2.0]], "reaches from 0 to 1"),
-        (&[[0.0, 0.5], [1.0, 2.0]], "reaches from 0.5 to 1"),
-        (&[[0.0, 1.0], [0.0, 1.0], [1.0, 2.0]], "reaches from 1 to 0"),
-        (&[[-1.0, 0.0], [0.0, 1.0], [1.0, 2.0]], "reaches from 0 to -1"),
-        (&[[0.0, 1.0], [1.0, 2.0], [2.0, 3.0]], "reaches from 3 to 2"),
+        (&[[0.0, 0.5], [0.5, 1.0]][..], "reaches from 1.000 to 2.000 mm"),
+        (&[[1.0, 1.5], [1.5, 2.0]], "reaches from 0 to 1.000 mm"),
+        (&[[0.0, 0.5], [1.0, 2.0]], "reaches from 0.5000 to 1.000 mm"),
+        (&[[0.0, 1.0], [0.0, 1.0], [1.0, 2.0]], "reaches from 1.000 to 0 mm"),
+        (&[[-1.0, 0.0], [0.0, 1.0], [1.0, 2.0]], "reaches from 0 to -1.000 mm"),
+        (&[[0.0, 1.0], [1.0, 2.0], [2.0, 3.0]], "reaches from 3.000 to 2.000 mm"),
     ] {
         refused("theirs.json", text(edges), &usual(), &["contacts[0].edges", named]);
     }

@@ -60,6 +60,22 @@ fn what_is_unknown_is_asked_for_with_file_found_and_remedy() {
         ),
         (&case, "position [mm],pressure [MPa]\n0,3\n1\n", &plain, ["theirs.csv:3", "the file is cut"]),
         (&case, "position[mm] pressure[MPa]\n0 0 3\n1 1 2\n2 2 1\n", &plain, ["theirs.csv:2", "numbers of its rows"]),
+        // The first rows are no second line of the head.
+        (
+            &case,
+            "x [mm],p [MPa]\n0 mm,3 MPa\n1 mm,2 MPa\n2,1\n3,0\n4,0\n",
+            &plain,
+            ["theirs.csv:2", "`0 mm`, which is no number"],
+        ),
+        (&case, "x [mm],p [MPa]\nx0,n/a\n1,2\n2,1\n3,0\n", &plain, ["theirs.csv:2", "`x0`, which is no number"]),
+        (
+            &case,
+            "  X[mm]   P[MPa]\n 0.0E+00-3.0E+00\n 1.0E+00 2.0E+00\n 2.0E+00 1.0E+00\n 3.0E+00 0.0E+00\n",
+            &plain,
+            ["theirs.csv:2", "1 cells, but the head names 2"],
+        ),
+        // UTF-16 without its mark.
+        (&case, "x\x00,\x00p\x00\n\x0000\x00,\x0003\x00\n\x00", &plain, ["it is no text", "UTF-8"]),
         (&case, " \n\n", &plain, ["it holds nothing", "position [mm],pressure [MPa]"]),
         (&case, "position [mm],pressure [MPa]\n", &plain, ["no line behind its head", "the file is cut"]),
         (&case, "position [mm],pressure [MPa]\n0,3\n1,2\n", &plain, ["2 points were handed in", "needs 3"]),

@@ -198,13 +198,15 @@ fn nodes_of_the_contact_without_a_value_are_counted_and_no_zeros() {
     // Those that are listed reach to where nothing presses: the rest is beyond the contact.
     let pressed = Frd { listed: (0..=20).collect(), ..Frd::plain() };
     assert_relative_eq!(peak_of(parsed("theirs.frd", pressed.text(), &usual()).expect("read")), full);
-    for (listed, lacking) in
-        [((1..49).collect(), 1), ((0..49).filter(|k| k % 4 != 3).collect(), 12), ((0..8).collect(), 41)]
-    {
+    for (listed, lacking) in [((1..49).collect::<Vec<_>>(), 1), ((0..49).filter(|k| k % 4 != 3).collect(), 12)] {
         let holes: Frd = Frd { listed, ..Frd::plain() };
         let count = format!("{lacking} of the 49 nodes");
-        refused("theirs.frd", holes.text(), &usual(), &[&count, "none is no zero", "OUTPUT=3D"]);
+        refused("theirs.frd", holes.text(), &usual(), &[&count, "none is no zero", "up to where nothing presses"]);
     }
+    // Where they stop under pressure the rest is no zero either.
+    let begun = Frd { listed: (0..8).collect(), ..Frd::plain() };
+    let found = judged(parsed("theirs.frd", begun.text(), &usual()).expect("read"));
+    workbench::refused(found, &["stop at 0.7", "of the force lies beyond"]);
     for nan in ["nan", "-nan(ind)", "NaN"] {
         // In the middle of the file: what stands behind it is read too.
         let text =
@@ -451,6 +453,20 @@ fn of_a_collection_the_last_grid_is_judged_or_that_of_a_time() {
         assert!(answer.read.iter().any(|line| line.contains("last.vtu of time")), "{:?}", answer.read);
         assert!(answer.notes.is_empty() || entries.contains(" time="), "{:?}", answer.notes);
     }
+    // A grid in pieces that has one, by itself and in a collection.
+    let pieces = |all: &str| {
+        format!("<VTKFile type=\"PUnstructuredGrid\"><PUnstructuredGrid>{all}</PUnstructuredGrid></VTKFile>")
+    };
+    let whole_grid = folder.path().join("whole.pvtu");
+    std::fs::write(&whole_grid, pieces("<Piece Source=\"last.vtu\"/>")).expect("written");
+    for answer in [read::read(&whole_grid, &case, &usual()), read(&entry("1", "whole.pvtu"), &usual())] {
+        let points = &answer.unwrap_or_else(|error| panic!("{error}")).contacts[0].points;
+        assert_eq!(*points, own.contacts[0].points);
+    }
+    for several in ["<Piece Source=\"last.vtu\"/>".repeat(2), "<Piece Source=\"whole.pvtu\"/>".into()] {
+        std::fs::write(&whole_grid, pieces(&several)).expect("written");
+        workbench::refused(read::read(&whole_grid, &case, &usual()), &["no unstructured grid in one file", "ParaView"]);
+    }
     let early = read(&(series.clone() + &entry("2", "other.vtu")), &at(1.0)).expect("read");
     assert!(early.notes.iter().any(|note| note.contains("goes on to time 2")), "{:?}", early.notes);
     refused(&series, &at(0.5), ["first.vtu` of this grid is missing", "series.pvd:4"]);
@@ -675,6 +691,34 @@ fn pressures_that_alternate_from_point_to_point_are_no_answer() {
             );
         }
     }
+}
+
+#[test]
+fn one_point_that_departs_from_those_beside_it_is_named() {
+    // 100 MPa over 2 mm, by 161 points of which one is off, and by 41 with a corner and a mid-side by turns.
+    let failed = |off: &dyn Fn(i32) -> f64, step: f64, order: Order| {
+        let row = |k: i32| {
+            let s = step * f64::from(k);
+            [s, off(k) * 100.0 * (1.0 - s * s / 4.0).max(0.0).sqrt()]
+        };
+        let last = (3.0 / step).round() as i32;
+        let asked = Asked { order: Some(order), ..usual() };
+        failed(&judged_as(&TRUTH, "one.csv", &table(PRESSURES, (0..=last).map(row)), &asked))
+    };
+    let alone = |at: i32, by: f64| failed(&|k| if k == at { by } else { 1.0 }, 0.0125, Order::Linear);
+    // √(1 − 0.25), and √(1 − 0.81).
+    for (at, by, said) in [
+        (0, 1.15, "at 0 mm: 115.0 for 100.0 MPa"),
+        (80, 1.15, "at 1.000 mm: 99.59 for 86.60 MPa"),
+        (80, 0.85, "at 1.000 mm: 73.61 for 86.60 MPa"),
+        (144, 1.5, "at 1.800 mm: 65.38 for 43.59 MPa"),
+    ] {
+        let named = alone(at, by);
+        assert!(named.iter().any(|one| one.contains(said)), "{at}: {named:?}");
+    }
+    assert_eq!(alone(80, 1.03), Vec::<String>::new());
+    let corners = |by: f64| failed(&|k| if k % 2 == 0 { 1.0 - 2.0 * by } else { 1.0 + by }, 0.05, Order::Quadratic);
+    assert_eq!(corners(0.04), Vec::<String>::new());
 }
 
 #[test]

@@ -126,6 +126,8 @@ fn usual_mistakes_on_bodies_of_revolution_are_named() {
         (forces(&run, |_, force| force / TAU), by_nodes(), "2π is forgotten"),
         (forces(&run, |r, force| force / (TAU * r)), by_nodes(), "2πr is forgotten"),
         (forces(&run, |_, force| force / 180.0), by_nodes(), "sector of 2°"),
+        (forces(&run, |_, force| force / 2.0), by_nodes(), "sector of 180°"),
+        (pressures(&run, 1.0, 2.0), Asked::default(), "pressures are twice the scene's over the scene's width"),
         (pressures(&run, cube, cube), Asked::default(), "the whole force is given per radian"),
         (pressures(&run, cube.recip(), cube.recip()), Asked::default(), "it is given per radian"),
         (pressures(&run, 2f64.cbrt(), 4f64.cbrt().recip()), Asked::default(), "a diameter for a radius"),
