@@ -216,10 +216,10 @@ const BUDGETS: [(&str, usize); 9] = [
     ("drawing", 2_945),
     ("case", 8_240),
     ("oracle", 1_436),
-    ("study", 14_929),
+    ("study", 14_849),
     ("referee", 6_765),
-    ("report", 3_047),
-    ("cli", 4_716),
+    ("report", 3_105),
+    ("cli", 4_717),
     ("live", 490),
 ];
 

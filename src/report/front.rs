@@ -200,7 +200,7 @@ const MAP: [&str; 2] = [
 /// What the surveyed planes say of each method; none where nothing was surveyed.
 fn surveyed(findings: &[Finding]) -> Option<Vec<Digest>> {
     let charts = findings.iter().filter_map(|finding| match finding.numbers() {
-        Some(atlas::Numbers::Surveyed { chart, .. }) => Some(chart),
+        Some(atlas::Numbers::Surveyed(chart)) => Some(chart),
         _ => None,
     });
     let charts: Vec<&atlas::Chart> = charts.collect();
