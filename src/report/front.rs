@@ -211,8 +211,9 @@ fn surveyed(findings: &[Finding]) -> Option<Vec<Digest>> {
 fn advice(findings: &[Finding]) -> String {
     let Some(digests) = surveyed(findings) else { return "Nothing was surveyed.".into() };
     format!(
-        "{}\n{}, {}, {}.\n\n{}",
+        "{}\n{}\n{}, {}, {}.\n\n{}",
         atlas::recommendation(&digests),
+        statements::two_stops(),
         to_study("Why", atlas::Numbers::NAME),
         to_study("where everything else ends", limits::Numbers::NAME),
         to_study("what is called converged", promised::Numbers::NAME),

@@ -4,7 +4,7 @@ use crate::case::{Judged, Verdict};
 use crate::error::Error;
 use crate::report::{checks, links, statements, told};
 use crate::study::grouped::counted;
-use crate::study::{Finding, Room, Study, cases, paper};
+use crate::study::{Finding, Room, Study, atlas, cases, paper};
 
 /// Name of the file of a study of this name.
 pub fn file(study: &str) -> String {
@@ -21,7 +21,11 @@ pub fn page(room: &Room, findings: &[Finding]) -> Result<String, Error> {
         _ => tables(name, findings),
     };
     // What the paper says is judged by the findings of all studies, of which its own sees only its part.
-    let first = if name == paper::Numbers::NAME { statements::section(findings) } else { String::new() };
+    let first = match name {
+        paper::Numbers::NAME => statements::section(findings),
+        atlas::Numbers::NAME => statements::two_stops() + "\n",
+        _ => String::new(),
+    };
     let body = format!("{first}{}\n## Checks\n\n{checks}{}", (room.section)(findings)?, limits(about.limits, &own));
     Ok(links::page(about.title, about.asked, &told::once(own), &body))
 }
