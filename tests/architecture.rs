@@ -217,7 +217,7 @@ const BUDGETS: [(&str, usize); 9] = [
     ("case", 8_240),
     ("oracle", 1_436),
     ("study", 14_849),
-    ("referee", 6_765),
+    ("referee", 6_760),
     ("report", 3_105),
     ("cli", 4_717),
     ("live", 490),
