@@ -304,7 +304,7 @@ fn index(findings: &[Finding]) -> String {
         let judged = study_page::of(room.name, findings).flat_map(|finding| &finding.judged);
         let [pass, fail, absent] = told::tally(told::once(judged));
         let sign = match (fail, absent) {
-            (0, 0) if pass == 0 => "·",
+            (0, 0) if pass == 0 => "–",
             (0, 0) => "✓",
             (0, _) => "○",
             _ => "✗",
