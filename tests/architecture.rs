@@ -216,10 +216,10 @@ const BUDGETS: [(&str, usize); 9] = [
     ("drawing", 2_945),
     ("case", 8_240),
     ("oracle", 1_436),
-    ("study", 14_929),
-    ("referee", 6_940),
-    ("report", 3_047),
-    ("cli", 4_716),
+    ("study", 14_849),
+    ("referee", 6_760),
+    ("report", 3_105),
+    ("cli", 4_717),
     ("live", 490),
 ];
 

@@ -117,15 +117,15 @@ impl Judged {
     }
 }
 
-/// `|E| ≤ k u_val` with k = 2 (ASME V&V 20-2009, 1-5), for a quantity against a reference; what the uncertainty is made of is said.
+/// `|E| ≤ k u_val` of the difference E with k = 2 (ASME V&V 20-2009, 1-5), for a quantity against a reference; what the uncertainty is made of is said.
 pub fn covered(of: &str, reference: Reference, comparison: Comparison, sources: &str) -> Judged {
     let Comparison { error, uncertainty } = comparison;
     let because = format!(
-        "ASME V&V 20: E = {}, u_val = {} ({sources})",
+        "ASME V&V 20: difference {}, u_val = {} ({sources})",
         markdown::signed(error, 2),
         markdown::significant(uncertainty, 2)
     );
-    let quantity = Quantity::at("comparison error |E| over its standard uncertainty u_val", of);
+    let quantity = Quantity::at("difference over its standard uncertainty u_val", of);
     let reference = Reference { value: 0.0, uncertainty: None, ..reference };
     Check::error(quantity, reference, COVERAGE, because).judge(comparison.ratio())
 }

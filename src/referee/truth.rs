@@ -36,7 +36,7 @@ pub struct Truth {
 }
 
 /// Name of our own answer.
-const OURS: &str = "our fine answer";
+pub const OURS: &str = "our fine answer";
 /// Part of the half-width by which round-off may move the centre of a contact.
 const CENTRED: f64 = 1e-6;
 /// Pressure, over the largest of a closed form, from which on it has no limit.

@@ -12,7 +12,7 @@ use crate::referee::bench::{Bench, along};
 use crate::referee::declared::GRID;
 use crate::referee::field::Field;
 use crate::referee::profile::Profile;
-use crate::referee::truth::{Known, Truth};
+use crate::referee::truth::{Known, OURS, Truth};
 use crate::scene::{Load, Place};
 use crate::solve::{Discretisation, Run};
 
@@ -102,12 +102,7 @@ impl Whole<'_> {
     /// Strain energy against that of our fine answer, which may be off by what it is apart from that on the exported mesh.
     fn energy(&self, [fine, coarse]: [f64; 2]) -> Judged {
         let bar = (fine - coarse).abs();
-        let reference = Reference {
-            name: "our fine answer".into(),
-            kind: ReferenceKind::CrossCode,
-            value: fine,
-            uncertainty: None,
-        };
+        let reference = Reference { name: OURS.into(), kind: ReferenceKind::CrossCode, value: fine, uncertainty: None };
         let allowed = self.tolerance + bar / fine.abs();
         let because = "the tolerance, and what the energy still changes with our mesh";
         let check = Check::near(

@@ -144,7 +144,7 @@ fn spread(one: &Requirement, trials: usize) -> String {
     let (head, rows, told) = without_repeats(head().collect(), rows, true);
     let told = if told.is_empty() { told } else { format!(" In all rows: {told}.") };
     let (kind, number) = (one[0].1.reference.kind, one.len());
-    format!("**{}** ({kind}), {number} checks.{told}\n\n{}", sentence(one), shown(&head, &rows, has_failed(one)))
+    format!("**{}** ({kind}), {number} runs.{told}\n\n{}", sentence(one), shown(&head, &rows, has_failed(one)))
 }
 
 /// A table, folded where it is long; open where something failed.
@@ -212,7 +212,7 @@ fn with_uncertainty(value: f64, uncertainty: Option<f64>) -> String {
 
 /// The universal requirements, number of runs, worst error over its tolerance, verdict; with their reasons on the page of all checks alone.
 pub fn of_every_run<'a>(judged: impl Iterator<Item = &'a Judged>, with_reasons: bool) -> String {
-    let head = ["every run", "checks", "worst error", "its tolerance", "verdict", "because"];
+    let head = ["every run", "runs checked", "worst error", "its tolerance", "verdict", "because"];
     let head = &head[..if with_reasons { 6 } else { 5 }];
     let own = judged.filter(|one| one.check.scope == Scope::Universal);
     let rows = sorted(own.map(|one| (one.check.quantity.name(), one)));

@@ -9,12 +9,12 @@ use crate::drawing::palette::{self, Dash, Marker, Style};
 use crate::drawing::{Axis, Chart, Direction, Drawing, Guide, Series};
 use crate::markdown::{self, Column};
 use crate::oracle::ReferenceKind;
+use crate::referee::truth::OURS;
 use crate::report::links::{CHECKS, to_page as link};
 use crate::report::{case_page, matrix, record, statements, study_page, symbols, told};
-use crate::solve::Settings;
 use crate::study::atlas;
 use crate::study::atlas::plane::{Digest, digests};
-use crate::study::drawn::picture;
+use crate::study::drawn::{how_stopped, picture};
 use crate::study::grouped::{counted, in_order};
 use crate::study::paper::statement::{Judgement, Statement};
 use crate::study::paper::{self, NOT_COVERED};
@@ -81,10 +81,9 @@ pub fn right(findings: &[Finding]) -> String {
         _ => None,
     });
     format!(
-        "{verdict}{} All nine below are stopped within {:e} of the solution of the discrete problem, which an active set finds before: they \
-         show elements and mesh. How they end by criteria of their own, {}.\n\n{}",
+        "{verdict}{} {} How they end by criteria of their own, {}.\n\n{}",
         bars.collect::<String>(),
-        Settings::default().tolerance,
+        how_stopped(),
         to_study("the paper's statements tell", paper::Numbers::NAME),
         picture(
             "pressure-cylinder.svg",
@@ -105,9 +104,11 @@ pub fn against(findings: &[Finding]) -> String {
         vec![format!("{against} ({kind})"), shows.into(), own(kind).count().to_string(), share, pass, fail, absent]
     });
     let head = ["held against", "what it can show", "checks", "%", "pass", "fail", "not run"].map(String::from);
-    let (mut truths, mut others, mut of_one) = (Vec::new(), Vec::new(), 0);
+    let (mut truths, mut others, mut of_one, mut ours) = (Vec::new(), Vec::new(), 0, 0);
     for kind in [ReferenceKind::Analytic, ReferenceKind::CrossCode, ReferenceKind::Measured] {
-        let all = agreements(own(kind).collect());
+        let mut all = agreements(own(kind).collect());
+        // What others are held against where there is no closed form is no truth of another code.
+        ours += all.extract_if(.., |(name, _)| *name == OURS).map(|(_, all)| all.len()).sum::<usize>();
         let (named, rest) = all.split_at(all.len().min(NAMED));
         truths.extend_from_slice(named);
         let (several, single): (Vec<_>, Vec<_>) = rest.iter().partition(|(_, all)| all.len() > 1);
@@ -129,7 +130,8 @@ pub fn against(findings: &[Finding]) -> String {
         match others.is_empty() {
             true => String::new(),
             false => format!(
-                "Further truths, each with how many numbers agree with it: {}; and {of_one} with one each.",
+                "Further truths, each with how many numbers agree with it: {}; and {of_one} with one each.\n\n{ours} numbers of other codes agree with \
+                 {OURS}, which they are held against where there is no closed form.",
                 others.join(", ")
             ),
         },
@@ -200,7 +202,7 @@ const MAP: [&str; 2] = [
 /// What the surveyed planes say of each method; none where nothing was surveyed.
 fn surveyed(findings: &[Finding]) -> Option<Vec<Digest>> {
     let charts = findings.iter().filter_map(|finding| match finding.numbers() {
-        Some(atlas::Numbers::Surveyed { chart, .. }) => Some(chart),
+        Some(atlas::Numbers::Surveyed(chart)) => Some(chart),
         _ => None,
     });
     let charts: Vec<&atlas::Chart> = charts.collect();
@@ -211,8 +213,9 @@ fn surveyed(findings: &[Finding]) -> Option<Vec<Digest>> {
 fn advice(findings: &[Finding]) -> String {
     let Some(digests) = surveyed(findings) else { return "Nothing was surveyed.".into() };
     format!(
-        "{}\n{}, {}, {}.\n\n{}",
+        "{}\n{}\n{}, {}, {}.\n\n{}",
         atlas::recommendation(&digests),
+        statements::two_stops(),
         to_study("Why", atlas::Numbers::NAME),
         to_study("where everything else ends", limits::Numbers::NAME),
         to_study("what is called converged", promised::Numbers::NAME),
@@ -301,6 +304,7 @@ fn index(findings: &[Finding]) -> String {
         let judged = study_page::of(room.name, findings).flat_map(|finding| &finding.judged);
         let [pass, fail, absent] = told::tally(told::once(judged));
         let sign = match (fail, absent) {
+            (0, 0) if pass == 0 => "–",
             (0, 0) => "✓",
             (0, _) => "○",
             _ => "✗",

@@ -116,7 +116,7 @@ pub fn by_kind(findings: &[Finding]) -> String {
         ("Code checks and benchmarking: other codes", ReferenceKind::CrossCode),
         ("Validation: measurements", ReferenceKind::Measured),
     ];
-    let head = ["case", "checks", "closest to its limit", "verdict"].map(String::from);
+    let head = ["case", "runs checked", "closest to its limit", "verdict"].map(String::from);
     let row = |(case, members): &Case, kind: ReferenceKind| {
         let judged = members.iter().flat_map(|finding| &finding.judged);
         let own: Vec<&Judged> = judged.filter(|judged| judged.reference.kind == kind).collect();

@@ -72,8 +72,9 @@ fn pages(findings: &[Finding]) -> Result<Files, Error> {
 fn of_checks(findings: &[Finding]) -> String {
     let body = format!(
         "*Verification* holds the code against closed forms and orders of accuracy (kind *analytic*); *benchmarking* holds it against \
-         other codes (*cross-code*); *self-consistency* asks it the same in another way; *validation* compares with measurement. ± is the \
-         error bar everywhere, {COVERAGE} standard uncertainties of the value from refinement; how many bars hold, {} tells.\n\n{}\n{}## Every run\n\n{}",
+         other codes (*cross-code*); *self-consistency* asks it the same in another way; *validation* compares with measurement. A check \
+         is one proposition, judged by the worst of the runs that are held to it: the tables below count these runs. ± is the error bar, {COVERAGE} standard \
+         uncertainties of the value from refinement; how many bars hold, {} tells.\n\n{}\n{}## Every run\n\n{}",
         links::to_page("what is promised", &study_page::file(promised::Numbers::NAME)),
         matrix::by_kind(findings),
         drawn::picture(NEARNESS[0], NEARNESS[1]),

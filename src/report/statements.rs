@@ -5,8 +5,11 @@ use crate::case::library::{cylinder, pin_rod};
 use crate::case::{Quantity, Verdict};
 use crate::markdown::{self, Column};
 use crate::measure::{Quantity as Number, larger};
-use crate::solve::{Iteration, Run};
+use crate::solve::{Element, Iteration, Run, Settings};
+use crate::study::atlas::{Chart, Plane, Record};
 use crate::study::measured::GAERTNER;
+use crate::study::method::Method;
+use crate::study::paper::reading::Reading;
 use crate::study::paper::sentence::Sentence;
 use crate::study::paper::statement::{self, Judgement, Statement};
 use crate::study::refinement::{self, Change, LEFT_OUT};
@@ -23,11 +26,16 @@ pub fn judge(findings: &[Finding]) -> Vec<Statement> {
         Some(Sentence::ALL.into_iter().zip(statement::statements(&numbers.courses)))
     });
     let others = [top_quarter(findings), condensation_pays(findings), gaertner(findings)];
-    let with_reference = |(sentence, one): (Sentence, Statement)| match sentence {
+    let with_others = |(sentence, one): (Sentence, Statement)| match sentence {
         Sentence::Agrees => with_reference(one, findings),
+        Sentence::LineAlways => {
+            let Statement { clause, measured, .. } = &one;
+            let [clause, measured] = [clause, measured].map(|told| format!("{told}; but {}", by_error()));
+            Statement { clause, measured, ..one }
+        }
         _ => one,
     };
-    sentences.flatten().map(with_reference).chain(others).collect()
+    sentences.flatten().map(with_others).chain(others).collect()
 }
 
 /// How they are judged, and all of them, for the page on the paper.
@@ -39,6 +47,34 @@ pub fn section(findings: &[Finding]) -> String {
     ];
     let table = markdown::columns(&columns, &judge(findings));
     format!("## Its statements\n\n{}\n\n{table}\n", statement::RULE)
+}
+
+/// How the paper's varying stiffness with line elements ends on its scenes where the error stops it, as the atlas has recorded.
+fn by_error() -> String {
+    let Settings { tolerance, max_iterations, .. } = Settings::default();
+    let method = Method::usual(Element::Line, Iteration::Varying);
+    let of_scene = |plane: Plane| {
+        let chart = Chart::read(plane).ok()?;
+        let own: Vec<&Record> = chart.of_method(method).flatten().collect();
+        let right = own.iter().filter(|record| record.is_right()).count();
+        let Record { ordinate, .. } = own.first()?;
+        Some(format!("{right} of {} initial stiffnesses on {} ({ordinate} {})", own.len(), plane.name(), plane.label()))
+    };
+    let all: Vec<String> = Plane::PAPER.into_iter().filter_map(of_scene).collect();
+    format!(
+        "stopped by its error of {tolerance:e}, within {max_iterations} iterations, `{method}` ends right from {}",
+        all.join(" and from ")
+    )
+}
+
+/// The clause that tells why what fails by the error may converge in every case by the statement of the paper.
+pub fn two_stops() -> String {
+    let stop = Reading::nearest().stop.name();
+    format!(
+        "Every run here stops by its error, and the paper's statements are judged by {stop}, which a run can meet before: there a method may \
+         end in every case that is given up here. {}.\n",
+        markdown::capitalised(&by_error())
+    )
 }
 
 fn of_case<'a>(findings: &'a [Finding], case: &str) -> impl Iterator<Item = &'a Finding> {

@@ -4,7 +4,7 @@ use crate::case::{Judged, Verdict};
 use crate::error::Error;
 use crate::report::{checks, links, statements, told};
 use crate::study::grouped::counted;
-use crate::study::{Finding, Room, Study, cases, paper};
+use crate::study::{Finding, Room, Study, atlas, cases, paper};
 
 /// Name of the file of a study of this name.
 pub fn file(study: &str) -> String {
@@ -17,10 +17,15 @@ pub fn page(room: &Room, findings: &[Finding]) -> Result<String, Error> {
     let own: Vec<&Judged> = of(name, findings).flat_map(|finding| &finding.judged).collect();
     let checks = match name {
         cases::Numbers::NAME => "The page of each case has its checks.\n\n".into(),
+        _ if own.is_empty() => "None: the tests hold what is recorded against what the code finds now.\n\n".into(),
         _ => tables(name, findings),
     };
     // What the paper says is judged by the findings of all studies, of which its own sees only its part.
-    let first = if name == paper::Numbers::NAME { statements::section(findings) } else { String::new() };
+    let first = match name {
+        paper::Numbers::NAME => statements::section(findings),
+        atlas::Numbers::NAME => statements::two_stops() + "\n",
+        _ => String::new(),
+    };
     let body = format!("{first}{}\n## Checks\n\n{checks}{}", (room.section)(findings)?, limits(about.limits, &own));
     Ok(links::page(about.title, about.asked, &told::once(own), &body))
 }

@@ -7,7 +7,7 @@ use crate::report::links;
 pub const FILE: &str = "symbols.md";
 
 /// Symbols with what they stand for.
-pub const SYMBOLS: [[&str; 2]; 22] = [
+pub const SYMBOLS: [[&str; 2]; 30] = [
     [
         "κ₀ = k ℓ/E*",
         "initial stiffness k of the contact springs per area, made a pure number by the length ℓ of the scene (Hertz's half-width, or the \
@@ -17,12 +17,26 @@ pub const SYMBOLS: [[&str; 2]; 22] = [
     ["k₀, k*", "spring stiffness at the start and at the end"],
     ["K₀, K*, S", "the matrices of these springs; that of the bodies as the contact sees them"],
     ["w, g, p", "approach, initial gap and pressure of a contact point"],
+    ["n_a, A_a", "unit normal and area of a contact node; N_a its shape function, n the normal beside it"],
+    [
+        "C",
+        "how far the approaches of contact points follow their pressures, of the bodies with the springs of the start",
+    ],
+    ["k_b", "what both bodies resist at a contact point, over its area, while its neighbours stay"],
+    [
+        "f̂, q",
+        "loads, condensed to the displacements of contact nodes; in the paper q is these displacements, in the patch test the pressure",
+    ],
     ["p₀", "largest pressure"],
     ["a", "half-width of the contact"],
     ["ε", "half-angle of the contact"],
     ["θ, φ", "angle from the load line, of the pin in the rod and of the one in the wide plate"],
     ["s", "contact coordinate: a length along the path, an angle on an arc"],
+    ["second-moment width", "half-width of the semi-ellipse that has the second moment of the pressure"],
+    ["by counting", "half-width by the lengths, or areas, that belong to the contact points that press"],
+    ["last active point", "where the last stretch of contact points that press ends"],
     ["E, ν", "Young's modulus and Poisson's ratio"],
+    ["ℓ, E*", "length and modulus that κ is told by, see there"],
     ["ρ", "rate of convergence: the factor on the error from one iteration to the next"],
     ["R", "radius"],
     ["L", "how far candidates reach"],
@@ -35,10 +49,7 @@ pub const SYMBOLS: [[&str; 2]; 22] = [
         "error bar: an estimate of what a value may be off; *What is promised* counts how many hold. Of a standard uncertainty it is twice that. No bound",
     ],
     ["… to …", "range: the least and the largest of what was found"],
-    [
-        "E, u_val",
-        "beside a comparison: difference of two values, and its standard uncertainty from all sources (ASME V&V 20)",
-    ],
+    ["u_val", "standard uncertainty, from all sources, of the difference of two values (ASME V&V 20)"],
     ["dofs", "degrees of freedom"],
 ];
 

@@ -51,6 +51,7 @@ pub fn of(judged: &[&Judged]) -> String {
     let verdict = match (fail, absent) {
         _ if judged.is_empty() => return "**Nothing was checked.**".into(),
         (0, 0) if pass == 1 => "✓ **The one check passes**".into(),
+        (0, 0) if pass == 2 => "✓ **Both checks pass**".into(),
         (0, 0) => format!("✓ **All {pass} checks pass**"),
         (0, _) if pass == 1 => format!("○ **1 check passes, none fails, {absent} could not be run**"),
         (0, _) => format!("○ **{pass} checks pass, none fails, {absent} could not be run**"),

@@ -17,7 +17,7 @@ use crate::solution::EdgeState;
 use crate::solve::{Formulation, Run};
 use crate::study::about::{About, Found, Planned, Study};
 use crate::study::described;
-use crate::study::drawn::{WITHOUT_GAERTNER, label, picture, style};
+use crate::study::drawn::{WITHOUT_GAERTNER, how_stopped, label, picture, style};
 use crate::study::grouped::in_order;
 
 /// Folder of the scene files of the checkout.
@@ -250,7 +250,7 @@ pub fn charts(page: &str) -> Option<String> {
         ],
         _ => return None,
     };
-    Some(charts.map(|(file, caption)| picture(file, caption)).concat())
+    Some(charts.map(|(file, caption)| picture(file, caption)).concat() + &how_stopped() + "\n\n")
 }
 
 /// What is to be known of the scene of a page beside its title; empty where that is all.

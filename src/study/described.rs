@@ -209,9 +209,9 @@ pub fn equations(plane: PlaneHypothesis) -> String {
         ],
     };
     format!(
-        "## Equations\n\nSmall strain: ε = {hoop}, σ = λ tr ε I + 2μ ε with {lame} and μ = E/(2(1+ν)), div σ + b = 0. On the contact, with n the outward \
-         normal of the first body on its undeformed path and w = (u₁ − u₂)·n (u₂ = 0 where the other side is rigid): g = g₀ − w ≥ 0, p = −n·σn ≥ 0, p g = 0, \
-         no shear. p is per area of the undeformed path. {width}"
+        "## Equations\n\nSmall strain: ε = {hoop}, σ = λ tr ε I + 2μ ε with {lame} and μ = E/(2(1+ν)), div σ + b = 0. On the contact n is the outward \
+         normal of the first body on its undeformed path, and w = (u₁ − u₂)·n, with u₂ = 0 where the other side is rigid. There g = g₀ − w ≥ 0, p = −n·σn ≥ 0, p g = 0, \
+         and there is no shear. p is per area of the undeformed path. {width}"
     )
 }
 

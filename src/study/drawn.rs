@@ -8,7 +8,7 @@ use crate::elasticity::loads;
 use crate::error::Error;
 use crate::mesh::Candidate;
 use crate::scene::{Load, Place, Support};
-use crate::solve::{Discretisation, Formulation, Iteration};
+use crate::solve::{Discretisation, Formulation, Iteration, Settings};
 
 /// The SVG of a figure.
 pub fn svg(figure: &Drawing) -> Result<String, Error> {
@@ -109,4 +109,12 @@ const LEAST: f64 = 1e-9;
 pub fn picture(file: &str, caption: &str) -> String {
     let attribute = caption.replace('&', "&amp;").replace('"', "&quot;").replace('<', "&lt;");
     format!("<img alt=\"{attribute}\" src=\"snapshots/charts/{file}\">\n\n*{caption}.*\n\n")
+}
+
+/// What is to be known beside a picture of all nine formulations: what their agreement cannot show.
+pub fn how_stopped() -> String {
+    format!(
+        "All nine are stopped within {:e} of the solution of the discrete problem, which an active set finds before: they show elements and mesh.",
+        Settings::default().tolerance
+    )
 }

@@ -95,10 +95,12 @@ impl Study for Numbers {
             ("other", |fault| test(fault, &["broken off", "snapshot"])),
         ];
         let faults: Vec<&Fault> = findings.iter().flat_map(|found| &found.numbers.record).collect();
-        let of_truths = faults.iter().filter(|fault| is_seen_by(fault, &TRUTHS)).count();
+        let seen = TRUTHS.map(|(kind, told)| (faults.iter().filter(|fault| is_seen_by(fault, &[kind])).count(), told));
+        let seen =
+            seen.iter().filter(|(count, _)| *count > 0).map(|(count, told)| format!("{count} are seen by {told}"));
         Ok(format!(
             include_str!("faults.md"),
-            of_truths = of_truths,
+            seen = seen.collect::<Vec<_>>().join(", "),
             all = faults.len(),
             faults = markdown::columns(&columns, &faults),
             rooms = markdown::columns(&ROOMS, &rooms()?),
@@ -150,8 +152,9 @@ pub fn parse((list, listed): (&Path, &str), (file, text): (&Path, &str)) -> Resu
     Ok(numbers)
 }
 
-/// Kinds of references that are not the code's own.
-const TRUTHS: [&str; 3] = ["analytic", "cross-code", "measured"];
+/// Kinds of references that are not the code's own, and how they are told.
+const TRUTHS: [(&str, &str); 3] =
+    [("analytic", "a closed form"), ("cross-code", "another code"), ("measured", "a measurement")];
 /// Kinds of what says more than that something has changed, or broken off.
 const TELLING: [&str; 5] = ["analytic", "cross-code", "measured", "self-consistency", "claim"];
 /// Characters of a test that are shown.

@@ -8,11 +8,10 @@ use rayon::prelude::*;
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
-use crate::case::{Check, Judged, Quantity, Reference};
 use crate::checkout::{root, sha256};
 use crate::error::Error;
 
-/// A recorded survey: what is run, what is kept of it, and what of that is run again whenever it is judged.
+/// A recorded survey: what is run, what is kept of it, and what of that the tests run again.
 pub struct Survey<S, R> {
     /// Name of its command, and of its record under `snapshots`.
     pub name: &'static str,
@@ -32,19 +31,6 @@ pub struct Survey<S, R> {
     pub again: fn(&S) -> bool,
 }
 
-/// What a survey has recorded, and what of it was run again.
-#[derive(Clone, Debug)]
-pub struct Surveyed<R> {
-    /// Name of the survey.
-    pub name: &'static str,
-    /// All lines of the record.
-    pub recorded: Vec<R>,
-    /// Lines that were run again.
-    pub again: usize,
-    /// Those of them that are not as recorded.
-    pub moved: usize,
-}
-
 impl<S: Sync + Send, R: Serialize + DeserializeOwned + Clone + Sync + Send> Survey<S, R> {
     /// Its record.
     pub fn file(&self) -> PathBuf {
@@ -58,17 +44,16 @@ impl<S: Sync + Send, R: Serialize + DeserializeOwned + Clone + Sync + Send> Surv
         read(&self.file(), &(self.head)(), &renew)
     }
 
-    /// The record, held against its chosen part run again.
-    pub fn surveyed(&self) -> Result<Surveyed<R>, Error> {
-        let recorded = self.read()?;
+    /// Runs the chosen part again: how many lines that are, and how many of them are not as recorded.
+    pub fn recomputed(&self) -> Result<[usize; 2], Error> {
         let again: Vec<S> = (self.sites)()?.into_iter().filter(self.again).collect();
         let run = |site: &S| Ok(((self.key)(site), (self.run)(site)?));
         let fresh = again.par_iter().map(run).collect::<Result<Vec<_>, Error>>()?;
-        Ok(self.compared(recorded, &fresh))
+        Ok(self.compared(&self.read()?, &fresh))
     }
 
-    /// A record held against sites run again, each by its name with its lines, in the order of the record.
-    pub fn compared(&self, recorded: Vec<R>, fresh: &[(String, Vec<R>)]) -> Surveyed<R> {
+    /// A record held against sites run again, each by its name with its lines, in the order of the record: lines, and those that moved.
+    pub fn compared(&self, recorded: &[R], fresh: &[(String, Vec<R>)]) -> [usize; 2] {
         let mut of_site: BTreeMap<String, Vec<&R>> = BTreeMap::new();
         recorded.iter().for_each(|line| of_site.entry((self.of)(line)).or_default().push(line));
         let (mut again, mut moved) = (0, 0);
@@ -78,7 +63,15 @@ impl<S: Sync + Send, R: Serialize + DeserializeOwned + Clone + Sync + Send> Surv
             moved += fresh.len().abs_diff(kept.len());
             moved += kept.iter().zip(fresh).filter(|(kept, fresh)| !(self.alike)(kept, fresh)).count();
         }
-        Surveyed { name: self.name, recorded, again, moved }
+        [again, moved]
+    }
+
+    /// The sentence that says how a record is renewed, and what is done that it stays so.
+    pub fn told(&self, recorded: &[R]) -> String {
+        let (name, all) = (self.name, recorded.len());
+        format!(
+            "`cargo run --release -- {name}` renews the record of {all} lines; the tests run a chosen part of it again."
+        )
     }
 
     /// Puts the lines of the record into the folder of unfinished sites, which are then not run.
@@ -93,26 +86,6 @@ impl<S: Sync + Send, R: Serialize + DeserializeOwned + Clone + Sync + Send> Surv
     /// told when one more is ready.
     pub fn renew(&self, unfinished: &Path, record: &Path, done: impl Fn() + Sync) -> Result<usize, Error> {
         survey([unfinished, record], &(self.head)(), &(self.sites)()?, self.key, self.run, done)
-    }
-}
-
-impl<R> Surveyed<R> {
-    /// The check that what was run again is what was recorded; it fails where nothing was.
-    pub fn as_recorded(&self) -> Judged {
-        let because = format!("but for round-off and the digits that are not kept; `{}` renews the record", self.name);
-        let quantity = Quantity::at("recomputed record that is not the recorded one", format!("of {}", self.again));
-        let record = Reference::own(&format!("snapshots/{}.csv", self.name), 0.0);
-        let moved = if self.again == 0 { f64::NAN } else { self.moved as f64 };
-        Check::at_most(quantity, record, because).judge(moved)
-    }
-
-    /// The sentence that says how it is renewed, and how much of it is run again.
-    pub fn told(&self) -> String {
-        let Self { name, recorded, again, .. } = self;
-        let all = recorded.len();
-        format!(
-            "`cargo run --release -- {name}` renews the record of {all} lines; the report computes {again} of them again."
-        )
     }
 }
 

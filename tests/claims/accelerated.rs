@@ -149,7 +149,7 @@ fn bodies_in_free_motion_are_brought_together() {
 }
 
 #[test]
-fn formulation_that_does_not_converge_or_is_wrong_turns_red() {
+fn formulation_that_does_not_converge_turns_red() {
     let trial = Numbers::plan().into_iter().find(|trial| trial.case == "before and after, cylinder").expect("planned");
     let mut numbers = trial.run().expect("run");
     let mut verdicts = |spoil: fn(&mut Saved)| {
@@ -157,9 +157,8 @@ fn formulation_that_does_not_converge_or_is_wrong_turns_red() {
         spoil(&mut saved[3]);
         numbers.judge().expect("judged").iter().map(|one| one.verdict.clone()).collect::<Vec<_>>()
     };
-    assert_eq!(verdicts(|_| ()), [Verdict::Pass, Verdict::Pass]);
-    assert_eq!(verdicts(|saved| saved.iterations[1] = None), [Verdict::Pass, Verdict::Fail]);
-    assert_eq!(verdicts(|saved| saved.error = f64::NAN), [Verdict::Fail, Verdict::Fail]);
+    assert_eq!(verdicts(|_| ()), [Verdict::Pass]);
+    assert_eq!(verdicts(|saved| saved.iterations[1] = None), [Verdict::Fail]);
 }
 
 #[test]

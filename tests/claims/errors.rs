@@ -11,6 +11,7 @@ use contact_vv::mesh::{Mesh, Order, Resolution};
 use contact_vv::scene::{Action, Component, Load, Scene, Support, VectorField};
 use contact_vv::solve::{Discretisation, Element, Formulation, Iteration, Run};
 use contact_vv::stability::conditioning;
+use contact_vv::study::{Study, limits};
 
 use crate::workbench::{block, distance, held, held_at, meshed, refused, resolution};
 
@@ -280,4 +281,17 @@ fn pin_cut_short_beyond_which_elements_are_too_large_to_see_it_is_refused() {
             }
         }
     }
+}
+
+#[test]
+fn body_that_nothing_supports_is_refused_by_all_nine_without_a_load_and_by_six_under_one_that_pulls_it_off() {
+    let limit = |name: &str| {
+        let planned = limits::Numbers::plan().into_iter().find(|planned| planned.name == name);
+        planned.expect("a limit").run().expect("run")
+    };
+    let no_load = limit("zero load");
+    assert!(no_load.onset.starts_with("zero: 9 of 9 formulations refuse the cylinder"), "{}", no_load.onset);
+    // Constant stiffness never opens a spring: its three end at the cap.
+    let pulled = limit("supported by contact alone").seen;
+    assert!(pulled.starts_with("6 of 9: ") && pulled.contains("; 3: "), "{pulled}");
 }

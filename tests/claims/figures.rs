@@ -9,6 +9,7 @@ use contact_vv::drawing::{
     Axis, Bars, Cell, Chart, ClassMap, Colour, ColourMap, Direction, Drawing, Field, Guide, MapPanel, Remark, Series,
     Style, Theme, schematic,
 };
+use contact_vv::markdown::significant;
 use contact_vv::study::timings::precision::Point;
 use contact_vv::study::timings::record::{Record, cheapest, front, sound};
 use contact_vv::study::timings::{COMPARED_CODES, conclusion, front_of};
@@ -218,7 +219,8 @@ fn whoever_is_cheaper_at_an_accuracy_is_said_to_be_and_the_table_has_the_seconds
     let said = conclusion(&record);
     for (name, series, _) in COMPARED_CODES {
         let within = front_of(&record, series).into_iter().find(|point| point.worst() <= 1e-3).expect("within 0.1 %");
-        let told = format!(" {} ms ", contact_vv::markdown::significant(1e3 * within.seconds, 2));
+        let [seconds, off] = [1e3 * within.seconds, 100.0 * within.worst()].map(|number| significant(number, 2));
+        let told = format!(" {seconds} ms, {off} % off ");
         assert!(said.contains(name) && said.contains(&told), "{name}: {told} in {said}");
     }
     let ours = COMPARED_CODES[0].1;

@@ -33,7 +33,7 @@ fn an_answer_that_is_spoiled_anywhere_turns_red() {
     type Spoil = (&'static str, fn(&mut PhysicalAnswer));
     let spoils: [Spoil; 9] = [
         ("peak", |a| a.peak *= 1.002),
-        ("width", |a| a.half_width *= 0.999),
+        ("width", |a| a.half_width *= 0.997),
         ("resultant", |a| a.resultant *= 1.0 + 2e-5),
         ("profile", |a| a.pressure.iter_mut().for_each(|p| *p *= 1.03)),
         ("a shifted profile", |a| a.pressure.rotate_right(1)),
@@ -48,7 +48,8 @@ fn an_answer_that_is_spoiled_anywhere_turns_red() {
         assert!(all_pass(&judged(&sound)), "{}", scene.name());
         for (script, series) in &frozen.scenes[scene.name()].series {
             for (what, spoil) in spoils {
-                let spoiled = spoiled(series, |series| spoil(&mut series[2]));
+                // On every mesh: a number that jumps on the finest one alone makes its own uncertainty wide.
+                let spoiled = spoiled(series, |series| series.iter_mut().for_each(spoil));
                 assert!(!all_pass(&judged(&with(&sound, *script, &spoiled))), "{}, {script}: {what}", scene.name());
             }
         }

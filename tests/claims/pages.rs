@@ -11,7 +11,7 @@ use contact_vv::report::front::{self, against, cumulated, right};
 use contact_vv::report::links::{CHARTS, PAGES};
 use contact_vv::report::{Only, case_page, diff, difference, page, record, study_page, symbols, told, write};
 use contact_vv::study::sheet::SHEETS;
-use contact_vv::study::{Files, Finding, Room, Study, Trial, cases};
+use contact_vv::study::{Files, Finding, Room, Study, Trial, cases, drawn};
 
 use crate::program::{Folder, ended, program};
 use crate::workbench::spoiled;
@@ -71,6 +71,14 @@ fn marker(name: &'static str) -> Judged {
 fn front_page_is_short() {
     let lines = text(&root().join(page::PAGE)).lines().count();
     assert!(lines <= LINES, "{lines} lines");
+}
+
+#[test]
+fn every_picture_of_all_nine_says_what_stops_them() {
+    let pages = ["VALIDATION.md", "README.md", "snapshots/pages/case-cylinder.md", "snapshots/pages/case-pin-rod.md"];
+    for page in pages {
+        assert!(text(&root().join(page)).contains(&drawn::how_stopped()), "{page}");
+    }
 }
 
 #[test]

@@ -1,12 +1,11 @@
 //! What is said about speed: medians, targets, and that recorded errors and counts are still the code's.
 
 use approx::assert_relative_eq;
-use contact_vv::case::Verdict;
 use contact_vv::study::seconds::{Machine, Spread, quantile, ratios};
 use contact_vv::study::timings::growth::{self, Counts, Growth, exponent};
 use contact_vv::study::timings::precision::{self, LOADS, Point, Series, answered, half_widths, nominal};
 use contact_vv::study::timings::record::{Beside, COMPARED, Measured, Record, Target, cheapest, ours, sound, targets};
-use contact_vv::study::timings::{counts_as_recorded, points_as_recorded};
+use contact_vv::study::timings::{again, counts_moved, points_moved, recounted};
 
 use crate::workbench::spoiled;
 
@@ -51,9 +50,9 @@ fn every_recorded_number_but_the_seconds_is_compared() {
         assert_eq!(fresh.len(), planned);
         let spoiled = |spoil: &dyn Fn(&mut Point)| {
             let fresh = spoiled(&fresh, |fresh| spoil(fresh.last_mut().expect("a point")));
-            points_as_recorded(&recorded, &fresh, planned).verdict
+            points_moved(&recorded, &fresh, planned)
         };
-        assert_eq!([spoiled(&|_| ()), spoiled(&|point| point.seconds *= 2.0)], [Verdict::Pass, Verdict::Pass]);
+        assert_eq!([spoiled(&|_| ()), spoiled(&|point| point.seconds *= 2.0)], [0, 0]);
         let spoils: [&dyn Fn(&mut Point); 11] = [
             &|point| point.series = Series::Linear,
             &|point| point.mesh += 1,
@@ -68,7 +67,7 @@ fn every_recorded_number_but_the_seconds_is_compared() {
             &|point| point.peak = f64::NAN,
         ];
         for (index, spoil) in spoils.into_iter().enumerate() {
-            assert_eq!(spoiled(spoil), Verdict::Fail, "{}, spoil {index}", series.name());
+            assert_eq!(spoiled(spoil), 1, "{}, spoil {index}", series.name());
         }
     }
 }
@@ -84,19 +83,27 @@ fn counts_of_the_growth_tell_one_mesh_from_another() {
 }
 
 #[test]
-fn record_that_is_not_complete_or_was_not_measured_again_is_not_as_recorded() {
+fn points_and_counts_beside_the_seconds_are_those_of_the_code() {
+    for series in Series::OURS {
+        let [points, moved] = again(series).expect("measured");
+        assert!(points > 0 && moved == 0, "{}: {moved} of {points}, `timings` renews the record", series.name());
+    }
+    let [meshes, moved] = recounted().expect("counted");
+    assert!(meshes > 0 && moved == 0, "{moved} of {meshes}, `timings` renews the record");
+}
+
+#[test]
+fn record_that_is_not_complete_is_not_as_recorded() {
     let Record { measured, points } = committed();
-    let of_points = |recorded: &[Point], fresh: &[Point]| points_as_recorded(recorded, fresh, points.len()).verdict;
-    assert_eq!(of_points(&points, &points), Verdict::Pass);
-    assert_eq!(of_points(&points[1..], &points), Verdict::Fail);
-    assert_eq!(of_points(&points, &[]), Verdict::Fail);
+    let of_points = |recorded: &[Point], fresh: &[Point]| points_moved(recorded, fresh, points.len());
+    assert_eq!(of_points(&points, &points), 0);
+    assert!(of_points(&points[1..], &points) > 0 && of_points(&points[1..], &[]) > 0);
     let Measured { growth, revolved, .. } = measured;
     let counts: Vec<Counts> = growth.into_iter().chain(revolved).map(|one| one.counts).collect();
-    let of_counts = |recorded: &[Counts], fresh: &[Counts]| counts_as_recorded(recorded, fresh).verdict;
-    assert_eq!(of_counts(&counts, &counts[..2]), Verdict::Pass);
-    assert_eq!(of_counts(&counts[1..], &counts[1..]), Verdict::Fail);
-    assert_eq!(of_counts(&counts, &[]), Verdict::Fail);
-    assert_eq!(of_counts(&counts, &spoiled(&counts, |moved| moved[0].iterations += 1)), Verdict::Fail);
+    let of_counts = |recorded: &[Counts], fresh: &[Counts]| counts_moved(recorded, fresh);
+    assert_eq!(of_counts(&counts, &counts[..2]), 0);
+    assert_eq!(of_counts(&counts[1..], &counts[1..]), 1);
+    assert_eq!(of_counts(&counts, &spoiled(&counts, |moved| moved[0].iterations += 1)), 1);
 }
 
 /// The row of the table whose words begin so and go on so.

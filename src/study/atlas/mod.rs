@@ -4,7 +4,7 @@
 //!
 //! * `plane` — initial stiffness against which other number, and what lies on one mesh; what is kept under `snapshots/atlas`, and its
 //!   chart of classes with their boundaries; what the records say of each method, and what to use.
-//! * `run` — a point predicted and run; a record read and a twentieth of it recomputed; the paper's scenes before and after
+//! * `run` — a point predicted and run; a twentieth of a record recomputed; the paper's scenes before and after
 //!   acceleration; and predictions against runs.
 //! * `picture` — charts.
 //!
@@ -42,8 +42,9 @@ impl Study for Numbers {
 
     /// One trial a plane, and one a scene of the paper.
     fn plan() -> Vec<Planned<Self>> {
-        let planes =
-            Plane::ALL.map(|plane| Planned::new("stability atlas", plane.name(), move || run::of_plane(plane)));
+        let planes = Plane::ALL.map(|plane| {
+            Planned::new("stability atlas", plane.name(), move || Chart::read(plane).map(Numbers::Surveyed))
+        });
         let saved = Plane::PAPER.map(|scene| {
             Planned::new(format!("before and after, {}", scene.name()), "all nine", move || run::saved(scene))
         });
@@ -52,7 +53,7 @@ impl Study for Numbers {
 
     fn judge(&self) -> Result<Vec<Judged>, Error> {
         Ok(match self {
-            Self::Surveyed { chart, recomputed, moved } => run::judge_chart(chart, *recomputed, *moved),
+            Self::Surveyed(chart) => run::judge_chart(chart),
             Self::Saved(scene, saved) => run::taken(scene.name(), saved),
         })
     }
@@ -141,7 +142,7 @@ fn in_the_paper(findings: &[Found<Numbers>]) -> String {
 fn before_and_after(findings: &[Found<Numbers>]) -> String {
     let saved = findings.iter().filter_map(|found| match found.numbers {
         Numbers::Saved(scene, saved) => Some((scene.name(), saved)),
-        Numbers::Surveyed { .. } => None,
+        Numbers::Surveyed(_) => None,
     });
     let scenes: Vec<(&str, &Vec<Saved>)> = saved.collect();
     let Some((_, first)) = scenes.first() else { return String::new() };

@@ -165,7 +165,7 @@ const FRINGES: &str = "photoelastic-fringes.svg";
 const COLUMNS: [Column<[f64; 3]>; 3] = [
     ("a/R", |[a_over_r, ..]| significant(*a_over_r, 3)),
     ("rms, all else held", |[_, held, _]| significant(*held, 2)),
-    ("rms, all else fitted", |[.., fitted]| significant(*fitted, 2)),
+    ("rms, all else fitted", |[.., fitted]| significant(*fitted, 3)),
 ];
 
 /// What the photograph can show, what it says, and what it cannot show.

@@ -133,9 +133,10 @@ pub fn together(courses: &[Course]) -> String {
     let (most, all) = (most_fulfilled(courses), Sentence::ALL.len());
     let (first, open) = &most[0];
     format!(
-        "Asked for together, {} of the {all} sentences on iterations hold, and no more, under {} of the readings; the first of them: {}. There \
-         does not: {}.",
+        "Asked for together, {} of the {all} sentences on iterations hold, each at {}, and no more, under {} of the readings. The first of \
+         them: {}. There does not: {}.",
         all - open.len(),
+        first.judged().iter().map(|one| one.stop.name()).collect::<Vec<_>>().join(", "),
         most.len(),
         first.name(),
         open.iter().map(|one| format!("*{}*", one.name())).collect::<Vec<_>>().join(", ")

@@ -102,10 +102,10 @@ impl Starts {
         self.operations().zip(other.operations()).filter_map(|(own, other)| Some(own? / other?)).collect()
     }
 
-    /// Whether it takes fewer iterations than another from every start where both end.
-    fn is_faster_than(&self, other: &Self) -> bool {
+    /// From every start where both end, whether it takes fewer iterations than another.
+    fn is_faster_than(&self, other: &Self) -> Vec<bool> {
         let fewer = |(own, other): (&Option<Met>, &Option<Met>)| Some((*own)?.iterations < (*other)?.iterations);
-        self.met.iter().zip(&other.met).filter_map(fewer).all(|fewer| fewer)
+        self.met.iter().zip(&other.met).filter_map(fewer).collect()
     }
 
     /// Whether the same starts end; beside one where that changes a neighbour may stand in.
@@ -172,6 +172,18 @@ impl Seen {
         self.by(Iteration::Kinematic).flat_map(|own| self.others().flat_map(|other| other.over(own))).collect()
     }
 
+    /// Start by start, whether kinematic load takes fewer iterations than each other algorithm.
+    fn is_fewer(&self) -> Vec<bool> {
+        self.by(Iteration::Kinematic)
+            .flat_map(|own| self.others().flat_map(|other| own.is_faster_than(other)))
+            .collect()
+    }
+
+    /// Start by start, whether constant stiffness saves a great deal of the operations of varying stiffness.
+    fn is_saved(&self) -> Vec<bool> {
+        self.over_constant().iter().map(|quotient| *quotient >= STRONG).collect()
+    }
+
     /// Whether every run that ended is in good agreement with the discrete solution.
     fn agrees(&self) -> bool {
         self.of.iter().all(|one| one.error() <= GOOD)
@@ -214,18 +226,31 @@ impl Sentence {
                 seen.by(Kinematic).all(Starts::all_end)
                     && extremes(seen.by(Kinematic)).is_some_and(|[_, most]| most <= TWO)
             }
-            Self::Fewest => {
-                seen.by(Kinematic).all(Starts::all_end)
-                    && seen.by(Kinematic).all(|own| seen.others().all(|other| own.is_faster_than(other)))
-            }
+            Self::Fewest => seen.by(Kinematic).all(Starts::all_end) && seen.is_fewer().iter().all(|fewer| *fewer),
             Self::LeastWork => {
                 let quotients = seen.over_kinematic();
                 // Of none nothing is known.
                 !quotients.is_empty() && quotients.iter().all(|quotient| *quotient > 1.0)
             }
-            Self::Saves => seen.over_constant().iter().any(|quotient| *quotient >= STRONG),
+            Self::Saves => seen.is_saved().contains(&true),
             Self::Alike => true,
         }
+    }
+
+    /// Of a sentence that is told start by start, whether it is so from each where both end; none of another sentence.
+    pub fn by_start(self) -> Option<fn(&Seen) -> Vec<bool>> {
+        match self {
+            Self::Fewest => Some(Seen::is_fewer),
+            Self::Saves => Some(Seen::is_saved),
+            _ => None,
+        }
+    }
+
+    /// From how many starts of both examples it is so, where it is told start by start.
+    pub fn starts(self, seen: &[Seen; 2]) -> Option<String> {
+        let is_so = self.by_start()?;
+        let count = |all: Vec<bool>| format!("{} of {}", all.iter().filter(|so| **so).count(), all.len());
+        Some(format!("so from {} starts where both end", seen.each_ref().map(|seen| count(is_so(seen))).join(" and ")))
     }
 
     /// The numbers that it rests on, of the first example and of the second.

@@ -18,7 +18,7 @@ use crate::solve::{Discretisation, Element, Formulation, Iteration, Run};
 use crate::study::drawn;
 use crate::study::random::family::{self, FAMILIES, JUDGED};
 use crate::study::random::{Draw, Family, Sample, Site, Truth};
-use crate::study::records::{Millionths, Survey, Surveyed, are_like};
+use crate::study::records::{Millionths, Survey, are_like};
 
 /// The survey.
 pub const SURVEY: Survey<Site, Record> = Survey {
@@ -261,9 +261,8 @@ const BEYOND: f64 = 3.0;
 const MEDIAN: f64 = 5.0;
 
 /// The checks.
-pub(super) fn judge(surveyed: &Surveyed<Record>) -> Vec<Judged> {
-    let recorded = &surveyed.recorded;
-    vec![surveyed.as_recorded(), within(recorded), told(recorded), beyond(recorded), narrow(recorded)]
+pub(super) fn judge(recorded: &[Record]) -> Vec<Judged> {
+    vec![within(recorded), told(recorded), beyond(recorded), narrow(recorded)]
 }
 
 /// The share of errors within their bars, an unknown one being outside, of each number of each family on each kind of cells, where it is
@@ -336,9 +335,13 @@ pub fn narrow(recorded: &[Record]) -> Judged {
         format!("errors above {:e} to {:e}, of {all}", CUTS[0], CUTS[CUTS.len() - 1]),
     );
     let because = "a bar that is never needed says nothing";
+    Check::at_most(quantity, Reference::analytic("closed forms", MEDIAN), because).judge(widest(recorded))
+}
+
+/// The largest median of bar over error, of errors above any of the cuts.
+fn widest(recorded: &[Record]) -> f64 {
     let judged = meant(recorded, |one, _| JUDGED.contains(&one.family));
-    let largest = CUTS.map(|cut| median(&judged, cut)).into_iter().fold(0.0, larger);
-    Check::at_most(quantity, Reference::analytic("closed forms", MEDIAN), because).judge(largest)
+    CUTS.map(|cut| median(&judged, cut)).into_iter().fold(0.0, larger)
 }
 
 /// A row of the table: scenes, number, and its errors and bars on all cells, on those of 4 and on those of 8 nodes.
@@ -356,12 +359,15 @@ const COLUMNS: [markdown::Column<Row>; 7] = [
         median => markdown::significant(median, 2),
     }),
     ("largest error over bar", |(.., [all, ..])| {
-        let known = all.iter().filter(|[error, bar]| *error > 0.0 && !bar.is_nan());
-        let worst = markdown::significant(known.map(|[error, bar]| error / bar).fold(0.0, larger), 2);
-        match all.iter().filter(|[_, bar]| bar.is_nan()).count() {
-            0 => worst,
-            number => format!("{worst}; {number} not known"),
-        }
+        // The truth of a peak at a corner has no limit, and its bar is infinite.
+        let known = all.iter().filter(|[error, bar]| *error > 0.0 && error.is_finite() && !bar.is_nan());
+        let worst = known.map(|[error, bar]| error / bar).reduce(larger);
+        let worst = worst.map_or("–".into(), |worst| markdown::significant(worst, 2));
+        let unknown = all.iter().filter(|[_, bar]| bar.is_nan()).count();
+        let endless = all.iter().filter(|[error, bar]| error.is_infinite() && bar.is_finite()).count();
+        let others = [(unknown, "not known"), (endless, "without a limit, but with a bar")].into_iter();
+        let others = others.filter(|(number, _)| *number > 0).map(|(number, told)| format!("; {number} {told}"));
+        worst + &others.collect::<String>()
     }),
 ];
 
@@ -378,8 +384,7 @@ fn percent(numbers: &[[f64; 2]]) -> String {
 }
 
 /// The section: shares by family and number.
-pub(super) fn section(surveyed: &Surveyed<Record>) -> String {
-    let recorded = &surveyed.recorded;
+pub(super) fn section(recorded: &[Record]) -> String {
     let families = std::iter::once(None).chain(FAMILIES.map(Some));
     let rows = families.flat_map(|family| Kind::ALL.map(|kind| (family, kind, kind.title())));
     let row = |(family, kind, name): (Option<Family>, Kind, &'static str)| {
@@ -394,7 +399,10 @@ pub(super) fn section(surveyed: &Surveyed<Record>) -> String {
         include_str!("bars.md"),
         fewest = fewest,
         most = most,
-        surveyed = surveyed.told(),
+        found = markdown::significant(widest(recorded), 3),
+        cuts = CUTS.map(|cut| format!("{cut:e}")).join(", "),
+        limit = MEDIAN,
+        surveyed = SURVEY.told(recorded),
         chart = drawn::picture(
             "coverage.svg",
             "True error against the bar claimed: in each range of bars the median, the 95th of 100 and the largest error; below the diagonal a bar holds; errors that are round-off are left out"

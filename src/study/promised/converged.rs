@@ -5,9 +5,9 @@
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
+use crate::case::Case;
 use crate::case::file::files_in;
 use crate::case::library::{self, NAMES, TruncatedHertz};
-use crate::case::{Case, Check, Judged, Quantity, Reference};
 use crate::checkout::root;
 use crate::drawing::{Axis, Chart, Drawing, Series, panels};
 use crate::error::{Error, Kind};
@@ -16,7 +16,7 @@ use crate::solution::EnergyError;
 use crate::solve::Ended;
 use crate::solve::{Change, Discretisation, Formulation, Iteration, Run, Settings};
 use crate::study::drawn;
-use crate::study::records::{Millionths, Survey, Surveyed, are_like};
+use crate::study::records::{Millionths, Survey, are_like};
 
 /// The survey.
 pub const SURVEY: Survey<Site, Record> = Survey {
@@ -200,37 +200,6 @@ pub(super) fn energies() -> Result<Vec<Option<EnergyError>>, Error> {
     Ok(BOUNDED.par_iter().map(of_scene).collect::<Result<Vec<_>, Error>>()?.concat())
 }
 
-/// Error of a peak or a half-width that a run called converged may have, in tolerances: they are not what is iterated.
-const SLACK: f64 = 3.0;
-
-/// The checks.
-pub(super) fn judge(surveyed: &Surveyed<Record>) -> Vec<Judged> {
-    vec![surveyed.as_recorded(), right(&surveyed.recorded)]
-}
-
-/// Nothing is called converged that is not.
-pub fn right(recorded: &[Record]) -> Judged {
-    let (mut all, mut converged, mut right) = (0, 0, 0);
-    for record in recorded {
-        for (class, error) in record.classes.iter().zip(&record.errors) {
-            all += usize::from(class.is_some());
-            if *class == Some(Ended::Converged) {
-                converged += 1;
-                right += usize::from(error.is_some_and(|error| error.0 <= SLACK * record.tolerance));
-            }
-        }
-    }
-    let quantity = Quantity::at(
-        format!(
-            "run called converged with a peak or a half-width off its discrete solution by more than {SLACK} tolerances"
-        ),
-        format!("of {converged} converged, {all} runs in all"),
-    );
-    let because = "relative to that solution, contact by contact";
-    let wrong = if converged == 0 { f64::NAN } else { (converged - right) as f64 };
-    Check::at_most(quantity, Reference::own("active set", 0.0), because).judge(wrong)
-}
-
 /// Share of the runs of one of the nine that converge, of the records that are meant; none of no runs.
 fn share(recorded: &[Record], formulation: usize, is_meant: impl Fn(&Record) -> bool) -> Option<f64> {
     let classes = recorded.iter().filter(|record| is_meant(record)).filter_map(|record| record.classes[formulation]);
@@ -245,7 +214,7 @@ fn same(a: f64, b: f64) -> bool {
 }
 
 /// The section: criterion, how loose the bound in the energy norm is, and the chart.
-pub(super) fn section(surveyed: &Surveyed<Record>, energies: &[Option<EnergyError>]) -> String {
+pub(super) fn section(recorded: &[Record], energies: &[Option<EnergyError>]) -> String {
     format!(
         include_str!("converged.md"),
         bound = bound(energies),
@@ -254,7 +223,7 @@ pub(super) fn section(surveyed: &Surveyed<Record>, energies: &[Option<EnergyErro
         loads = list(&LOADS),
         tolerances = list(&TOLERANCES),
         limit = Settings::default().max_iterations,
-        surveyed = surveyed.told()
+        surveyed = SURVEY.told(recorded)
     ) + "\n"
         + &drawn::picture(
             "converged.svg",

@@ -17,7 +17,7 @@ use crate::solve::edge_fitted::Sought;
 use crate::solve::{Element, Fitted, Formulation, Iteration, Run};
 use crate::study::random::round::{OF_SPHERES, WIDEST};
 use crate::study::random::{Family, GUESS, Sample, Site, family};
-use crate::study::records::{self, Millionths, Survey, Surveyed, rounded};
+use crate::study::records::{self, Millionths, Survey, rounded};
 use crate::study::seconds::quantile;
 
 /// The survey.
@@ -151,10 +151,8 @@ const FARTHEST: f64 = 1.5;
 const ITERATED: f64 = 0.01;
 
 /// The checks.
-pub(super) fn judge(surveyed: &Surveyed<Record>) -> Vec<Judged> {
-    let recorded = &surveyed.recorded;
-    let [usual, worst] = thrifty(recorded);
-    vec![surveyed.as_recorded(), right(recorded), near(recorded), consistent(recorded), usual, worst]
+pub(super) fn judge(recorded: &[Record]) -> Vec<Judged> {
+    vec![right(recorded), near(recorded), consistent(recorded)]
 }
 
 /// Whether a fresh answer is the recorded one: mesh and verdict always, errors but for the iteration.
@@ -197,28 +195,6 @@ pub fn consistent(recorded: &[Record]) -> Judged {
     let because = "an estimate beyond what was asked is the reason why it is not met";
     let wrong = if recorded.is_empty() { f64::NAN } else { wrong as f64 };
     Check::at_most(quantity, Reference::own("the estimate", 0.0), because).judge(wrong)
-}
-
-/// Dofs of all meshes of a search over those of its largest one: the median, and of any search.
-const SEARCH: [f64; 2] = [3.0, 10.0];
-
-/// What is solved on the way costs no more than a few times the largest mesh.
-pub fn thrifty(recorded: &[Record]) -> [Judged; 2] {
-    let ratios: Vec<f64> = recorded.iter().map(Record::search).collect();
-    let worst = ratios.iter().copied().reduce(larger).unwrap_or(f64::NAN);
-    let because = "the last mesh is solved to judge the one answered; whatever comes before it only finds the contact";
-    let at_most = |what: &'static str, most: f64, found: f64| {
-        let quantity = Quantity::at(what, format!("of {} answers", recorded.len()));
-        Check::at_most(quantity, Reference::own("work", most), because).judge(found)
-    };
-    [
-        at_most(
-            "median ratio of the dofs of all meshes of a search to those of the largest one",
-            SEARCH[0],
-            quantile(&ratios, 0.5),
-        ),
-        at_most("largest ratio of the dofs of all meshes of a search to those of the largest one", SEARCH[1], worst),
-    ]
 }
 
 /// The answers of a family to an accuracy.
@@ -398,8 +374,7 @@ fn largest(ratios: impl Iterator<Item = f64>) -> String {
 }
 
 /// The section: answers by family and accuracy.
-pub(super) fn section(surveyed: &Surveyed<Record>, beside: &[Beside]) -> String {
-    let recorded = &surveyed.recorded;
+pub(super) fn section(recorded: &[Record], beside: &[Beside]) -> String {
     let [shortest, longest] = GUESS;
     let row = |(family, asked): (Family, f64)| -> Row {
         let is_own = |record: &&Record| record.family == family && record.asked.to_bits() == asked.to_bits();
@@ -415,7 +390,7 @@ pub(super) fn section(surveyed: &Surveyed<Record>, beside: &[Beside]) -> String 
         include_str!("met.md"),
         shortest = shortest,
         longest = longest,
-        surveyed = surveyed.told(),
+        surveyed = SURVEY.told(recorded),
         wrong = wrong(None),
         of_spheres = wrong(Some(Family::Spheres)),
         share = OF_SPHERES,

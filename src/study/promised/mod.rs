@@ -19,17 +19,16 @@ use crate::error::Error;
 use crate::markdown::{self, Column};
 use crate::solution::EnergyError;
 use crate::study::about::{About, Found, Planned, Study};
-use crate::study::records::Surveyed;
 
 /// What came out of a trial.
 #[derive(Clone, Debug)]
 pub enum Numbers {
     /// What is called converged, and errors in the energy norm with their bounds; none where they are not known.
-    Converged(Surveyed<converged::Record>, Vec<Option<EnergyError>>),
+    Converged(Vec<converged::Record>, Vec<Option<EnergyError>>),
     /// Errors and bars of random scenes.
-    Bars(Surveyed<bars::Record>),
+    Bars(Vec<bars::Record>),
     /// Answers called met or not, and some beside 8-node cells.
-    Met(Surveyed<met::Record>, Vec<met::Beside>),
+    Met(Vec<met::Record>, Vec<met::Beside>),
     /// How many checks have a bar beside a closed form; and those of them whose true error is beyond the bar and what the closed form
     /// itself may be off, or whose bar is not known, each with the title of its trial.
     Checks(usize, Vec<(String, Judged)>),
@@ -39,7 +38,7 @@ impl Study for Numbers {
     const NAME: &'static str = "promised";
     const ABOUT: About = About {
         title: "What is promised",
-        asked: "Whether a run that is called converged has the peak and the width of its discrete problem, how often the true error is \
+        asked: "What is called converged and how often that is reached, how often the true error is \
                 within the error bar that was printed, how often an answer that is called accurate is not, and what an accuracy costs.",
         limits: "What is called converged says nothing of the mesh: that is what error bars are for. Bars and accuracies are held \
                  against random scenes whose truth is a closed form, or that of a boundary method: what has neither is not among them. \
@@ -51,18 +50,18 @@ impl Study for Numbers {
         let of = |case: &str, run: fn() -> Result<Numbers, Error>| Planned::new(case, "all scenes", run);
         vec![
             of("what is called converged", || {
-                Ok(Numbers::Converged(converged::SURVEY.surveyed()?, converged::energies()?))
+                Ok(Numbers::Converged(converged::SURVEY.read()?, converged::energies()?))
             }),
-            of("coverage of error bars", || bars::SURVEY.surveyed().map(Numbers::Bars)),
-            of("what is called met", || Ok(Numbers::Met(met::SURVEY.surveyed()?, met::beside()?))),
+            of("coverage of error bars", || bars::SURVEY.read().map(Numbers::Bars)),
+            of("what is called met", || Ok(Numbers::Met(met::SURVEY.read()?, met::beside()?))),
         ]
     }
 
     fn judge(&self) -> Result<Vec<Judged>, Error> {
         Ok(match self {
-            Numbers::Converged(surveyed, _) => converged::judge(surveyed),
-            Numbers::Bars(surveyed) => bars::judge(surveyed),
-            Numbers::Met(surveyed, _) => met::judge(surveyed),
+            Numbers::Converged(..) => vec![],
+            Numbers::Bars(recorded) => bars::judge(recorded),
+            Numbers::Met(recorded, _) => met::judge(recorded),
             Numbers::Checks(all, outside) => judge_checks(*all, outside),
         })
     }
@@ -74,9 +73,9 @@ impl Study for Numbers {
             String::from("## Error bars beside checks\n\nThey are judged where all studies are solved.\n");
         for found in findings {
             match found.numbers {
-                Numbers::Converged(surveyed, energies) => text += &converged::section(surveyed, energies),
-                Numbers::Bars(surveyed) => text += &bars::section(surveyed),
-                Numbers::Met(surveyed, beside) => text += &met::section(surveyed, beside),
+                Numbers::Converged(recorded, energies) => text += &converged::section(recorded, energies),
+                Numbers::Bars(recorded) => text += &bars::section(recorded),
+                Numbers::Met(recorded, beside) => text += &met::section(recorded, beside),
                 Numbers::Checks(all, outside) => checked = section_on_checks(*all, outside),
             }
         }
@@ -86,8 +85,8 @@ impl Study for Numbers {
     /// Runs that converge by the candidate stretch, and true errors against bars.
     fn pictures(findings: &[Found<Self>]) -> Result<Vec<(String, Drawing)>, Error> {
         let picture = |found: &Found<Self>| match found.numbers {
-            Numbers::Converged(surveyed, _) => Some(converged::picture(&surveyed.recorded)),
-            Numbers::Bars(surveyed) => Some(bars::picture(&surveyed.recorded)),
+            Numbers::Converged(recorded, _) => Some(converged::picture(recorded)),
+            Numbers::Bars(recorded) => Some(bars::picture(recorded)),
             _ => None,
         };
         Ok(findings.iter().filter_map(picture).collect())

@@ -20,13 +20,14 @@ use crate::error::Error;
 use crate::markdown::{self, Column, table};
 use crate::measure::{Quantity as Number, larger};
 use crate::mesh::{Order, Resolution};
+use crate::oracle::ReferenceKind;
 use crate::referee::Truth;
 use crate::scene::Profile;
 use crate::solve::{Discretisation, Formulation};
 use crate::study::about::{About, Found, Planned, Study};
 use crate::study::drawn::picture;
 use crate::study::scoreboard::board::{
-    Board, Code, Ended, FALLS, FOLDER, RENEW, ROUND_OFF, Scored, Setting, TIMES, Told, hashes, scored,
+    Board, Code, Ended, FALLS, RENEW, ROUND_OFF, Scored, Setting, TIMES, Told, hashes, scored,
 };
 
 /// One body on a rigid one, flat and curved; two bodies, straight, curved, and conforming.
@@ -48,8 +49,6 @@ pub struct Numbers {
     pub case: String,
     /// Displacement components of the exported mesh: now, and when it was asked.
     pub dofs: [usize; 2],
-    /// Scripts that are no longer what they were.
-    pub changed: Vec<String>,
     /// Truth of the peak.
     pub truth: Reference,
     /// What the truths of peak and second-moment width may be off, relative: the larger.
@@ -80,34 +79,17 @@ impl Study for Numbers {
         planned.into()
     }
 
-    /// Whether the frozen answers are read, and are of the present scripts and meshes.
+    /// Whether each code comes as near as it may by the best of its own contact.
     fn judge(&self) -> Result<Vec<Judged>, Error> {
-        let rows = || self.rows.iter();
-        let unread = rows()
-            .filter(|row| matches!(row.told.ended, Ended::Answered { file: Some(_), .. }) && row.scored.is_err())
-            .count();
-        let is_asked = |setting: &Setting| rows().any(|row| row.setting == *setting);
-        let complete = |value: f64| if Setting::ALL.iter().all(is_asked) { value } else { f64::NAN };
-        let named = |name: &'static str| Quantity::at(name, self.case.clone());
-        let none = |name, value: usize, because: &'static str| {
-            Check::at_most(named(name), Reference::own(FOLDER, 0.0), because).judge(complete(value as f64))
-        };
-        let mut judged = vec![
-            none("frozen answers that cannot be read", unread, "what a code wrote once is read as it was"),
-            none(
-                "scripts changed since their answers were frozen",
-                self.changed.len(),
-                "an answer is of the script that asked for it",
-            ),
-        ];
-        for code in Code::ALL.into_iter().filter(|code| own(*code).is_some()) {
+        let own_contact = Code::ALL.into_iter().filter(|code| own(*code).is_some());
+        let judged = own_contact.map(|code| {
             let error = format!("error of {}'s own contact at its best", code.name());
             let because = "the bar of the truth, what our contact leaves on the same cells, what its parameter leaves, and the force of the edge in which the contact ends";
             let check =
                 Check::error(Quantity::at(error, self.case.clone()), self.truth.clone(), self.allowed(code), because);
-            judged.push(check.judge(self.own(code)[1].map_or(f64::NAN, Row::error)));
-        }
-        Ok(judged)
+            check.judge(self.own(code)[1].map_or(f64::NAN, Row::error))
+        });
+        Ok(judged.collect())
     }
 
     /// The section.
@@ -139,10 +121,11 @@ impl Study for Numbers {
             let numbers = found.numbers;
             let _ = write!(
                 text,
-                "\n## {}, {} degrees of freedom, truth: {}, error bar {}\n\n",
+                "\n## {}, {} degrees of freedom, truth: {}, {} {}\n\n",
                 numbers.case,
                 numbers.dofs[0],
                 numbers.truth.kind,
+                if numbers.truth.kind == ReferenceKind::Analytic { "model error stated" } else { "error bar" },
                 markdown::error(numbers.bar)
             );
             text += &markdown::columns(&RUNS, &numbers.lines(false));
@@ -305,7 +288,7 @@ impl Scored {
     }
 }
 
-/// The frozen answers of a case, judged.
+/// The frozen answers of a case, scored; refused where they are not all there, cannot be read, or are of other scripts than the present ones.
 pub fn numbers(name: &str, case: &Case, board: &Board) -> Result<Numbers, Error> {
     let asked = board.of(name)?;
     let discretisation = case.meshed()?.discretisation;
@@ -314,17 +297,17 @@ pub fn numbers(name: &str, case: &Case, board: &Board) -> Result<Numbers, Error>
     let cut = Discretisation::of(case.scene.clone(), finer)?;
     let ours = [&discretisation, &cut].map(|mesh| board::ours(&truth, mesh).map_err(|error| error.message.to_string()));
     let kept = ours[0].as_ref().ok();
-    let rows = asked.runs.iter().filter_map(|told| row(&truth, &discretisation, told, kept)).collect();
+    let rows: Vec<Row> = asked.runs.iter().filter_map(|told| row(&truth, &discretisation, told, kept)).collect();
+    if let Some(found) = missing(board, &rows) {
+        return Err(Error::refused(&board::file(), name, found, RENEW));
+    }
     let off = |number: Number| {
         let known = truth.known(0, &number);
         known.bar / known.reference.value.abs()
     };
-    let now = hashes();
-    let changed = now.iter().filter(|(script, hash)| board.scripts.get(*script) != Some(*hash));
     Ok(Numbers {
         case: name.into(),
         dofs: [discretisation.system.dofs(), asked.dofs],
-        changed: changed.map(|(script, _)| script.clone()).collect(),
         truth: Reference { value: 0.0, ..truth.known(0, &Number::PeakPressure).reference },
         bar: larger(off(Number::PeakPressure), off(Number::SecondMomentWidth)),
         chords: chords(&cut),
@@ -332,6 +315,17 @@ pub fn numbers(name: &str, case: &Case, board: &Board) -> Result<Numbers, Error>
         ours,
         rows,
     })
+}
+
+/// What frozen answers lack: a file that can be read, a run of every setting, the present scripts.
+fn missing(board: &Board, rows: &[Row]) -> Option<String> {
+    let is_unread = |row: &&Row| matches!(row.told.ended, Ended::Answered { file: Some(_), .. }) && row.scored.is_err();
+    let unread =
+        rows.iter().find(is_unread).map(|row| format!("an answer of {} that cannot be read", row.setting.method));
+    let is_absent = |setting: &&Setting| !rows.iter().any(|row| row.setting == **setting);
+    let absent = Setting::ALL.iter().find(is_absent).map(|setting| format!("no answer of {}", setting.method));
+    let changed = || hashes().into_iter().find(|(script, hash)| board.scripts.get(script) != Some(hash));
+    unread.or(absent).or_else(|| changed().map(|(script, _)| format!("answers of another {script}")))
 }
 
 /// What chords of cells with straight sides leave of the clearance c of a pin of radius R, `(R φ)²/8R/c` of cells that span the angle φ: the gap of a
