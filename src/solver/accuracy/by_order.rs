@@ -20,7 +20,8 @@ const PURPOSE: &str = "order";
 
 /// Meshes that are as good as is asked: the smallest relative error asked for with which one is the first, order and layers. Every layer leaves an
 /// eighth to a fifteenth of the error of an end, every order a third of that of the peak.
-const FIRST: [(f64, Fitted); 4] = [
+const FIRST: [(f64, Fitted); 5] = [
+    (5e-3, Fitted::of(Order::Quartic, 1)),
     (5e-4, Fitted::of(Order::Quintic, 1)),
     (5e-5, Fitted::of(Order::Quintic, 2)),
     (5e-6, Fitted::of(Order::Septic, 2)),
