@@ -161,7 +161,8 @@ fn of_oracles(found: &Found) -> impl Iterator<Item = [String; 2]> + '_ {
     for [contact, name] in names {
         let own = all.iter().filter(|one| one.contact == contact && one.name == name);
         let own = own.filter(|one| COMPARED.contains(&one.quantity));
-        let away = |error: f64| if error <= ROUND_OFF { "met to round-off".into() } else { markdown::error(error) + " off" };
+        let away =
+            |error: f64| if error <= ROUND_OFF { "met to round-off".into() } else { markdown::error(error) + " off" };
         let off: Vec<String> = own.map(|one| format!("{}, {}", one.told, away(one.error))).collect();
         let of = if several { format!("`{contact}`, ") } else { String::new() };
         let row = ["closed form".into(), format!("{of}{name}: {}", off.join("; "))];

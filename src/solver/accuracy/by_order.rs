@@ -87,8 +87,14 @@ pub(super) fn found(scene: &Scene, rungs: &mut Rungs) -> Result<Option<Rung>, Er
 fn first(scene: &Scene, rungs: &mut Rungs) -> Option<(Discretisation, Rung)> {
     let known = rungs.first.as_ref().and_then(|first| wider(scene, &first.run, BEYOND));
     let scene = known.as_ref().unwrap_or(scene);
-    let wanted = FIRST.iter().position(|(least, _)| *least <= rungs.asked.relative)?;
-    for (_, mesh) in FIRST[..=wanted].iter().rev() {
+    // Where a gap is not smooth, cells of order 4 tell nothing that those of order 5 do not.
+    let is_smooth = rungs.first.as_ref().is_some_and(|first| {
+        let mut each = scene.contacts.iter().zip(&first.run.contacts);
+        each.all(|(pair, contact)| pair.profile.is_smooth(contact.measures.half_width()))
+    });
+    let meshes = if is_smooth { &FIRST[..] } else { &FIRST[1..] };
+    let wanted = meshes.iter().position(|(least, _)| *least <= rungs.asked.relative)?;
+    for (_, mesh) in meshes[..=wanted].iter().rev() {
         let mut answer = sought(*mesh, scene, rungs).map_err(|error| rungs.is_refused(&error)).ok()?;
         let is_around_axis = (0..scene.contacts.len()).any(|contact| scene.is_around_axis(contact));
         if let Some(wider) = wider(scene, &answer.run, SQUEEZED[usize::from(is_around_axis)]) {

@@ -180,13 +180,14 @@ impl Family {
             let run = Run::of(&coarse, &formulation).ok()?;
             said((&coarse, &run), wanted, on_ends)
         };
-        let by_next = on_ends && resolution.order > Order::Quartic && formulation.element == Element::Node;
+        let by_next = on_ends && resolution.order >= Order::Quartic && formulation.element == Element::Node;
         let next = if by_next { said(finer(scene, resolution)) } else { None };
         let (gentler, coarse) = rayon::join(
             || gentler(scene, resolution).map(said),
-            // Of the contacts alone the next mesh tells all.
+            // Of the contacts alone the next mesh tells all; and of cells of order 4, below which there are 8-node cells only.
             || match (&next, wanted) {
                 (Some(_), None) => Vec::new(),
+                (Some(_), _) if resolution.order == Order::Quartic => Vec::new(),
                 _ => coarser(scene, resolution).into_par_iter().filter_map(said).collect(),
             },
         );
@@ -350,7 +351,11 @@ impl Family {
             }
             _ => row.exponent(),
         };
-        let known = by_order(&differences, order);
+        let known = match self.next.as_ref().filter(|_| self.order == Order::Quartic) {
+            Some(next) => vec![(discrete - value_of(&next.readings, contact, quantity)).abs()],
+            None => by_order(&differences, order),
+        };
+        let known: Vec<f64> = known.into_iter().filter(|apart| apart.is_finite()).collect();
         let (fewest, alone) = FEWEST;
         let factor = match known.len() {
             _ if self.shallow => f64::NAN,
