@@ -392,7 +392,7 @@ fn half_widths_and_peaks_under_other_powers_than_the_second_lie_within_their_bar
     let asked: (&str, &[&str]) = ("accuracy = \"0.3 %\"", &[]);
     let cusp = of_powers(&[], "[[0.0005, 1.95]]", [286.389234, 1.9], asked);
     within_its_bar(&cusp, "peak-pressure", 141.538709);
-    // On equal cells that of r^1.6 would miss it by the 0.3rd power of the dofs: layers towards the axis have it with few.
+    // On equal cells the peak of r^1.6 converges with the 0.3rd power of the dofs: layers towards the axis have it with few.
     let kappa = 1.839430255;
     let force = 2.0 * MODULUS * 1.6 / 2.6 * kappa * 0.01 * 2_f64.powf(2.6);
     let layered = of_powers(&[], "[[0.01, 1.6]]", [force, 3.4], ("accuracy = \"0.1 %\"", &[]));

@@ -1,4 +1,4 @@
-//! Several contacts, one on several crests of a wave, and bodies whose mesh is given.
+//! Several contacts, and bodies whose mesh is given.
 //!
 //! Cells that are given are cut both ways, and so is all of the mesh beside them. Where all bodies are meshed here, the elements on the
 //! contacts are made smaller by any ratio and the growth follows them, which needs far fewer cells.
@@ -9,7 +9,7 @@ use crate::accuracy::rungs::Rungs;
 use crate::error::{Error, Kind, Place};
 use crate::mesh::size::expected;
 use crate::mesh::{Order, Resolution};
-use crate::scene::{ContactPair, Grading, Profile, Scene, Shape};
+use crate::scene::{ContactPair, Grading, Scene, Shape};
 use crate::solve::run::Run;
 
 /// Elements of the first mesh on the shortest candidate stretch, then on the shortest half-contact.
@@ -29,13 +29,7 @@ const TRIES: usize = 48;
 
 /// Whether the mesh of a scene is chosen in this way.
 pub(super) fn applies(scene: &Scene) -> bool {
-    let has_crests = |pair: &ContactPair| match pair.profile {
-        Profile::Cosine { wavelength, .. } => pair.stretch > 0.5 * wavelength * (1.0 + 1e-9),
-        _ => false,
-    };
-    scene.contacts.len() > 1
-        || scene.contacts.iter().any(has_crests)
-        || scene.bodies.iter().any(|body| body.shape.has_given_mesh())
+    scene.contacts.len() > 1 || scene.bodies.iter().any(|body| body.shape.has_given_mesh())
 }
 
 /// The scene on its first mesh: candidates as they are guessed, growth as usual, cells of the order that is given.

@@ -28,7 +28,7 @@ const TOLERANCE: f64 = 1e-9;
 /// The same where cells shrink towards a cusp of the pressure: on an axis of revolution round-off leaves a hundred-thousandth of what the smallest
 /// rings carry.
 const CUSPED: f64 = 1e-4;
-/// Length of the edge at such a cusp over that by which the peak misses it: of rⁿ, n from 1.15 to 1.98, by a half of that at most.
+/// Length of the edge at such a cusp over that that is counted on: of rⁿ, n from 1.15 to 1.98, peaks are off by a half of their bars.
 const SHRUNK: f64 = 4.0;
 /// Factor on the distance between two readings of a peak.
 const READINGS: f64 = 1.8;
@@ -352,10 +352,12 @@ impl Family {
             _ => row.exponent(),
         };
         let known = match self.next.as_ref().filter(|_| self.order == Order::Quartic) {
-            Some(next) => vec![(discrete - value_of(&next.readings, contact, quantity)).abs()],
+            Some(next) => {
+                let apart = (discrete - value_of(&next.readings, contact, quantity)).abs();
+                Some(apart).filter(|apart| apart.is_finite()).into_iter().collect()
+            }
             None => by_order(&differences, order),
         };
-        let known: Vec<f64> = known.into_iter().filter(|apart| apart.is_finite()).collect();
         let (fewest, alone) = FEWEST;
         let factor = match known.len() {
             _ if self.shallow => f64::NAN,
@@ -572,7 +574,7 @@ pub(super) fn lost_balance(run: &Run) -> f64 {
 /// The formulation that finds the discrete solution of a contact element on meshes of a scene, with the settings of another one.
 fn exact(formulation: &Formulation, scene: &Scene) -> Formulation {
     let Formulation { element, layer_thickness, settings, .. } = *formulation;
-    let has_cusp = scene.contacts.iter().any(|pair| pair.cusp().is_some());
+    let has_cusp = scene.contacts.iter().any(|pair| pair.power_at_cusp().is_some());
     let tolerance = if has_cusp { CUSPED } else { TOLERANCE.min(settings.tolerance) };
     let settings = Settings { tolerance, ..Settings::default() };
     Formulation { layer_thickness, settings, ..Formulation::new(element, Iteration::Kinematic) }
@@ -621,7 +623,7 @@ fn spacings_at_vertex(discretisation: &Discretisation) -> Vec<f64> {
     let each = discretisation.interfaces.iter().zip(&discretisation.scene.contacts).map(|(interface, pair)| {
         let ends = |edge: &Vec<usize>| [0, 1].map(|end| interface.nodes[edge[end]].coordinate);
         let nearest = interface.edges.iter().map(ends).min_by(|a, b| from_zero(a).total_cmp(&from_zero(b)));
-        let part = if pair.cusp().is_some() { SHRUNK } else { of_8_nodes * f64::from(order.number()) };
+        let part = if pair.power_at_cusp().is_some() { SHRUNK } else { of_8_nodes * f64::from(order.number()) };
         nearest.map_or(f64::NAN, |[a, b]| (b - a).abs() / part)
     });
     each.collect()

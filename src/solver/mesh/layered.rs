@@ -17,8 +17,8 @@ const SAME: f64 = 1e-9;
 const AT_CORNER: usize = 1;
 
 /// Layers towards the cusp of the pressure under a gap sⁿ, times `n − 1`, without and for each of those towards the ends: every layer leaves
-/// `LAYERⁿ⁻¹` of it, and `LAYER²` of an end. And the shortest distance of two nodes over the cell
-/// that is cut: round-off takes what smaller rings around an axis carry, a 10⁻¹³th of the load.
+/// `LAYERⁿ⁻¹` of it, and `LAYER²` of an end. And the shortest distance of two nodes over the cell that is cut: round-off takes what smaller
+/// rings around an axis carry, a 10⁻¹³th of the load.
 const AT_CUSP: [f64; 2] = [4.0, 2.0];
 const NEAREST: f64 = 3.5e-7;
 
@@ -26,7 +26,7 @@ const NEAREST: f64 = 3.5e-7;
 pub(super) fn towards_ends(mut blocks: Vec<Block>, scene: &Scene, body: usize, order: Order) -> Vec<Block> {
     for pair in scene.contacts_of(body) {
         let at_ends = pair.ends.places.iter().copied().chain(pair.leaps()).map(|s| (s, pair.ends.layers));
-        let at_cusp = pair.cusp().map(|power| (0.0, layers_at_cusp(power, pair.ends.layers, order)));
+        let at_cusp = pair.power_at_cusp().map(|power| (0.0, layers_at_cusp(power, pair.ends.layers, order)));
         for (s, layers) in at_ends.chain(at_cusp) {
             let is_here = |point: &Point| (pair.path.coordinate(*point) - s).abs() <= SAME * pair.stretch;
             let sides = blocks.iter().flat_map(|block| [&block.bottom, &block.right, &block.top, &block.left]);

@@ -204,7 +204,7 @@ impl ContactPair {
     }
 
     /// The least power n < 2 of a gap whose pressure has a cusp at s = 0, where that lies within the known ends of the contact.
-    pub fn cusp(&self) -> Option<f64> {
+    pub fn power_at_cusp(&self) -> Option<f64> {
         let places = &self.ends.places;
         let is_within = match self.path.has_both_sides() {
             true => places.first().zip(places.last()).is_some_and(|(first, last)| *first < 0.0 && 0.0 < *last),

@@ -168,7 +168,7 @@ impl<'a> KnownEnds<'a> {
         let stretch = self.pair.stretch;
         breaks.extend(self.pair.profile.kinks());
         breaks.extend(self.pair.leaps());
-        breaks.extend(self.pair.cusp().map(|_| 0.0));
+        breaks.extend(self.pair.power_at_cusp().map(|_| 0.0));
         breaks.retain(|s| *s > from);
         breaks.sort_by(f64::total_cmp);
         let near = SAME * stretch;
