@@ -6,7 +6,7 @@ use approx::{assert_abs_diff_eq, assert_relative_eq};
 use contact_vv::accuracy;
 use contact_vv::case::{Case, library};
 use contact_vv::mesh::{Mesh, Resolution, candidates};
-use contact_vv::scene::{MonotoneCubic, Profile, Scene};
+use contact_vv::scene::{Curve, DrawnGap, MonotoneCubic, Profile, Scene};
 
 use crate::balance::solved_as_it_says;
 use crate::scene_file::{changed, folder, scene_alone, text_of, with_key};
@@ -309,6 +309,27 @@ fn curvature_leaps_where_an_arc_goes_over_into_a_line_and_nowhere_among_points_o
     }
     pair.ends.places.clear();
     assert!(pair.leaps().is_empty());
+}
+
+#[test]
+fn drawn_corner_leaps_by_its_angle_whatever_is_curved_beside_it_and_however_far_the_other_side_goes() {
+    let path = contact_vv::scene::Path::Straight { origin: [0.0, 0.0], both_sides: false };
+    // A flat of 2 mm, then a fillet whose tangent turns away by an angle at once, over a block of 1 m.
+    for (radius, angle) in [(2.0, 0.0), (0.05, 0.0), (2.0, 0.01), (0.05, 0.3)] {
+        let (sin, cos) = f64::sin_cos(angle);
+        let centre = [2.0 - radius * sin, radius * cos];
+        let end = [centre[0] + radius * f64::sin(angle + 0.5), centre[1] - radius * f64::cos(angle + 0.5)];
+        let punch = vec![Curve::Line([[0.0, 0.0], [2.0, 0.0]]), Curve::Arc { centre, ends: [[2.0, 0.0], end] }];
+        let block = vec![Curve::Line([[0.0, 0.0], [1000.0, 0.0]])];
+        let tips = Profile::Bodies(DrawnGap { sides: vec![punch, block], path, above: true }.into()).tips();
+        let wanted = if angle > 0.0 { vec![[2.0, angle.tan()]] } else { vec![] };
+        let tips = tips.expect("curves tell");
+        assert_eq!(tips.len(), wanted.len(), "{radius} {angle}: {tips:?}");
+        for (found, wanted) in tips.iter().zip(&wanted) {
+            assert_abs_diff_eq!(found[0], wanted[0], epsilon = 1e-12);
+            assert_relative_eq!(found[1], wanted[1], max_relative = 1e-6);
+        }
+    }
 }
 
 #[test]

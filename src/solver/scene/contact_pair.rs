@@ -293,12 +293,7 @@ impl Profile {
                 let all: Vec<[f64; 2]> = images.chain(points.iter().copied()).collect();
                 all.windows(3).filter_map(|at| leap([at[0], at[1], at[2]])).collect()
             }
-            Self::Bodies(drawn) => {
-                let ends = drawn.corners();
-                let near = NEAR * ends.iter().fold(0.0, |farthest: f64, s| farthest.max(s.abs()));
-                let at = |s: f64| [s, drawn.gap(s)];
-                ends.into_iter().filter_map(|s| leap([at(s - near), at(s), at(s + near)])).collect()
-            }
+            Self::Bodies(drawn) => drawn.tips(),
             _ => Vec::new(),
         })
     }
@@ -367,9 +362,6 @@ impl Profile {
 const AT_END: f64 = 0.005;
 /// Leaps within a contact beyond which they are the points' and not the gap's.
 const MANY: usize = 4;
-
-/// Distance over which the slope of a drawn gap is taken on either side of a corner, over the farthest one.
-const NEAR: f64 = 1e-4;
 
 /// Difference of slopes, over their sum, up to which three points lie in line.
 const STRAIGHT: f64 = 1e-9;

@@ -51,6 +51,25 @@ impl DrawnGap {
         curves.flat_map(|curve| [0.0, 1.0].map(|t| curve.at(&self.path, t)[0])).collect()
     }
 
+    /// Contact coordinates at which the slope leaps upwards, and by how much \[mm, or rad on an arc; 1, or mm/rad\].
+    ///
+    /// Of second differences, from which what the curvature beside a corner adds is taken off by those over half the distance.
+    pub fn tips(&self) -> Vec<[f64; 2]> {
+        let mut corners = self.corners();
+        corners.sort_by(f64::total_cmp);
+        let farthest = corners.iter().fold(0.0, |farthest: f64, s| farthest.max(s.abs()));
+        corners.dedup_by(|a, b| *a - *b <= SAME * farthest);
+        let tip = |k: usize| {
+            let s = corners[k];
+            let beside = [k.checked_sub(1), Some(k + 1)].into_iter().flatten().filter_map(|k| corners.get(k));
+            let near = NEAR * beside.map(|other| (other - s).abs()).fold(farthest, f64::min);
+            let over = |near: f64| (self.gap(s + near) - 2.0 * self.gap(s) + self.gap(s - near)) / near;
+            let leap = 2.0 * over(0.5 * near) - over(near);
+            (leap > ROUND_OFF * self.path.metric() * farthest / near).then_some([s, leap])
+        };
+        (0..corners.len()).filter_map(tip).collect()
+    }
+
     /// The same with every point, and the path, taken to another place.
     pub fn moved(&self, path: Path, place: impl Fn([f64; 2]) -> [f64; 2]) -> Self {
         let side = |curves: &Vec<Curve>| curves.iter().map(|curve| curve.moved(&place)).collect();
@@ -60,6 +79,10 @@ impl DrawnGap {
 
 /// Slack at the ends of a curve, over its farthest contact coordinate, that rounding explains.
 const SAME: f64 = 1e-9;
+/// Distance over which the slope is taken on either side of a corner, over that to the next one.
+const NEAR: f64 = 1e-4;
+/// What rounding leaves of a gap, over the farthest place.
+const ROUND_OFF: f64 = 1e-13;
 /// Halvings after which a parameter has all its digits.
 const HALVINGS: usize = 60;
 
