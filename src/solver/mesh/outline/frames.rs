@@ -29,9 +29,10 @@ const LEAST: f64 = 1.25;
 const TALL: f64 = 4.0;
 
 /// A rectangle whose contact has ends that are known; none where it is too small for a frame, or has more to mesh than one
-/// contact.
+/// contact, or is held or pressed at a point of its left or right.
 pub(super) fn blocks(layout: &Layout, x: [f64; 2], y: [f64; 2], contact: Face) -> Option<Vec<Block>> {
-    let ends = layout.same_ends().filter(|_| layout.opposite.is_none())?;
+    let is_beside = |point: &[f64; 2]| x.contains(&point[0]) && !y.contains(&point[1]);
+    let ends = layout.same_ends().filter(|_| layout.opposite.is_none() && !layout.points.iter().any(is_beside))?;
     let columns = ends.of_box(x[0])?;
     let has_left = layout.path.has_both_sides() || columns[0] > x[0];
     let within = (columns, ends.half_width(), has_left);

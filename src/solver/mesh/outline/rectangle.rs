@@ -10,7 +10,8 @@ pub(super) fn blocks(layout: &Layout, x: [f64; 2], y: [f64; 2], contact: Face) -
     if let Some(blocks) = frames::blocks(layout, x, y, contact) {
         return blocks;
     }
-    let along = columns(layout, x);
+    let is_on = |k: usize, ends: [f64; 2]| move |point: &&[f64; 2]| ends.contains(&point[k]);
+    let along = columns(layout, x, &layout.points.iter().filter(is_on(1, y)).map(|point| point[0]).collect::<Vec<_>>());
     let finest = match layout.same_ends() {
         Some(ends) => ends.rows(ends.half_width())[1] / layout.elements,
         None => {
@@ -23,6 +24,8 @@ pub(super) fn blocks(layout: &Layout, x: [f64; 2], y: [f64; 2], contact: Face) -
         Face::Bottom => heights.iter().map(|d| y[0] + d).collect(),
         Face::Top => heights.iter().rev().map(|d| y[1] - d).collect(),
     };
+    let beside: Vec<f64> = layout.points.iter().filter(is_on(0, x)).map(|point| point[1]).collect();
+    let upwards = spacing::through(upwards, &beside);
     let (bottom, top) = match contact {
         Face::Bottom => ("contact", "far"),
         Face::Top => ("far", "contact"),
@@ -35,11 +38,23 @@ pub(super) fn blocks(layout: &Layout, x: [f64; 2], y: [f64; 2], contact: Face) -
     }]
 }
 
-/// Positions along the contact: from the left side on, or from the path's origin on to both sides.
-fn columns(layout: &Layout, [left, right]: [f64; 2]) -> Vec<f64> {
+/// Positions along the contact: from the left side on, or from the path's origin on to both sides; with the places of points that are held
+/// or pressed, beyond the candidates of a contact that is the only one.
+fn columns(layout: &Layout, [left, right]: [f64; 2], places: &[f64]) -> Vec<f64> {
     if !layout.several.is_empty() {
-        return columns_of_all(layout, [left, right]);
+        return columns_of_all(layout, [left, right], places);
     }
+    let positions = columns_of_one(layout, [left, right]);
+    let origin = layout.path.origin()[0];
+    let is_fixed = |x: f64| (x - origin).abs() <= layout.stretch * (1.0 + 1e-9);
+    let away = |place: f64| move |a: &&f64, b: &&f64| (**a - place).abs().total_cmp(&(**b - place).abs());
+    let is_free = |place: &f64| positions.iter().min_by(away(*place)).is_some_and(|nearest| !is_fixed(*nearest));
+    let places: Vec<f64> = places.iter().copied().filter(is_free).collect();
+    spacing::through(positions, &places)
+}
+
+/// The same of the only contact.
+fn columns_of_one(layout: &Layout, [left, right]: [f64; 2]) -> Vec<f64> {
     if !layout.path.has_both_sides() {
         return outwards(layout, right - left).iter().map(|s| left + s).collect();
     }
@@ -83,10 +98,11 @@ fn outwards(layout: &Layout, end: f64) -> Vec<f64> {
     positions
 }
 
-/// Positions along the contacts on both sides of the rectangle: every stretch begins, has its s = 0 and ends on one.
-fn columns_of_all(layout: &Layout, ends: [f64; 2]) -> Vec<f64> {
+/// Positions along the contacts on both sides of the rectangle: every stretch begins, has its s = 0 and ends on one, and so is every place.
+fn columns_of_all(layout: &Layout, ends: [f64; 2], places: &[f64]) -> Vec<f64> {
     let straight = layout.several.iter().filter(|one| one.straight);
     let fine = straight.flat_map(|one| one.pieces().map(|[from, to]| [one.origin + from, one.origin + to, one.size]));
+    let fine = fine.chain(places.iter().map(|x| [*x, *x, f64::INFINITY]));
     let grading = layout.grading;
     spacing::fine_within(ends, &fine.collect::<Vec<_>>(), grading.along, grading.coarsest * (ends[1] - ends[0]))
 }
