@@ -4,7 +4,7 @@
 use contact_vv::accuracy;
 use contact_vv::case::library::{Bars, Patch, TruncatedHertz, find};
 use contact_vv::measure::{Quantity, nodal, profile, relative_error};
-use contact_vv::mesh::{Mesh, Order, Resolution};
+use contact_vv::mesh::{Mesh, Order};
 use contact_vv::oracle::analytic::hertz::Hertz;
 use contact_vv::scene::{
     Action, Body, Component, Ends, Face, Load, Material, Path, Place, Scene, Shape, Support, VectorField,
@@ -368,13 +368,88 @@ fn refusal(scene: &Scene) -> String {
     format!("{} {}: {}", error.place, error.message, error.remedy)
 }
 
-/// A block held at a point of its right side, where the mesh of the scene has a node.
-fn held_on_a_side() -> Scene {
+/// A block held at a point inside it.
+fn held_inside() -> Scene {
     let mut scene = case("eccentric-to-accuracy").scene;
-    let mesh = Mesh::of(&scene, Resolution { elements: 3, refinement: 0, order: Order::Quadratic }).expect("mesh");
-    let right = mesh.boundary(&scene, 0, "right").expect("side");
-    scene.bodies[0].supports[0].at = Place::Point(mesh.points[right[1][0]]);
+    scene.bodies[0].supports[0].at = Place::Point([0.37, 0.41]);
     scene
+}
+
+/// A beam on two rollers, or on one and held on its left, pressed at places that no mesh of its own would have a node at.
+const BEAM: &str = r#"
+plane = "strain"
+thickness = 1
+[[body]]
+name = "beam"
+young = 210000.0
+poisson = 0.3
+shape = { rectangle = { x = [-60.0, 60.0], y = [0.0, 12.0], contact = "bottom" } }
+supports = [{ at = [-60, 7.3], component = "x" }]
+loads = [{ force = { at = [13.777, 12], value = [0, -150] } }, { force = { at = [-22.1, 12], value = [0, -100] } }]
+[[contact]]
+name = "left"
+first = "beam"
+gap = { circle = 20 }
+stretch = 2.0
+both-sides = true
+origin = [-50, 0]
+[[contact]]
+name = "right"
+first = "beam"
+gap = { circle = 20 }
+stretch = 2.0
+both-sides = true
+origin = [50, 0]
+[mesh]
+elements = 8
+per = 1.0
+"#;
+
+#[test]
+fn rectangles_have_nodes_where_they_are_held_and_pressed_also_on_fitted_meshes() {
+    let whole = parsed(BEAM).scene;
+    let (before, rest) = BEAM.split_once("[[contact]]").expect("a contact");
+    let (_, right) = rest.split_once("[[contact]]").expect("another");
+    let hinged = before.replace("supports = [", "supports = [{ at = [-60, 7.3], component = \"y\" }, ");
+    let one = parsed(&format!("{hinged}[contact]{right}")).scene;
+    for (scene, lever, about) in [(whole, 100.0, -50.0), (one, 110.0, -60.0)] {
+        let moment = 150.0 * (13.777 - about) - 100.0 * (22.1 + about);
+        let runs = [
+            Run::of(&meshed(scene.clone(), 8, Order::Quadratic), &Formulation::verification()).expect("run"),
+            solved(Fitted::of_digits(4), &scene).run,
+        ];
+        // The contacts lie less than their half-widths off the lowest points of the rollers.
+        for run in runs {
+            let last = &run.contacts[run.contacts.len() - 1];
+            let error = relative_error(last.measures.resultant, moment / lever);
+            assert!(error <= 0.3 / lever, "{error}");
+        }
+    }
+}
+
+#[test]
+fn candidates_of_a_lower_quarter_end_before_the_cut_that_holds_it_however_far_they_go() {
+    let disc = |name: &str, y: f64, radius: f64, rest: &str| {
+        let shape = format!("{{ disc = {{ centre = [0, {y}], radius = {radius}{rest}");
+        format!("[[body]]\nname = \"{name}\"\nyoung = 210000.0\npoisson = 0.3\nshape = {shape}\n")
+    };
+    let axis = "{ at = \"axis\", component = \"x\" }";
+    let text = [
+        "plane = \"strain\"\nthickness = 1\n",
+        &disc("upper", 8.0, 8.0, " } }"),
+        &format!("supports = [{axis}]\nloads = [{{ traction = {{ at = \"cut\", force = [0, -1000] }} }}]\n"),
+        &disc("lower", -9.0, 9.0, ", contact = \"top\" } }"),
+        &format!("supports = [{axis}, {{ at = \"cut\", component = \"y\" }}]\nloads = []\n"),
+        "[contact]\nname = \"between\"\nfirst = \"upper\"\nsecond = \"lower\"\ngap = { from = \"bodies\" }\nstretch = 5.0\nsymmetric = true\n",
+        "[mesh]\nelements = 10\nper = 1.0\n",
+    ];
+    let scene = parsed(&text.concat()).scene;
+    let hertz = Hertz { load: 2000.0, radius: 72.0 / 17.0, modulus: scene.modulus_of(&scene.contacts[0]) };
+    let answer = solved(Fitted::of_digits(4), &scene);
+    // Half-planes and parabolas are off by (a/R)², 1/800.
+    for error in errors(&answer.run, &hertz) {
+        assert!(error <= 5e-4, "{error}");
+    }
 }
 
 #[test]
@@ -386,7 +461,7 @@ fn what_no_mesh_is_fitted_to_is_refused_with_its_place_and_the_remedy() {
         (case("three-rings").scene, "inner fit", "ends where its candidates end"),
         (case("rings-from-gmsh").scene, "inner", "the mesh of this body is given"),
         (case("blocks").scene, "upper", "ends where its candidates end"),
-        (held_on_a_side(), "block", "there is no node at"),
+        (held_inside(), "block", "there is no node at"),
     ];
     for (scene, place, message) in refused {
         let told = refusal(&scene);

@@ -73,7 +73,7 @@ fn cut(blocks: &[Block]) -> Vec<Point> {
 
 /// Largest half-width of a contact over the radius that frames are laid around.
 const SMALL: f64 = 0.25;
-/// Farthest that the box around it may reach from the middle of the disc, over the radius.
+/// Farthest that the box around it, and the candidates, may reach from the middle of the disc, over the radius.
 const REACH: f64 = 0.8;
 /// Depth of the box on the contact over the half-width, and about how much larger a frame is than the one inside it: with order 5 and two
 /// layers cylinders on each other and on a block are found to 7e-6, with 0.7 and 3 to 1.6e-5 by more cells.
@@ -102,6 +102,8 @@ fn framed(layout: &Layout, centre: Point, radius: f64, sector: Sector) -> Option
     let within = (columns, DEPTH * ends.reach() / radius, has_left);
     let begin = if has_left { -1.0 } else { 0.0 };
     let frames = Frames::around(within, ([begin, 1.0], 1.0), LARGER)?;
+    let candidates = layout.stretch / radius;
+    let frames = if candidates <= REACH { frames.holding(candidates) } else { frames };
 
     let [left, right] = frames.columns().map(|columns| coarse(layout, centre, radius, columns));
     let mirrored = |point: &Point| [2.0 * centre[0] - point[0], point[1]];

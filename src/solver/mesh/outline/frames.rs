@@ -115,6 +115,19 @@ impl Frames {
         [self.begins[inside], self.ends[inside]]
     }
 
+    /// The same whose last frame begins where the candidates end, if these go on beyond: a cell that reaches from among them to the end of the
+    /// body would make candidates of nodes that may be held there.
+    pub(super) fn holding(mut self, candidates: f64) -> Self {
+        let inside = self.ends.len() - 2;
+        if inside > 0 && self.ends[inside] < candidates {
+            self.ends[inside] = candidates;
+            if self.has_left {
+                self.begins[inside] = self.begins[inside].min(0.0 - candidates);
+            }
+        }
+        self
+    }
+
     /// The blocks, from the point at a place along the side that touches and a depth below it; the last frame ends on a line of its own
     /// where that is given.
     pub(super) fn blocks(&self, layout: &Layout, place: &dyn Fn(f64, f64) -> Point, rim: Option<&Rim>) -> Vec<Block> {
