@@ -7,7 +7,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use std::sync::Arc;
 
 use crate::scene::contact_pair::CONTACT;
-use crate::scene::{BoundaryName, Circle, GivenMesh, Path};
+use crate::scene::{BoundaryName, Circle, Component, GivenMesh, Path};
 
 /// Outline of a body; each names its boundaries.
 #[derive(Clone, Debug)]
@@ -155,6 +155,19 @@ impl Shape {
                 let is_outer = side == "outer" || side == CONTACT && contact == Face::Top;
                 Some(if is_outer { outer } else { inner })
             }
+            _ => None,
+        }
+    }
+
+    /// The coordinate that all points of a side of a rectangle have in common, and its value \[mm\]; none of other bodies.
+    pub fn lies_at(&self, side: &str) -> Option<(Component, f64)> {
+        let Self::Rectangle { x, y, contact } = *self else { return None };
+        let contact = if contact == Face::Bottom { y } else { [y[1], y[0]] };
+        match side {
+            "left" => Some((Component::X, x[0])),
+            "right" => Some((Component::X, x[1])),
+            CONTACT => Some((Component::Y, contact[0])),
+            "far" => Some((Component::Y, contact[1])),
             _ => None,
         }
     }

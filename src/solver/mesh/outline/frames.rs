@@ -27,6 +27,8 @@ const LEAST: f64 = 1.25;
 /// Times its width from which on a body is too high for frames, which are thin beside the contact where they are deep below it: half-widths under
 /// waves on a block of ten widths were 0.3 % off on cells of any order.
 const TALL: f64 = 4.0;
+/// The same the other way round: beyond the contact of a thin layer no frame has room to grow.
+const WIDE: f64 = 4.0;
 
 /// A rectangle whose contact has ends that are known; none where it is too small for a frame, or has more to mesh than one
 /// contact, or is held or pressed at a point of its left or right.
@@ -83,7 +85,7 @@ impl Frames {
         let deep = depth / first;
         let sides = [wide, deep, if has_left { leftwards } else { deep }];
         let across = if has_left { wide.max(leftwards) } else { wide };
-        if !sides.into_iter().all(|larger| larger >= LEAST) || deep > TALL * across {
+        if !sides.into_iter().all(|larger| larger >= LEAST) || deep > TALL * across || across > WIDE * deep {
             return None;
         }
         let largest = sides.into_iter().fold(1.0, f64::max);

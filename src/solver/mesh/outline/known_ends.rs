@@ -2,8 +2,9 @@
 
 use std::ops::Range;
 
+use super::points::above;
 use crate::mesh::spacing;
-use crate::scene::ContactPair;
+use crate::scene::{ContactPair, Scene};
 
 /// Widest cell on an arc that carries a contact \[rad\].
 const WIDEST: f64 = 0.8;
@@ -15,16 +16,23 @@ const NARROW: Range<f64> = 1e-3..0.2;
 /// Difference of positions, over the stretch, below which they are one.
 const SAME: f64 = 1e-9;
 
+/// Distance of a line from a place of the contact, over its half-width, below which that serves.
+const SERVES: f64 = 1e-3;
+
 /// A contact whose ends are known, and into how many each interval between them is cut.
 pub(crate) struct KnownEnds<'a> {
     pair: &'a ContactPair,
     parts: usize,
+    /// Contact coordinates on which lines lie besides: where rectangles are held and pressed from above or below.
+    lines: Vec<f64>,
 }
 
 impl<'a> KnownEnds<'a> {
     /// None where the mesh knows nothing of the ends.
-    pub fn of(pair: &'a ContactPair, parts: usize) -> Option<Self> {
-        (!pair.ends.places.is_empty()).then_some(Self { pair, parts })
+    pub fn of(scene: &Scene, pair: &'a ContactPair, parts: usize) -> Option<Self> {
+        let lines = || pair.bodies().flat_map(|body| above(&scene.bodies[body])).map(|x| x - pair.path.origin()[0]);
+        let lines = || if pair.path.is_straight() { lines().collect() } else { vec![] };
+        (!pair.ends.places.is_empty()).then(|| Self { pair, parts, lines: lines() })
     }
 
     /// Half the distance of the two ends that are nearest to one another, of one contact half its width; from a symmetry line on
@@ -163,7 +171,8 @@ impl<'a> KnownEnds<'a> {
         })
     }
 
-    /// Positions from a place on: those given, kinks and leaps of the curvature of the gap, others beyond the last, and the end of the stretch.
+    /// Positions from a place on: those given, kinks and leaps of the curvature of the gap, others beyond the last, the end of the stretch, and
+    /// lines among them.
     fn breaks(&self, mut breaks: Vec<f64>, from: f64) -> Vec<f64> {
         let stretch = self.pair.stretch;
         breaks.extend(self.pair.profile.kinks());
@@ -176,7 +185,14 @@ impl<'a> KnownEnds<'a> {
         breaks.dedup_by(|next, before| *next - *before <= near);
         let last = breaks.last().copied().unwrap_or(from);
         let beyond = towards(last, stretch, self.half_width());
-        [from].into_iter().chain(breaks).chain(beyond).chain([stretch]).collect()
+        let mut all: Vec<f64> = [from].into_iter().chain(breaks).chain(beyond).chain([stretch]).collect();
+        let own = all.clone();
+        let is_free = |s: &f64| own.iter().all(|other| (other - s).abs() > SERVES * self.half_width());
+        let lines = self.lines.iter().map(|s| if from < 0.0 { *s } else { s.abs() });
+        all.extend(lines.filter(|s| from < *s && *s < stretch && is_free(s)));
+        all.sort_by(f64::total_cmp);
+        all.dedup_by(|next, before| *next - *before <= near);
+        all
     }
 
     /// Each interval cut as often as is asked, on an arc so that none is wide.

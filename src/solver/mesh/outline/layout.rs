@@ -3,11 +3,12 @@
 use std::f64::consts::FRAC_PI_2;
 
 use super::known_ends::KnownEnds;
+use super::points::points;
 use crate::mesh::block::{Point, exact_sin};
 use crate::mesh::spacing;
 use crate::mesh::{Order, Resolution};
 use crate::scene::contact_pair::CONTACT;
-use crate::scene::{Body, Circle, ContactPair, Grading, Load, Path, Place, Scene, Shape};
+use crate::scene::{Circle, ContactPair, Grading, Path, Scene, Shape};
 
 /// Angle of the widest cell on an arc over the coarsest element's part of the body \[rad\].
 const WIDEST: f64 = 1.6;
@@ -33,6 +34,7 @@ pub(crate) fn widest(shape: &Shape, grading: &Grading, order: Order) -> f64 {
 
 /// What the outlines need to know of the scene: where the candidates end and how fine they are.
 pub(crate) struct Layout<'a> {
+    scene: &'a Scene,
     pub grading: &'a Grading,
     pub path: &'a Path,
     /// Candidate stretch in the contact coordinate.
@@ -65,13 +67,14 @@ impl<'a> Layout<'a> {
         let parts = parts(elements);
         let is_rectangle = matches!(scene.bodies[body].shape, Shape::Rectangle { .. });
         let own: Vec<Fine> =
-            scene.contacts_of(body).map(|pair| Fine::of(pair, per_length, parts, is_rectangle)).collect();
+            scene.contacts_of(body).map(|pair| Fine::of(scene, pair, per_length, parts, is_rectangle)).collect();
         Self {
+            scene,
             grading: &scene.grading,
             path: &pair.path,
             stretch: pair.stretch,
             kinks: pair.profile.kinks(),
-            ends: KnownEnds::of(pair, parts),
+            ends: KnownEnds::of(scene, pair, parts),
             opposite: scene.contacts_of(body).find(|other| other.side(body) != CONTACT).map(|other| [pair, other]),
             points: points(&scene.bodies[body]),
             several: if own.iter().all(|one| *one == own[0]) { vec![] } else { own },
@@ -88,7 +91,7 @@ impl<'a> Layout<'a> {
             path: &pair.path,
             stretch: pair.stretch,
             kinks: pair.profile.kinks(),
-            ends: KnownEnds::of(pair, self.parts()),
+            ends: KnownEnds::of(self.scene, pair, self.parts()),
             opposite: None,
             several: vec![],
             points: self.points.clone(),
@@ -241,10 +244,10 @@ pub(crate) struct Fine {
 
 impl Fine {
     /// On a rectangle from its left to its right; other bodies have both sides of s = 0 alike, and one of them here.
-    fn of(pair: &ContactPair, per_length: f64, parts: usize, is_rectangle: bool) -> Self {
+    fn of(scene: &Scene, pair: &ContactPair, per_length: f64, parts: usize, is_rectangle: bool) -> Self {
         let (straight, both_sides) = (pair.path.is_straight(), is_rectangle && pair.path.has_both_sides());
         let origin = if straight { pair.path.origin()[0] } else { 0.0 };
-        if let Some(ends) = KnownEnds::of(pair, parts) {
+        if let Some(ends) = KnownEnds::of(scene, pair, parts) {
             let positions = if both_sides { ends.across() } else { ends.to_the_right() };
             return Self { origin, positions, size: ends.half_width() / parts as f64, straight };
         }
@@ -259,19 +262,6 @@ impl Fine {
     pub fn pieces(&self) -> impl Iterator<Item = [f64; 2]> {
         self.positions.windows(2).map(|two| [two[0], two[1]])
     }
-}
-
-/// Points at which a body is held or pressed.
-fn points(body: &Body) -> Vec<Point> {
-    let held = body.supports.iter().filter_map(|support| match support.at {
-        Place::Point(at) => Some(at),
-        Place::Boundary(_) => None,
-    });
-    let pressed = body.loads.iter().filter_map(|load| match load {
-        Load::Force { at, .. } => Some(*at),
-        _ => None,
-    });
-    held.chain(pressed).collect()
 }
 
 /// Into how many so many elements on a length cut it.

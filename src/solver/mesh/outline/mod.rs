@@ -3,12 +3,14 @@
 //! * `frames` — rectangles around a contact whose ends are known.
 //! * `known_ends` — positions along a contact whose ends are known.
 //! * `layout` — what the outlines need to know of the scene.
+//! * `points` — where a body is held or pressed at points.
 
 mod disc;
 pub(crate) mod eye;
 mod frames;
 mod known_ends;
 mod layout;
+mod points;
 mod rectangle;
 mod ring;
 
