@@ -453,6 +453,47 @@ fn candidates_of_a_lower_quarter_end_before_the_cut_that_holds_it_however_far_th
 }
 
 #[test]
+fn bars_hold_on_a_thin_layer_that_is_pressed_in_part() {
+    let text = r#"
+plane = "stress"
+thickness = 1
+[[body]]
+name = "layer"
+young = 565.0
+poisson = 0.3
+shape = { rectangle = { x = [0, 40], y = [0, 2.8], contact = "bottom" } }
+supports = [{ at = "left", component = "x" }]
+loads = [{ pressure = { at = "far", part = { along = "x", from = 0, to = 0.68 }, law = { uniform = 0.565 } } }]
+[contact]
+first = "layer"
+gap = { parabola = 2700 }
+stretch = 25
+[mesh]
+elements = 12
+per = 5
+"#;
+    let scene = parsed(text).scene;
+    let wanted = [Quantity::PeakPressure, Quantity::HalfWidth, Quantity::SecondMomentWidth];
+    // Equal 8-node cells, which know neither of the contact nor of the part.
+    let fine = Run::of(&meshed(scene.clone(), 96, Order::Quadratic), &Formulation::verification()).expect("run");
+    for digits in [2, 4, 6] {
+        let answer = solved(Fitted::of_digits(digits), &scene);
+        let bars = accuracy::bars(&answer.discretisation, &answer.run, &[]).expect("bars");
+        for quantity in &wanted {
+            let one = bars.all.iter().find(|one| one.quantity == *quantity).expect("barred");
+            let [truth, apart] = [quantity.of(fine.measures()), one.bar.total()];
+            // What the fine mesh leaves of a half-width.
+            let left = 3e-4 * truth;
+            assert!(
+                (one.value - truth).abs() <= apart + left,
+                "{quantity:?}, {digits}: {} ± {apart}, {truth}",
+                one.value
+            );
+        }
+    }
+}
+
+#[test]
 fn what_no_mesh_is_fitted_to_is_refused_with_its_place_and_the_remedy() {
     let open = Bars { push: 0.9, ..Bars::default() }.scene();
     let refused = [
