@@ -180,9 +180,9 @@ fn element_stiffness_is_symmetric_with_exactly_the_three_rigid_motions_and_as_ma
                     let u = DVector::from_iterator(2 * points.len(), points.iter().flat_map(|p| motion(*p)));
                     assert!((&k * u).amax() <= 1e-11 * scale, "{what}");
                 }
+                // These three have no energy, and nothing else has less than a stiff cell.
                 let below = |limit: f64| eigenvalues_below(&k, limit);
-                let counted = [-1e-12 * scale, 1e-12 * scale, 1e-3 * shear].map(below);
-                assert_eq!(counted, [0, 3, 3], "{what}");
+                assert_eq!([-1e-12 * scale, 1e-3 * shear].map(below), [0, 3], "{what}");
                 // Dilatations of degree p − 1.
                 if plane == PlaneHypothesis::Strain && poisson >= LARGEST_POISSON {
                     let p = usize::from(order.number());
@@ -206,8 +206,7 @@ fn cells_of_revolution_shift_along_their_axis_alone_without_a_stress() {
             let what = format!("{order:?}, {plane:?}, ν = {poisson}");
             let shift = DVector::from_fn(2 * points.len(), |row, _| if row % 2 == along { 1.0 } else { 0.0 });
             assert!((&k * shift).amax() <= 1e-11 * scale, "{what}");
-            let counted = [-1e-12 * scale, 1e-12 * scale, 1e-3 * shear].map(|limit| eigenvalues_below(&k, limit));
-            assert_eq!(counted, [0, 1, 1], "{what}");
+            assert_eq!([-1e-12 * scale, 1e-3 * shear].map(|limit| eigenvalues_below(&k, limit)), [0, 1], "{what}");
         }
     }
 }

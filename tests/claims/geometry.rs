@@ -13,7 +13,7 @@ use contact_vv::solve::Run;
 
 use crate::balance;
 use crate::mesh_files::{Body, Coding, msh};
-use crate::outputs::contact_vv;
+use crate::outputs::{UNITS, contact_vv};
 use crate::program::Folder;
 use crate::scene_file::{changed, text_of, with_key};
 use crate::workbench::{parsed, refused};
@@ -136,16 +136,10 @@ fn ring_on_a_flat_takes_every_option_and_its_own_answer_is_met() {
         let peak = text.lines().find(|line| line.contains("peak-pressure ")).expect("a bar").to_owned();
         assert!(!peak.contains("unknown"), "{option:?}: {peak}");
     }
-    let (vtu, exported) = (at("ring.vtu"), at("exported"));
-    assert!(contact_vv(&["solve", &file, "--vtu", &vtu, "--plot", &at("ring.svg")]).0);
-    assert!(contact_vv(&["export", &file, &exported]).0);
-    let units = ["position", "pressure", "gap", "displacement"]
-        .map(|role| format!("{role}={}", if role == "pressure" { "MPa" } else { "mm" }));
-    let units: Vec<&str> = units.iter().flat_map(|unit| ["--unit", unit]).collect();
-    for (answer, options) in [(vtu, &units[..]), (format!("{exported}/ours.csv"), &[])] {
-        let (met, text, error) = contact_vv(&[&["judge", &file, &answer][..], options].concat());
-        assert!(met, "{answer}: {text}{error}");
-    }
+    let [vtu, csv] = ["ring.vtu", "ring.csv"].map(at);
+    assert!(contact_vv(&["solve", &file, "--vtu", &vtu, "--csv", &csv, "--plot", &at("ring.svg")]).0);
+    let (met, text, error) = contact_vv(&[&["judge", &file, &vtu, &csv][..], &UNITS].concat());
+    assert!(met, "{text}{error}");
 }
 
 /// Angles of a ring's mesh from −π on, finer towards the lowest point: two for every cell.
@@ -253,6 +247,12 @@ fn pushed(gap: &str, height: f64, [down, up]: [f64; 2]) -> String {
         .replace("0.05 }]", &format!("{up} }}]"))
 }
 
+/// The disc pressed by a load instead.
+fn loaded(gap: &str) -> String {
+    let text = pushed(gap, 50.0, [0.0, 0.0]).replace(", { at = \"cut\", component = \"y\", value = -0 }", "");
+    text.replacen("loads = []", "loads = [{ traction = { at = \"cut\", value = [0, -20] } }]", 1)
+}
+
 #[test]
 fn clearance_beside_a_profile_is_closed_before_bodies_are_pressed() {
     let (_, meshed, run) = solved(&pushed("circle = 50, clearance = 0.02", 50.02, [0.03, 0.05]));
@@ -272,14 +272,10 @@ fn clearance_beside_a_profile_is_closed_before_bodies_are_pressed() {
     assert_alike(lifted, beside, 1e-9, "a table that begins with it");
 
     // A load closes any clearance: the contact is that without one, and the body has moved farther by it.
-    let loaded = |gap: &str| {
-        let text = pushed(gap, 50.0, [0.0, 0.0]);
-        let text = text.replace(", { at = \"cut\", component = \"y\", value = -0 }", "");
-        let (_, meshed, run) =
-            solved(&text.replacen("loads = []", "loads = [{ traction = { at = \"cut\", value = [0, -20] } }]", 1));
+    let [(free, through), (touching, own)] = ["circle = 50, clearance = 0.5", "circle = 50"].map(|gap| {
+        let (_, meshed, run) = solved(&loaded(gap));
         (of_run(&run), approach(&meshed, &run))
-    };
-    let ((free, through), (touching, own)) = (loaded("circle = 50, clearance = 0.5"), loaded("circle = 50"));
+    });
     assert_alike(free, touching, 1e-6, "a load");
     assert_relative_eq!(through - own, 0.5, max_relative = 1e-8);
 
@@ -292,7 +288,9 @@ fn clearance_beside_a_profile_is_closed_before_bodies_are_pressed() {
 
 #[test]
 fn clearance_is_told_wherever_a_gap_is_told() {
-    let text = pushed("circle = 50, clearance = 0.02", 50.0, [0.03, 0.05]);
+    // Half of it carries 20 MPa on 50 mm.
+    let hertz = "stretch = 3\noracle = { hertz = { load = 2000, radius = 50 } }";
+    let text = loaded("circle = 50, clearance = 0.02").replace("stretch = 3", hertz);
     let (case, meshed, _) = solved(&text);
     let pair = case.scene.contact();
     assert_relative_eq!(pair.gap(1.0), 50.0 - (2500.0_f64 - 1.0).sqrt() + 0.02, max_relative = 1e-12);

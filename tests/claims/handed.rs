@@ -7,6 +7,7 @@ use contact_vv::error::Error;
 use contact_vv::referee::judge::ENGINEERING;
 use contact_vv::referee::units::Role;
 use contact_vv::referee::{Answer, Asked, Truth, Verdicts, read, verdicts};
+use serde_json::{Value, json};
 
 /// Columns of a table of pressures.
 pub const PRESSURES: &str = "position [mm],pressure [MPa]";
@@ -16,6 +17,12 @@ pub fn table<const N: usize>(columns: &str, rows: impl IntoIterator<Item = [f64;
     let line = |row: [f64; N]| row.map(|value| format!("{value:e}")).join(",") + "\n";
     let rows: String = rows.into_iter().map(line).collect();
     format!("{columns}\n{rows}")
+}
+
+/// A document of a contact, in our units.
+pub fn document(contact: Value) -> String {
+    let units = json!({ "position": "mm", "pressure": "MPa", "area": "mm2", "gap": "mm", "force": "N" });
+    json!({ "units": units, "contacts": [contact] }).to_string()
 }
 
 /// As a file is read whose units are named.

@@ -28,6 +28,10 @@ pub fn contact_vv(arguments: &[&str]) -> (bool, String, String) {
     (code == Some(0), text, error)
 }
 
+/// Options that name the units of fields.
+pub const UNITS: [&str; 8] =
+    ["--unit", "position=mm", "--unit", "pressure=MPa", "--unit", "gap=mm", "--unit", "displacement=mm"];
+
 /// That a command does not end well, and says some parts.
 pub fn refuses(arguments: &[&str], parts: &[impl AsRef<str>]) {
     let (sound, _, error) = contact_vv(arguments);

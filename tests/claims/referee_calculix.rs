@@ -4,11 +4,12 @@ use contact_vv::case::library::find;
 use contact_vv::case::{Case, Verdict};
 use contact_vv::error::Error;
 use contact_vv::referee::units::Role;
-use contact_vv::referee::{Answer, Asked, Truth, Verdicts, read};
+use contact_vv::referee::{Answer, Asked, Verdicts, read};
 use contact_vv::solve::{Discretisation, Run};
 
 use crate::handed::{self, in_units};
-use crate::workbench::refused;
+use crate::program::Folder;
+use crate::workbench::{refused, truth};
 
 /// Mesh, displacements and contact results as CalculiX writes them.
 pub fn frd(discretisation: &Discretisation, run: &Run) -> String {
@@ -41,7 +42,7 @@ const PRESSED: [(Role, &str); 2] = [(Role::Position, "mm"), (Role::Pressure, "MP
 const MOVED: [(Role, &str); 3] = [(Role::Position, "mm"), (Role::Pressure, "MPa"), (Role::Displacement, "mm")];
 
 fn judged(case: &Case, answer: Answer) -> Verdicts {
-    handed::judged(&Truth::of(case.clone()).expect("a truth"), answer)
+    handed::judged(truth(&case.name), answer)
 }
 
 /// What of equilibrium and energy is judged, and whether it is met.
@@ -115,11 +116,11 @@ fn a_block_of_displacements_that_is_cut_or_lacks_a_node_is_refused() {
 fn the_frd_beside_the_dat_of_an_exported_deck_tells_its_displacements() {
     let case = find("cylinder", None).expect("a case");
     let (meshed, run) = case.solve().expect("solved");
-    let folder = tempfile::tempdir().expect("a folder");
+    let folder = Folder::made();
     for (name, text, _) in contact_vv::cli::export::files(&case, false).expect("exported") {
-        std::fs::write(folder.path().join(name), text).expect("written");
+        folder.with(&name, text);
     }
-    let deck = std::fs::read_to_string(folder.path().join("cylinder.inp")).expect("a deck");
+    let deck = folder.read("cylinder.inp");
     let first = deck.lines().skip_while(|line| !line.starts_with("*NSET, NSET=GAPS_CONTACT")).nth(1).expect("a set");
     let first: usize = first.split(',').next().and_then(|word| word.trim().parse().ok()).expect("a node");
     let rows = run.solution.points_of(0).iter().enumerate();

@@ -2,11 +2,12 @@
 
 use approx::assert_relative_eq;
 use contact_vv::referee::units::Role;
-use contact_vv::referee::{Answer, Asked, Truth, verdicts};
+use contact_vv::referee::{Answer, Asked, verdicts};
+use serde_json::json;
 
-use crate::handed::{PRESSURES, failed, table};
+use crate::handed::{PRESSURES, document, failed, table};
 use crate::referee_readers::{Frd, ellipse, vtk};
-use crate::referee_wild::{judged, parsed, refused, tiny, usual};
+use crate::referee_wild::{TRUTH, judged, parsed, refused, usual};
 use crate::workbench::refused as refused_as;
 
 fn read(name: &str, text: impl AsRef<[u8]>) -> Answer {
@@ -176,35 +177,20 @@ fn the_left_half_of_a_symmetric_contact_is_judged_as_the_right_one() {
 fn pressures_that_are_missing_at_mid_sides_are_named() {
     let k = |s: f64| (10.0 * s).round() as usize;
     let zero = |s: f64| if k(s) % 2 == 1 { "0".into() } else { written(s) };
-    let truth = Truth::of(tiny()).expect("solved");
     // Corners 0.2 mm apart leave 2 % of the width.
-    let found = verdicts(&truth, read("theirs.vtu", grid(|x, y| [x, y, 0.0], zero)), 3e-2).expect("judged");
+    let found = verdicts(&TRUTH, read("theirs.vtu", grid(|x, y| [x, y, 0.0], zero)), 3e-2).expect("judged");
     assert!(!found.met() && found.mistakes.iter().any(|says| says.contains("mid-side")), "{:?}", found.mistakes);
 }
 
 #[test]
 fn no_half_of_a_half_is_missing_and_no_mistake_takes_means_over_edges_away() {
-    let points = || (0..ellipse::NODES).map(ellipse::place);
-    let list = |of: fn(f64) -> f64| points().map(|s| of(s).to_string()).collect::<Vec<_>>().join(",");
-    let edge = |times: f64| {
-        let one = move |k: usize| {
-            let [from, to] = [k, k + 1].map(ellipse::place);
-            let mean = 0.5 * times * (ellipse::pressure(from) + ellipse::pressure(to));
-            format!("{{\"from\":{from},\"to\":{to},\"area\":{},\"pressure\":{mean}}}", to - from)
-        };
-        (0..ellipse::NODES - 1).map(one).collect::<Vec<_>>().join(",")
+    let found = |times: f64| {
+        let [places, pressures] = [ellipse::list(|s| s), ellipse::list(ellipse::pressure)];
+        let contact = json!({ "position": places, "pressure": pressures, "edges": ellipse::edges(times) });
+        judged(read("theirs.json", document(contact))).expect("judged")
     };
-    let document = |times: f64| {
-        format!(
-            "{{\"units\":{{\"position\":\"mm\",\"pressure\":\"MPa\",\"area\":\"mm2\"}},\"contacts\":[{{\"position\":[{}],\"pressure\":[{}],\
-             \"edges\":[{}]}}]}}",
-            list(|s| s),
-            list(ellipse::pressure),
-            edge(times)
-        )
-    };
-    assert!(judged(read("theirs.json", document(1.0))).expect("judged").met());
-    let found = judged(read("theirs.json", document(2.0))).expect("judged");
+    assert!(found(1.0).met());
+    let found = found(2.0);
     assert!(!found.met() && !found.mistakes.iter().any(|says| says.contains("missing")), "{:?}", found.mistakes);
 }
 
@@ -275,16 +261,9 @@ fn the_time_of_a_grid_is_said_and_that_pressures_are_read_where_forces_stand_bes
             assert_eq!(found.notes.len(), notes, "{name}: {:?}", found.notes);
         }
     }
-    let list = |of: &dyn Fn(f64) -> f64| {
-        (0..ellipse::NODES).map(|k| of(ellipse::place(k)).to_string()).collect::<Vec<_>>().join(",")
-    };
-    let text = format!(
-        "{{\"units\":{{\"position\":\"mm\",\"pressure\":\"MPa\",\"force\":\"N\"}},\"contacts\":[{{\"position\":[{}],\"pressure\":[{}],\"force\":[{}]}}]}}",
-        list(&|s| s),
-        list(&ellipse::pressure),
-        list(&|_| 1.0)
-    );
-    let found = read("theirs.json", text);
+    let [places, pressures, forces] = [|s| s, ellipse::pressure, |_| 1.0].map(ellipse::list);
+    let contact = json!({ "position": places, "pressure": pressures, "force": forces });
+    let found = read("theirs.json", document(contact));
     ellipse::assert(&found, 1e-9);
     assert!(found.read.iter().any(|how| how == "the pressures, not the forces beside them"), "{:?}", found.read);
 }

@@ -6,7 +6,6 @@ use std::process::Command;
 
 use contact_vv::case::Case;
 use contact_vv::case::library::{NAMES, find};
-use contact_vv::checkout::root;
 use contact_vv::cli::new::Template;
 use contact_vv::cli::vtu;
 use contact_vv::elasticity::loads;
@@ -19,9 +18,9 @@ use contact_vv::solve::{Discretisation, Formulation, Run};
 
 use crate::balance::solved;
 use crate::handed::{failed, judged_as, moved, read};
-use crate::outputs::{contact_vv, refuses};
-use crate::scene_file::files;
-use crate::workbench::refused;
+use crate::outputs::{contact_vv, refuses, scene};
+use crate::program::Folder;
+use crate::workbench::{every_case, refused, truth};
 
 /// A scene file of one body of an exported mesh, held by nothing: it is only read.
 fn scene_of([body, contact]: [&str; 2], file: &str, path: &str) -> String {
@@ -34,12 +33,12 @@ fn scene_of([body, contact]: [&str; 2], file: &str, path: &str) -> String {
 
 #[test]
 fn exported_meshes_are_read_back_by_our_own_gmsh_reader_as_they_were() {
-    let folder = tempfile::tempdir().expect("a folder");
+    let folder = Folder::made();
     for (name, _) in NAMES {
         for order in [Order::Linear, Order::Quadratic, Order::Biquadratic] {
             let case = find(name, None).expect("a case");
             let mesh = Mesh::of(&case.scene, Resolution { order, ..case.resolution }).expect("meshed");
-            std::fs::write(folder.path().join("mesh.msh"), gmsh::text(&case.scene, &mesh)).expect("written");
+            folder.with("mesh.msh", gmsh::text(&case.scene, &mesh));
             for (body, part) in case.scene.bodies.iter().zip(&mesh.bodies) {
                 let nodes = part.boundaries["contact"].iter().flatten().map(|&node| mesh.points[node]);
                 let path = &case.scene.contact().path;
@@ -78,10 +77,10 @@ fn exported_meshes_are_read_back_by_our_own_gmsh_reader_as_they_were() {
 
 #[test]
 fn exported_deck_is_read_back_with_all_that_joins_its_nodes() {
-    let folder = tempfile::tempdir().expect("a folder");
+    let folder = Folder::made();
     let case = find("cylinder", None).expect("a case");
     let discretisation = Discretisation::of(case.scene.clone(), case.resolution).expect("meshed");
-    std::fs::write(folder.path().join("mesh.inp"), deck::text(&discretisation).expect("written")).expect("written");
+    folder.with("mesh.inp", deck::text(&discretisation).expect("written"));
     let text = scene_of(["CYLINDER", "S_CYLINDER_CONTACT"], "mesh.inp", "arc = { centre = [0, 50], radius = 50 }");
     let read = Case::parse(&folder.path().join("scene.toml"), &text).expect("read");
     let Shape::Given(given) = &read.scene.bodies[0].shape else { panic!("no mesh") };
@@ -95,12 +94,6 @@ fn exported_deck_is_read_back_with_all_that_joins_its_nodes() {
     }
     let contact = &mesh.bodies[0].boundaries["contact"];
     assert_eq!(given.boundaries["S_CYLINDER_CONTACT"].len(), contact.len());
-}
-
-/// Every library case and every scene file.
-fn every_case() -> Vec<Case> {
-    let scenes = files().into_iter().map(|(path, text)| Case::parse(&path, &text).expect("a scene file"));
-    NAMES.iter().map(|(name, _)| find(name, None).expect("a case")).chain(scenes).collect()
 }
 
 #[test]
@@ -130,15 +123,15 @@ fn pressures_of_every_case_and_scene_file_are_read_back_from_our_own_fields() {
 fn pressures_of_stresses_and_gaps_of_displacements_are_taken_where_no_field_tells_them() {
     let case = find("cylinder", None).expect("a case");
     let (discretisation, run) = solved(&case, &Formulation::verification());
-    let truth = Truth::of(case).expect("solved");
+    let truth = truth("cylinder");
     let text = vtu::text(&discretisation, &run).expect("written").replace("contact_gap", "other");
-    let found = judged_as(&truth, "ours.vtu", &text, &moved());
+    let found = judged_as(truth, "ours.vtu", &text, &moved());
     assert!(found.met(), "{:?}", failed(&found));
     let all: Vec<String> = found.ruled[0].judged.iter().map(|one| one.check.quantity.to_string()).collect();
     assert!(all.iter().any(|name| name.contains("penetration")), "{all:?}");
     // Displacements without their load leave the bodies apart.
     let apart = text.replace("displacement", "another");
-    let apart = judged_as(&truth, "ours.vtu", &apart, &moved());
+    let apart = judged_as(truth, "ours.vtu", &apart, &moved());
     assert!(apart.ruled[0].missing.iter().any(|[what, _]| what.contains("penetration")));
     let nothing = text.replace("contact_pressure", "another");
     let read = read(&truth.case, "ours.vtu", nothing, &moved());
@@ -147,33 +140,29 @@ fn pressures_of_stresses_and_gaps_of_displacements_are_taken_where_no_field_tell
 
 #[test]
 fn export_writes_all_that_is_needed_and_its_answers_are_met() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let scene = format!("{}/tests/cases/cylinder-on-block.toml", root().display());
+    let folder = Folder::made();
+    let scene = scene("cylinder-on-block");
     for (case, stem) in [("cylinder", "cylinder"), (scene.as_str(), "cylinder-on-block")] {
-        let to = folder.path().join(stem).display().to_string();
+        let to = folder.at(stem);
         let (sound, printed, error) = contact_vv(&["export", case, &to]);
         assert!(sound, "{error}");
         for name in [".md", ".msh", ".inp", ".vtu"].map(|end| format!("{stem}{end}")) {
             assert!(printed.contains(&name) && Path::new(&to).join(&name).is_file(), "{name}: {printed}");
         }
-        let (ours, empty) = (format!("{to}/ours.json"), format!("{to}/answer.json"));
-        let (sound, table, error) = contact_vv(&["judge", case, &ours]);
-        assert!(sound && table.contains("meets all"), "{table}{error}");
-        let (sound, table, error) = contact_vv(&["judge", case, &format!("{to}/ours.csv"), "--order", "2"]);
-        assert!(sound && table.contains("meets all"), "{table}{error}");
+        let [json, csv, empty] = ["ours.json", "ours.csv", "answer.json"].map(|name| format!("{to}/{name}"));
+        let (sound, table, error) = contact_vv(&["judge", case, &json, &csv, "--order", "2"]);
+        assert!(sound && table.matches("meets all").count() == 2, "{table}{error}");
         refuses(&["judge", case, &empty], &["neither pressures nor forces"]);
     }
 }
 
 #[test]
 fn files_of_a_scene_whose_name_no_code_can_type_are_called_case() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let scene = folder.path().join("цилиндр.toml");
-    std::fs::write(&scene, Template::Cylinder.text()).expect("written");
-    let to = folder.path().join("to").display().to_string();
-    let (sound, printed, error) = contact_vv(&["export", &scene.display().to_string(), &to]);
+    let folder = Folder::made();
+    let (scene, to) = (folder.with("цилиндр.toml", Template::Cylinder.text()), folder.at("to"));
+    let (sound, printed, error) = contact_vv(&["export", &scene, &to]);
     assert!(sound && printed.contains("case.inp") && !printed.contains("/-"), "{printed}{error}");
-    let (sound, table, error) = contact_vv(&["judge", &scene.display().to_string(), &format!("{to}/ours.csv")]);
+    let (sound, table, error) = contact_vv(&["judge", &scene, &format!("{to}/ours.csv")]);
     assert!(sound && table.contains("meets all"), "{table}{error}");
 }
 
@@ -223,9 +212,8 @@ growth = { along = 1.0, depth = 1.0, coarsest = 5.0 }
 
 #[test]
 fn our_answer_to_contacts_along_an_arc_and_a_line_is_read_back_in_their_own_units() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let [scene, to] = ["mixed.toml", "to"].map(|name| folder.path().join(name).display().to_string());
-    std::fs::write(&scene, ARC_AND_LINE).expect("written");
+    let folder = Folder::made();
+    let (scene, to) = (folder.with("mixed.toml", ARC_AND_LINE), folder.at("to"));
     let (sound, _, error) = contact_vv(&["export", &scene, &to]);
     assert!(sound, "{error}");
     for (name, options) in [("ours.json", &[][..]), ("ours.csv", &["--order", "2"])] {
@@ -256,8 +244,8 @@ fn bodies_and_contacts_whose_names_a_deck_cannot_tell_apart_have_their_numbers_i
         assert_eq!(all.len(), count, "{all:?}");
     }
     // Lamé's pressure of the rings, plane stress, and N/A of the block: 2 · 1000 N on 2 · 20 mm².
-    let folder = tempfile::tempdir().expect("a folder");
-    std::fs::write(folder.path().join("mixed.inp"), text).expect("written");
+    let folder = Folder::made();
+    folder.with("mixed.inp", text);
     if ccx(folder.path(), "mixed").is_none() {
         return;
     }
@@ -413,35 +401,30 @@ fn ccx(folder: &Path, job: &str) -> Option<()> {
 
 #[test]
 fn exported_decks_are_solved_by_calculix_where_it_is_installed_and_meet_the_truth() {
-    let folder = tempfile::tempdir().expect("a folder");
+    let folder = Folder::made();
     // Of cells much smaller than the thickness in plane stress; of a body that nothing holds before the first contact.
-    let [pin, patch] = ["rigid-pin", "patch"];
-    let file = format!("{}/tests/cases/{pin}.toml", root().display());
-    for name in ["cylinder", "bars", patch, pin] {
-        let case = if name == pin { Case::read(Path::new(&file)) } else { find(name, None) };
-        let mut case = case.expect("a case");
-        case.resolution.elements /= if name == pin { 2 } else { 1 };
-        let discretisation = Discretisation::of(case.scene.clone(), case.resolution).expect("meshed");
-        std::fs::write(folder.path().join(format!("{name}.inp")), deck::text(&discretisation).expect("written"))
-            .expect("written");
+    for (name, coarser) in [("cylinder", 1), ("bars", 1), ("patch", 1), ("rigid-pin", 4)] {
+        let truth = truth(name);
+        let elements = truth.case.resolution.elements / coarser;
+        let resolution = Resolution { elements, ..truth.case.resolution };
+        let discretisation = Discretisation::of(truth.case.scene.clone(), resolution).expect("meshed");
+        folder.with(&format!("{name}.inp"), deck::text(&discretisation).expect("written"));
         if ccx(folder.path(), name).is_none() {
             return;
         }
-        let truth = Truth::of(case).expect("solved");
         let file = folder.path().join(format!("{name}.dat"));
         let answer = read::read(&file, &truth.case, &Asked::default()).expect("read");
-        let found = verdicts(&truth, answer, ENGINEERING).expect("judged");
+        let found = verdicts(truth, answer, ENGINEERING).expect("judged");
         assert!(found.met(), "{name}: {:?}", failed(&found));
     }
 }
 
 #[test]
 fn exported_scripts_solve_the_case_where_their_codes_are_installed_and_meet_its_truth() {
-    let case = find("truncated-hertz", None).expect("a case");
-    let truth = Truth::of(case.clone()).expect("a truth");
-    let folder = tempfile::tempdir().expect("a folder");
-    for (name, text, _) in contact_vv::cli::export::files(&case, false).expect("exported") {
-        std::fs::write(folder.path().join(name), text).expect("written");
+    let truth = truth("truncated-hertz");
+    let folder = Folder::made();
+    for (name, text, _) in contact_vv::cli::export::files(&truth.case, false).expect("exported") {
+        folder.with(&name, text);
     }
     for (script, method) in [("run_getfem.py", "basic"), ("run_dolfinx.py", "active-set"), ("run_calculix.py", "gaps")]
     {
@@ -455,7 +438,7 @@ fn exported_scripts_solve_the_case_where_their_codes_are_installed_and_meet_its_
         let told: serde_json::Value =
             serde_json::from_slice(&run.stdout).unwrap_or_else(|_| panic!("{}", String::from_utf8_lossy(&run.stderr)));
         let file = folder.path().join(told["file"].as_str().expect("a file"));
-        let answer = read::read(&file, &case, &Asked::default()).expect("read");
-        assert!(verdicts(&truth, answer, ENGINEERING).expect("judged").met(), "{}", script.display());
+        let answer = read::read(&file, &truth.case, &Asked::default()).expect("read");
+        assert!(verdicts(truth, answer, ENGINEERING).expect("judged").met(), "{}", script.display());
     }
 }

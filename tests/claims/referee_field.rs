@@ -1,10 +1,7 @@
 //! Displacements that are handed in with their mesh are judged by equilibrium, energy and what a scene file declares.
 
-use std::path::Path;
-
 use contact_vv::case::library::{NAMES, find};
 use contact_vv::case::{Case, Verdict};
-use contact_vv::checkout::root;
 use contact_vv::cli::vtu;
 use contact_vv::mesh::{Order, Resolution};
 use contact_vv::referee::field::Field;
@@ -14,6 +11,8 @@ use contact_vv::referee::{Answer, Truth};
 use contact_vv::solve::Discretisation;
 
 use crate::handed::{failed, judged, moved, read};
+use crate::scene_file::{self, text_of};
+use crate::workbench::parsed;
 
 /// Our own fields on the mesh of a case, as a text.
 fn own(case: &Case) -> String {
@@ -190,20 +189,17 @@ fn thin_cells_beside_another_body_move_their_own_body() {
 
 #[test]
 fn displacements_approaches_and_shears_that_a_scene_file_declares_are_judged_and_found_wrong() {
-    let folder = format!("{}/tests/cases", root().display());
     for (file, what) in [
         ("eccentric-load", "displacement"),
         ("two-cylinders", "largest shear stress"),
         ("press-fit", "reaction"),
         ("roller-between-plates", "strain energy"),
     ] {
-        assert_judged(Case::read(Path::new(&format!("{folder}/{file}.toml"))).expect("a case"), what);
+        assert_judged(scene_file::case(file), what);
     }
-    let scratch = tempfile::tempdir().expect("a folder");
-    let file = scratch.path().join("approach.toml");
-    let blocks = std::fs::read_to_string(format!("{folder}/blocks.toml")).expect("blocks");
-    std::fs::write(&file, format!("{blocks}\n{APPROACH}")).expect("written");
-    assert_judged(Case::read(&file).expect("a case"), "approach");
+    let mut blocks = parsed(&format!("{}\n{APPROACH}", text_of("blocks.toml")));
+    blocks.name = "approach".into();
+    assert_judged(blocks, "approach");
 }
 
 /// Blocks that cannot widen come nearer by their gap and `p (h₁/M₁ + h₂/M₂)`, `M = E (1 − ν)/((1 + ν)(1 − 2ν))`.

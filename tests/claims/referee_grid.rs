@@ -3,14 +3,14 @@
 use contact_vv::case::Case;
 use contact_vv::case::library::find;
 use contact_vv::error::Error;
+use contact_vv::referee::Answer;
 use contact_vv::referee::units::Role;
-use contact_vv::referee::{Answer, Truth};
 use contact_vv::solve::{Discretisation, Run};
 
 use crate::handed::{self, in_units, judged, moved};
 use crate::referee_readers::{ellipse, vtk};
 use crate::referee_wild::{parsed, usual};
-use crate::workbench::refused;
+use crate::workbench::{refused, truth};
 
 /// An array of a VTU file, written out.
 fn array(name: &str, kind: &str, components: usize, data: &str) -> String {
@@ -69,7 +69,7 @@ fn cells_with_points_of_their_own_are_judged_by_the_means_at_each_place() {
     for name in ["truncated-hertz", "bars"] {
         let case = find(name, None).expect("a case");
         let (meshed, run) = case.solve().expect("solved");
-        let (discretisation, truth) = (&meshed.discretisation, Truth::of(case.clone()).expect("a truth"));
+        let discretisation = &meshed.discretisation;
         let answer = read(&case, &grid(discretisation, &run, 0.0, false)).expect("read");
         let own = run.solution.points_of(0);
         assert_eq!(answer.contacts[0].points.len(), own.len(), "{name}");
@@ -82,7 +82,7 @@ fn cells_with_points_of_their_own_are_judged_by_the_means_at_each_place() {
             "{name}: {:?}",
             answer.read
         );
-        assert!(judged(&truth, answer).met(), "{name}");
+        assert!(judged(truth(name), answer).met(), "{name}");
         // Corners have the pressures of two cells each, of which one is too large and one too small.
         let swaying = read(&case, &grid(discretisation, &run, 0.1, false)).expect("read");
         let corners = swaying.contacts[0].points.iter().zip(own).step_by(2).skip(1);

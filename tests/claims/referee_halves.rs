@@ -110,8 +110,8 @@ fn angles_from_another_line_than_the_load_line_are_named_with_it() {
 #[test]
 fn positions_of_a_contact_that_is_not_symmetric_with_the_other_sign_are_named() {
     // N/A + 6 M/(t b²) x/b of a block under a force and a moment: 100 + 4 x, from x = -10 to 10.
-    let truth = Truth::of(crate::workbench::parsed(&crate::scene_file::text_of("moment.toml"))).expect("solved");
+    let truth = truth("moment");
     let rows = |sign: f64| (-10..=10).map(f64::from).map(|x| [x, 100.0 + 4.0 * sign * x]).collect::<Vec<_>>();
-    assert_eq!(says(&truth, PRESSURES, rows(1.0)), [""; 0]);
-    assert_eq!(says(&truth, PRESSURES, rows(-1.0)), ["positions run the other way: change their sign"]);
+    assert_eq!(says(truth, PRESSURES, rows(1.0)), [""; 0]);
+    assert_eq!(says(truth, PRESSURES, rows(-1.0)), ["positions run the other way: change their sign"]);
 }

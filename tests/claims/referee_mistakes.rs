@@ -1,7 +1,6 @@
 //! Every usual mistake, made in a closed form, is named as what it is.
 
 use contact_vv::case::Case;
-use contact_vv::case::library::find;
 use contact_vv::checkout::root;
 use contact_vv::measure::Quantity;
 use contact_vv::mesh::Order;
@@ -9,6 +8,7 @@ use contact_vv::referee::judge::ENGINEERING;
 use contact_vv::referee::{Asked, Truth, verdicts};
 
 use crate::handed::{PRESSURES, judged_as, read, table};
+use crate::workbench;
 
 /// The scene `tiny`, in another plane hypothesis and thickness.
 fn scene(plane: &str, thickness: f64) -> Truth {
@@ -198,14 +198,14 @@ fn forces_are_what_they_are_where_their_positions_are_others() {
 
 #[test]
 fn twice_the_pressure_is_twice_the_load_where_that_does_not_change_the_width() {
-    let truth = Truth::of(find("flat-punch", None).expect("a case")).expect("solved");
+    let truth = workbench::truth("flat-punch");
     let end = truth.run.contacts[0].measures.edge();
     let row = |k: i32| {
         let s = end * f64::from(k) / 160.0;
         [s, 2.0 * truth.pressure(0, s.min(0.998 * end))]
     };
     let text = table(PRESSURES, (0..=160).map(row));
-    let found = verdicts(&truth, read(&truth.case, "theirs.csv", text, &Asked::default()).expect("read"), 5e-2);
+    let found = verdicts(truth, read(&truth.case, "theirs.csv", text, &Asked::default()).expect("read"), 5e-2);
     assert_named(&found.expect("judged").mistakes, &["the load is twice the scene's"], "punch");
 }
 
@@ -251,7 +251,7 @@ fn profiles_that_are_moved_or_of_which_half_is_missing_are_named_with_the_way() 
 
 #[test]
 fn angles_and_pressures_of_a_press_fit_in_other_units_are_named() {
-    let truth = Truth::of(find("press-fit", None).expect("a case")).expect("solved");
+    let truth = workbench::truth("press-fit");
     let pressure = truth.pressure(0, 0.5);
     let rows = |place: f64, times: f64| -> Vec<[f64; 2]> {
         (0..=18).map(|k| [place * 5.0 * f64::from(k), times * pressure]).collect()
@@ -266,7 +266,7 @@ fn angles_and_pressures_of_a_press_fit_in_other_units_are_named() {
         let text = table("position [deg],pressure [MPa]", rows);
         let answer = read(&truth.case, "theirs.csv", text, &Asked::default()).expect("read");
         // What ends under pressure is refused, with what explains it.
-        let named = match verdicts(&truth, answer, ENGINEERING) {
+        let named = match verdicts(truth, answer, ENGINEERING) {
             Ok(found) => found.mistakes.join("; "),
             Err(error) => error.to_string(),
         };

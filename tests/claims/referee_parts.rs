@@ -1,17 +1,17 @@
 //! What is left out of an answer, stands there of another contact, or hides behind something else is named, and never judged as the whole.
 
 use contact_vv::case::Case;
-use contact_vv::case::library::find;
 use contact_vv::checkout::root;
 use contact_vv::referee::judge::TENSION;
 use contact_vv::referee::units::Role;
 use contact_vv::referee::{Asked, Truth};
 use contact_vv::solve::{Discretisation, Formulation, Run};
+use serde_json::{Value, json};
 
-use crate::handed::{PRESSURES, failed, judged_as, read, table};
+use crate::handed::{PRESSURES, document, failed, judged_as, read, table};
 use crate::referee_readers::{Frd, ellipse, vtk};
 use crate::referee_wild::{judged, parsed, refused, usual};
-use crate::workbench;
+use crate::workbench::{self, truth};
 
 #[test]
 fn a_table_goes_on_behind_a_comment_where_its_places_go_on() {
@@ -103,10 +103,8 @@ fn areas_where_something_presses_are_positive() {
     assert!(parsed("theirs.csv", table("1"), &usual()).is_ok());
     for (area, named) in [("-1", "the area at 0 mm is -1"), ("0", "the area at 1.000 mm is 0")] {
         refused("theirs.csv", table(area), &usual(), &[named, "positive"]);
-        let lists = "\"position\":[0,1,2],\"pressure\":[3,2,0]";
-        let text = format!(
-            "{{\"units\":{{\"position\":\"mm\",\"pressure\":\"MPa\",\"area\":\"mm2\"}},\"contacts\":[{{{lists},\"area\":[{area},{area},0]}}]}}"
-        );
+        let area: f64 = area.parse().expect("a number");
+        let text = document(json!({ "position": [0, 1, 2], "pressure": [3, 2, 0], "area": [area, area, 0.0] }));
         refused("theirs.json", &text, &usual(), &[named, "positive"]);
     }
 }
@@ -122,23 +120,16 @@ fn of_several_contacts_the_one_that_is_asked_for_is_read() {
     refused("theirs.csv", &text, &asked("other"), &["there is no contact `other`"]);
     let text = "position [mm],pressure [MPa],contact\n0,7,other\n1,5,other\n2,0,other\n";
     refused("theirs.csv", text, &asked("block on rigid"), &["no line of contact `block on rigid`"]);
-    let one = "\"position\":[0,1,2],\"pressure\":[3,2,0]";
-    let text = format!(
-        "{{\"units\":{{\"position\":\"mm\",\"pressure\":\"MPa\"}},\"contacts\":[{{\"name\":\"other\",{one}}}]}}"
-    );
+    let text = document(json!({ "name": "other", "position": [0, 1, 2], "pressure": [3, 2, 0] }));
     refused("theirs.json", &text, &asked("block on rigid"), &["there is none of the name `block on rigid`"]);
 }
 
 #[test]
 fn edges_of_a_document_reach_from_its_first_point_to_its_last() {
     let text = |edges: &[[f64; 2]]| {
-        let edges = edges
-            .iter()
-            .map(|[from, to]| format!("{{\"from\":{from},\"to\":{to},\"area\":{},\"pressure\":2}}", to - from));
-        let edges = edges.collect::<Vec<_>>().join(",");
-        format!(
-            "{{\"units\":{{\"position\":\"mm\",\"pressure\":\"MPa\",\"area\":\"mm2\"}},\"contacts\":[{{\"position\":[0,1,2],\"pressure\":[3,2,1],\"edges\":[{edges}]}}]}}"
-        )
+        let edge = |[from, to]: &[f64; 2]| json!({ "from": from, "to": to, "area": to - from, "pressure": 2 });
+        let edges: Value = edges.iter().map(edge).collect();
+        document(json!({ "position": [0, 1, 2], "pressure": [3, 2, 1], "edges": edges }))
     };
     assert!(parsed("theirs.json", text(&[[0.0, 1.0], [1.0, 2.0]]), &usual()).is_ok());
     for (edges, named) in [
@@ -151,7 +142,7 @@ fn edges_of_a_document_reach_from_its_first_point_to_its_last() {
     ] {
         refused("theirs.json", text(edges), &usual(), &["contacts[0].edges", named]);
     }
-    let twice = text(&[[0.0, 1.0], [1.0, 2.0]]).replace("\"area\":1", "\"area\":2");
+    let twice = text(&[[0.0, 1.0], [1.0, 2.0]]).replace("\"area\":1.0", "\"area\":2.0");
     refused("theirs.json", &twice, &usual(), &["contacts[0].edges", "the area of the one from 0 is 2"]);
 }
 
@@ -182,7 +173,7 @@ fn displacements_that_are_no_numbers_are_named_with_their_node() {
     let columns = vec![(Role::Displacement, "moved".to_owned())];
     let units = [usual().units, vec![(Role::Displacement, "mm".to_owned())]].concat();
     let asked = Asked { columns, units, ..usual() };
-    let text = vtk::ascii(&|s| format!("{:e}", ellipse::pressure(s)));
+    let text = vtk::plain();
     assert!(parsed("theirs.vtk", &text, &asked).is_ok());
     let spoiled = text.replacen("VECTORS moved float\n1 2 3\n1 2 3\n", "VECTORS moved float\n1 2 3\n1 nan 3\n", 1);
     refused("theirs.vtk", &spoiled, &asked, &["`moved` is NaN at node 1"]);
@@ -206,19 +197,13 @@ fn pressures_without_a_limit_that_alternate_are_no_answer() {
     assert!(alternates(&|k| if k == 150 { 0.0 } else { 1.0 }));
 }
 
-/// The truth of a case of the library, or of a scene file.
-fn truth(name: &str) -> Truth {
-    let case = find(name, None).or_else(|_| Case::read(&root().join(format!("tests/cases/{name}.toml"))));
-    Truth::of(case.expect("known")).expect("solved")
-}
-
 #[test]
 fn a_cone_is_judged_by_its_profile_though_its_tip_has_no_limit() {
     let truth = truth("cone");
     let places: Vec<f64> = (1..=160).map(|k| 2.5 * f64::from(k) / 80.0).collect();
     let judged = |pressure: &dyn Fn(f64) -> f64| {
         let rows = places.iter().map(|&r| [r, if r < 2.5 { pressure(r) } else { 0.0 }]);
-        failed(&judged_as(&truth, "cone.csv", &table(PRESSURES, rows), &Asked::default()))
+        failed(&judged_as(truth, "cone.csv", &table(PRESSURES, rows), &Asked::default()))
     };
     assert_eq!(judged(&|r| truth.pressure(0, r)), [""; 0]);
     // A paraboloid of pressures with the same force and radius.
@@ -235,15 +220,15 @@ fn forces_and_pressures_of_the_pressed_nodes_alone_are_those_of_all() {
         let pressed: Vec<[f64; 2]> = nodes.filter(|[_, pressure]| *pressure > 0.0).collect();
         let force = |[s, p]: &[f64; 2]| [*s, p * step * if *s > 0.0 { 1.0 } else { 0.5 }];
         let forces = table("position [mm],force [N]", pressed.iter().map(force));
-        assert_eq!(failed(&judged_as(&truth, "forces.csv", &forces, &Asked::default())), [""; 0], "{step}");
+        assert_eq!(failed(&judged_as(truth, "forces.csv", &forces, &Asked::default())), [""; 0], "{step}");
         // On both sides, with the first point a rounding off the line, or without.
         let whole =
             pressed.iter().rev().filter(|[s, _]| *s > 0.0).map(|[s, p]| [-s, *p]).chain(pressed.iter().copied());
         let whole = table("position [mm],force [N]", whole.map(|[s, p]| [s, p * step]));
-        assert_eq!(failed(&judged_as(&truth, "whole.csv", &whole, &Asked::default())), [""; 0], "{step}");
+        assert_eq!(failed(&judged_as(truth, "whole.csv", &whole, &Asked::default())), [""; 0], "{step}");
         for beside in [-1e-8, 1e-8] {
             let rows = pressed.iter().map(|&[s, p]| [if s > 0.0 { s } else { beside }, p]);
-            let found = judged_as(&truth, "pressed.csv", &table(PRESSURES, rows), &Asked::default());
+            let found = judged_as(truth, "pressed.csv", &table(PRESSURES, rows), &Asked::default());
             assert_eq!(failed(&found), [""; 0], "{step}, {beside}");
         }
     }
@@ -252,7 +237,7 @@ fn forces_and_pressures_of_the_pressed_nodes_alone_are_those_of_all() {
 #[test]
 fn pressed_nodes_of_which_the_next_one_lies_at_the_end_are_those_of_all() {
     for (name, peak) in [("cylinder", 5769.23), ("sphere", 7345.61)] {
-        let truth = workbench::truth(name);
+        let truth = truth(name);
         for edges in [24, 32, 48] {
             let place = |k: i32| 2.5 * f64::from(k) / f64::from(edges);
             let hertz = |s: f64| peak * (1.0 - (s / 2.5).powi(2)).sqrt();
@@ -278,14 +263,14 @@ fn points_of_another_order_and_areas_of_others_are_named_and_single_points_are_n
         assert!(!found.met());
         found.mistakes.join("; ")
     };
-    let punch = workbench::truth("flat-punch");
+    let punch = truth("flat-punch");
     let mesh = Discretisation::of(punch.case.scene.clone(), punch.case.resolution).expect("meshed");
     let run = Run::of(&mesh, &Formulation::verification()).expect("solved");
     let rows =
         run.solution.points_of(0).iter().map(|point| format!("{},{}\n", point.position, point.pressure)).collect();
     let by_order = "every second point is a mid-side: hand them in with --order 2";
     assert_eq!(said(punch, PRESSURES, rows), by_order);
-    let hertz = workbench::truth("cylinder");
+    let hertz = truth("cylinder");
     let rows = |of: &dyn Fn(usize, f64) -> String| -> String {
         let place = |k: usize| 5.0 * k as f64 / 48.0;
         let pressure = |s: f64| 5769.23 * (1.0 - (s / 2.5).powi(2)).max(0.0).sqrt();
@@ -315,7 +300,7 @@ fn points_of_another_order_and_areas_of_others_are_named_and_single_points_are_n
 #[test]
 fn areas_of_corners_and_mid_sides_tell_that_edges_have_three_nodes() {
     // N/A of a block under its own weight, by consistent pressures: a third of 0.94 and two of 1.03.
-    let truth = workbench::truth("own-weight");
+    let truth = truth("own-weight");
     let rows = |share: [f64; 3]| {
         let area = |k: usize| {
             5.0 * if !k.is_multiple_of(2) {
@@ -358,30 +343,20 @@ fn tension_that_stresses_have_beside_a_contact_is_none_whatever_they_are_read_fr
 
 #[test]
 fn points_beside_means_over_edges_are_said_not_to_be_judged_and_no_gap_is_none_beyond_a_pressed_node() {
-    let list = |of: &dyn Fn(usize) -> String| (0..ellipse::NODES).map(of).collect::<Vec<_>>().join(",");
-    let pressure = |k: usize| ellipse::pressure(ellipse::place(k));
-    let edge = |k: usize| {
-        let [from, to] = [k, k + 1].map(ellipse::place);
-        let mean = 0.5 * (pressure(k) + pressure(k + 1));
-        format!("{{\"from\":{from},\"to\":{to},\"area\":{},\"pressure\":{mean}}}", to - from)
+    let found = |share: f64, name: &str, more: Value| {
+        let mut pressures = ellipse::list(ellipse::pressure);
+        pressures.iter_mut().enumerate().for_each(|(k, p)| *p *= if k % 2 == 0 { 1.0 + share } else { 1.0 - share });
+        let mut contact = json!({ "position": ellipse::list(|s| s), "pressure": pressures });
+        contact[name] = more;
+        judged(parsed("theirs.json", document(contact), &usual()).expect("read")).expect("judged")
     };
-    let edges = (0..ellipse::NODES - 1).map(edge).collect::<Vec<_>>().join(",");
-    let found = |share: f64, more: &str| {
-        let turned = |k: usize| pressure(k) * if k.is_multiple_of(2) { 1.0 + share } else { 1.0 - share };
-        let text = format!(
-            "{{\"units\":{{\"position\":\"mm\",\"pressure\":\"MPa\",\"area\":\"mm2\",\"gap\":\"mm\"}},\"contacts\":[{{\"position\":[{}],\"pressure\":[{}]{more}}}]}}",
-            list(&|k| ellipse::place(k).to_string()),
-            list(&|k| turned(k).to_string())
-        );
-        judged(parsed("theirs.json", text, &usual()).expect("read")).expect("judged")
-    };
-    let means = format!(",\"edges\":[{edges}]");
     let is_said = |one: &[String; 2]| one[0] == "pressures at single points";
-    assert!(found(0.3, &means).ruled[0].missing.iter().any(is_said));
-    assert!(!found(0.0, "").ruled[0].missing.iter().any(is_said));
+    assert!(found(0.3, "edges", ellipse::edges(1.0)).ruled[0].missing.iter().any(is_said));
     // Beyond the contact, at 2 mm, there is no other side.
-    let none = list(&|k| if pressure(k) > 0.0 { "0".into() } else { "null".to_owned() });
-    assert_eq!(failed(&found(0.0, &format!(",\"gap\":[{none}]"))), [""; 0]);
+    let none = ellipse::list(|s| if ellipse::pressure(s) > 0.0 { 0.0 } else { f64::NAN });
+    let plain = found(0.0, "gap", json!(none));
+    assert!(!plain.ruled[0].missing.iter().any(is_said));
+    assert_eq!(failed(&plain), [""; 0]);
 }
 
 #[test]
@@ -402,10 +377,10 @@ fn uniform_and_linear_pressures_are_judged_by_few_points_on_either_side() {
     let ring = (-30..=30).map(|k| [3.0 * f64::from(k), 12.7065]);
     let ring = table("position [deg],pressure [MPa]", ring);
     let fit = truth("press-fit");
-    assert_eq!(failed(&judged_as(&fit, "ring.csv", &ring, &Asked::default())), [""; 0]);
+    assert_eq!(failed(&judged_as(fit, "ring.csv", &ring, &Asked::default())), [""; 0]);
     for places in [-60..=60, 0..=60, 0..=120] {
         let whole = table("position [deg],pressure [MPa]", places.map(|k| [3.0 * f64::from(k), 12.7065]));
-        let said = judged_as(&fit, "whole.csv", &whole, &Asked::default()).mistakes;
+        let said = judged_as(fit, "whole.csv", &whole, &Asked::default()).mistakes;
         let part = "the scene has a part of the ring: hand in its points up to 90.0000°";
         assert!(said.iter().any(|one| one == part) && !said.iter().any(|one| one.contains("doubled")), "{said:?}");
     }
@@ -413,24 +388,24 @@ fn uniform_and_linear_pressures_are_judged_by_few_points_on_either_side() {
     for places in [-9..9, 0..9] {
         let middles = places.map(|k| [5.0 + 10.0 * f64::from(k), 12.7065]);
         let middles = table("position [deg],pressure [MPa]", middles);
-        assert_eq!(failed(&judged_as(&fit, "middles.csv", &middles, &Asked::default())), [""; 0]);
+        assert_eq!(failed(&judged_as(fit, "middles.csv", &middles, &Asked::default())), [""; 0]);
     }
     // A column `contact` of one contact may tell its status; twice the pressure is no load where there is none, and 2 % more is no shift.
     let hertz = truth("truncated-hertz");
     let places = || (0..=60).map(|k| 0.05 * f64::from(k));
     let rows: String = places().map(|s| format!("{s},{},Sticking\n", hertz.pressure(0, s))).collect();
     let sticking = format!("{PRESSURES},contact\n{rows}");
-    assert_eq!(failed(&judged_as(&hertz, "status.csv", &sticking, &Asked::default())), [""; 0]);
+    assert_eq!(failed(&judged_as(hertz, "status.csv", &sticking, &Asked::default())), [""; 0]);
     let wider = table(PRESSURES, places().map(|s| [1.02 * s, hertz.pressure(0, s)]));
-    let said = judged_as(&hertz, "wider.csv", &wider, &Asked::default()).mistakes;
+    let said = judged_as(hertz, "wider.csv", &wider, &Asked::default()).mistakes;
     assert!(!said.iter().any(|one| one.contains("shifted")), "{said:?}");
     let doubled = (0..=30).map(|k| [3.0 * f64::from(k), 2.0 * 12.7065]);
     let doubled = table("position [deg],pressure [MPa]", doubled);
-    let said = judged_as(&truth("press-fit"), "doubled.csv", &doubled, &Asked::default()).mistakes;
+    let said = judged_as(truth("press-fit"), "doubled.csv", &doubled, &Asked::default()).mistakes;
     assert!(said.iter().any(|one| one.starts_with("the interference is twice")), "{said:?}");
     assert!(!said.iter().any(|one| one.contains("load")), "{said:?}");
     let linear = table(PRESSURES, [[-10.0, 60.0], [0.0, 100.0], [10.0, 140.0]]);
-    let found = failed(&judged_as(&truth("eccentric-load"), "linear.csv", &linear, &Asked::default()));
+    let found = failed(&judged_as(truth("eccentric-load"), "linear.csv", &linear, &Asked::default()));
     assert!(!found.iter().any(|name| name.starts_with("peak")), "{found:?}");
 }
 

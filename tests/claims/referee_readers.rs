@@ -59,6 +59,21 @@ pub mod ellipse {
         (0..NODES).map(row).collect()
     }
 
+    /// A number of every node.
+    pub fn list(of: impl Fn(f64) -> f64) -> Vec<f64> {
+        (0..NODES).map(|k| of(place(k))).collect()
+    }
+
+    /// The edges of a document, with means of straight lines between so many times the pressures.
+    pub fn edges(times: f64) -> serde_json::Value {
+        let edge = |k: usize| {
+            let [from, to] = [k, k + 1].map(place);
+            let mean = 0.5 * times * (pressure(from) + pressure(to));
+            serde_json::json!({ "from": from, "to": to, "area": to - from, "pressure": mean })
+        };
+        (0..NODES - 1).map(edge).collect()
+    }
+
     pub fn text() -> String {
         format!("position [mm],pressure [MPa]\n{}", rows(",", |x| x.to_string()))
     }
@@ -96,12 +111,17 @@ fn mesh() -> (Vec<[f64; 2]>, Vec<[usize; 4]>) {
 pub mod vtk {
     use super::*;
 
-    /// Version 5.1, with pressures as they are written.
+    /// The ellipse in version 5.1.
+    pub fn plain() -> String {
+        points(&|x, y| [x, y])
+    }
+
+    /// With pressures as they are written.
     pub fn ascii(written: &dyn Fn(f64) -> String) -> String {
         text(true, &|x, y| [x, y], written)
     }
 
-    /// The same with points elsewhere.
+    /// With points elsewhere.
     pub fn points(moved: &dyn Fn(f64, f64) -> [f64; 2]) -> String {
         text(true, moved, &|s| format!("{:e}", pressure(s)))
     }
@@ -378,7 +398,7 @@ fn fields_in_a_unit(asked: Role, unit: &str, ours: f64) {
     let mut units = usual();
     units.units.iter_mut().filter(|(role, _)| *role == asked).for_each(|(_, own)| *own = unit.into());
     let factor = |role: Role| if role == asked { ours } else { 1.0 };
-    for (name, text) in [("a.vtk", vtk::ascii(&|s| format!("{:e}", pressure(s)))), ("a.frd", Frd::plain().text())] {
+    for (name, text) in [("a.vtk", vtk::plain()), ("a.frd", Frd::plain().text())] {
         let scaled = parsed(name, &text, &units);
         // Only where places are as in the file they lie on the contact side.
         if asked == Role::Position && (ours - 1.0).abs() > 0.0 {

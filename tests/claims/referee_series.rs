@@ -9,6 +9,7 @@ use contact_vv::referee::{Asked, Truth, Verdicts, picture};
 use contact_vv::solve::{Discretisation, Formulation, Run};
 
 use crate::handed::{judged_as, read};
+use crate::workbench::truth;
 
 /// Meshes that are halved, growth and all.
 const HALVED: [(usize, u32); 3] = [(8, 0), (8, 1), (8, 2)];
@@ -37,11 +38,11 @@ fn verdicts_of(series: &Series) -> Vec<&Verdict> {
 #[test]
 fn series_that_goes_elsewhere_is_found_and_one_that_is_not_halved_is_not_extrapolated() {
     let closed = TruncatedHertz::default();
-    let truth = Truth::of(closed.case()).expect("solved");
-    let all = answers(&truth, &HALVED, 1.0);
+    let truth = truth("truncated-hertz");
+    let all = answers(truth, &HALVED, 1.0);
     // Two meshes are a series without a limit, one is none.
-    assert_eq!([1, 2].map(|count| series::all(&truth, &all[..count]).len()), [0, 1]);
-    let right = series::all(&truth, &all).pop().expect("a series");
+    assert_eq!([1, 2].map(|count| series::all(truth, &all[..count]).len()), [0, 1]);
+    let right = series::all(truth, &all).pop().expect("a series");
     for (along, value) in right.along.iter().zip([closed.half_width(), closed.case().reference_pressure(0, 0.0)]) {
         for (own, error) in along.values.iter().zip(&along.errors) {
             assert!((own / value - 1.0 - error).abs() <= 1e-9, "{}: {own}, {error}", along.name);
@@ -49,18 +50,18 @@ fn series_that_goes_elsewhere_is_found_and_one_that_is_not_halved_is_not_extrapo
     }
     assert!(verdicts_of(&right).iter().all(|verdict| **verdict == Verdict::Pass), "{right:?}");
     assert!(right.sizes.windows(2).all(|two| (two[0] / two[1] - 2.0).abs() < 0.1), "{:?}", right.sizes);
-    let elsewhere = series::all(&truth, &answers(&truth, &HALVED, 1.05)).pop().expect("a series");
+    let elsewhere = series::all(truth, &answers(truth, &HALVED, 1.05)).pop().expect("a series");
     let peak = elsewhere.along.iter().find(|one| one.name == "peak pressure").expect("a peak");
     assert_eq!(peak.judged.verdict, Verdict::Fail, "{peak:?}");
-    let uneven = series::all(&truth, &answers(&truth, &[(8, 0), (12, 0), (18, 0)], 1.0)).pop().expect("a series");
+    let uneven = series::all(truth, &answers(truth, &[(8, 0), (12, 0), (18, 0)], 1.0)).pop().expect("a series");
     assert!(verdicts_of(&uneven).iter().all(|verdict| matches!(verdict, Verdict::NotRun(_))), "{uneven:?}");
 }
 
 #[test]
 fn picture_shows_what_was_handed_in_on_the_truth() {
-    let truth = Truth::of(TruncatedHertz::default().case()).expect("solved");
-    let one = &answers(&truth, &[(8, 0)], 1.0)[0];
-    let sheet = picture::sheet(&truth, &one.answer);
+    let truth = truth("truncated-hertz");
+    let one = &answers(truth, &[(8, 0)], 1.0)[0];
+    let sheet = picture::sheet(truth, &one.answer);
     let [pressures, differences] = &sheet.charts[0][..] else { panic!("two charts") };
     assert_eq!(pressures.series[0].points.len(), one.answer.contacts[0].points.len());
     let peak = TruncatedHertz::default().case().reference_pressure(0, 0.0);
@@ -72,10 +73,10 @@ fn picture_shows_what_was_handed_in_on_the_truth() {
 
 #[test]
 fn picture_spans_what_was_handed_in_and_its_axis_what_is_drawn() {
-    let truth = Truth::of(TruncatedHertz::default().case()).expect("solved");
+    let truth = truth("truncated-hertz");
     let text = "position [mm],pressure [MPa]\n-4,-1000\n0,20000\n8,0\n";
     let answer = read(&truth.case, "a.csv", text, &Asked::default()).expect("read");
-    let sheet = picture::sheet(&truth, &answer);
+    let sheet = picture::sheet(truth, &answer);
     let [pressures, differences] = &sheet.charts[0][..] else { panic!("two charts") };
     let places: Vec<f64> = [0, 100, 400].map(|k| pressures.series[1].points[k].0).into();
     assert_eq!(places, [-4.0, -1.0, 8.0]);

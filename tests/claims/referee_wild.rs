@@ -1,6 +1,6 @@
 //! Files as people have them: what they hold is read, whatever its widths, marks and names; what they lack is no zero, and a part is not judged.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 
 use approx::assert_relative_eq;
@@ -16,7 +16,8 @@ use contact_vv::referee::units::Role;
 use contact_vv::referee::{Answer, Asked, Truth, Verdicts, read, verdicts};
 
 use crate::handed::{PRESSURES, failed, in_units, judged_as, read, table};
-use crate::outputs::contact_vv;
+use crate::outputs::{UNITS, contact_vv};
+use crate::program::Folder;
 use crate::referee_readers::{Frd, ellipse, half_width, peak, vtk};
 use crate::scene_file::text_of;
 use crate::workbench;
@@ -30,7 +31,7 @@ pub fn tiny() -> Case {
     Case::read(&folder().join("tiny.toml")).expect("a case")
 }
 
-static TRUTH: LazyLock<Truth> = LazyLock::new(|| Truth::of(tiny()).expect("solved"));
+pub static TRUTH: LazyLock<Truth> = LazyLock::new(|| Truth::of(tiny()).expect("solved"));
 
 /// As the inputs are read.
 pub fn usual() -> Asked {
@@ -272,7 +273,7 @@ fn the_state_that_is_judged_is_printed_named_and_chosen() {
     refused("theirs.frd", two.text(), &Asked { time: Some(3.0), ..usual() }, &["--time or --step", "time 1.7"]);
     for asked in [Asked { step: Some(1), ..usual() }, Asked { time: Some(1.0), ..usual() }] {
         refused("theirs.csv", ellipse::text(), &asked, &["it has one state"]);
-        let grid = vtk::ascii(&|s| format!("{:e}", ellipse::pressure(s)));
+        let grid = vtk::plain();
         refused("theirs.vtk", grid, &asked, &["it has one state"]);
     }
 }
@@ -374,7 +375,7 @@ fn a_unit_that_is_named_against_the_one_of_the_file_is_refused() {
         r#"{"units":{"position":"mm","pressure":"MPa"},"contacts":[{"position":[0,1,2,3],"pressure":[100,86.6,0,0]}]}"#;
     let parts = ["`contacts[0].pressure`", "is in MPa by the file, but in Pa by --unit pressure=Pa"];
     refused("theirs.json", document, &in_units(&[(Role::Pressure, "Pa")]), &parts);
-    let field = vtk::ascii(&|s| format!("{:e}", ellipse::pressure(s))).replace("contact_pressure", "CPRESS[kPa]");
+    let field = vtk::plain().replace("contact_pressure", "CPRESS[kPa]");
     let asked = Asked { columns: vec![(Role::Pressure, "CPRESS[kPa]".into())], ..usual() };
     refused("theirs.vtk", field, &asked, &["`CPRESS[kPa]`", "is in kPa by the file"]);
     // Two names of one unit, and what is no unit.
@@ -418,11 +419,11 @@ fn a_mesh_that_lies_partly_off_the_path_is_not_judged_and_its_unit_is_questioned
 
 #[test]
 fn of_a_collection_the_last_grid_is_judged_or_that_of_a_time() {
-    let folder = tempfile::tempdir().expect("a folder");
+    let folder = Folder::made();
     let case = find("cylinder", None).expect("a case");
     let (meshed, run) = case.solve().expect("solved");
     let text = vtu::text(&meshed.discretisation, &run).expect("written");
-    std::fs::write(folder.path().join("last.vtu"), &text).expect("written");
+    folder.with("last.vtu", &text);
     let entry =
         |time: &str, file: &str| format!("<DataSet timestep=\"{time}\" group=\"\" part=\"0\" file=\"{file}\"/>\n");
     let whole = |entries: &str| {
@@ -457,15 +458,15 @@ fn of_a_collection_the_last_grid_is_judged_or_that_of_a_time() {
     let pieces = |all: &str| {
         format!("<VTKFile type=\"PUnstructuredGrid\"><PUnstructuredGrid>{all}</PUnstructuredGrid></VTKFile>")
     };
-    let whole_grid = folder.path().join("whole.pvtu");
-    std::fs::write(&whole_grid, pieces("<Piece Source=\"last.vtu\"/>")).expect("written");
-    for answer in [read::read(&whole_grid, &case, &usual()), read(&entry("1", "whole.pvtu"), &usual())] {
+    let whole_grid = folder.with("whole.pvtu", pieces("<Piece Source=\"last.vtu\"/>"));
+    let whole_grid = Path::new(&whole_grid);
+    for answer in [read::read(whole_grid, &case, &usual()), read(&entry("1", "whole.pvtu"), &usual())] {
         let points = &answer.unwrap_or_else(|error| panic!("{error}")).contacts[0].points;
         assert_eq!(*points, own.contacts[0].points);
     }
     for several in ["<Piece Source=\"last.vtu\"/>".repeat(2), "<Piece Source=\"whole.pvtu\"/>".into()] {
-        std::fs::write(&whole_grid, pieces(&several)).expect("written");
-        workbench::refused(read::read(&whole_grid, &case, &usual()), &["no unstructured grid in one file", "ParaView"]);
+        folder.with("whole.pvtu", pieces(&several));
+        workbench::refused(read::read(whole_grid, &case, &usual()), &["no unstructured grid in one file", "ParaView"]);
     }
     let early = read(&(series.clone() + &entry("2", "other.vtu")), &at(1.0)).expect("read");
     assert!(early.notes.iter().any(|note| note.contains("goes on to time 2")), "{:?}", early.notes);
@@ -494,20 +495,22 @@ fn row(found: &Verdicts, asked: &Asks) -> Judged {
 fn a_resultant_without_a_load_is_that_of_one_solve_with_its_bar() {
     let text = std::fs::read_to_string(folder().join("2_displacement_driven.toml")).expect("a scene");
     let rows = std::fs::read_to_string(folder().join("2_answer.csv")).expect("an answer");
+    let driven = |elements: &str| {
+        Case::parse(&folder().join("driven.toml"), &text.replace("elements = 3", elements)).expect("read")
+    };
     let mut found = Vec::new();
     for elements in ["elements = 3", "elements = 5"] {
-        let case = Case::parse(&folder().join("driven.toml"), &text.replace("elements = 3", elements)).expect("read");
-        let truth = Truth::of(case).expect("solved");
+        let truth = Truth::of(driven(elements)).expect("solved");
         assert!(!truth.is_told_by_loads(0));
         let judged = judged_as(&truth, "a.csv", &rows, &Asked::default());
         let reference = row(&judged, &Quantity::Resultant.into()).reference;
         assert_ne!(reference.name, "equilibrium with the load");
         found.push((reference.value, truth.ours(0, &Quantity::Resultant).bar));
-        let files = contact_vv::cli::export::files(&truth.case, false).expect("exported");
-        let sheet = std::str::from_utf8(&files[0].1).expect("text");
-        let line = sheet.lines().find(|line| line.contains("| resultant")).expect("a resultant");
-        assert!(line.contains("66.866"), "{line}");
     }
+    let files = contact_vv::cli::export::files(&driven("elements = 3"), false).expect("exported");
+    let sheet = std::str::from_utf8(&files[0].1).expect("text");
+    let line = sheet.lines().find(|line| line.contains("| resultant")).expect("a resultant");
+    assert!(line.contains("66.866"), "{line}");
     for (value, bar) in &found {
         assert!((value - 66.866).abs() <= 1e-3 && *bar <= 1e-2, "{value} ± {bar}");
     }
@@ -645,26 +648,11 @@ fn cells_of_any_order_are_read_and_so_is_what_we_write_of_fitted_meshes() {
     }
     let curved = lagrange(2).replace("70\n", "71\n");
     refused("theirs.vtk", curved, &usual(), &["VTK's type 71", "5, 22, 9, 23, 28 and 70"]);
-    let folder = tempfile::tempdir().expect("a folder");
-    let [scene, fields] = [self::folder().join("tiny.toml"), folder.path().join("ours.vtu")];
-    let [scene, fields] = [&scene, &fields].map(|file| file.display().to_string());
+    let folder = Folder::made();
+    let (scene, fields) = (self::folder().join("tiny.toml").display().to_string(), folder.at("ours.vtu"));
     let (solved, _, error) = contact_vv(&["solve", &scene, "--fitted", "--vtu", &fields]);
-    assert!(solved, "{error}");
-    assert!(std::fs::read_to_string(&fields).expect("written").contains("70"));
-    let units = ["position", "displacement", "gap"].map(|role| format!("{role}=mm"));
-    let (met, text, error) = contact_vv(&[
-        "judge",
-        &scene,
-        &fields,
-        "--unit",
-        &units[0],
-        "--unit",
-        &units[1],
-        "--unit",
-        &units[2],
-        "--unit",
-        "pressure=MPa",
-    ]);
+    assert!(solved && folder.read("ours.vtu").contains("70"), "{error}");
+    let (met, text, error) = contact_vv(&[&["judge", &scene, &fields][..], &UNITS].concat());
     assert!(met, "{text}{error}");
 }
 

@@ -6,7 +6,6 @@ use contact_vv::accuracy::reference::{Answer, Known, answer};
 use contact_vv::case::Verdict;
 use contact_vv::case::library::{Bars, Cylinder, NAMES, PinPlate};
 use contact_vv::checkout::root;
-use contact_vv::cli::new::Template;
 use contact_vv::markdown::significant;
 use contact_vv::measure::{Quantity, relative_error};
 use contact_vv::oracle::cross_code::frozen::hash_of;
@@ -20,6 +19,7 @@ use serde_json::Value;
 
 use crate::outputs::contact_vv;
 use crate::program::Folder;
+use crate::scene_file::text_of;
 use crate::workbench::spoiled;
 
 fn of(known: &[Known], quantity: Quantity) -> &Known {
@@ -128,7 +128,7 @@ fn other_codes_have_answered_cases_of_the_library_and_no_file_of_the_same_name()
     let peak = sheet.values.iter().find(|one| one.quantity == "peak-pressure").expect("a peak");
     assert_eq!(peak.others.len(), 3, "{peak:?}");
     let folder = Folder::made();
-    let file = folder.with("cylinder.toml", Template::Cylinder.text());
+    let file = folder.with("cylinder.toml", text_of("blocks.toml"));
     assert!(contact_vv(&["export", &file, &folder.at("exported")]).0);
     let sheet = folder.read("exported/cylinder.md");
     assert!(sheet.contains("peak-pressure") && !sheet.contains("NGSolve"), "{sheet}");

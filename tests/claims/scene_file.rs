@@ -375,8 +375,11 @@ fn every_new_scene_is_solved_and_its_checks_hold() {
         let (meshed, run) = case.solve().unwrap_or_else(|error| panic!("{name}: {error}"));
         assert!(run.solution.converged(), "{name}: {}", run.solution.outcome);
         let judged = case.judge(&meshed, &run).expect("judged");
-        let (exported, _, error) = contact_vv(&["export", &file, &folder.at(&format!("out/{name}"))]);
-        assert!(exported, "{name}: {error}");
+        // Other claims export cylinders and rollers, whose sheets take seconds each.
+        if !["roller", "profile"].contains(&name) && !name.contains("cylinder") {
+            let (exported, _, error) = contact_vv(&["export", &file, &folder.at(&format!("out/{name}"))]);
+            assert!(exported, "{name}: {error}");
+        }
         assert!(!case.checks.is_empty() && judged.iter().all(|one| one.verdict == Verdict::Pass), "{name}: {judged:?}");
     }
 }

@@ -1,5 +1,7 @@
 //! The paper's statements: each judgement follows its numbers, and a counter-example turns it.
 
+use std::sync::LazyLock;
+
 use contact_vv::algorithm::{Criterion, StiffnessRule};
 use contact_vv::case::library::{cylinder, pin_rod};
 use contact_vv::case::{self, Check, Reference, Verdict};
@@ -166,10 +168,10 @@ fn departures_that_flip_a_sentence_are_told_and_pairs_that_go_another_way_than_t
 }
 
 /// Courses of the nearest reading alone, by every stop.
-fn nearest() -> Vec<Course> {
+static NEAREST: LazyLock<Vec<Course>> = LazyLock::new(|| {
     let by = |stop| Reading { stop, ..Reading::nearest() };
     courses(&Stop::all().into_iter().map(by).collect::<Vec<_>>()).expect("runs")
-}
+});
 
 fn judged(courses: Vec<Course>, sentence: Sentence) -> Judgement {
     let finding = Finding::of("r", "r", paper::Numbers { courses }).expect("judged");
@@ -179,11 +181,10 @@ fn judged(courses: Vec<Course>, sentence: Sentence) -> Judgement {
 
 #[test]
 fn one_start_that_never_ends_turns_the_sentence_on_every_case() {
-    let all = nearest();
-    assert_eq!(judged(all.clone(), Sentence::LineAlways), Judgement::Reproduced);
+    assert_eq!(judged(NEAREST.clone(), Sentence::LineAlways), Judgement::Reproduced);
     let is_line = |course: &&mut Course| course.site.element == Element::Line;
     let lost = |all: &mut Vec<Course>| all.iter_mut().find(is_line).expect("line elements").met[3].fill(None);
-    assert_ne!(judged(workbench::spoiled(&all, lost), Sentence::LineAlways), Judgement::Reproduced);
+    assert_ne!(judged(workbench::spoiled(&NEAREST, lost), Sentence::LineAlways), Judgement::Reproduced);
 }
 
 /// A passed run of a case, of which nothing is told but errors of the kind that statements ask.
@@ -202,7 +203,7 @@ fn off(case: &str, by: [(case::Quantity, f64); 2]) -> Finding {
 
 #[test]
 fn what_is_off_of_hertz_is_told_in_per_cent() {
-    let paper = Finding::of("r", "r", paper::Numbers { courses: nearest() }).expect("judged");
+    let paper = Finding::of("r", "r", paper::Numbers { courses: NEAREST.clone() }).expect("judged");
     // Of a hundred, so that the number is the share in per cent.
     let cylinder =
         off(cylinder::NINE, [(Quantity::PeakPressure.into(), 0.25), (Quantity::SecondMomentWidth.into(), -0.5)]);
@@ -225,7 +226,7 @@ fn run_that_stops_elsewhere_than_its_course_tells_is_red() {
         let judged = paper::Numbers { courses: courses.to_vec() }.judge().expect("judged");
         judged[0].verdict.clone()
     };
-    let all = nearest();
+    let all = NEAREST.clone();
     assert_eq!(verdict(&all), Verdict::Pass);
     assert_eq!(verdict(&[]), Verdict::Fail, "nothing was looked at");
     let first = all.iter().position(|course| course.alone.iter().any(|pair| pair[1].is_some())).expect("one that ends");
@@ -248,7 +249,7 @@ fn run_that_stops_elsewhere_than_its_course_tells_is_red() {
 
 #[test]
 fn statement_on_every_case_is_told_beside_what_the_error_stops() {
-    let finding = Finding::of("r", "r", paper::Numbers { courses: nearest() }).expect("judged");
+    let finding = Finding::of("r", "r", paper::Numbers { courses: NEAREST.clone() }).expect("judged");
     let all = statements::judge(&[finding]);
     let told = all.iter().find(|one| one.text == Sentence::LineAlways.name()).expect("a statement");
     // By hand from the lines of the record: converged, and p₀ and a within 0.3 %.

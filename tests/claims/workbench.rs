@@ -6,7 +6,8 @@ use std::path::Path;
 use std::sync::{Mutex, OnceLock, PoisonError};
 
 use contact_vv::case::library::{
-    Bars, Cylinder, CylinderModel, FlatPunch, Patch, PinPlate, PinRod, PressFit, TruncatedHertz, find, own_weight,
+    Bars, Cylinder, CylinderModel, FlatPunch, NAMES, Patch, PinPlate, PinRod, PressFit, TruncatedHertz, find,
+    own_weight,
 };
 use contact_vv::case::{Case, Judged, Verdict};
 use contact_vv::elasticity::{BodySystem, ElasticSystem, element, quadrature};
@@ -21,16 +22,24 @@ use contact_vv::scene::{
 use contact_vv::solve::{Discretisation, Element, Formulation, Iteration};
 use nalgebra::{DMatrix, DVector};
 
+use crate::scene_file;
+
 pub const STEEL: Material = Material { young: 210e3, poisson: 0.3 };
 pub const ORDERS: [Order; 2] = [Order::Linear, Order::Quadratic];
 
-/// Our answer to a case of the library, solved once for all claims.
+/// Our answer to a case of the library, or to a scene file, solved once for all claims.
 pub fn truth(name: &str) -> &'static Truth {
     static KNOWN: Mutex<BTreeMap<String, &OnceLock<Truth>>> = Mutex::new(BTreeMap::new());
     let mut known = KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
     let one = *known.entry(name.into()).or_insert_with(|| Box::leak(Box::default()));
     drop(known);
-    one.get_or_init(|| Truth::of(find(name, None).expect("a case")).expect("solved"))
+    one.get_or_init(|| Truth::of(find(name, None).unwrap_or_else(|_| scene_file::case(name))).expect("solved"))
+}
+
+/// Every case of the library and every scene file.
+pub fn every_case() -> Vec<Case> {
+    let files = scene_file::files().into_iter().map(|(path, text)| Case::parse(&path, &text).expect("a scene file"));
+    NAMES.iter().map(|(name, _)| find(name, None).expect("a case")).chain(files).collect()
 }
 
 pub fn resolution(elements: usize, refinement: u32, order: Order) -> Resolution {
