@@ -10,7 +10,7 @@ use contact_vv::scene::{
     Action, Body, Component, Ends, Face, Load, Material, Path, Place, Scene, Shape, Support, VectorField,
 };
 use contact_vv::solve::edge_fitted::Answer;
-use contact_vv::solve::{Fitted, Formulation, Run};
+use contact_vv::solve::{Discretisation, Fitted, Formulation, Run};
 use contact_vv::study::fitted::{self, LOADS};
 
 use crate::outputs::json;
@@ -475,7 +475,8 @@ per = 5
     let scene = parsed(text).scene;
     let wanted = [Quantity::PeakPressure, Quantity::HalfWidth, Quantity::SecondMomentWidth];
     // Equal 8-node cells, which know neither of the contact nor of the part.
-    let fine = Run::of(&meshed(scene.clone(), 96, Order::Quadratic), &Formulation::verification()).expect("run");
+    let equal = Discretisation::of(scene.clone(), resolution(12, 3, Order::Quadratic)).expect("meshed");
+    let fine = Run::of(&equal, &Formulation::verification()).expect("run");
     for digits in [2, 4, 6] {
         let answer = solved(Fitted::of_digits(digits), &scene);
         let bars = accuracy::bars(&answer.discretisation, &answer.run, &[]).expect("bars");
