@@ -40,10 +40,25 @@ pub(super) fn towards_ends(mut blocks: Vec<Block>, scene: &Scene, body: usize, o
     blocks = layered(blocks, scene, eye::corner(&scene.bodies[body].shape), layers + AT_CORNER, order);
     for load in &scene.bodies[body].loads {
         if let Load::Force { at, .. } = load {
-            blocks = layered(blocks, scene, Some(*at), layers, order);
+            let cut = layered(blocks.clone(), scene, Some(*at), layers, order);
+            // The long cells of a thin ring bend too much to be cut like this.
+            if !cut.iter().any(|block| folds(block, order)) {
+                blocks = cut;
+            }
         }
     }
     blocks
+}
+
+/// Whether the lattice of a block is turned over somewhere.
+fn folds(block: &Block, order: Order) -> bool {
+    block.lattice(order).windows(2).any(|rows| {
+        rows[0].windows(2).zip(rows[1].windows(2)).any(|(low, high)| {
+            let [along, across] =
+                [[low[0], high[1]], [low[1], high[0]]].map(|[from, to]| [to[0] - from[0], to[1] - from[1]]);
+            along[0] * across[1] <= along[1] * across[0]
+        })
+    })
 }
 
 /// The blocks with so many layers towards a place, if there is one.

@@ -21,6 +21,9 @@ const GROWTH: f64 = 4.0;
 /// Most that an end moves at once, over the half-width.
 const FARTHEST: f64 = 0.5;
 
+/// How far each end shall move outwards, over the half-width of its stretch, and how far two series for it are apart.
+pub(super) type Moves = Vec<Vec<[[f64; 2]; 2]>>;
+
 /// The closed stretches of every contact, as far as they are known.
 pub(super) struct Closed {
     /// Contact by contact.
@@ -102,10 +105,10 @@ impl Closed {
         Ok(made)
     }
 
-    /// How far each end shall move outwards, over the half-width of its stretch, and how far two series for it are apart, with all points between the ends closed and all others open.
+    /// The moves with all points between the ends closed and all others open.
     ///
     /// By node elements, whatever is solved with after: the end is the mesh's, and others have more points than displacements can follow.
-    pub(super) fn moves(&self, made: &Discretisation) -> Result<Vec<Vec<[[f64; 2]; 2]>>, Error> {
+    pub(super) fn moves(&self, made: &Discretisation) -> Result<Moves, Error> {
         let formulation = Formulation::verification();
         let points = made.points(&formulation);
         let problem = made.problem(&formulation, &points);

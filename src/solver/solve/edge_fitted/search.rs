@@ -1,6 +1,6 @@
 //! The ends of the contact sought on coarse fitted meshes, then on the one that is asked for.
 
-use super::closed::{Closed, places};
+use super::closed::{Closed, Moves, places};
 use super::fitted::{Fitted, REMEDY, on_fitted, refuse_given};
 use crate::error::{Error, Kind};
 use crate::measure::{Stretch, larger};
@@ -155,6 +155,7 @@ impl Fitted {
         let meshes = [(coarse, 1, NEAR.max(at_rest)), (self, elements, at_rest)];
         for &(mesh, elements, enough) in &meshes[usize::from(is_near)..] {
             let last = mesh == self;
+            let mut before: Option<[Moves; 2]> = None;
             for left in (0..MESHES).rev() {
                 ends.join(scene, (enough * 2f64.powi(left as i32)).min(TOGETHER));
                 let mut discretisation = ends.discretised(scene, mesh, elements, permits)?;
@@ -162,7 +163,8 @@ impl Fitted {
                 let moved = moves.iter().flatten().flatten().fold(0.0_f64, |most, [by, _]| most.max(by.abs()));
                 let (dofs, cells) = (discretisation.system.dofs(), discretisation.mesh.cells());
                 tried.push(Tried { order: mesh.order, dofs, cells, moved });
-                let resting = moved <= enough;
+                // On the last mesh it matters as its square does.
+                let resting = moved <= enough || left == 0 && 2.0 * moved * moved <= Self::misfit(self.order);
                 if last && resting {
                     discretisation.scene.contacts.iter_mut().for_each(|pair| pair.ends.off = moved);
                     let run = Run::of(&discretisation, formulation)?;
@@ -171,7 +173,9 @@ impl Fitted {
                     let stretches = stretches.map(|all| all.iter().map(|one| [one.begin, one.end]).collect()).collect();
                     return Ok(Answer { discretisation, run, stretches, tried });
                 }
-                ends.moved(scene, &moves);
+                let steps = damped(&moves, before.as_ref());
+                ends.moved(scene, &steps);
+                before = Some([moves, steps]);
                 if !last && LEFT * moved <= enough {
                     break;
                 }
@@ -184,6 +188,21 @@ impl Fitted {
             REMEDY,
         ))
     }
+}
+
+/// What the ends shall move, where the mesh asks for such moves and did for others before, upon which they made such steps: to the zero of the
+/// line through both where they would go back, for some would do so for ever.
+fn damped(moves: &Moves, before: Option<&[Moves; 2]>) -> Moves {
+    let mut steps = moves.clone();
+    let Some([asked, made]) = before else { return steps };
+    let flat = |all: &Moves| all.iter().flatten().flatten().map(|[by, _]| *by).collect::<Vec<f64>>();
+    let old = flat(asked).into_iter().zip(flat(made));
+    for ([by, _], (asked, made)) in steps.iter_mut().flatten().flatten().zip(old) {
+        if *by * asked < 0.0 {
+            *by *= made / (asked - *by);
+        }
+    }
+    steps
 }
 
 /// Lays the mesh lines of a scene on the ends that a run found; those of two contacts of a body on one line where they lie within so many
