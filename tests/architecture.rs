@@ -216,7 +216,7 @@ const BUDGETS: [(&str, usize); 9] = [
     ("drawing", 2_945),
     ("case", 8_238),
     ("oracle", 1_436),
-    ("study", 14_849),
+    ("study", 14_861),
     ("referee", 6_935),
     ("report", 3_105),
     ("cli", 4_739),
