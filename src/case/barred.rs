@@ -30,8 +30,7 @@ impl Judged {
     pub fn with_bar(self, bars: &[Barred]) -> Self {
         let (contact, factor) = (self.check.contact, self.check.quantity.factor());
         let of = |number: &Number| {
-            let found = bars.iter().find(|one| one.contact == contact && one.quantity == *number);
-            found.map_or(f64::NAN, |one| factor * one.bar.total())
+            bars.iter().find(|one| one.is_of(contact, number)).map_or(f64::NAN, |one| factor * one.bar.total())
         };
         Self { bar: self.barred().map(of), ..self }
     }

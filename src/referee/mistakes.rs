@@ -128,8 +128,8 @@ fn of_ring(pair: &ContactPair, handed: &Handed) -> Vec<Correction> {
     let is_within = |point: &&Point| point.position.abs() <= pair.stretch * (1.0 + ALIKE);
     let points: Vec<Point> = handed.points.iter().filter(is_within).copied().collect();
     let says = format!("the scene has a part of the ring: hand in its points up to {:.4}°", pair.stretch.to_degrees());
-    let is_more = !pair.path.is_straight() && handed.edges.is_empty() && points.len() < handed.points.len();
-    is_more.then(|| (says, Handed { points, ..handed.clone() })).into_iter().collect()
+    let may_be = !pair.path.is_straight() && handed.edges.is_empty();
+    may_be.then(|| (says, Handed { points, ..handed.clone() })).into_iter().collect()
 }
 
 /// Without the areas beside the points.

@@ -74,7 +74,7 @@ impl Truth {
 
     /// Our own value of a number of a contact, with its bar.
     pub fn ours(&self, contact: usize, quantity: &Quantity) -> Known {
-        let found = self.bars.iter().find(|one| one.contact == contact && one.quantity == *quantity);
+        let found = self.bars.iter().find(|one| one.is_of(contact, quantity));
         let (value, bar) = found.map_or((f64::NAN, f64::NAN), |one| (one.value, one.bar.total()));
         let (name, kind) = (OURS.into(), ReferenceKind::CrossCode);
         Known { reference: Reference { name, kind, value, uncertainty: None }, bar }
@@ -165,7 +165,7 @@ impl Truth {
         let bar = match closed {
             Some(_) => self.case.model_error(contact, &case::Quantity::Profile),
             None => {
-                let of_peak = |one: &&Barred| one.contact == contact && one.quantity == Quantity::PeakPressure;
+                let of_peak = |one: &&Barred| one.is_of(contact, &Quantity::PeakPressure);
                 self.bars.iter().filter(of_peak).map(Barred::relative).fold(0.0, larger)
             }
         };

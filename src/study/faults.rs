@@ -98,12 +98,16 @@ impl Study for Numbers {
         let seen = TRUTHS.map(|(kind, told)| (faults.iter().filter(|fault| is_seen_by(fault, &[kind])).count(), told));
         let seen =
             seen.iter().filter(|(count, _)| *count > 0).map(|(count, told)| format!("{count} are seen by {told}"));
+        let rooms = rooms()?;
+        // The last one is all of them together.
+        let missed: Vec<&String> = rooms.iter().rev().skip(1).rev().flat_map(|room| &room.missed).collect();
         Ok(format!(
             include_str!("faults.md"),
             seen = seen.collect::<Vec<_>>().join(", "),
             all = faults.len(),
             faults = markdown::columns(&columns, &faults),
-            rooms = markdown::columns(&ROOMS, &rooms()?),
+            rooms = markdown::columns(&ROOMS, &rooms),
+            missed = markdown::columns(&MISSED, missed),
             fuzzed = markdown::columns(&FUZZED, &fuzzed()?)
         ))
     }
@@ -116,6 +120,12 @@ const ROOMS: [Column<Room>; 5] = [
     ("equivalent", |room| room.equivalent.to_string()),
     ("caught by any test", |room| room.by_claims.shown()),
     ("by truths alone", |room| room.by_truths.shown()),
+];
+
+/// The table of mutants that no test caught, each named by its file, its change and the text of its line.
+const MISSED: [Column<String>; 2] = [
+    ("in", |mutant| format!("`{}`", mutant.split(": ").next().unwrap_or_default())),
+    ("what no test noticed", |mutant| format!("`{}`", mutant.split(": ").nth(1).unwrap_or_default())),
 ];
 
 /// The table of fuzz targets.
@@ -244,6 +254,8 @@ pub struct Room {
     pub by_claims: Share,
     /// Those of them that were tried by closed forms and other codes alone.
     pub by_truths: Share,
+    /// Those that no test caught.
+    pub missed: Vec<String>,
 }
 
 /// How many of some mutants were caught.

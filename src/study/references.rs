@@ -163,7 +163,7 @@ fn answer(name: &str, case: &Case, found: &Shared) -> Result<Numbers, Error> {
     let (high, on_arc) = (High::built_in()?, !case.scene.contact().path.is_straight());
     let answered = |one: Known| {
         let (unit, factor) = one.quantity.unit(on_arc);
-        let eight = barred.iter().find(|barred| barred.contact == 0 && barred.quantity == one.quantity);
+        let eight = barred.iter().find(|barred| barred.is_of(0, &one.quantity));
         let eight = eight.map(|of| [factor * of.value, factor * of.bar.total()]);
         let digits = if on_arc { DIGITS } else { STRAIGHT };
         Answered {

@@ -188,17 +188,31 @@ fn fit_of_a_ring_with_a_narrow_bore_is_within_its_bar() {
     }
 }
 
+/// A block under 2000 N on a gap that points tell.
+fn pressed(gap: impl Fn(f64) -> f64) -> Scene {
+    let rows = (0..=505).map(|k| f64::from(k) / 50.0).map(|s| format!("[{s}, {:e}]", gap(s)));
+    let gap = format!(
+        "gap = {{ table = [{}], smooth = true }}\nstretch = 10\n[mesh]\nelements = 16\nper = 2",
+        rows.collect::<Vec<_>>().join(", ")
+    );
+    parsed(&block_text([0.0, 60.0], 60.0, "traction = { at = \"far\", force = [0, -2000] }", &gap)).scene
+}
+
+#[test]
+fn contact_that_fills_candidates_fitted_to_it_is_looked_at_on_ones_that_are_a_tenth_longer() {
+    // A bump beyond the contact, which the first mesh does not see and the next one does.
+    let scene = pressed(|s| s * s / 2000.0 - 0.006 * (-((s - 6.3) / 0.3).powi(2)).exp());
+    let line = Formulation::new(Element::Line, Iteration::Kinematic);
+    let answer = accuracy::solve(&scene, &line, &Asked::new(0.15)).expect("solved");
+    let [_, filled, longer, ..] = &answer.tried[..] else { panic!("{:?}", answer.tried) };
+    // By a twentieth of its length on either side, with the same elements and no bars before.
+    assert_relative_eq!(longer.contacts[0].stretch, 1.1 * filled.contacts[0].stretch, max_relative = 1e-12);
+    assert!(filled.estimate.is_nan() && (filled.contacts[0].half_width - filled.contacts[0].stretch).abs() <= 1e-9);
+}
+
 #[test]
 fn a_bar_of_elements_too_wide_for_the_top_is_no_best() {
-    let hump = |height: f64| {
-        let gap = |s: f64| s * s / 2000.0 + height * (1.0 - (-(s / 0.2).powi(2)).exp());
-        let rows = (0..=505).map(|k| f64::from(k) / 50.0).map(|s| format!("[{s}, {:e}]", gap(s)));
-        let gap = format!(
-            "gap = {{ table = [{}], smooth = true }}\nstretch = 10\n[mesh]\nelements = 16\nper = 2",
-            rows.collect::<Vec<_>>().join(", ")
-        );
-        parsed(&block_text([0.0, 60.0], 60.0, "traction = { at = \"far\", force = [0, -2000] }", &gap)).scene
-    };
+    let hump = |height: f64| pressed(|s| s * s / 2000.0 + height * (1.0 - (-(s / 0.2).powi(2)).exp()));
     // On the first meshes the hump is not seen, and on the next ones no bar is known.
     let scene = hump(0.002);
     let answer = answered(&scene, 1e-2);

@@ -208,6 +208,14 @@ fn place_of_a_peak_is_told_by_what_is_as_high_within_its_bar() {
 }
 
 #[test]
+fn a_bar_that_no_mesh_tells_says_so() {
+    let (mesh, run) = solved(&scene("pressed-corner", &[]), &kinematic());
+    let Bars { all, meshes, .. } = bars_up_to(Some(1), &mesh, &run, &[]).expect("bars");
+    let peak = all.iter().find(|one| one.quantity == Quantity::PeakPressure).expect("a peak");
+    assert_eq!((meshes, peak.unknown), (0, Some("no coarser mesh of this scene holds the contact")));
+}
+
+#[test]
 fn blocks_of_fewer_elements_grow_as_far_as_those_of_more() {
     let block = "{ blocks = [{ corners = [[0, 0], [10, 0], [10, 10], [0, 10]], elements = [8, 20], growth = [1.0, 1.3], bottom = \"contact\", top = \"far\", left = \"left\" }] }";
     let shape = "{ rectangle = { x = [0, 10], y = [0, 10], contact = \"bottom\" } }";

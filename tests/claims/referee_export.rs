@@ -20,7 +20,8 @@ use crate::balance::solved;
 use crate::handed::{failed, judged_as, moved, read};
 use crate::outputs::{contact_vv, refuses, scene};
 use crate::program::Folder;
-use crate::workbench::{every_case, refused, truth};
+use crate::scene_file::{files, text_of};
+use crate::workbench::{every_case, parsed, refused, truth};
 
 /// A scene file of one body of an exported mesh, held by nothing: it is only read.
 fn scene_of([body, contact]: [&str; 2], file: &str, path: &str) -> String {
@@ -294,6 +295,17 @@ fn prescribed(deck: &[(&str, Vec<Vec<&str>>)], keyword: &str) -> BTreeMap<[usize
         }
     }
     all
+}
+
+#[test]
+fn a_deck_in_plane_stress_is_as_thin_as_its_contact_nodes_are_near() {
+    // 16 elements on 0.8 mm, each with a corner and a middle; the contacts lie off x = 0.
+    let text = text_of("plate-on-two-supports.toml").replace("plane = \"strain\"", "plane = \"stress\"");
+    let case = parsed(&text);
+    let text = deck::text(&Discretisation::of(case.scene, case.resolution).expect("meshed")).expect("written");
+    let deck = blocks(&text);
+    let (_, rows) = deck.iter().find(|(head, _)| head.starts_with("SOLID SECTION")).expect("a section");
+    assert!((number::<f64>(rows[0][0]) - 0.025).abs() <= 1e-9, "{rows:?}");
 }
 
 #[test]

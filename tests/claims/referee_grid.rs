@@ -116,6 +116,9 @@ fn fields_are_known_by_their_names_in_any_case_and_by_the_very_name_first() {
     let sevens = "7 ".repeat(numbers.split_whitespace().count());
     let other = array("Contact_Pressure", "Float64", 1, &sevens);
     assert_eq!(values(&format!("{before}{other}<DataArray{field}")), own);
+    // Nor is one that lacks numbers the pressure, whatever its name.
+    let short = array("contact_pressure", "Float64", 1, "7 7");
+    assert_eq!(values(&format!("{before}{short}<DataArray{field}")), own);
 }
 
 #[test]

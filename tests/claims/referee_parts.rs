@@ -210,6 +210,9 @@ fn a_cone_is_judged_by_its_profile_though_its_tip_has_no_limit() {
     let mean = truth.run.transmitted() / (std::f64::consts::PI * 2.5 * 2.5);
     let other = judged(&|r| 2.0 * mean * (1.0 - (r / 2.5).powi(2)));
     assert!(other.iter().any(|name| name.starts_with("error of the mean pressures")), "{other:?}");
+    let is_odd = |r: f64| (80.0 * r / 2.5).round() % 2.0 > 0.5;
+    let swaying = judged(&|r| if is_odd(r) { 1.3 } else { 0.7 } * truth.pressure(0, r));
+    assert!(swaying.iter().any(|name| name.starts_with("alternation")), "{swaying:?}");
 }
 
 #[test]
@@ -428,4 +431,18 @@ fn reports_of_several_columns_end_with_their_extremes_and_where_these_are() {
          \x20     At Node          1              1             60              1\n"
     );
     ellipse::assert(&parsed("abaqus.rpt", text, &usual()).expect("read"), 1e-6);
+}
+
+#[test]
+fn the_widest_hole_of_a_table_is_named_wherever_it_is() {
+    let even = |step: f64| (0..).map(move |k| step * f64::from(k)).take_while(|s| *s < 3.01);
+    let rows = |places: Vec<f64>| table(PRESSURES, places.into_iter().map(|s| [s, ellipse::pressure(s)]));
+    // Four points of a coarse table, far from x = 0: (F(1.8) − F(0.8))/F(2), F = asin s/a + s/a √(1 − s²/a²).
+    let coarse = rows(even(0.2).filter(|s| !(0.9..1.7).contains(s)).collect());
+    let parts = ["no point from 0.8000 to 1.800 mm", "5 times", "46.7 % of the force"];
+    refused("theirs.csv", coarse, &Asked::default(), &parts);
+    // The second of two is the wider one.
+    let two = rows(even(0.05).filter(|s| !(0.48..0.72).contains(s) && !(0.83..1.12).contains(s)).collect());
+    let parts = ["no point from 0.8000 to 1.150 mm", "7 times", "and in 1 more like it"];
+    refused("theirs.csv", two, &Asked::default(), &parts);
 }

@@ -36,6 +36,18 @@ fn what_is_unknown_is_asked_for_with_file_found_and_remedy() {
             &plain,
             ["the column `position` has no unit", "--unit position=UNIT"],
         ),
+        (
+            &case,
+            "position [mm],position [mm],pressure [MPa]\n0,0,3\n1,2,2\n2,4,1\n",
+            &plain,
+            ["more than one column is called position", "name it by --column"],
+        ),
+        (
+            &case,
+            "position [mm],pressure [MPa],pressure [MPa]\n0,3,4\n1,2,3\n2,1,2\n",
+            &plain,
+            ["more than one column is called pressure", "name it by --column"],
+        ),
         // Metres called mm.
         (
             &arc,

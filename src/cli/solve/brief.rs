@@ -231,8 +231,7 @@ impl Number {
     /// The same whose value is given.
     fn valued(found: &Found, contact: usize, quantity: &Quantity, value: f64) -> Self {
         let (unit, factor) = quantity.unit(!found.problem.scene.contacts[contact].path.is_straight());
-        let of = |one: &&Barred| one.contact == contact && one.quantity == *quantity;
-        let bar = found.bars.as_ref().and_then(|bars| bars.all.iter().find(of)).map(|one| factor * one.bar.total());
+        let bar = found.bars.as_ref().and_then(|bars| bars.of(contact, quantity)).map(|bar| factor * bar.total());
         Self { value: factor * value, bar, unit, factor }
     }
 

@@ -113,11 +113,14 @@ impl Barred {
         }
     }
 
+    /// Whether it is of this number of this contact.
+    pub fn is_of(&self, contact: usize, quantity: &Quantity) -> bool {
+        self.contact == contact && self.quantity == *quantity
+    }
+
     /// Takes the mesh's part from what is known of the same number on the same mesh.
     pub(super) fn take_mesh_of(&mut self, known: &[Self]) {
-        let Some(known) = known.iter().find(|one| one.contact == self.contact && one.quantity == self.quantity) else {
-            return;
-        };
+        let Some(known) = known.iter().find(|one| one.is_of(self.contact, &self.quantity)) else { return };
         (self.bar.mesh, self.told) = (known.bar.mesh, known.told);
         if self.unknown != Some(NOT_FOUND) {
             self.unknown = known.unknown;
@@ -133,14 +136,13 @@ impl Barred {
 impl Bars {
     /// The bar of a number; none where it has none.
     pub fn of(&self, contact: usize, quantity: &Quantity) -> Option<Bar> {
-        self.all.iter().find(|one| one.contact == contact && one.quantity == *quantity).map(|one| one.bar)
+        self.all.iter().find(|one| one.is_of(contact, quantity)).map(|one| one.bar)
     }
 
     /// The same where a search has estimated some of the numbers by a mesh of its own.
     pub fn estimated(mut self, estimates: &[Barred]) -> Self {
         for one in &mut self.all {
-            let is_it = |other: &&Barred| (other.contact, &other.quantity) == (one.contact, &one.quantity);
-            if let Some(estimate) = estimates.iter().find(is_it) {
+            if let Some(estimate) = estimates.iter().find(|other| other.is_of(one.contact, &one.quantity)) {
                 *one = estimate.clone();
             }
         }

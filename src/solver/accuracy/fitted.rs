@@ -78,7 +78,7 @@ impl Fitted {
         let [begin, edge] = self.ends;
         let more = WIDER * (edge - begin);
         self.ends = [(begin - more).max(-self.longest), (edge + more).min(self.longest)];
-        self.ends[0] < begin || self.ends[1] > edge
+        self.ends != [begin, edge]
     }
 }
 

@@ -59,9 +59,8 @@ impl Rung {
     /// Whether a finer mesh moves a number by more than its bar.
     pub(super) fn is_refuted_by(&self, finer: &Self) -> bool {
         self.estimates.iter().any(|one| {
-            let is_same = |other: &&Barred| other.contact == one.contact && other.quantity == one.quantity;
-            let moved = finer.estimates.iter().find(is_same).map(|other| (other.value - one.value).abs());
-            moved.is_some_and(|moved| moved > one.bar.total())
+            let finer = finer.estimates.iter().find(|other| other.is_of(one.contact, &one.quantity));
+            finer.is_some_and(|finer| (finer.value - one.value).abs() > one.bar.total())
         })
     }
 }

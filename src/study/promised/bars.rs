@@ -181,7 +181,7 @@ fn size(sample: &Sample, Truth { quantity, value, .. }: &Truth) -> f64 {
 pub(super) fn barred(site: &Site) -> Result<Vec<(Barred, f64, f64)>, Error> {
     let (sample, found) = solved(site)?;
     let each = sample.truths.iter().filter_map(|truth| {
-        let one = found.iter().find(|one| one.contact == truth.contact && one.quantity == truth.quantity)?;
+        let one = found.iter().find(|one| one.is_of(truth.contact, &truth.quantity))?;
         Some((one.clone(), (one.value - truth.value).abs(), size(&sample, truth)))
     });
     Ok(each.collect())
@@ -205,7 +205,7 @@ pub fn record(site: &Site) -> Result<Record, Error> {
     let (family, number) = (site.family, site.number);
     let mut record = Record { family, number, errors: [None; NUMBERS], bars: [None; NUMBERS] };
     for truth in &sample.truths {
-        let is_of = |one: &&Barred| one.contact == truth.contact && one.quantity == truth.quantity;
+        let is_of = |one: &&Barred| one.is_of(truth.contact, &truth.quantity);
         let [error, bar] = all.iter().find(is_of).map_or([f64::NAN; 2], |one| match truth.value.is_finite() {
             true => [(one.value - truth.value).abs(), one.bar.total()],
             // What has no limit must not be quoted.
