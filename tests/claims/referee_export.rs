@@ -20,7 +20,7 @@ use crate::balance::solved;
 use crate::handed::{failed, judged_as, moved, read};
 use crate::outputs::{contact_vv, refuses, scene};
 use crate::program::Folder;
-use crate::scene_file::{files, text_of};
+use crate::scene_file::text_of;
 use crate::workbench::{every_case, parsed, refused, truth};
 
 /// A scene file of one body of an exported mesh, held by nothing: it is only read.
