@@ -427,28 +427,80 @@ fn rectangles_have_nodes_where_they_are_held_and_pressed_also_on_fitted_meshes()
     }
 }
 
-#[test]
-fn candidates_of_a_lower_quarter_end_before_the_cut_that_holds_it_however_far_they_go() {
-    let disc = |name: &str, y: f64, radius: f64, rest: &str| {
-        let shape = format!("{{ disc = {{ centre = [0, {y}], radius = {radius}{rest}");
-        format!("[[body]]\nname = \"{name}\"\nyoung = 210000.0\npoisson = 0.3\nshape = {shape}\n")
-    };
+/// Two quarter discs pressed on each other; the cut of the lower one, which is fixed, is a side beyond its candidates.
+fn quarter_discs([radii, young, poisson]: [[f64; 2]; 3], traction: f64, stretch: f64) -> Scene {
     let axis = "{ at = \"axis\", component = \"x\" }";
+    let disc = |k: usize, name: &str, y: f64, contact: &str| {
+        let shape = format!("{{ disc = {{ centre = [0, {y}], radius = {}{contact} }} }}", radii[k]);
+        let material = format!("young = {}\npoisson = {}", young[k], poisson[k]);
+        format!("[[body]]\nname = \"{name}\"\n{material}\nshape = {shape}\n")
+    };
     let text = [
         "plane = \"strain\"\nthickness = 1\n",
-        &disc("upper", 8.0, 8.0, " } }"),
-        &format!("supports = [{axis}]\nloads = [{{ traction = {{ at = \"cut\", force = [0, -1000] }} }}]\n"),
-        &disc("lower", -9.0, 9.0, ", contact = \"top\" } }"),
+        &disc(0, "upper", radii[0], ""),
+        &format!("supports = [{axis}]\nloads = [{{ traction = {{ at = \"cut\", force = [0, -{traction}] }} }}]\n"),
+        &disc(1, "lower", -radii[1], ", contact = \"top\""),
         &format!("supports = [{axis}, {{ at = \"cut\", component = \"y\" }}]\nloads = []\n"),
-        "[contact]\nname = \"between\"\nfirst = \"upper\"\nsecond = \"lower\"\ngap = { from = \"bodies\" }\nstretch = 5.0\nsymmetric = true\n",
-        "[mesh]\nelements = 10\nper = 1.0\n",
+        "[contact]\nname = \"between\"\nfirst = \"upper\"\nsecond = \"lower\"\ngap = { from = \"bodies\" }\n",
+        &format!("stretch = {stretch}\nsymmetric = true\n[mesh]\nelements = 10\nper = 1.0\n"),
     ];
-    let scene = parsed(&text.concat()).scene;
+    parsed(&text.concat()).scene
+}
+
+#[test]
+fn candidates_of_a_lower_quarter_end_before_the_cut_that_holds_it_however_far_they_go() {
+    let scene = quarter_discs([[8.0, 9.0], [210e3; 2], [0.3; 2]], 1000.0, 5.0);
     let hertz = Hertz { load: 2000.0, radius: 72.0 / 17.0, modulus: scene.modulus_of(&scene.contacts[0]) };
     let answer = solved(Fitted::of_digits(4), &scene);
     // Half-planes and parabolas are off by (a/R)², 1/800.
     for error in errors(&answer.run, &hertz) {
         assert!(error <= 5e-4, "{error}");
+    }
+}
+
+#[test]
+fn ends_that_would_move_there_and_back_come_to_rest_within_their_bars() {
+    // Rubber on a small roller of steel: on cells of order 6 two series of the end take turns.
+    let scene = quarter_discs([[200.0, 10.0], [3.0, 210e3], [0.499, 0.3]], 8.0 / 7.0, 3.0);
+    let [coarse, fine] = [4, 6].map(|digits| {
+        let answer = solved(Fitted::of_digits(digits), &scene);
+        let bars = accuracy::bars(&answer.discretisation, &answer.run, &[]).expect("bars");
+        [Quantity::PeakPressure, Quantity::HalfWidth]
+            .map(|quantity| bars.all.iter().find(|one| one.quantity == quantity).expect("barred").clone())
+    });
+    for (coarse, fine) in coarse.iter().zip(&fine) {
+        let apart = (coarse.value - fine.value).abs();
+        assert!(apart <= coarse.bar.total() + fine.bar.total(), "{:?}: {apart}, {:?}", coarse.quantity, coarse.bar);
+    }
+}
+
+#[test]
+fn thin_ring_under_a_force_at_its_top_is_fitted_without_a_folded_cell() {
+    let scene = parsed(
+        r#"
+plane = "strain"
+thickness = 5
+[[body]]
+name = "ring"
+young = 210000
+poisson = 0.3
+shape = { ring = { centre = [0, 20], inner = 18.5, outer = 20, sweep = 180, contact = "outer" } }
+supports = [{ at = "start", component = "x" }, { at = "end", component = "x" }]
+loads = [{ force = { at = [0, 40], value = [0, -30] } }]
+[contact]
+first = "ring"
+gap = { circle = 20 }
+stretch = 1.0
+[mesh]
+elements = 10
+per = 0.5
+"#,
+    )
+    .scene;
+    for digits in [2, 4] {
+        let answer = solved(Fitted::of_digits(digits), &scene);
+        // The force on the half is half of that on the ring.
+        assert!(relative_error(answer.run.measures().resultant, 60.0) <= 1e-6, "{}", answer.run.measures().resultant);
     }
 }
 

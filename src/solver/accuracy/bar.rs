@@ -139,11 +139,14 @@ impl Bars {
         self.all.iter().find(|one| one.is_of(contact, quantity)).map(|one| one.bar)
     }
 
-    /// The same where a search has estimated some of the numbers by a mesh of its own.
+    /// The same where a search has estimated some of the numbers by a mesh of its own; an end that is the half-width has its bar.
     pub fn estimated(mut self, estimates: &[Barred]) -> Self {
         for one in &mut self.all {
-            if let Some(estimate) = estimates.iter().find(|other| other.is_of(one.contact, &one.quantity)) {
-                *one = estimate.clone();
+            let of = |quantity: &Quantity| estimates.iter().find(|other| other.is_of(one.contact, quantity));
+            let half_width = of(&Quantity::HalfWidth).filter(|half| half.value.to_bits() == one.value.to_bits());
+            let same = if matches!(one.quantity, Quantity::End(_)) { half_width } else { None };
+            if let Some(estimate) = of(&one.quantity).or(same) {
+                *one = Barred { quantity: one.quantity.clone(), ..estimate.clone() };
             }
         }
         self

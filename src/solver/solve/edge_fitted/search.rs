@@ -74,6 +74,8 @@ const LEFT: f64 = 0.25;
 /// Farthest that the ends of two contacts of one body may be from one another and share a mesh line, over the half-width: on the last of the
 /// meshes no farther than an end may be off.
 const TOGETHER: f64 = 0.1;
+/// Part of a move that goes back upon it, from which on the next one is damped.
+const BACK: f64 = 0.5;
 /// Most meshes of each kind.
 const MESHES: usize = 5;
 
@@ -198,7 +200,7 @@ fn damped(moves: &Moves, before: Option<&[Moves; 2]>) -> Moves {
     let flat = |all: &Moves| all.iter().flatten().flatten().map(|[by, _]| *by).collect::<Vec<f64>>();
     let old = flat(asked).into_iter().zip(flat(made));
     for ([by, _], (asked, made)) in steps.iter_mut().flatten().flatten().zip(old) {
-        if *by * asked < 0.0 {
+        if *by * asked < 0.0 && by.abs() > BACK * asked.abs() {
             *by *= made / (asked - *by);
         }
     }
