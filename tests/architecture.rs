@@ -212,14 +212,14 @@ fn matrix_types_of_libraries_stay_inside_the_numerics() {
 
 /// Lines that a room may have; raised only by a commit that says what for.
 const BUDGETS: [(&str, usize); 9] = [
-    ("solver", 23_306),
+    ("solver", 23_331),
     ("drawing", 2_945),
     ("case", 8_237),
     ("oracle", 1_436),
     ("study", 14_861),
     ("referee", 6_935),
     ("report", 3_105),
-    ("cli", 4_738),
+    ("cli", 4_736),
     ("live", 490),
 ];
 

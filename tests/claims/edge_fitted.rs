@@ -375,7 +375,8 @@ fn held_inside() -> Scene {
     scene
 }
 
-/// A beam on two rollers, or on one and held on its left, pressed at places that no mesh of its own would have a node at.
+/// A beam on two rollers, or on one and held on its left, pressed at places that no mesh of its own would have a node at, two of them
+/// beside one.
 const BEAM: &str = r#"
 plane = "strain"
 thickness = 1
@@ -385,7 +386,7 @@ young = 210000.0
 poisson = 0.3
 shape = { rectangle = { x = [-60.0, 60.0], y = [0.0, 12.0], contact = "bottom" } }
 supports = [{ at = [-60, 7.3], component = "x" }]
-loads = [{ force = { at = [13.777, 12], value = [0, -150] } }, { force = { at = [-22.1, 12], value = [0, -100] } }]
+loads = [{ force = { at = [13.777, 12], value = [0, -150] } }, { force = { at = [-22.1, 12], value = [0, -70] } }, { force = { at = [-22.3, 12], value = [0, -30] } }]
 [[contact]]
 name = "left"
 first = "beam"
@@ -413,7 +414,7 @@ fn rectangles_have_nodes_where_they_are_held_and_pressed_also_on_fitted_meshes()
     let hinged = before.replace("supports = [", "supports = [{ at = [-60, 7.3], component = \"y\" }, ");
     let one = parsed(&format!("{hinged}[contact]{right}")).scene;
     for (scene, lever, about) in [(whole, 100.0, -50.0), (one, 110.0, -60.0)] {
-        let moment = 150.0 * (13.777 - about) - 100.0 * (22.1 + about);
+        let moment = 150.0 * (13.777 - about) - 70.0 * (22.1 + about) - 30.0 * (22.3 + about);
         let runs = [
             Run::of(&meshed(scene.clone(), 8, Order::Quadratic), &Formulation::verification()).expect("run"),
             solved(Fitted::of_digits(4), &scene).run,

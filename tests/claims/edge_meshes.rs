@@ -98,13 +98,14 @@ fn nodes_of_a_ring_lie_evenly_in_the_logarithm_of_the_radius_where_the_end_is_kn
 #[test]
 fn positions_are_moved_to_places_and_never_past_each_other() {
     let positions = vec![0.0, 1.0, 2.0, 4.0];
-    assert_eq!(spacing::through(positions.clone(), &[1.2]), [0.0, 1.2, 2.0, 4.0]);
-    assert_eq!(spacing::through(positions.clone(), &[0.0, 4.0]), positions);
-    // The second one is nearest to the same position.
-    assert_eq!(spacing::through(positions.clone(), &[1.2, 0.9]), [0.0, 1.2, 2.0, 4.0]);
-    assert_eq!(spacing::through(positions.clone(), &[1.8, 1.2]), [0.0, 1.2, 1.8, 4.0]);
-    assert_eq!(spacing::through(vec![0.0, 1.0], &[0.5]), [0.0, 1.0]);
-    assert_eq!(spacing::through(positions.clone(), &[-3.0, 7.0, f64::NAN]), positions);
+    assert_eq!(spacing::through(&positions, &[1.2]), [0.0, 1.2, 2.0, 4.0]);
+    assert_eq!(spacing::through(&positions, &[0.0, 4.0]), positions);
+    // The second one is nearest to the same position, or to one on the other side of the first.
+    assert_eq!(spacing::through(&positions, &[1.2, 0.9]), [0.0, 0.9, 1.2, 2.0, 4.0]);
+    assert_eq!(spacing::through(&positions, &[0.9, 1.2, 0.9]), [0.0, 0.9, 1.2, 2.0, 4.0]);
+    assert_eq!(spacing::through(&positions, &[1.8, 1.2]), [0.0, 1.2, 1.8, 4.0]);
+    assert_eq!(spacing::through(&[0.0, 1.0], &[0.5]), [0.0, 0.5, 1.0]);
+    assert_eq!(spacing::through(&positions, &[-3.0, 7.0, f64::NAN]), positions);
 }
 
 #[test]

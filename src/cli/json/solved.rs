@@ -175,9 +175,7 @@ impl<'a> Body<'a> {
     /// One of a solve.
     fn of(found: &'a Found, VonMises { body, largest, without_limit }: &VonMises) -> Self {
         let place = |at: [f64; 2]| at.map(Number::from);
-        let points = &found.discretisation.mesh.points;
-        let without_limit =
-            without_limit.iter().map(|one| WithoutLimit { because: one.because, at: place(points[one.node]) });
+        let without_limit = without_limit.iter().map(|one| WithoutLimit { because: one.because, at: place(one.at) });
         Self {
             name: &found.problem.scene.bodies[*body].name,
             von_mises: largest.map(|largest| largest.stress),

@@ -111,13 +111,13 @@ fn of_contact(found: &Found, contact: usize) -> Vec<[String; 2]> {
 
 /// The largest von Mises stress of a body, its place to a cell, and where it has none.
 fn of_body(found: &Found, VonMises { body, largest, without_limit }: &VonMises) -> String {
-    let (scene, points) = (&found.problem.scene, &found.discretisation.mesh.points);
+    let scene = &found.problem.scene;
     let nowhere = without_limit.first().map(|first| {
         let others = match without_limit.len() {
             0 | 1 => String::new(),
             many => format!(" and {} more", many - 1),
         };
-        format!("{} at {}{others}", first.because, place(points[first.node], FINE))
+        format!("{} at {}{others}", first.because, place(first.at, FINE))
     });
     let name = &scene.bodies[*body].name;
     match (largest, nowhere) {

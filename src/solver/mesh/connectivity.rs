@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use crate::error::Error;
 use crate::mesh::Order;
-use crate::scene::{BoundaryName, Load, Place, Scene};
+use crate::scene::{BoundaryName, Place, Scene, Shape};
 
 /// An edge on a boundary: first node, last node, then those between, of 8-node cells the mid-side node; the body lies to its
 /// left.
@@ -112,9 +112,12 @@ impl Mesh {
             _ => {
                 let [x, y] = nearest.map_or([f64::NAN; 2], |node| self.points[node]);
                 let message = format!("there is no node at `({}, {})`", point[0], point[1]);
-                let is_force = |load: &Load| matches!(load, Load::Force { at, .. } if *at == point);
-                let fitted = match scene.bodies[body].loads.iter().any(is_force) {
-                    true => "; meshes of --fitted and --accuracy have a node where a force acts",
+                let is_on_side = match scene.bodies[body].shape {
+                    Shape::Rectangle { x, y, .. } => x.contains(&point[0]) || y.contains(&point[1]),
+                    _ => false,
+                };
+                let fitted = match is_on_side {
+                    true => "; meshes of --fitted and --accuracy have nodes where a rectangle is held on its sides",
                     false => "",
                 };
                 let remedy =

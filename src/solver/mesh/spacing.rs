@@ -128,18 +128,24 @@ pub fn fitted(from: f64, to: f64, n: usize, first: f64) -> Vec<f64> {
     positions(from, to, sizes)
 }
 
-/// Ascending positions of which the nearest one between the ends is moved to each of the places; not twice, and not past another.
-pub fn through(mut positions: Vec<f64>, places: &[f64]) -> Vec<f64> {
-    let own = positions.clone();
-    for place in places {
-        let away = |k: &usize| (own[*k] - place).abs();
-        let nearest = (1..own.len().saturating_sub(1)).min_by(|a, b| away(a).total_cmp(&away(b)));
-        let between = |k: usize| positions[k - 1] < *place && *place < positions[k + 1];
-        if let Some(k) = nearest.filter(|k| positions[*k] == own[*k] && between(*k)) {
-            positions[k] = *place;
+/// Ascending positions, those of the places among them that lie between the ends: the nearest one is moved to a place, or one is added
+/// where that was moved to another place, or would pass its neighbour.
+pub fn through(positions: &[f64], places: &[f64]) -> Vec<f64> {
+    let [from, .., to] = positions[..] else { return positions.to_vec() };
+    let near = SAME * (to - from);
+    let mut all = positions.to_vec();
+    for place in places.iter().filter(|place| from + near < **place && **place < to - near) {
+        let away = |k: &usize| (positions[*k] - place).abs();
+        let nearest = (1..positions.len() - 1).min_by(|a, b| away(a).total_cmp(&away(b)));
+        let between = |k: usize| all[k - 1] < *place && *place < all[k + 1];
+        match nearest.filter(|k| all[*k] == positions[*k] && between(*k)) {
+            Some(k) => all[k] = *place,
+            None => all.push(*place),
         }
     }
-    positions
+    all.sort_by(f64::total_cmp);
+    all.dedup_by(|next, before| *next - *before <= near);
+    all
 }
 
 /// Joins lists that meet: the last position of one is the first of the next.

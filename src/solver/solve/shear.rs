@@ -1,5 +1,6 @@
 //! The largest shear stress below a contact.
 
+use crate::elasticity::point::shapes_at;
 use crate::elasticity::{shape_functions, stress};
 use crate::error::Error;
 use crate::measure::Measures;
@@ -88,14 +89,14 @@ impl Discretisation {
         Ok(inside.then_some(Shear { stress: shear, depth, samples }))
     }
 
-    /// Whether a force acts at a node of a cell.
+    /// Whether a force acts at a node of a cell, or in a cell beside it.
     fn is_at_force(&self, body: usize, cell: usize) -> bool {
         let acts_at = |load: &Load| match load {
-            Load::Force { at, .. } => self.mesh.node_at(&self.scene, body, *at).ok(),
+            Load::Force { at, .. } => shapes_at(&self.scene, &self.mesh, body, *at).ok(),
             _ => None,
         };
-        let mut nodes = self.scene.bodies[body].loads.iter().filter_map(acts_at);
-        nodes.any(|node| self.mesh.cell(cell).contains(&node))
+        let mut nodes = self.scene.bodies[body].loads.iter().filter_map(acts_at).flatten();
+        nodes.any(|(node, _)| self.mesh.cell(cell).contains(&node))
     }
 }
 

@@ -58,7 +58,7 @@ impl Discretisation {
         if without_limit.iter().any(|one| one.because == PRESSURE) {
             return None;
         }
-        let singular: HashSet<usize> = without_limit.iter().map(|one| one.node).collect();
+        let singular: HashSet<usize> = without_limit.iter().flat_map(|one| one.nodes.iter().copied()).collect();
         let cells = self.mesh.bodies[body].cells.clone();
         let first = self.mesh.bodies[body].nodes.start;
         let at_nodes: Vec<f64> = tensors[self.mesh.bodies[body].nodes.clone()].iter().copied().map(von_mises).collect();

@@ -15,6 +15,7 @@
 use std::collections::HashSet;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
+use crate::elasticity::point::shapes_at;
 use crate::error::Error;
 use crate::mesh::{Edge, candidates};
 use crate::scene::{Load, Place};
@@ -29,11 +30,13 @@ const TURN: f64 = 1e-3;
 /// Cosine of the angle between the direction in which a side is fixed and its normal, from which on they are one.
 const NORMAL: f64 = 1.0 - 1e-6;
 
-/// A node at which the stress of its body has no limit.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// A place at which the stress of its body has no limit.
+#[derive(Clone, Debug, PartialEq)]
 pub struct WithoutLimit {
-    /// Node of the mesh.
-    pub node: usize,
+    /// The place \[mm\].
+    pub at: [f64; 2],
+    /// The node of the mesh that stands there, or those of the cell around it.
+    pub nodes: Vec<usize>,
     /// What makes it so.
     pub because: &'static str,
 }
@@ -68,7 +71,7 @@ fn widest(sides: [Side; 2], kolosov: f64) -> f64 {
 }
 
 impl Discretisation {
-    /// The nodes of a body at which its stress has no limit, under the displacements of all nodes \[mm\] that a run found.
+    /// The places of a body at which its stress has no limit, under the displacements of all nodes \[mm\] that a run found.
     pub fn without_limit(&self, run: &Run, displacement: &[[f64; 2]], body: usize) -> Result<Vec<WithoutLimit>, Error> {
         let mut all = self.at_points(run, displacement, body)?;
         let contacts = self.scene.contacts.iter().zip(&run.contacts);
@@ -78,21 +81,26 @@ impl Discretisation {
             let away = |node: usize| (side(pair.path.coordinate(self.mesh.points[node])) - side(place)).abs();
             let nodes = candidates::facing_edges(&self.mesh, &self.scene, pair, body)?.into_iter().flatten();
             let nearest = nodes.min_by(|a, b| away(*a).total_cmp(&away(*b)));
-            all.extend(nearest.map(|node| WithoutLimit { node, because: PRESSURE }));
+            all.extend(nearest.map(|node| self.at_node(node, PRESSURE)));
         }
         all.extend(self.corners(body));
         let mut seen = HashSet::new();
-        all.retain(|one| seen.insert(one.node));
+        all.retain(|one| seen.insert(one.nodes.clone()));
         Ok(all)
     }
 
-    /// Nodes at which a force acts, or a support at a point exerts one.
+    fn at_node(&self, node: usize, because: &'static str) -> WithoutLimit {
+        WithoutLimit { at: self.mesh.points[node], nodes: vec![node], because }
+    }
+
+    /// Points at which a force acts, or a support at a point exerts one.
     fn at_points(&self, run: &Run, displacement: &[[f64; 2]], body: usize) -> Result<Vec<WithoutLimit>, Error> {
         let own = &self.scene.bodies[body];
         let mut all = Vec::new();
         for load in &own.loads {
             if let Load::Force { at, .. } = load {
-                all.push(WithoutLimit { node: self.mesh.node_at(&self.scene, body, *at)?, because: FORCE });
+                let nodes = shapes_at(&self.scene, &self.mesh, body, *at)?.into_iter().map(|(node, _)| node).collect();
+                all.push(WithoutLimit { at: *at, nodes, because: FORCE });
             }
         }
         if !own.supports.iter().any(|support| matches!(support.at, Place::Point(_))) {
@@ -103,7 +111,7 @@ impl Discretisation {
         let largest = reactions.iter().map(|reaction| reaction.force.abs()).chain(pressed).fold(0.0, f64::max);
         for reaction in reactions.iter().filter(|one| one.body == body && one.force.abs() > AT_POINT * largest) {
             if let Place::Point(at) = own.supports[reaction.support].at {
-                all.push(WithoutLimit { node: self.mesh.node_at(&self.scene, body, at)?, because: SUPPORT });
+                all.push(self.at_node(self.mesh.node_at(&self.scene, body, at)?, SUPPORT));
             }
         }
         Ok(all)
@@ -124,7 +132,7 @@ impl Discretisation {
             let is_smooth = turn(node).abs() <= next[0].abs() + next[1].abs() + TURN;
             let angle = outline.angle(node)? - next[0].max(0.0) - next[1].max(0.0);
             let is_wide = angle > widest(sides, kolosov) + TURN;
-            (is_wide && !(is_smooth && sides[0] == sides[1])).then_some(WithoutLimit { node, because: CORNER })
+            (is_wide && !(is_smooth && sides[0] == sides[1])).then(|| self.at_node(node, CORNER))
         };
         let mut nodes: Vec<usize> = outline.leaving.keys().copied().collect();
         nodes.sort_unstable();

@@ -25,7 +25,7 @@ pub(super) fn blocks(layout: &Layout, x: [f64; 2], y: [f64; 2], contact: Face) -
         Face::Top => heights.iter().rev().map(|d| y[1] - d).collect(),
     };
     let beside: Vec<f64> = layout.points.iter().filter(is_on(0, x)).map(|point| point[1]).collect();
-    let upwards = spacing::through(upwards, &beside);
+    let upwards = spacing::through(&upwards, &beside);
     let (bottom, top) = match contact {
         Face::Bottom => ("contact", "far"),
         Face::Top => ("far", "contact"),
@@ -50,7 +50,7 @@ fn columns(layout: &Layout, [left, right]: [f64; 2], places: &[f64]) -> Vec<f64>
     let away = |place: f64| move |a: &&f64, b: &&f64| (**a - place).abs().total_cmp(&(**b - place).abs());
     let is_free = |place: &f64| positions.iter().min_by(away(*place)).is_some_and(|nearest| !is_fixed(*nearest));
     let places: Vec<f64> = places.iter().copied().filter(is_free).collect();
-    spacing::through(positions, &places)
+    spacing::through(&positions, &places)
 }
 
 /// The same of the only contact.
