@@ -32,13 +32,10 @@ const FIRST: [(f64, Fitted); 5] = [
 const REST: f64 = 2.0;
 /// Move at rest from which on the ends are sought on the mesh itself, without a coarse one.
 const AT_ONCE: f64 = 0.024;
-/// Bar over that of the mesh before, from which on the bars fall too slowly; how many in a row may, and how many where the bars are so near
-/// to what is asked.
+/// Bar over that of the mesh before, from which on the bars fall too slowly; and how many in a row may: the first is followed by a higher order,
+/// others by smaller cells, and where those gain nothing either, 8-node cells do hardly more.
 const SLOW: f64 = 0.5;
-const PATIENCE: [usize; 2] = [1, 2];
-const NEAR: f64 = 3.0;
-/// Bar over what is asked up to which smaller cells are tried where a higher order gains nothing.
-const FAR: f64 = 20.0;
+const PATIENCE: usize = 2;
 
 /// Whether such meshes are tried.
 pub(super) fn applies(scene: &Scene, formulation: &Formulation, asked: &Asked) -> bool {
@@ -65,16 +62,9 @@ pub(super) fn found(scene: &Scene, rungs: &mut Rungs) -> Result<Option<Rung>, Er
         if best.as_ref().is_none_or(|best| best.error.is_nan() || estimate < best.error) {
             best = Some(rung);
         }
-        // How far the search has come is told by its best mesh, and not by one whose bar rises again.
-        let least = best.as_ref().map_or(f64::NAN, |best| best.error);
         // What is not smooth within a cell gains nothing by its order, and may by smaller cells.
         stalled = if estimate <= SLOW * before { 0 } else { stalled + 1 };
-        let patience = match least / asked {
-            over if over <= NEAR => PATIENCE[1],
-            over if over <= FAR => PATIENCE[0],
-            _ => 0,
-        };
-        if stalled > patience {
+        if stalled > PATIENCE {
             break;
         }
         (mesh, before) = (next, estimate);

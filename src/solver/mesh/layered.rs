@@ -5,10 +5,10 @@
 //! they are: the mesh hangs together, whatever it was.
 
 use super::block::{Block, Point, Side};
-use super::outline::eye;
+use super::outline::{eye, pressed};
 use super::{Order, lobatto};
 use crate::scene::contact_pair::LAYER;
-use crate::scene::{Load, Scene};
+use crate::scene::{Body, Component, Place, Scene, Support};
 
 /// Difference of contact coordinates, over the stretch, that rounding explains.
 const SAME: f64 = 1e-9;
@@ -22,7 +22,8 @@ const AT_CORNER: usize = 1;
 const AT_CUSP: [f64; 2] = [4.0, 2.0];
 const NEAREST: f64 = 3.5e-7;
 
-/// The blocks of a body with layers towards the ends of its contacts and the leaps within, and towards points at which a force acts.
+/// The blocks of a body with layers towards the ends of its contacts and the leaps within, towards points at which it is
+/// pressed, and towards corners between a side that is held and one that is free.
 pub(super) fn towards_ends(mut blocks: Vec<Block>, scene: &Scene, body: usize, order: Order) -> Vec<Block> {
     for pair in scene.contacts_of(body) {
         let at_ends = pair.ends.places.iter().copied().chain(pair.leaps()).map(|s| (s, pair.ends.layers));
@@ -38,16 +39,41 @@ pub(super) fn towards_ends(mut blocks: Vec<Block>, scene: &Scene, body: usize, o
     let layers = scene.contacts_of(body).filter(|pair| !pair.ends.places.is_empty()).map(|pair| pair.ends.layers).max();
     let Some(layers) = layers.filter(|layers| *layers > 0) else { return blocks };
     blocks = layered(blocks, scene, eye::corner(&scene.bodies[body].shape), layers + AT_CORNER, order);
-    for load in &scene.bodies[body].loads {
-        if let Load::Force { at, .. } = load {
-            let cut = layered(blocks.clone(), scene, Some(*at), layers, order);
-            // The long cells of a thin ring bend too much to be cut like this.
-            if !cut.iter().any(|block| folds(block, order)) {
-                blocks = cut;
-            }
+    for at in held_corners(&blocks, &scene.bodies[body]) {
+        blocks = layered(blocks, scene, Some(at), layers, order);
+    }
+    for at in pressed(&scene.bodies[body]) {
+        let cut = layered(blocks.clone(), scene, Some(at), layers, order);
+        // The long cells of a thin ring bend too much to be cut like this.
+        if !cut.iter().any(|block| folds(block, order)) {
+            blocks = cut;
         }
     }
     blocks
+}
+
+/// Corners between a side that is held in both directions and one that is free.
+fn held_corners(blocks: &[Block], body: &Body) -> Vec<Point> {
+    let components = |side: &Side| {
+        let is_own = |support: &&Support| matches!(&support.at, Place::Boundary(name) if side.names.contains(name));
+        let own: Vec<Component> = body.supports.iter().filter(is_own).map(|support| support.component).collect();
+        if own.iter().any(|component| *component != own[0]) { 2 } else { own.len().min(1) }
+    };
+    let corner = |[one, other]: [&Side; 2], at: Point| {
+        let is_outer = [one, other].iter().all(|side| !side.names.is_empty() && !side.inside);
+        let held = [one, other].map(components);
+        (is_outer && (held == [0, 2] || held == [2, 0])).then_some(at)
+    };
+    let of_block = |Block { bottom, right, top, left }: &Block| {
+        let last = |side: &Side| side.points[side.points.len() - 1];
+        [
+            corner([bottom, left], bottom.points[0]),
+            corner([bottom, right], last(bottom)),
+            corner([top, right], last(top)),
+            corner([top, left], top.points[0]),
+        ]
+    };
+    blocks.iter().flat_map(of_block).flatten().collect()
 }
 
 /// Whether the lattice of a block is turned over somewhere.

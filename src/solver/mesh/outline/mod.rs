@@ -19,6 +19,7 @@ use crate::mesh::spacing;
 use crate::scene::{BlockShape, Face, Shape};
 
 pub(crate) use layout::{Layout, widest};
+pub(super) use points::pressed;
 pub(crate) use ring::cells_at_bore;
 
 impl Layout<'_> {

@@ -3,18 +3,23 @@
 use crate::mesh::block::Point;
 use crate::scene::{Along, Body, Component, Load, Place, Shape, SidePart};
 
-/// Points at which a body is held or pressed, and on the sides of a rectangle those at which a pressed part begins or ends.
+/// Points at which a body is held or [pressed].
 pub(super) fn points(body: &Body) -> Vec<Point> {
     let held = body.supports.iter().filter_map(|support| match support.at {
         Place::Point(at) => Some(at),
         Place::Boundary(_) => None,
     });
+    held.chain(pressed(body)).collect()
+}
+
+/// Points at which a force acts, and on the sides of a rectangle those at which a pressed part begins or ends.
+pub(in crate::mesh) fn pressed(body: &Body) -> Vec<Point> {
     let pressed = body.loads.iter().flat_map(|load| match load {
         Load::Force { at, .. } => vec![*at],
         Load::OnSide { boundary, part: Some(part), .. } => ends_of(part, body.shape.lies_at(boundary)),
         _ => vec![],
     });
-    held.chain(pressed).collect()
+    pressed.collect()
 }
 
 /// Those of them that lie on the lower or upper side of a rectangle, along x.
