@@ -154,6 +154,31 @@ fn tables_say_the_same_whatever_their_marks_numbers_and_names() {
 }
 
 #[test]
+fn radius_and_axis_are_those_of_the_scene_whichever_way_it_is_turned() {
+    let case = Case::read(&root().join("tests/cases/shrunk-ring.toml")).expect("a case");
+    let read = |head: &str, row: fn(f64) -> String| {
+        let rows: String = [-15.0, 0.0, 15.0].into_iter().map(row).collect();
+        read(&case, "ring.csv", format!("{head},pressure [MPa]\n{rows}"), &Asked::default())
+    };
+    for found in [read("r [mm],z [mm]", |z| format!("20,{z},41\n")), read("z [mm]", |z| format!("{z},41\n"))] {
+        let places: Vec<f64> = found.expect("read").contacts[0].points.iter().map(|point| point.position).collect();
+        assert_eq!(places, [-15.0, 0.0, 15.0]);
+    }
+    let turned = read("r [mm],z [mm]", |z| format!("{z},20,41\n"));
+    workbench::refused(turned, &["the point 20, -15 mm, by the column `r [mm]`, lies 35.000 mm off"]);
+    workbench::refused(read("r [mm]", |z| format!("{z},41\n")), &["no column is called `position` or `x`"]);
+}
+
+#[test]
+fn gaps_of_0_beyond_the_contact_are_counted() {
+    // The gap 0.002 mm (ξ √(ξ² − 1) − arcosh ξ), ξ = s / 2 mm, is over 1 % of P/E* = 0.00314 mm at 2.1 mm and beyond: 28 of the places.
+    let rows = ellipse::rows(",", |x| x.to_string()).replace('\n', ",0\n");
+    let found = parsed("gaps.csv", format!("position [mm],pressure [MPa],gap [mm]\n{rows}"), &usual()).and_then(judged);
+    let missing = &found.expect("judged").ruled[0].missing;
+    assert!(missing.iter().any(|[what, _]| what.starts_with("gaps of 0 at 28 points beyond")), "{missing:?}");
+}
+
+#[test]
 fn what_is_no_number_in_a_table_is_named_with_its_line_and_what_to_change() {
     for (text, parts) in [
         ("position [mm];pressure [MPa]\n0,5;3\n1.5;2\n2,5;1\n", ["theirs.csv:3", "`1.5`, which is no number"]),
