@@ -100,7 +100,10 @@ pub fn displacements(
     let named = asked.unit(Role::Displacement);
     let heads = heads(source);
     let is_it = |head: &&Head| {
-        head.name == "DISP" && state.is_none_or(|state| head.state.is_at(state.time) && head.state.step == state.step)
+        // The state of a .dat tells its time alone.
+        let is_of =
+            |state: State| head.state.is_at(state.time) && state.step.is_none_or(|own| head.state.step == Some(own));
+        head.name == "DISP" && state.is_none_or(is_of)
     };
     let Some(head) = heads.iter().rfind(is_it).filter(|_| ours.or(named).is_some()) else { return Ok(None) };
     let length = source.factor(Role::Position, "the place of a node", ours, asked.unit(Role::Position))?;
