@@ -149,10 +149,10 @@ impl<'a> Grid<'a> {
         asked: &Asked,
     ) -> Result<(Handed, Vec<String>), Error> {
         let (source, pair) = (self.source(), &scene.contacts[contact]);
-        let side = Side::of(&source, scene, contact, points, cells)?;
+        let (pressure, how, is_of_stresses) = self.pressures(points, pair, asked)?;
+        let (side, other) = Side::of(&source, (scene, contact), points, cells, |node| Some(pressure(node)))?;
         let mut nodes = side.nodes();
         let order = asked.order.unwrap_or(side.order());
-        let (pressure, how, is_of_stresses) = self.pressures(points, pair, asked)?;
         let place = |node: usize| signed_coordinate(pair, points[node]);
         let known = |&node: &usize| {
             let value = Some(pressure(node)).filter(|value| !value.is_nan());
@@ -173,6 +173,7 @@ impl<'a> Grid<'a> {
         nodes.retain(|&node| !pressure(node).is_nan());
         let mut value: Vec<f64> = nodes.iter().map(|&node| pressure(node)).collect();
         let mut read = vec![how];
+        read.extend(other);
         read.extend(is_of_stresses.then(|| without_pull(value.iter_mut())).flatten());
         let gaps = self.gaps(&nodes, points, pair, &value, asked, &mut read)?;
         let point = |(k, node): (usize, &usize)| Point {
