@@ -121,10 +121,14 @@ fn tables_say_the_same_whatever_their_marks_numbers_and_names() {
         "x/mm,p/N/mm2\n",
         "x_mm,contact_pressure_MPa\n",
         "# position,pressure\n# mm,MPa\n",
+        "# x [mm] CPRESS [MPa]\n",
+        "x [mm],p [MPa]\nmm,MPa\n",
+        "n,97\n0.3,210000\nposition [mm],pressure [MPa]\n",
     ];
     let commas = heads.map(|head| format!("{head}{}", row(",", plain)));
     let others = [
         format!("position [mm];pressure [MPa]\r\n{}", row(" ; ", comma).replace('\n', "\r\n")),
+        format!("Position;pressure\nmm;MPa\n{}", row(";", comma).replace('\n', ";\n")),
         format!("position [mm]\tpressure [MPa]\n{}", row("\t", comma)),
         format!("position [mm]   pressure [MPa]\n{}", row("   ", comma)),
         format!("# x [mm] p [MPa]\n{}", row(" ", fortran)),
@@ -757,8 +761,10 @@ fn points_off_the_side_and_pressures_that_begin_behind_the_middle_are_refused() 
         &usual(),
         &["no column is called `position` or `x`"],
     );
-    // A y without a unit is none that is read.
-    assert!(parsed("sides.csv", plain("x [mm],y,pressure [MPa]", -0.3), &Asked::default()).is_ok());
+    // A y without a unit has that of x.
+    refused("sides.csv", plain("x [mm],y,pressure [MPa]", -0.3), &Asked::default(), &["0.300 mm off the side"]);
+    let of_x = in_units(&[(Role::X, "mm"), (Role::Pressure, "MPa")]);
+    refused("sides.csv", plain("Points:0,Points:1,CPRESS", 0.3), &of_x, &["`Points:1, in mm`, lies 0.300 mm off"]);
     let quadratic = Asked { order: Some(Order::Quadratic), ..usual() };
     assert!(judged(parsed("sides.csv", table(head, 0, 0.0), &quadratic).expect("read")).expect("judged").met());
     refused("sides.csv", table(head, 2, 0.0), &quadratic, &["stop at 0.2", "of the force lies beyond"]);
