@@ -217,7 +217,7 @@ const BUDGETS: [(&str, usize); 9] = [
     ("case", 8_244),
     ("oracle", 1_436),
     ("study", 14_861),
-    ("referee", 7_073),
+    ("referee", 7_076),
     ("report", 3_105),
     ("cli", 4_736),
     ("live", 490),

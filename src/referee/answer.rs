@@ -145,7 +145,10 @@ pub fn ordered(
     }
     if points.iter().all(|point| point.value.abs() <= 0.0) {
         let message = format!("nothing presses: all {} values of contact `{}` are 0", points.len(), pair.name);
-        return Err(refused(message, "hand in the side that has the values, of a state under the load of the scene"));
+        return Err(refused(
+            message,
+            "hand in the side that has the values, of a state under the load of the scene, which --time names among several",
+        ));
     }
     points.sort_by(|a, b| a.position.total_cmp(&b.position));
     let length = points[points.len() - 1].position - points[0].position;
@@ -153,7 +156,7 @@ pub fn ordered(
         let message = format!("two points lie at one place, {}", places(pair, &[two[0].position]));
         return Err(refused(
             message,
-            "hand in the points of one side of one contact, of one step and time, each once; those of the parts of a grid merged",
+            "hand in the points of one side of one contact, of one step and time, each once; of a grid in parts merge their points first",
         ));
     }
     // On an axis a node may have no area, and codes give none to nodes that are open.
