@@ -214,10 +214,10 @@ fn matrix_types_of_libraries_stay_inside_the_numerics() {
 const BUDGETS: [(&str, usize); 9] = [
     ("solver", 23_353),
     ("drawing", 2_945),
-    ("case", 8_237),
+    ("case", 8_244),
     ("oracle", 1_436),
     ("study", 14_861),
-    ("referee", 6_935),
+    ("referee", 7_076),
     ("report", 3_105),
     ("cli", 4_736),
     ("live", 490),

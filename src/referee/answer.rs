@@ -132,7 +132,7 @@ pub fn places(pair: &ContactPair, all: &[f64]) -> String {
     format!("{} {}", all.join(" to "), if pair.path.is_straight() { "mm" } else { "°" })
 }
 
-/// Points in order; refuses too few, two at one place, and three-node edges that do not add up.
+/// Points in order; refuses too few, those without any pressure, two at one place, and three-node edges that do not add up.
 pub fn ordered(
     mut points: Vec<Point>,
     order: Order,
@@ -143,11 +143,21 @@ pub fn ordered(
         let message = format!("{} points were handed in, and a profile needs {FEWEST}", points.len());
         return Err(refused(message, "hand in every node of the contact side, those without pressure too"));
     }
+    if points.iter().all(|point| point.value.abs() <= 0.0) {
+        let message = format!("nothing presses: all {} values of contact `{}` are 0", points.len(), pair.name);
+        return Err(refused(
+            message,
+            "hand in the side that has the values, of a state under the load of the scene, which --time names among several",
+        ));
+    }
     points.sort_by(|a, b| a.position.total_cmp(&b.position));
     let length = points[points.len() - 1].position - points[0].position;
     if let Some(two) = points.windows(2).find(|two| two[1].position - two[0].position <= SAME * length) {
         let message = format!("two points lie at one place, {}", places(pair, &[two[0].position]));
-        return Err(refused(message, "hand in the points of one side of one contact, of one step and time, each once"));
+        return Err(refused(
+            message,
+            "hand in the points of one side of one contact, of one step and time, each once; of a grid in parts merge their points first",
+        ));
     }
     // On an axis a node may have no area, and codes give none to nodes that are open.
     let may_have_none = |point: &Point| point.position.abs() <= SAME * length || point.value.abs() <= 0.0;

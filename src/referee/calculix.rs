@@ -32,6 +32,17 @@ pub fn has_forces(text: &str) -> bool {
 
 /// Nodal forces of the sets behind the gap elements of an exported deck.
 pub fn forces(file: &Path, text: &str, deck: &str, scene: &Scene, asked: &Asked) -> Result<Answer, Error> {
+    forces_at(file, text, deck, scene, asked).map(|(answer, _)| answer)
+}
+
+/// The same with the state that they are of.
+pub fn forces_at(
+    file: &Path,
+    text: &str,
+    deck: &str,
+    scene: &Scene,
+    asked: &Asked,
+) -> Result<(Answer, Option<State>), Error> {
     let (source, own) = (Source { file, text }, is_ours(deck));
     let ours = |unit: &'static str| own.then_some(unit);
     let length = source.factor(Role::X, "the place of a node of the deck", ours("mm"), asked.unit(Role::X))?;
@@ -40,7 +51,7 @@ pub fn forces(file: &Path, text: &str, deck: &str, scene: &Scene, asked: &Asked)
     let order = asked.order.unwrap_or_else(|| order_of_deck(deck));
     // Nodes of no cell have the forces of the sector into which ccx expands cells of revolution.
     let whole = if scene.is_of_revolution() { SECTORS } else { 1.0 };
-    let (mut contacts, mut read, mut notes) = (Vec::new(), Vec::new(), Vec::new());
+    let (mut contacts, mut read, mut notes, mut at) = (Vec::new(), Vec::new(), Vec::new(), None);
     for (contact, pair) in scene.contacts.iter().enumerate() {
         let set = gaps_of(scene, contact);
         let tables = tables_of(text, &set);
@@ -49,6 +60,7 @@ pub fn forces(file: &Path, text: &str, deck: &str, scene: &Scene, asked: &Asked)
         }
         let states: Vec<State> = tables.iter().map(|(state, _)| *state).collect();
         let (state, lines) = &tables[State::chosen(&source, &states, asked)?];
+        at = Some(*state);
         read.push(format!("the forces of {set} at {state}, of {} that are there", tables.len()));
         notes.extend(state.notes(&states));
         let wanted = size_of_set(deck, &set);
@@ -87,7 +99,7 @@ pub fn forces(file: &Path, text: &str, deck: &str, scene: &Scene, asked: &Asked)
     read.push("places from the deck of the same name".into());
     notes.dedup();
     let (code, units) = (Some("CalculiX".into()), asked.units());
-    Ok(Answer { file: file.into(), code, read, notes, units, contacts, field: None })
+    Ok((Answer { file: file.into(), code, read, notes, units, contacts, field: None }, at))
 }
 
 /// The tables of forces of a set, each with its time and its lines.

@@ -4,7 +4,7 @@ use crate::case::{Check, Judged, Reference};
 use crate::measure::{Quantity, larger};
 use crate::referee::bench::{Bench, along};
 use crate::referee::norm;
-use crate::solution::EdgeState;
+use crate::solution::{EdgeState, PointState};
 
 /// What penetration is told by.
 pub const PENETRATION: &str = "largest penetration over the approach that the contact makes";
@@ -39,11 +39,7 @@ pub(super) fn of_gaps(bench: &Bench, missing: &mut Vec<[String; 2]>) -> Vec<Judg
             stored / (force * approach),
         ),
     ];
-    match open_gaps(bench, approach) {
-        Some(one) => judged.push(one),
-        None => missing
-            .push([OPEN.into(), "the remaining gap of points beyond the contact, `inf` where there is none".into()]),
-    }
+    judged.extend(open_gaps(bench, approach, missing));
     judged
 }
 
@@ -52,27 +48,36 @@ const OPEN: &str = "error of the gaps beyond the contact, over them and the appr
 
 /// `√(Σ A (g − g_ref)² / Σ A max(g_ref, δ)²)` with the approach δ that the contact makes, over the points that are open in our fine answer,
 /// within its candidates, between whose nodes its gap is linear; none where none is by more than the tolerance of the approach. A gap of 0
-/// there is ignored: some codes write 0 where they do not search.
-fn open_gaps(bench: &Bench, approach: f64) -> Option<Judged> {
+/// there is passed over, and this is said: some codes write 0 where they do not search.
+fn open_gaps(bench: &Bench, approach: f64, missing: &mut Vec<[String; 2]>) -> Option<Judged> {
     let (contact, profile) = (bench.profile.contact, bench.profile);
     let is_half = !bench.truth.case.scene.contacts[contact].path.has_both_sides();
     let ours = bench.truth.run.solution.part(contact).points.iter();
     let ours: Vec<(f64, f64)> = ours.map(|point| (point.position, point.gap)).collect();
     let ends = [ours.first()?.0, ours.last()?.0];
-    let open = profile.points.iter().filter_map(|point| {
+    let open = |point: &PointState| {
         let s = if is_half { point.position.abs() } else { point.position };
         let is_told = ends[0] <= s && s <= ends[1] * (1.0 + SAME) && point.gap.is_finite();
         let gap = along(&ours, s);
-        let is_open = point.gap.abs() > 0.0 && gap > bench.tolerance * approach;
-        (is_told && is_open).then_some((point.weight, point.gap - gap, gap))
-    });
-    let sums = open.fold([0.0; 2], |[error, size], (weight, off, gap)| {
+        (is_told && gap > bench.tolerance * approach).then_some((point.weight, point.gap - gap, gap))
+    };
+    let (told, zeros): (Vec<&PointState>, Vec<_>) = profile.points.iter().partition(|point| point.gap.abs() > 0.0);
+    // Middles between points that were handed in are none of these.
+    let place = |point: &&PointState| profile.alone.binary_search_by(|[s, _]| s.total_cmp(&point.position)).is_ok();
+    let zeros = zeros.into_iter().filter(|point| profile.alone.is_empty() || place(point)).filter_map(open).count();
+    let sums = told.into_iter().filter_map(open).fold([0.0; 2], |[error, size], (weight, off, gap)| {
         [error + weight * off * off, size + weight * larger(gap, approach).powi(2)]
     });
     let reference = bench.truth.ours(contact, &Quantity::SecondMomentWidth).reference;
     let allowed = bench.tolerance + OPENS * bench.size_at_end() / bench.half_width_known().reference.value;
     let because = "the tolerance, and what the end of the contact leaves within an edge of this mesh";
     let [error, size] = sums;
+    if zeros > 0 {
+        let what = format!("gaps of 0 at {zeros} points beyond the contact, as of codes that do not search there");
+        missing.push([what, "the gaps that remain there, `inf` where there is no other side".into()]);
+    } else if size <= 0.0 {
+        missing.push([OPEN.into(), "the remaining gap of points beyond the contact, `inf` where there is none".into()]);
+    }
     (size > 0.0)
         .then(|| bench.error(OPEN, Reference { value: 0.0, ..reference }, allowed, because, (error / size).sqrt()))
 }

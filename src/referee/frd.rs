@@ -55,9 +55,9 @@ pub fn parse(file: &Path, text: &str, scene: &Scene, asked: &Asked) -> Result<An
     let (values, strange) = plane.values(&block);
     let pair = &scene.contacts[contact];
     let places: Vec<[f64; 2]> = plane.places.iter().map(|place| place.map(|x| length * x)).collect();
-    let side = Side::of(&source, scene, contact, &places, &plane.cells)?;
-    let nodes = side.nodes();
     let value = |node: usize| values[node].as_ref().map(|values| asked.sign() * stress * values[pressure]);
+    let (side, other) = Side::of(&source, (scene, contact), &places, &plane.cells, value)?;
+    let nodes = side.nodes();
     let point = |&node: &usize| {
         let position = signed_coordinate(pair, places[node]);
         let gap = gap.zip(values[node].as_ref()).map(|(gap, values)| gaps * values[gap]);
@@ -79,6 +79,7 @@ pub fn parse(file: &Path, text: &str, scene: &Scene, asked: &Asked) -> Result<An
     let points =
         ordered(points, order, pair, |message, remedy| source.refused(format!("contact block: {message}"), remedy))?;
     let mut read = vec![format!("{name} as pressure")];
+    read.extend(other);
     read.extend(gap.map(|gap| format!("{} as gap", block.components[gap])));
     read.extend(heads.iter().map(|head| format!("block {} of {}", head.name, head.state)));
     read.push(format!("the contact block of {} is judged", head.state));
@@ -100,7 +101,10 @@ pub fn displacements(
     let named = asked.unit(Role::Displacement);
     let heads = heads(source);
     let is_it = |head: &&Head| {
-        head.name == "DISP" && state.is_none_or(|state| head.state.is_at(state.time) && head.state.step == state.step)
+        // The state of a .dat tells its time alone.
+        let is_of =
+            |state: State| head.state.is_at(state.time) && state.step.is_none_or(|own| head.state.step == Some(own));
+        head.name == "DISP" && state.is_none_or(is_of)
     };
     let Some(head) = heads.iter().rfind(is_it).filter(|_| ours.or(named).is_some()) else { return Ok(None) };
     let length = source.factor(Role::Position, "the place of a node", ours, asked.unit(Role::Position))?;

@@ -128,6 +128,11 @@ impl<'a> Grid<'a> {
                         || format!("a quadrilateral of VTK's type 70 has {all} nodes, and no square of a number");
                     found.extend(more.ok_or_else(|| refused(message()))?);
                 }
+                Some(nodes) if nodes.len() != all => {
+                    let message =
+                        format!("a cell of VTK's type {kind} has {all} nodes, and one here has {}", nodes.len());
+                    return Err(refused(message));
+                }
                 _ => return Err(refused("its cells name nodes that are not there".into())),
             }
         }
@@ -144,10 +149,10 @@ impl<'a> Grid<'a> {
         asked: &Asked,
     ) -> Result<(Handed, Vec<String>), Error> {
         let (source, pair) = (self.source(), &scene.contacts[contact]);
-        let side = Side::of(&source, scene, contact, points, cells)?;
+        let (pressure, how, is_of_stresses) = self.pressures(points, pair, asked)?;
+        let (side, other) = Side::of(&source, (scene, contact), points, cells, |node| Some(pressure(node)))?;
         let mut nodes = side.nodes();
         let order = asked.order.unwrap_or(side.order());
-        let (pressure, how, is_of_stresses) = self.pressures(points, pair, asked)?;
         let place = |node: usize| signed_coordinate(pair, points[node]);
         let known = |&node: &usize| {
             let value = Some(pressure(node)).filter(|value| !value.is_nan());
@@ -168,6 +173,7 @@ impl<'a> Grid<'a> {
         nodes.retain(|&node| !pressure(node).is_nan());
         let mut value: Vec<f64> = nodes.iter().map(|&node| pressure(node)).collect();
         let mut read = vec![how];
+        read.extend(other);
         read.extend(is_of_stresses.then(|| without_pull(value.iter_mut())).flatten());
         let gaps = self.gaps(&nodes, points, pair, &value, asked, &mut read)?;
         let point = |(k, node): (usize, &usize)| Point {
@@ -264,19 +270,28 @@ impl<'a> Grid<'a> {
                 false,
             ));
         }
-        let places = self.field(Role::Stress, asked)?.and_then(|(field, _)| match field.components {
-            6 | 9 => {
-                let at = ["xx", "yy", "xy"].map(|name| field.component(name));
-                let [Some(x), Some(y), Some(xy)] = at else { return None };
-                Some((field, [x, y, xy]))
-            }
-            _ => None,
+        let stress = self.field(Role::Stress, asked)?.map(|(field, _)| field);
+        let places = stress.and_then(|field| {
+            let [x, y, xy] = ["xx", "yy", "xy"].map(|name| field.component(name));
+            Some((field, [x?, y?, xy?]))
         });
+        if let (Some(field), None) = (stress.filter(|field| field.has_names()), &places) {
+            let message = format!(
+                "which components of `{}` are xx, yy and xy is not known: {}",
+                field.name,
+                field.names.join(", ")
+            );
+            let remedy = "call them XX, YY and XY, S11, S22 and S12, or SX, SY and SXY; or name a pressure by --column pressure=NAME";
+            return Err(self.source().refused(message, remedy));
+        }
         if self.fields.is_empty() {
             let remedy = "write the pressure of the contact side, or the stress, at its nodes: what a file has of cells is not read";
             return Err(self.source().refused("it has no field at its nodes", remedy));
         }
         let Some((field, at)) = places else {
+            if let Some((field, _)) = self.field(Role::Pressure, asked)? {
+                return Err(self.one_of(Role::Pressure, field));
+            }
             let known: Vec<String> =
                 self.fields.iter().map(|field| format!("{} ({})", field.name, field.components)).collect();
             let message = format!(

@@ -100,15 +100,15 @@ fn of_collection(file: &Path, text: &str, case: &Case, asked: &Asked) -> Result<
     Ok(answer)
 }
 
-/// Nodal forces of an exported deck, and the displacements of the file of fields of the same name, where it is there.
+/// Nodal forces of an exported deck, and the displacements of the same time of the file of fields of the same name, where it has them.
 fn exported(file: &Path, table: &str, scene: &Scene, asked: &Asked) -> Result<Answer, Error> {
     let deck = deck_of(file)?;
-    let mut answer = calculix::forces(file, table, &deck, scene, asked)?;
+    let (mut answer, state) = calculix::forces_at(file, table, &deck, scene, asked)?;
     let fields = file.with_extension("frd");
     if fields.exists() {
         let read = bytes(&fields)?;
         let source = Source { file: &fields, text: &text(&fields, &read)? };
-        answer.field = frd::displacements((&source, scene), asked, calculix::is_ours(&deck).then_some("mm"), None)?;
+        answer.field = frd::displacements((&source, scene), asked, calculix::is_ours(&deck).then_some("mm"), state)?;
         answer.read.extend(answer.field.is_some().then(|| "displacements from the .frd of the same name".into()));
     }
     Ok(answer)

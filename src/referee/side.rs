@@ -59,21 +59,44 @@ pub struct Side {
 }
 
 impl Side {
-    /// The side of a contact; refused where no edge lies there.
+    /// The side of a contact, that of the first body; that of the second one where only it has values other than 0, which is then said. Refused
+    /// where no edge lies there.
     pub fn of(
         source: &Source,
+        (scene, contact): (&Scene, usize),
+        points: &[[f64; 2]],
+        cells: &[Cell],
+        pressure: impl Fn(usize) -> Option<f64>,
+    ) -> Result<(Self, Option<String>), Error> {
+        let pair = &scene.contacts[contact];
+        let is_pressed =
+            |side: &Self| side.nodes().iter().any(|&node| pressure(node).is_some_and(|own| own.abs() > 0.0));
+        let first = Self::of_body(source, scene, (pair, pair.first), points, cells);
+        let of_second = |body| Some((body, Self::of_body(source, scene, (pair, body), points, cells).ok()?));
+        let second = if first.as_ref().is_ok_and(is_pressed) { None } else { pair.second.and_then(of_second) };
+        let Some((body, second)) = second.filter(|(_, side)| is_pressed(side)) else { return Ok((first?, None)) };
+        let names = [body, pair.first].map(|body| &scene.bodies[body].name);
+        let how = format!("the side of `{}`, since that of `{}` has no values other than 0", names[0], names[1]);
+        Ok((second, Some(how)))
+    }
+
+    fn of_body(
+        source: &Source,
         scene: &Scene,
-        contact: usize,
+        (pair, body): (&ContactPair, usize),
         points: &[[f64; 2]],
         cells: &[Cell],
     ) -> Result<Self, Error> {
-        let pair = &scene.contacts[contact];
+        if cells.is_empty() {
+            let remedy = "hand in the grid with the cells of the bodies, or the points with their pressures as .csv";
+            return Err(source.refused("it has no plane cells, by which the contact side is found", remedy));
+        }
         if !cells.iter().any(|cell| area(points, cell).abs() > 0.0) {
             let message = format!("none of its {} plane cells has an area in x and y", cells.len());
             return Err(source.refused(message, UNDEFORMED));
         }
         let all = outline(points, cells);
-        let edges: Vec<Edge> = all.iter().filter(|edge| lies_on(scene, pair, points, edge)).cloned().collect();
+        let edges: Vec<Edge> = all.iter().filter(|edge| lies_on(scene, (pair, body), points, edge)).cloned().collect();
         if edges.is_empty() {
             let range = |axis: usize| {
                 let along = || points.iter().map(|point| point[axis]);
@@ -86,14 +109,19 @@ impl Side {
                 range(0),
                 range(1)
             );
-            return Err(
-                source.refused(message, format!("{UNDEFORMED}{}", unit_that_fits(scene, pair, points, &all, 1)))
-            );
+            return Err(source
+                .refused(message, format!("{UNDEFORMED}{}", unit_that_fits(scene, (pair, body), points, &all, 1))));
         }
-        let is_other = |edge: &Edge| scene.contacts.iter().any(|pair| lies_on(scene, pair, points, edge));
-        let others: Vec<&Edge> = all.iter().filter(|edge| faces(pair, points, edge) && !is_other(edge)).collect();
+        let of = |other: &ContactPair| if body == pair.first { Some(other.first) } else { other.second };
+        let lies = |other: &ContactPair, edge: &Edge| {
+            of(other).is_some_and(|body| lies_on(scene, (other, body), points, edge))
+        };
+        let is_other = |edge: &Edge| scene.contacts.iter().any(|other| lies(other, edge));
+        let is_along = |edge: &&Edge| faces((pair, body), points, edge) && !is_other(edge);
+        let others: Vec<&Edge> = all.iter().filter(is_along).collect();
         let off = connected(points, &edges, &others);
-        let fits = if off.is_empty() { String::new() } else { unit_that_fits(scene, pair, points, &all, edges.len()) };
+        let fits =
+            if off.is_empty() { String::new() } else { unit_that_fits(scene, (pair, body), points, &all, edges.len()) };
         Ok(Self { edges, off, fits })
     }
 
@@ -180,14 +208,14 @@ impl Side {
 /// The factor by which more than so many edges would lie on the side, as a part of a remedy; nothing where none is.
 fn unit_that_fits(
     scene: &Scene,
-    pair: &ContactPair,
+    (pair, body): (&ContactPair, usize),
     points: &[[f64; 2]],
     outline: &[Edge],
     more_than: usize,
 ) -> String {
     let count = |factor: f64| {
         let scaled: Vec<[f64; 2]> = points.iter().map(|point| point.map(|x| factor * x)).collect();
-        let on_side: Vec<&Edge> = outline.iter().filter(|edge| lies_on(scene, pair, &scaled, edge)).collect();
+        let on_side: Vec<&Edge> = outline.iter().filter(|edge| lies_on(scene, (pair, body), &scaled, edge)).collect();
         let reach = on_side.iter().flat_map(|edge| &edge[..2]).map(|&node| pair.path.coordinate(scaled[node]).abs());
         if reach.fold(0.0, f64::max) < REACHED * pair.stretch { 0 } else { on_side.len() }
     };
@@ -204,15 +232,16 @@ fn unit_that_fits(
     }
 }
 
-/// Whether an edge lies on the contact side, within the candidate stretch.
-fn lies_on(scene: &Scene, pair: &ContactPair, points: &[[f64; 2]], edge: &Edge) -> bool {
+/// Whether an edge lies on the contact side of a body, within the candidate stretch: that of the second one within the gap from the first.
+fn lies_on(scene: &Scene, (pair, body): (&ContactPair, usize), points: &[[f64; 2]], edge: &Edge) -> bool {
     let is_within = |&node: &usize| pair.path.coordinate(points[node]).abs() <= pair.stretch * (1.0 + SAME);
     let length = distance(points[edge[0]], points[edge[1]]);
     let is_near = |&node: &usize| {
         let wanted = surface(scene, pair, points[node]);
-        wanted.is_none_or(|wanted| (pair.path.depth(points[node]) - wanted).abs() <= NEAR * length)
+        let gap = if body == pair.first { 0.0 } else { pair.gap(pair.path.coordinate(points[node])).abs() };
+        wanted.is_none_or(|wanted| (pair.path.depth(points[node]) - wanted).abs() <= NEAR * length + gap)
     };
-    faces(pair, points, edge) && edge.iter().all(is_within) && edge.iter().all(is_near)
+    faces((pair, body), points, edge) && edge.iter().all(is_within) && edge.iter().all(is_near)
 }
 
 /// Those of some edges that go on from others, one behind the other.
@@ -271,9 +300,9 @@ pub fn surface(scene: &Scene, pair: &ContactPair, point: [f64; 2]) -> Option<f64
     }
 }
 
-/// Whether an edge faces the other side of the contact.
-fn faces(pair: &ContactPair, points: &[[f64; 2]], edge: &Edge) -> bool {
-    pair.faces(pair.first, [edge[0], edge[1]].map(|node| points[node]), ALONG)
+/// Whether an edge of a body faces the other side of the contact.
+fn faces((pair, body): (&ContactPair, usize), points: &[[f64; 2]], edge: &Edge) -> bool {
+    pair.faces(body, [edge[0], edge[1]].map(|node| points[node]), ALONG)
 }
 
 fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {

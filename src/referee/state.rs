@@ -52,9 +52,11 @@ impl State {
             let first = of.len().saturating_sub(SHOWN);
             let known: Vec<String> = of[first..].iter().map(Self::to_string).collect();
             let cut = if first > 0 { "…; " } else { "" };
-            source.refused("it has no results of the time or step that is asked for", {
-                format!("name one of those it has by --time or --step: {cut}{}", known.join("; "))
-            })
+            let [what, by] = match asked.step.is_some() && of.iter().all(|state| state.step.is_none()) {
+                true => ["it tells the times of its states, and not the steps that --step asks for", "--time"],
+                false => ["it has no results of the time or step that is asked for", "--time or --step"],
+            };
+            source.refused(what, format!("name one of those it has by {by}: {cut}{}", known.join("; ")))
         };
         of.iter().rposition(is_it).ok_or_else(refused)
     }

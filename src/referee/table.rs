@@ -35,6 +35,10 @@ const ROW_NUMBERS: &str =
 const ONE: &str = "keep the table of the side, step and frame that is to be judged, and remove the others; of one that was printed in pages remove the \
                    lines between them";
 
+/// What to do about a column of times that is none.
+const TIMED: &str =
+    "write the time of its state as a number beside every point, or leave the column out where all are of one state";
+
 /// What is said of edges whose areas tell their order.
 const BY_AREAS: &str = "corners and mid-sides by turns, of which the areas are";
 
@@ -127,6 +131,8 @@ const MARKS: [char; 4] = [';', '\t', ',', ' '];
 const SEEN: usize = 1000;
 /// What columns of times are called, by code_aster too.
 const TIMES: [&str; 2] = ["time", "inst"];
+/// What the coordinates of bodies of revolution are called.
+const RADIUS_AND_AXIS: [&str; 2] = ["r", "z"];
 /// What comments begin with.
 const COMMENTS: [&str; 6] = ["#", "%", "!", "//", "$", "**"];
 /// What lines below the numbers of a report begin with; `at` where no number follows.
@@ -154,8 +160,16 @@ impl<'a> Table<'a> {
         let stands = |mark: &char| lines.first().is_some_and(|line| line.trim().contains(*mark));
         let is_it = |mark: &char| if most > 0 { rows(mark) == most } else { stands(mark) };
         let mark = MARKS.into_iter().find(is_it).unwrap_or(',');
-        let first = lines.iter().position(|line| is_data(line, mark));
-        let count = first.map(|first| cells(lines[first], mark).len());
+        // Where names stand behind a row or two of numbers, such as counts, and none before these, the rows behind them are the first.
+        let is_head = |line: &str| is_head(&cells(comment(line).unwrap_or(line), mark), asked);
+        let data = (0..lines.len()).filter(|&k| is_data(lines[k], mark)).take(FEWEST).collect::<Vec<usize>>();
+        let headed = || data.iter().copied().find(|&k| k > 0 && is_head(lines[k - 1]));
+        let is_plain = data.first().is_some_and(|&first| lines[..first].iter().any(|line| is_head(line)));
+        let first = data.first().map(|&first| if is_plain { first } else { headed().unwrap_or(first) });
+        // What all rows have behind their last mark is no cell.
+        let ends =
+            |first: usize| mark != ' ' && lines[first..].iter().take(SEEN).all(|line| line.trim_end().ends_with(mark));
+        let count = first.map(|first| cells(lines[first], mark).len() - usize::from(ends(first)));
         let (begin, mut head) = match (head(&lines[..first.unwrap_or(lines.len().min(1))], mark, count, asked), count) {
             (Some((index, head)), _) => (index + 1, head),
             // Names of columns without a head are their numbers.
@@ -180,8 +194,7 @@ impl<'a> Table<'a> {
             let own = fitting(line, mark, head.len());
             // What begins like a number is of a row, which is refused where it is none.
             let is_word = |cell: &String| is_unit(cell) || number(cell, mark != ',').is_none() && !is_like_number(cell);
-            let is_text = own.iter().all(is_word);
-            match first.is_some_and(|first| k < first) && is_text {
+            match first.is_some_and(|first| k < first) && own.iter().all(is_word) {
                 true if own.len() == head.len() && own.iter().any(|cell| is_known_unit(inner(cell))) => {
                     // Units of columns that are not read need not be known.
                     let is_read = |title: &str| {
@@ -219,13 +232,20 @@ impl<'a> Table<'a> {
         }
         // Of several times the last one is judged, as of grids.
         let column = head.iter().position(|title| TIMES.iter().any(|time| split(title).0.eq_ignore_ascii_case(time)));
-        if asked.step.is_some() || asked.time.is_some() && column.is_none() {
+        if asked.has_state() && column.is_none() {
             return Err(State::only(source.file));
         }
         let mut chosen = None;
-        if let Some(column) = column {
-            let time =
-                |cells: &[String]| cells.get(column).and_then(|cell| number(cell, mark != ',')).unwrap_or(f64::NAN);
+        if let Some(column) = column.filter(|_| !rows.is_empty()) {
+            let time = |cells: &[String]| {
+                cells.get(column).and_then(|cell| number(cell, mark != ',')).filter(|time| time.is_finite())
+            };
+            if let Some((line, cells)) = rows.iter().find(|(_, cells)| time(cells).is_none()) {
+                let own = cells.get(column).map_or("", String::as_str);
+                let message = format!("`{}` is `{own}`, which is no number", head[column]);
+                return Err(source.at(line, message, TIMED));
+            }
+            let time = |cells: &[String]| time(cells).unwrap_or(f64::NAN);
             let mut states: Vec<State> =
                 rows.iter().map(|(_, cells)| State { step: None, time: time(cells) }).collect();
             let last = states.iter().map(|state| state.time).fold(f64::NEG_INFINITY, f64::max);
@@ -233,6 +253,10 @@ impl<'a> Table<'a> {
             let asked = Asked { time: asked.time.or(Some(last)), ..asked.clone() };
             let state = states[State::chosen(source, &states, &asked)?];
             rows.retain(|(_, cells)| state.is_at(time(cells)));
+            if rows.len() < FEWEST {
+                let message = format!("{} of its rows are of {state}, and a profile needs {FEWEST}", rows.len());
+                return Err(source.refused(message, TIMED));
+            }
             chosen = Some((state, states));
         }
         let commas = || {
@@ -329,22 +353,34 @@ fn are_units(cells: &[String], wanted: usize) -> bool {
 
 /// Names with the units of a row.
 fn with_units(head: &[String], units: &[String]) -> Vec<String> {
-    head.iter().zip(units).map(|(name, unit)| format!("{name} [{}]", inner(unit))).collect()
+    let one = |(name, unit): (&String, &String)| match split(name).1 {
+        Some(own) if own == inner(unit) => name.clone(),
+        _ => format!("{name} [{}]", inner(unit)),
+    };
+    head.iter().zip(units).map(one).collect()
+}
+
+/// Whether cells are names of a place and of what presses there.
+fn is_head(cells: &[String], asked: &Asked) -> bool {
+    let has = |roles: [Role; 2]| {
+        roles.iter().any(|role| cells.iter().any(|title| asked.names(*role, title) || is_usual(*role, title)))
+    };
+    has([Role::Position, Role::X]) && has([Role::Pressure, Role::Force])
 }
 
 /// The line of names and its place: the last above the numbers that names a place and what presses there; else the last with as many cells as
 /// they have, a comment where there is no other; else the last.
 fn head(above: &[&str], mark: char, count: Option<usize>, asked: &Asked) -> Option<(usize, Vec<String>)> {
     let candidate = |(k, line): (usize, &&str)| {
-        let names = fitting(comment(line).unwrap_or(line), mark, count.unwrap_or(0));
+        let fit = |mark: char| fitting(comment(line).unwrap_or(line), mark, count.unwrap_or(0));
+        // Names may have blanks between where numbers have commas.
+        let blank = Some(fit(' ')).filter(|names| Some(names.len()) == count && is_head(names, asked));
+        let names = Some(fit(mark)).filter(|names| Some(names.len()) == count).or(blank).unwrap_or_else(|| fit(mark));
         let is_no_name = |cell: &String| is_unit(cell) || number(cell, mark != ',').is_some();
         (!names.iter().all(is_no_name) && count.is_none_or(|count| names.len() == count)).then_some((k, names))
     };
     let all: Vec<(usize, Vec<String>)> = above.iter().enumerate().filter_map(candidate).collect();
-    let has = |roles: [Role; 2], (_, head): &&(usize, Vec<String>)| {
-        roles.iter().any(|role| head.iter().any(|title| asked.names(*role, title) || is_usual(*role, title)))
-    };
-    let known = all.iter().rfind(|one| has([Role::Position, Role::X], one) && has([Role::Pressure, Role::Force], one));
+    let known = all.iter().rfind(|(_, head)| is_head(head, asked));
     let is_plain = |k: usize| comment(above[k]).is_none();
     let last = || all.iter().rfind(|(k, _)| is_plain(*k)).or(all.last());
     let any = || (0..above.len()).rev().find(|k| is_plain(*k)).map(|k| (k, cells(above[k], mark)));
@@ -513,9 +549,14 @@ fn columns(source: &Source, head: &[String], scene: &Scene, asked: &Asked) -> Re
         let all = match asked.column(role) {
             Some(_) => of(&|title: &str| asked.names(role, title)),
             None => {
-                let is_of_scene = |name: &&&str| scene.is_of_revolution() || !["r", "z"].contains(*name);
-                let names = role.usual().iter().filter(is_of_scene);
-                names.map(usual).find(|all| !all.is_empty()).unwrap_or_default()
+                let plain = role.usual().iter().filter(|name| !RADIUS_AND_AXIS.contains(*name)).copied();
+                // What x and y are of bodies of revolution.
+                let own = scene.plane.radial().and_then(|radial| match role {
+                    Role::X => Some(RADIUS_AND_AXIS[radial]),
+                    Role::Y => Some(RADIUS_AND_AXIS[1 - radial]),
+                    _ => None,
+                });
+                plain.chain(own).map(|name| usual(&name)).find(|all| !all.is_empty()).unwrap_or_default()
             }
         };
         match (all.as_slice(), asked.column(role)) {
@@ -544,24 +585,27 @@ fn columns(source: &Source, head: &[String], scene: &Scene, asked: &Asked) -> Re
     if !has(Role::Pressure) && !has(Role::Force) {
         return Err(source.refused(format!("no column is called `pressure` or `force`, but {}", shown()), HEADER));
     }
-    let has_unit = |role: Role| {
-        let written = found.iter().find(|(known, _)| *known == role).and_then(|(_, index)| split(&head[*index]).1);
-        asked.unit(role).is_some() || written.is_some_and(|unit| role.factor(unit).is_some())
+    let unit = |role: Role| {
+        let own = found.iter().find(|(known, _)| *known == role).and_then(|(_, index)| split(&head[*index]).1);
+        own.filter(|unit| role.factor(unit).is_some()).or(asked.unit(role))
     };
-    let all_straight = scene.contacts.iter().all(|pair| pair.path.is_straight());
     let is_used = |role: Role| match role {
-        Role::X => !has(Role::Position),
-        Role::Y => !has(Role::Position) && (!all_straight || has_unit(role)),
+        Role::X | Role::Y => !has(Role::Position),
         Role::Force => !has(Role::Pressure),
         _ => true,
     };
     let used = found.iter().filter(|(role, _)| is_used(*role));
-    used.map(|&(role, index)| column(source, role, index, &head[index], asked)).collect()
+    // Where y has no unit, it has that of x.
+    let named = |role: Role| match asked.unit(role) {
+        None if role == Role::Y && unit(role).is_none() => unit(Role::X),
+        own => own,
+    };
+    used.map(|&(role, index)| column(source, role, index, &head[index], named(role))).collect()
 }
 
 /// One column with its unit: that of the file, or the one that is named; where both are there they are one.
-fn column(source: &Source, role: Role, index: usize, title: &str, asked: &Asked) -> Result<Column, Error> {
-    let (written, named) = (split(title).1, asked.unit(role));
+fn column(source: &Source, role: Role, index: usize, title: &str, named: Option<&str>) -> Result<Column, Error> {
+    let written = split(title).1;
     // What brackets hold may be no unit: `pressure (nodal)`.
     let says_unit = |unit: &&str| role.factor(unit).is_some() || title.ends_with(']') || is_like_unit(unit);
     let written = written.filter(|unit| named.is_none() || says_unit(unit));

@@ -45,8 +45,29 @@ impl Field {
         self.data[node * self.components + component]
     }
 
-    /// The component of a number, from 0 as in ParaView, or of a name: one that the file gives, as it is or behind others such as `S_XX`; where it
-    /// gives none of them, `x` of a vector and `xy` of a stress.
+    /// Whether its components have names; their numbers are none.
+    pub fn has_names(&self) -> bool {
+        self.names.iter().enumerate().any(|(k, name)| !name.is_empty() && *name != k.to_string())
+    }
+
+    /// The axes with which the name of a component ends, by letters: `xy` of `S12`, and of a stress `xx` of `SX`; else the name.
+    fn axes(&self, name: &str) -> String {
+        let own = name.to_lowercase();
+        let axes = &own[own.trim_end_matches(['x', 'y', 'z', '1', '2', '3']).len()..];
+        match (axes, axes.len()) {
+            ("x" | "y" | "z", _) if self.components > 3 => axes.repeat(2),
+            (_, 1) if self.components > 3 => own,
+            (_, 1 | 2) => {
+                let mut letters = axes.replace('1', "x").replace('2', "y").replace('3', "z").into_bytes();
+                letters.sort_unstable();
+                String::from_utf8_lossy(&letters).into_owned()
+            }
+            _ => own,
+        }
+    }
+
+    /// The component of a number, from 0 as in ParaView, or of a name: one that the file gives, as it is or by its axes; where it gives none, `x` of
+    /// a vector and `xy` of a stress.
     pub fn component(&self, name: &str) -> Option<usize> {
         let usual: &[&str] = match self.components {
             2 | 3 => &["x", "y", "z"],
@@ -54,14 +75,10 @@ impl Field {
             9 => &["xx", "xy", "xz", "yx", "yy", "yz", "zx", "zy", "zz"],
             _ => &[],
         };
-        let is_it = |known: &String| {
-            let own = known.to_lowercase();
-            let before = own.strip_suffix(&name.to_lowercase());
-            before.is_some_and(|before| ["", "s"].contains(&before) || before.ends_with(['_', '-', ' ', ':']))
-        };
+        let is_it = |known: &String| self.axes(known) == self.axes(name);
         let named = || self.names.iter().position(|known| known == name).or_else(|| self.names.iter().position(is_it));
         let common = || usual.iter().position(|known| known.eq_ignore_ascii_case(name));
-        let found = name.parse().ok().or_else(named).or_else(common);
-        found.filter(|component| *component < self.components)
+        let number = name.parse().ok().filter(|component| *component < self.components);
+        number.or_else(|| if self.has_names() { named() } else { common() })
     }
 }

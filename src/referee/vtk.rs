@@ -40,7 +40,7 @@ pub fn parse<'a>(file: &'a Path, bytes: &'a [u8]) -> Result<Grid<'a>, Error> {
                 }
                 None
             }
-            "METADATA" => reader.pass_over(),
+            "METADATA" => reader.metadata(&mut grid, section.1),
             "FIELD" => (0..count(2)?).try_for_each(|_| reader.field(&mut grid, section.1)).map(|()| None)?,
             "LOOKUP_TABLE" => {
                 reader.numbers(4, told(2).unwrap_or(0), if reader.binary { "unsigned_char" } else { "float" })?;
@@ -112,9 +112,12 @@ impl Reader<'_> {
         std::iter::from_fn(|| (self.at < self.bytes.len()).then(|| self.line())).find(|line| !line.is_empty())
     }
 
-    /// Passes over what ends in an empty line.
-    fn pass_over<T>(&mut self) -> Option<T> {
-        while !self.line().is_empty() {}
+    /// Names of the components of the array before, where that was of nodes; what else stands there, up to an empty line, is passed over.
+    fn metadata<T>(&mut self, grid: &mut Grid, of_nodes: bool) -> Option<T> {
+        let lines: Vec<String> = std::iter::from_fn(|| Some(self.line()).filter(|line| !line.is_empty())).collect();
+        let names = lines.iter().skip_while(|line| *line != "COMPONENT_NAMES").skip(1).map(|name| plain(name));
+        let field = grid.fields.last_mut().filter(|field| of_nodes && field.names.is_empty())?;
+        field.names = names.take(field.components).collect();
         None
     }
 
@@ -205,7 +208,7 @@ impl Reader<'_> {
     fn field(&mut self, grid: &mut Grid, of_nodes: bool) -> Result<(), Error> {
         let mut line = self.next().unwrap_or_default();
         while line.starts_with("METADATA") {
-            line = self.pass_over().or_else(|| self.next()).unwrap_or_default();
+            line = self.metadata(grid, of_nodes).or_else(|| self.next()).unwrap_or_default();
         }
         let words: Vec<&str> = line.split_whitespace().collect();
         match words.as_slice() {

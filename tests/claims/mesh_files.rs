@@ -364,6 +364,7 @@ fn nine_node_cells_bend_exactly_on_distorted_meshes_and_eight_node_ones_do_not()
 fn sides_of_a_deck_are_named_by_surfaces_sets_of_elements_and_sets_of_nodes() {
     let body = Body::of(8);
     let deck = inp(&body);
+    let glued: Vec<String> = body.cells[0].1[..2].iter().map(u64::to_string).collect();
     let wanted = pressures(&of_deck(&deck));
     let nodes: String = body.sides[0].1.concat().iter().map(|node| format!("{node},\n")).collect();
     let lines: String = body.sides[0]
@@ -380,9 +381,10 @@ fn sides_of_a_deck_are_named_by_surfaces_sets_of_elements_and_sets_of_nodes() {
         format!("*NSET, NSET=sole, UNSORTED\n{nodes}"),
         format!("*ELEMENT, TYPE=B32, ELSET=sole\n{lines}"),
         format!("*ELEMENT, TYPE=B32, ELSET=low\n{lines}*SURFACE, NAME=sole\nLow, SPOS\n"),
+        format!("*ELEMENT, TYPE=COH2D4, ELSET=glue\n900, {0}, {0}\n*NSET, NSET=sole\n{nodes}", glued.join(", ")),
         // The lower cells are every second one; the middle one is listed clockwise, so that its lower side is its last.
         format!(
-            "*ELSET, ELSET=low, GENERATE\n{}, {last}, 28\n*ELSET, ELSET=mid\n{}\n*SURFACE, NAME=sole\nlow, S1\nmid, S4\n",
+            "*ELSET, ELSET=low, GENERATE\n{}, {last}, 28,,\n*ELSET, ELSET=mid\n{}\n*SURFACE, NAME=sole\nlow, S1\nmid, S4\n",
             cells[0], cells[1]
         ),
     ] {
@@ -392,6 +394,8 @@ fn sides_of_a_deck_are_named_by_surfaces_sets_of_elements_and_sets_of_nodes() {
             assert_relative_eq!(own[1], other[1], max_relative = 1e-11);
         }
     }
+    let free = with_sole(&deck, &format!("*ELSET, ELSET=low\n{}\n*SURFACE, NAME=sole\nlow\n", cells[0]));
+    refused(&free, &["`low` has no side behind it", "name a side of S1 to S4"]);
     // All cells are a group, and a set of all nodes is the outline.
     let all = scene("a.inp", UNIFORM, "\"axis\"").replace("\"body\", contact", "\"Eall\", contact");
     let all = beside("a.inp", deck.as_bytes(), &all).expect("read");

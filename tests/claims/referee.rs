@@ -205,7 +205,7 @@ fn tension_penetration_and_pressure_across_a_gap_are_found() {
     }
     // What a code writes that looks no farther is no gap: not judged, and said.
     let unseen = judged(truth, &beyond(0.0), &Asked::default());
-    assert!(unseen.met() && unseen.ruled[0].missing.iter().any(|[what, _]| what.contains("gaps beyond")));
+    assert!(unseen.met() && unseen.ruled[0].missing.iter().any(|[what, _]| what.contains("gaps of 0 at")));
     let soft = judged(truth, &with_gaps(&|_, p| -1e-6 * p), &Asked::default());
     assert!(failed(&soft).iter().any(|name| name.contains("penetration")), "{:?}", failed(&soft));
     let apart = judged(truth, &with_gaps(&|_, p| 1e-6 * p), &Asked::default());

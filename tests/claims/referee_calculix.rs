@@ -26,7 +26,7 @@ pub fn frd(discretisation: &Discretisation, run: &Run) -> String {
     }
     // A gap element.
     text += &format!(" -1{:>10}   11    0    1\n -2{:>10}{:>10}\n", mesh.cells() + 1, 1, 2);
-    text += " -3\n -4  DISP        4    1\n -5  D1          1    2    1    0\n -5  D2          1    2    2    0\n";
+    text += " -3\n  100CL  101 1.00000E+00\n -4  DISP        4    1\n -5  D1          1    2    1    0\n -5  D2          1    2    2    0\n";
     text += " -5  D3          1    2    3    0\n -5  ALL         1    2    0    0    1ALL\n";
     for (k, [u, v]) in discretisation.displacement_under(run.share(), &run.solution).iter().enumerate() {
         text += &format!(" -1{:>10}{}\n", k + 1, row(&[*u, *v, 0.0]));
@@ -87,7 +87,7 @@ fn cells_of_a_rigid_body_in_a_frd_move_no_node_of_the_scene() {
         .map(|(k, [x, y])| format!(" -1{:>10}{x:>12.5E}{y:>12.5E}{:>12.5E}\n", first + k, 0.0));
     into(" -3\n    3C", places.collect());
     let nodes: String = (0..4).map(|k| format!("{:>10}", first + k)).collect();
-    into(" -3\n -4  DISP", format!(" -1{cell:>10}    9    0    1\n -2{nodes}\n"));
+    into(" -3\n  100CL", format!(" -1{cell:>10}    9    0    1\n -2{nodes}\n"));
     let still = (0..4).map(|k| format!(" -1{:>10}{:>12.5E}{:>12.5E}{:>12.5E}\n", first + k, 0.0, 0.0, 0.0));
     into(" -3\n -4  CONTACT", still.collect());
     let answer = field(&case, &text, &in_units(&MOVED)).expect("read");
@@ -139,6 +139,19 @@ fn the_frd_beside_the_dat_of_an_exported_deck_tells_its_displacements() {
     let found = judged(&case, both);
     assert_eq!(whole(&found), [true; 4]);
     assert!(found.met());
+    // Those of another time are of another state, as those that stand last may be.
+    let fields = frd(&meshed.discretisation, &run);
+    let (begin, end) = (fields.find(" -4  DISP").expect("a block"), fields.find(" -4  CONTACT").expect("its end"));
+    let later = fields[begin..end].replace("E-", "E+");
+    let later = fields.replace(" 9999\n", &format!("  100CL  102 2.00000E+00\n{later} 9999\n"));
+    for (text, is_there) in [(later, true), (fields.replace("1.00000E+00\n -4", "2.00000E+00\n -4"), false)] {
+        std::fs::write(dat.with_extension("frd"), text).expect("written");
+        let of_its_time = read::read(&dat, &case, &Asked { time: Some(1.0), ..Asked::default() }).expect("read");
+        assert_eq!(of_its_time.field.is_some(), is_there);
+        assert!(judged(&case, of_its_time).met());
+    }
+    let by_step = read::read(&dat, &case, &Asked { step: Some(1), ..Asked::default() });
+    refused(by_step, &["tells the times of its states, and not the steps", "by --time: time 1"]);
     // Of a deck that is not ours, units are asked for.
     std::fs::write(dat.with_extension("inp"), deck.replacen(": mm, N, MPa.", "", 1)).expect("written");
     let answer = read::read(&dat, &case, &in_units(&[(Role::X, "mm"), (Role::Force, "N")])).expect("read");

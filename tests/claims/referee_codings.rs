@@ -105,6 +105,12 @@ fn nodes_beyond_the_contact_may_have_no_number_in_grids_as_in_files_of_calculix(
 fn components_of_a_stress_are_those_that_the_file_names() {
     for (names, row) in [
         (["XX", "XY", "XZ", "YY", "YZ", "ZZ"], [7, 5, 1, 0, 2, 3]),
+        (["S11", "S12", "S13", "S22", "S23", "S33"], [7, 5, 1, 0, 2, 3]),
+        (["SX", "SXY", "SXZ", "SY", "SYZ", "SZ"], [7, 5, 1, 0, 2, 3]),
+        (["sigma_y", "sigma_x", "sigma_z", "tau_xy", "tau_yz", "tau_xz"], [0, 7, 3, 5, 2, 1]),
+        (["22", "11", "33", "12", "23", "13"], [0, 7, 3, 5, 2, 1]),
+        // Numbers are no names.
+        (["0", "1", "2", "3", "4", "5"], [7, 0, 3, 5, 2, 1]),
         (["S_XX", "S_YY", "S_ZZ", "S_YZ", "S_XZ", "S_XY"], [7, 0, 3, 2, 1, 5]),
         // Without names the order is that of VTK.
         ([""; 6], [7, 0, 3, 5, 2, 1]),
@@ -122,6 +128,19 @@ fn components_of_a_stress_are_those_that_the_file_names() {
         let said = format!("of which xx, yy and xy are {}, {} and {}", place(7), place(0), place(5));
         assert!(answer.read.iter().any(|how| how.contains(&said)), "{:?}", answer.read);
     }
+}
+
+#[test]
+fn components_whose_names_are_not_known_are_not_taken_by_their_order() {
+    let legacy = vtk::ascii(&written);
+    let named = |names: &str| legacy.replace("METADATA\n", &format!("METADATA\nCOMPONENT_NAMES\n{names}"));
+    let mut asked = Asked { columns: vec![(Role::Stress, "S".into())], ..usual() };
+    asked.units.push((Role::Stress, "MPa".into()));
+    let legacy = |names: &str| parsed("theirs.vtk", named(names).replace("contact_pressure", "other"), &asked);
+    refused_as(legacy("a\nb\nc\nd\ne\nf\n"), &["which components of `S` are xx, yy and xy is not known: a, b, c"]);
+    // The first number of every row is 7: as σ_yy, it is tension.
+    let first = legacy("S22\nS11\nS33\nS12\nS23\nS13\n").expect("read");
+    assert!(first.contacts[0].points.iter().all(|point| (point.value + 7.0).abs() <= 1e-9));
 }
 
 #[test]
@@ -148,7 +167,13 @@ fn what_stands_beside_the_numbers_of_a_grid_is_passed_over() {
     let named = plain.replace("Name=\"contact_pressure\"", "Name = 'p &amp; q'");
     let asked = Asked { columns: vec![(Role::Pressure, "p & q".into())], ..usual() };
     ellipse::assert(&parsed("theirs.vtu", named, &asked).expect("read"), 1e-9);
-    ellipse::assert(&read("theirs.vtk", legacy.replace("\n9\n", "\n7\n").replace("\n9\n", "\n7\n")), 1e-5);
+    let of_type = |kind: &str| legacy.replace("\n9\n", kind).replace("\n9\n", kind);
+    ellipse::assert(&read("theirs.vtk", of_type("\n7\n")), 1e-5);
+    refused("theirs.vtk", of_type("\n5\n"), &usual(), &["a cell of VTK's type 5 has 3 nodes, and one here has 4"]);
+    refused("theirs.vtk", of_type("\n3\n"), &usual(), &["it has no plane cells", "or the points with their pressures"]);
+    let vector = grid(|x, y| [x, y, 0.0], |s| format!("{} 0 0", written(s)));
+    let vector = vector.replace("\"contact_pressure\"", "\"contact_pressure\" NumberOfComponents=\"3\"");
+    refused("theirs.vtu", vector, &usual(), &["`contact_pressure` has 3 components, of which pressure is one"]);
 }
 
 #[test]

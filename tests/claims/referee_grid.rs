@@ -2,6 +2,7 @@
 
 use contact_vv::case::Case;
 use contact_vv::case::library::find;
+use contact_vv::checkout::root;
 use contact_vv::error::Error;
 use contact_vv::referee::Answer;
 use contact_vv::referee::units::Role;
@@ -21,10 +22,15 @@ fn array(name: &str, kind: &str, components: usize, data: &str) -> String {
 
 /// Our own answer, every cell with points of its own; `offset` is added to and taken from the pressures of every second cell in turn.
 fn grid(discretisation: &Discretisation, run: &Run, offset: f64, share: bool) -> String {
+    grid_of(0, discretisation, run, offset, share)
+}
+
+/// The same with the pressures on the side of a body.
+fn grid_of(body: usize, discretisation: &Discretisation, run: &Run, offset: f64, share: bool) -> String {
     let mesh = &discretisation.mesh;
     let moved = discretisation.displacement_under(run.share(), &run.solution);
     let mut pressure = vec![0.0; mesh.points.len()];
-    for (node, point) in mesh.bodies[0].candidates.iter().zip(run.solution.points_of(0)) {
+    for (node, point) in mesh.bodies[body].candidates.iter().zip(run.solution.points_of(0)) {
         pressure[node.node] = point.pressure;
     }
     let mut times = vec![0_usize; mesh.points.len()];
@@ -83,6 +89,11 @@ fn cells_with_points_of_their_own_are_judged_by_the_means_at_each_place() {
             answer.read
         );
         assert!(judged(truth(name), answer).met(), "{name}");
+        if case.scene.bodies.len() > 1 {
+            let answer = read(&case, &grid_of(1, discretisation, &run, 0.0, false)).expect("read");
+            assert!(answer.read.iter().any(|how| how.starts_with("the side of `")), "{:?}", answer.read);
+            assert!(judged(truth(name), answer).met(), "{name}");
+        }
         // Corners have the pressures of two cells each, of which one is too large and one too small.
         let swaying = read(&case, &grid(discretisation, &run, 0.1, false)).expect("read");
         let corners = swaying.contacts[0].points.iter().zip(own).step_by(2).skip(1);
@@ -167,6 +178,16 @@ fn stresses_on_a_slanted_side_are_taken_along_its_normal_in_every_unit() {
             }
         }
     }
+}
+
+#[test]
+fn pressures_on_the_side_of_the_second_body_alone_are_read_there() {
+    // The lower side of the small mesh as the upper one of the block, on which the cylinder lies.
+    let case = Case::read(&root().join("tests/cases/cylinder-on-block.toml")).expect("a case");
+    let grid = vtk::points(&|x, y| [x, 0.0 - y]);
+    ellipse::assert(&handed::read(&case, "theirs.vtk", &grid, &usual()).expect("read"), 1e-9);
+    let none = vtk::text(true, &|x, y| [x, y], &|_| "0".into());
+    refused(parsed("theirs.vtk", none, &usual()), &["nothing presses: all 49 values of contact"]);
 }
 
 #[test]

@@ -56,7 +56,14 @@ fn a_table_goes_on_behind_a_comment_where_its_places_go_on() {
         &Asked { time: Some(0.7), ..usual() },
         &["no results of the time", "time 0.5", "time 1"],
     );
-    refused("parts.csv", text.replace(",1\n", ",\n").replace(",0.5\n", ",\n"), &usual(), &["no results of the time"]);
+    for none in ["", "nan", "1.0 s", "10:21:07"] {
+        let spoiled = text.replacen(",1\n", &format!(",{none}\n"), 1);
+        let said = format!("`Time` is `{none}`, which is no number");
+        refused("parts.csv", spoiled, &usual(), &["parts.csv:51", &said, "leave the column out"]);
+    }
+    let own: String = lines.iter().enumerate().map(|(k, line)| format!("{line},{k}\n")).collect();
+    let own = format!("position [mm],pressure [MPa],Time\n{own}");
+    refused("parts.csv", own, &usual(), &["1 of its rows are of time 48, and a profile needs 3"]);
 }
 
 #[test]

@@ -97,6 +97,12 @@ fn what_is_unknown_is_asked_for_with_file_found_and_remedy() {
             &plain,
             ["two points lie at one place, 1", "each once"],
         ),
+        (
+            &case,
+            "position [mm],pressure [MPa]\n0,0\n1,0\n2,0\n",
+            &plain,
+            ["nothing presses: all 3 values of contact", "under the load of the scene"],
+        ),
         (&case, "position [deg],pressure [MPa]\n0,3\n1,2\n", &plain, ["along a straight line", "mm, m or um"]),
         (&arc, good, &plain, ["along an arc", "deg or rad"]),
         (&arc, "x [mm],pressure [MPa]\n0,3\n", &plain, ["no column `y`", "position [deg]"]),

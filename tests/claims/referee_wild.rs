@@ -121,10 +121,14 @@ fn tables_say_the_same_whatever_their_marks_numbers_and_names() {
         "x/mm,p/N/mm2\n",
         "x_mm,contact_pressure_MPa\n",
         "# position,pressure\n# mm,MPa\n",
+        "# x [mm] CPRESS [MPa]\n",
+        "x [mm],p [MPa]\nmm,MPa\n",
+        "n,97\n0.3,210000\nposition [mm],pressure [MPa]\n",
     ];
     let commas = heads.map(|head| format!("{head}{}", row(",", plain)));
     let others = [
         format!("position [mm];pressure [MPa]\r\n{}", row(" ; ", comma).replace('\n', "\r\n")),
+        format!("Position;pressure\nmm;MPa\n{}", row(";", comma).replace('\n', ";\n")),
         format!("position [mm]\tpressure [MPa]\n{}", row("\t", comma)),
         format!("position [mm]   pressure [MPa]\n{}", row("   ", comma)),
         format!("# x [mm] p [MPa]\n{}", row(" ", fortran)),
@@ -151,6 +155,31 @@ fn tables_say_the_same_whatever_their_marks_numbers_and_names() {
     let more = row(",", plain).lines().map(|line| format!("{line},7,0\n")).collect::<String>();
     let more = format!("position [mm],pressure [MPa],force,Points:1\n{more}");
     ellipse::assert(&parsed("theirs.csv", more, &Asked::default()).expect("read"), 1e-5);
+}
+
+#[test]
+fn radius_and_axis_are_those_of_the_scene_whichever_way_it_is_turned() {
+    let case = Case::read(&root().join("tests/cases/shrunk-ring.toml")).expect("a case");
+    let read = |head: &str, row: fn(f64) -> String| {
+        let rows: String = [-15.0, 0.0, 15.0].into_iter().map(row).collect();
+        read(&case, "ring.csv", format!("{head},pressure [MPa]\n{rows}"), &Asked::default())
+    };
+    for found in [read("r [mm],z [mm]", |z| format!("20,{z},41\n")), read("z [mm]", |z| format!("{z},41\n"))] {
+        let places: Vec<f64> = found.expect("read").contacts[0].points.iter().map(|point| point.position).collect();
+        assert_eq!(places, [-15.0, 0.0, 15.0]);
+    }
+    let turned = read("r [mm],z [mm]", |z| format!("{z},20,41\n"));
+    workbench::refused(turned, &["the point 20, -15 mm, by the column `r [mm]`, lies 35.000 mm off"]);
+    workbench::refused(read("r [mm]", |z| format!("{z},41\n")), &["no column is called `position` or `x`"]);
+}
+
+#[test]
+fn gaps_of_0_beyond_the_contact_are_counted() {
+    // The gap 0.002 mm (ξ √(ξ² − 1) − arcosh ξ), ξ = s / 2 mm, is over 1 % of P/E* = 0.00314 mm at 2.1 mm and beyond: 28 of the places.
+    let rows = ellipse::rows(",", |x| x.to_string()).replace('\n', ",0\n");
+    let found = parsed("gaps.csv", format!("position [mm],pressure [MPa],gap [mm]\n{rows}"), &usual()).and_then(judged);
+    let missing = &found.expect("judged").ruled[0].missing;
+    assert!(missing.iter().any(|[what, _]| what.starts_with("gaps of 0 at 28 points beyond")), "{missing:?}");
 }
 
 #[test]
@@ -732,8 +761,10 @@ fn points_off_the_side_and_pressures_that_begin_behind_the_middle_are_refused() 
         &usual(),
         &["no column is called `position` or `x`"],
     );
-    // A y without a unit is none that is read.
-    assert!(parsed("sides.csv", plain("x [mm],y,pressure [MPa]", -0.3), &Asked::default()).is_ok());
+    // A y without a unit has that of x.
+    refused("sides.csv", plain("x [mm],y,pressure [MPa]", -0.3), &Asked::default(), &["0.300 mm off the side"]);
+    let of_x = in_units(&[(Role::X, "mm"), (Role::Pressure, "MPa")]);
+    refused("sides.csv", plain("Points:0,Points:1,CPRESS", 0.3), &of_x, &["`Points:1, in mm`, lies 0.300 mm off"]);
     let quadratic = Asked { order: Some(Order::Quadratic), ..usual() };
     assert!(judged(parsed("sides.csv", table(head, 0, 0.0), &quadratic).expect("read")).expect("judged").met());
     refused("sides.csv", table(head, 2, 0.0), &quadratic, &["stop at 0.2", "of the force lies beyond"]);

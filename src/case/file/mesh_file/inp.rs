@@ -23,8 +23,9 @@ const OF_REVOLUTION: &str = "CAX";
 /// As what meshio writes every 4-node quadrilateral.
 const OF_MESHIO: &str = "CAX4P";
 /// What the names of elements that are no cells begin with: lines, and what joins nodes.
-const NO_CELLS: [&str; 14] =
-    ["T2D", "T3D", "B2", "B3", "R2D", "GAP", "SPRING", "DASHPOT", "MASS", "ROTARY", "CONN", "DCOUP", "RB", "SFM"];
+const NO_CELLS: [&str; 15] = [
+    "T2D", "T3D", "B2", "B3", "R2D", "GAP", "SPRING", "DASHPOT", "MASS", "ROTARY", "CONN", "DCOUP", "RB", "SFM", "COH",
+];
 /// What the names of shells and membranes begin with: S1 and S2 are their faces, and their edges are E1 to E4, or S3 to S6 in CalculiX.
 const SHELLS: [&str; 3] = ["S", "M3D", "R3D"];
 /// What makes nodes and elements that no line lists, moves them, or puts numbers into their lines.
@@ -73,10 +74,10 @@ fn lines<'a>(source: Source<'a>, part: Range<usize>) -> impl Iterator<Item = Wor
     lines.filter(|(line, _)| !line.trim_start().starts_with("**") && !line.is_empty())
 }
 
-/// The words between the commas of a line; none behind the last comma.
+/// The words between the commas of a line; none behind its last word.
 fn words((line, place): Word<'_>) -> Vec<Word<'_>> {
     let mut at = place.start;
-    let own = line.strip_suffix(',').unwrap_or(line).split(',');
+    let own = line.trim_end_matches([',', ' ', '\t']).split(',');
     let word = own.map(|word| {
         let begin = at + (word.len() - word.trim_start().len());
         at += word.len() + 1;
@@ -536,7 +537,13 @@ impl Deck {
     /// A side of a cell as a line; its index. S1 is that from the first to the second corner, of a shell E1 or S3.
     fn add_side(&mut self, block: &Block, tag: u64, row: &[Word]) -> Result<usize, Error> {
         let Piece { nodes, corners, .. } = &self.elements.pieces[self.index[&tag]];
-        let (word, place) = row.get(1).unwrap_or(&row[0]);
+        let Some((word, place)) = row.get(1) else {
+            let message = format!(
+                "`{}` has no side behind it: Abaqus takes its free sides, which are not looked for",
+                shown(row[0].0)
+            );
+            return Err(block.wrong(row, message, "name a side of S1 to S4 behind the element or set"));
+        };
         let is_shell = self.shells.contains(&tag);
         let names = |k: usize| {
             if is_shell {
