@@ -36,6 +36,8 @@ const AT_ONCE: f64 = 0.024;
 /// others by smaller cells, and where those gain nothing either, 8-node cells do hardly more.
 const SLOW: f64 = 0.5;
 const PATIENCE: usize = 2;
+/// Dofs of a mesh of high order from which on no smaller cells follow it, which would have four times as many, and a matrix of gigabytes.
+const LARGE: usize = 30_000;
 
 /// Whether such meshes are tried.
 pub(super) fn applies(scene: &Scene, formulation: &Formulation, asked: &Asked) -> bool {
@@ -156,6 +158,10 @@ fn at_rest(asked: &Asked) -> f64 {
 /// The next mesh, its lines on the ends that one shows: of the next order and with a layer more, or of smaller cells.
 fn next(before: &Discretisation, rung: &Rung, smaller: bool, rungs: &mut Rungs) -> Option<(Discretisation, Rung)> {
     let (scene, resolution) = (&before.scene, before.resolution);
+    let is_last = resolution.order == Order::Octic;
+    if (smaller || is_last) && rung.run.dofs > LARGE {
+        return None;
+    }
     let (mut scene, resolution) = match smaller {
         true => (scene.clone(), Resolution { elements: 2 * resolution.elements, ..resolution }),
         false => finer(scene, resolution),
