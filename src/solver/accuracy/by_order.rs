@@ -36,8 +36,9 @@ const AT_ONCE: f64 = 0.024;
 /// others by smaller cells, and where those gain nothing either, 8-node cells do hardly more.
 const SLOW: f64 = 0.5;
 const PATIENCE: usize = 2;
-/// Dofs of a mesh of high order from which on no smaller cells follow it, which would have four times as many, and a matrix of gigabytes.
-const LARGE: usize = 30_000;
+/// Dofs of a mesh of high order from which on no smaller cells follow it: these have up to four times as many, and a search that goes on with
+/// 8-node cells all the same would have solved too much on the way, with a matrix of gigabytes at last.
+const LARGE: usize = 19_000;
 
 /// Whether such meshes are tried.
 pub(super) fn applies(scene: &Scene, formulation: &Formulation, asked: &Asked) -> bool {
