@@ -5,7 +5,7 @@ use crate::markdown;
 use crate::measure::{Measures, Quantity};
 use crate::referee::profile::Profile;
 use crate::referee::truth::{Known, Truth};
-use crate::solution::EdgeState;
+use crate::solution::{EdgeState, Part};
 use crate::uncertainty::standard;
 
 /// What judges one contact.
@@ -35,6 +35,16 @@ impl Bench<'_> {
         let share = known.bar / known.reference.value.abs();
         let check = Check::near(quantity, known.reference.clone(), self.tolerance + share, BECAUSE);
         self.ruled(check, factor * value, known)
+    }
+
+    /// A number that follows from all pressures; where these were handed in at points alone, of the two readings of what lies between them the
+    /// one that is nearer to the truth: an answer is judged, not a rule of integration.
+    pub fn nearer(&self, of: impl Fn(&Measures) -> f64, truth: f64) -> f64 {
+        let Profile { scene, contact, by_roots, .. } = self.profile;
+        let lines = of(self.measures);
+        let roots = (!by_roots.is_empty())
+            .then(|| of(&Measures::of(scene, *contact, Part { points: by_roots, edges: &[], nodes: 2 })));
+        roots.filter(|roots| (roots - truth).abs() < (lines - truth).abs()).unwrap_or(lines)
     }
 
     /// The verdict; not run where the reference is not known well enough to judge by.

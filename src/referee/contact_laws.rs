@@ -100,8 +100,6 @@ pub(super) fn of_sides(bench: &Bench, missing: &mut Vec<[String; 2]>) -> Vec<Jud
         return vec![];
     }
     let half_width = bench.half_width_known().reference.value;
-    let arm: f64 = profile.points.iter().map(|point| point.weight * point.pressure * point.position).sum();
-    let force: f64 = profile.points.iter().map(|point| point.weight * point.pressure).sum();
     let symmetric = !own.path.has_both_sides();
     let (wanted, bar) = match symmetric {
         true => (0.0, 0.0),
@@ -117,7 +115,7 @@ pub(super) fn of_sides(bench: &Bench, missing: &mut Vec<[String; 2]>) -> Vec<Jud
         bench.tolerance + bar / half_width,
         "the tolerance of the half-width",
     );
-    let mut judged = vec![check.judge((arm / force - wanted).abs() / half_width)];
+    let mut judged = vec![check.judge((bench.nearer(|measures| measures.centre, wanted) - wanted).abs() / half_width)];
     if symmetric {
         let mirrored: Vec<EdgeState> = profile.edges.iter().rev().map(EdgeState::mirrored).collect();
         let odd = norm::of_means(&profile.edges, |s| mean_at(&mirrored, s));

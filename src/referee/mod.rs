@@ -11,6 +11,7 @@
 //! * [`side`] — which nodes of a mesh lie on the contact side, and whether they are all that is pressed.
 //! * `complete` — whether an answer holds the whole contact.
 //! * [`profile`] — an answer as contact points and edge means, of which measures are taken.
+//! * `between` — what pressures are between points.
 //! * [`field`] — displacements brought to our mesh; `whole` — what they tell: equilibrium, energy, declared checks.
 //! * [`norm`] — the distance of a profile from the truth.
 //! * [`truth`] — what a case is judged by.
@@ -23,6 +24,7 @@
 pub mod answer;
 pub mod asked;
 pub mod bench;
+mod between;
 pub mod calculix;
 mod complete;
 pub mod contact_laws;

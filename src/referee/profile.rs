@@ -5,6 +5,7 @@ use std::f64::consts::TAU;
 use crate::elasticity::quadrature::lobatto;
 use crate::mesh::Order;
 use crate::referee::answer::{Handed, Point};
+use crate::referee::between;
 use crate::referee::truth::Truth;
 use crate::scene::{ContactPair, Path, Scene};
 use crate::solution::{EdgeState, Part, PointState};
@@ -20,6 +21,8 @@ pub struct Profile {
     pub order: Order,
     /// Contact points, in the order of the contact coordinate.
     pub points: Vec<PointState>,
+    /// The same where pressures alone were handed in, with more of them [between](between::by_roots); none elsewhere.
+    pub by_roots: Vec<PointState>,
     /// Means over the edges between them.
     pub edges: Vec<EdgeState>,
     /// Contact coordinate and pressure of the points as they were handed in, where they neither are forces nor stand beside means over edges
@@ -46,7 +49,9 @@ impl Profile {
         let has_forces = handed.forces || handed.points.iter().all(|point| point.area.is_some());
         let is_of_points = handed.order == Order::Linear && handed.edges.is_empty();
         let plain = handed;
-        let lines = (is_of_points && !has_forces).then(|| with_middles(handed));
+        let is_open = is_of_points && !has_forces;
+        let by_roots = if is_open { of_roots(&scene, handed) } else { Vec::new() };
+        let lines = is_open.then(|| between::by_lines(handed));
         let handed = lines.as_ref().unwrap_or(handed);
         let areas = tributary(&scene, pair, &handed.points, handed.order);
         let state = |(point, area): (&Point, &f64)| {
@@ -69,7 +74,7 @@ impl Profile {
         points.drain(..usize::from(on_axis));
         let has_gaps = handed.points.iter().all(|point| point.gap.is_some());
         let (contact, order) = (handed.contact, handed.order);
-        Self { contact, order, points, edges, alone, has_means, across, has_gaps, has_forces, scene }
+        Self { contact, order, points, by_roots, edges, alone, has_means, across, has_gaps, has_forces, scene }
     }
 
     /// The contact.
@@ -81,6 +86,19 @@ impl Profile {
     pub fn part(&self) -> Part<'_> {
         Part { points: &self.points, edges: &self.edges, nodes: usize::from(self.order.number()) + 1 }
     }
+}
+
+/// Contact points with roots between pressures.
+fn of_roots(scene: &Scene, handed: &Handed) -> Vec<PointState> {
+    let points = between::by_roots(&handed.points);
+    let areas = tributary(scene, &scene.contacts[handed.contact], &points, Order::Linear);
+    let state = |(point, weight): (&Point, f64)| PointState {
+        position: point.position,
+        weight,
+        pressure: point.value,
+        gap: f64::NAN,
+    };
+    points.iter().zip(areas).map(state).collect()
 }
 
 /// Part of the largest position that rounding explains.
@@ -175,20 +193,6 @@ fn begun(scene: &Scene, handed: &Handed, across: bool) -> Option<Handed> {
         points[0] = Point { value: 0.0, area: Some(0.0), ..points[0] };
     }
     Some(Handed { points, ..handed.clone() })
-}
-
-/// Straight lines between pressures with their middles, so that Simpson's rule takes their second moments exactly.
-fn with_middles(handed: &Handed) -> Handed {
-    let middle = |pair: &[Point]| Point {
-        position: 0.5 * (pair[0].position + pair[1].position),
-        value: 0.5 * (pair[0].value + pair[1].value),
-        area: None,
-        // Where one of them has no other side, the gap is that of the other.
-        gap: pair[0].gap.zip(pair[1].gap).map(|(a, b)| if a.max(b).is_finite() { 0.5 * (a + b) } else { a.min(b) }),
-    };
-    let mut points: Vec<Point> = handed.points.windows(2).flat_map(|pair| [pair[0], middle(pair)]).collect();
-    points.extend(handed.points.last());
-    Handed { points, order: Order::Quadratic, ..handed.clone() }
 }
 
 /// Shares of an edge that belong to its nodes, by the Lobatto rule on them: 1/2, 1/2; 1/6, 4/6, 1/6; and so on.

@@ -77,6 +77,28 @@ fn judged_as_solved(truth: &Truth, discretisation: &Discretisation, run: &Run) -
     found
 }
 
+/// What lies between points that press alone is not handed in: neither straight lines nor roots there are an answer's fault.
+#[test]
+fn exact_pressures_at_few_points_are_met_and_two_percent_of_load_are_not() {
+    let a = TruncatedHertz::default().half_width();
+    let sampled = |points: usize, off: f64, both: bool, load: f64| {
+        let step = a / points as f64;
+        let first = if both { -2 * points as i32 } else { 0 };
+        let places = (first..=2 * points as i32).map(|k| (f64::from(k) + off) * step);
+        // Pressures and half-width both grow with the root of the load.
+        let wider = load.sqrt();
+        let rows = places.map(|s| [s, wider * hertz().pressure(0, s / wider)]);
+        failed(&judged(hertz(), &table(PRESSURES, rows), &Asked::default()))
+    };
+    for points in [3, 4, 5, 8, 12] {
+        for (off, both) in [(0.0, false), (0.25, false), (0.5, false), (0.0, true), (0.3, true)] {
+            assert_eq!(sampled(points, off, both, 1.0), [""; 0], "{points} points, {off}, {both}");
+            assert_ne!(sampled(points, off, both, 0.98), [""; 0], "{points} points, {off}, {both}");
+            assert_ne!(sampled(points, off, both, 1.03), [""; 0], "{points} points, {off}, {both}");
+        }
+    }
+}
+
 #[test]
 fn our_own_answer_is_judged_as_what_solve_says_on_every_case() {
     for (name, _) in NAMES {

@@ -83,7 +83,8 @@ impl Discretisation {
             }
         }
         let Some((cell, at)) = best.filter(|(cell, _)| !self.is_at_force(body, *cell)) else { return Ok(None) };
-        let (depth, shear) = below.largest_around(cell, at, &stress);
+        let sample = |shapes: &[f64]| below.sample(cell, shapes, &stress);
+        let (depth, shear) = largest_around(nodes, at, sample, |(_, shear)| *shear).unwrap_or((f64::NAN, f64::NAN));
         let inside = depth > ROUNDING * below.deepest && depth < below.deepest;
         samples.retain(|sample| sample[0] <= below.deepest);
         Ok(inside.then_some(Shear { stress: shear, depth, samples }))
@@ -189,24 +190,6 @@ impl<'a> Below<'a> {
         }
         Some((self.depth(point)?, largest_shear(tensor)))
     }
-
-    /// Depth and value of the largest shear stress around a place of a cell, by smaller and smaller steps.
-    fn largest_around(&self, cell: usize, mut at: [f64; 2], stress: &[[f64; 3]]) -> (f64, f64) {
-        let nodes = self.discretisation.mesh.order.nodes_per_cell();
-        let value = |at: [f64; 2]| self.sample(cell, &shapes(nodes, at), stress);
-        let mut best = value(at).unwrap_or((f64::NAN, f64::NAN));
-        let mut step = 2.0 / PARTS as f64;
-        for _ in 0..HALVINGS {
-            step *= 0.5;
-            for (dx, dy) in [(-1.0, 0.0), (1.0, 0.0), (0.0, -1.0), (0.0, 1.0)] {
-                let next = [at[0] + dx * step, at[1] + dy * step].map(|x: f64| x.clamp(-1.0, 1.0));
-                if let Some(found) = value(next).filter(|found| found.1 > best.1) {
-                    (at, best) = (next, found);
-                }
-            }
-        }
-        best
-    }
 }
 
 /// `½ (σ₁ − σ₂)` of `[σ_x, σ_y, τ_xy]` \[MPa\].
@@ -219,6 +202,28 @@ pub(super) fn grid(nodes: usize) -> Vec<([f64; 2], Vec<f64>)> {
     let natural = |k: usize| 2.0 * k as f64 / PARTS as f64 - 1.0;
     let all = (0..=PARTS).flat_map(|i| (0..=PARTS).map(move |j| [natural(i), natural(j)]));
     all.map(|at| (at, shapes(nodes, at))).collect()
+}
+
+/// The largest of what is found around a place of a cell by its shape functions, by smaller and smaller steps; none where nothing is
+/// found at the place itself.
+pub(super) fn largest_around<T>(
+    nodes: usize,
+    mut at: [f64; 2],
+    found: impl Fn(&[f64]) -> Option<T>,
+    stress: impl Fn(&T) -> f64,
+) -> Option<T> {
+    let mut best = found(&shapes(nodes, at))?;
+    let mut step = 2.0 / PARTS as f64;
+    for _ in 0..HALVINGS {
+        step *= 0.5;
+        for (dx, dy) in [(-1.0, 0.0), (1.0, 0.0), (0.0, -1.0), (0.0, 1.0)] {
+            let next = [at[0] + dx * step, at[1] + dy * step].map(|x: f64| x.clamp(-1.0, 1.0));
+            if let Some(found) = found(&shapes(nodes, next)).filter(|found| stress(found) > stress(&best)) {
+                (at, best) = (next, found);
+            }
+        }
+    }
+    Some(best)
 }
 
 fn shapes(nodes: usize, at: [f64; 2]) -> Vec<f64> {

@@ -4,7 +4,7 @@ use std::collections::HashSet;
 
 use crate::elasticity::stress;
 use crate::error::Error;
-use crate::solve::shear::{NEAR, grid};
+use crate::solve::shear::{NEAR, grid, largest_around};
 use crate::solve::without_limit::PRESSURE;
 use crate::solve::{Discretisation, Run, WithoutLimit};
 
@@ -72,8 +72,11 @@ impl Discretisation {
             return None;
         }
         let near = elsewhere.into_iter().filter(|&cell| largest(cell) >= NEAR * most);
-        let all = near.flat_map(|cell| grid.iter().map(move |(_, shapes)| self.inside(cell, shapes, tensors)));
-        all.max_by(|a, b| a.stress.total_cmp(&b.stress))
+        let all =
+            near.flat_map(|cell| grid.iter().map(move |(at, shapes)| (cell, *at, self.inside(cell, shapes, tensors))));
+        let (cell, at, _) = all.max_by(|a, b| a.2.stress.total_cmp(&b.2.stress))?;
+        let inside = |shapes: &[f64]| Some(self.inside(cell, shapes, tensors));
+        largest_around(self.mesh.order.nodes_per_cell(), at, inside, |one| one.stress)
     }
 
     /// The stress at a place of a cell, given its shape functions.
