@@ -575,6 +575,7 @@ fn a_stated_model_error_counts_for_every_quantity_it_is_stated_for() {
     for (quantity, asked) in [
         ("resultant", Quantity::Resultant),
         ("peak-pressure", Quantity::PeakPressure),
+        ("half-width", Quantity::HalfWidth),
         ("contact-half-width", Quantity::HalfWidth),
         ("second-moment-width", Quantity::SecondMomentWidth),
     ] {

@@ -4,7 +4,7 @@ use crate::accuracy::{self, Asked, KINKED, Quantity, UNKINKED};
 use crate::case::file::form::Form::{Byte, Count, List, Number, Table, Text};
 use crate::case::file::form::{Form, may};
 use crate::case::file::value::Value;
-use crate::case::file::wanted::{self, HALF_WIDTH, SECOND_MOMENT_WIDTH};
+use crate::case::file::wanted::{HALF_WIDTHS, SECOND_MOMENT_WIDTH};
 use crate::error::Error;
 use crate::mesh::{Order, Resolution};
 use crate::scene::{Grading, Scene, Shape};
@@ -81,13 +81,12 @@ impl<'a> MeshTable<'a> {
         if let Some(list) = list {
             let known = [
                 ("peak-pressure", &Quantity::PeakPressure),
-                (HALF_WIDTH, &Quantity::HalfWidth),
+                (HALF_WIDTHS[0], &Quantity::HalfWidth),
+                (HALF_WIDTHS[1], &Quantity::HalfWidth),
                 (SECOND_MOMENT_WIDTH, &Quantity::SecondMomentWidth),
             ];
-            let names = list.entries().into_iter().map(|name| {
-                wanted::refuse_old(name)?;
-                name.choice("quantity with an accuracy", &known).cloned()
-            });
+            let names = list.entries().into_iter();
+            let names = names.map(|name| name.choice("quantity with an accuracy", &known).cloned());
             asked.quantities = names.collect::<Result<_, _>>()?;
             if asked.quantities.is_empty() {
                 return Err(list.refused("no `quantity` is named", "name one, or leave it out for both"));

@@ -27,9 +27,10 @@ pub(super) const CHECK: Form = Table(&[
 ]);
 
 /// What a check may ask for, as files name it; its place, body, support or side is filled in from the other keys.
-const QUANTITIES: [(&str, &Quantity); 11] = [
+const QUANTITIES: [(&str, &Quantity); 12] = [
     ("peak-pressure", &Quantity::PeakPressure),
-    (HALF_WIDTH, &Quantity::HalfWidth),
+    (HALF_WIDTHS[0], &Quantity::HalfWidth),
+    (HALF_WIDTHS[1], &Quantity::HalfWidth),
     (SECOND_MOMENT_WIDTH, &Quantity::SecondMomentWidth),
     ("centre", &Quantity::Centre),
     ("resultant", &Quantity::Resultant),
@@ -41,10 +42,9 @@ const QUANTITIES: [(&str, &Quantity); 11] = [
     ("shear-depth", &Quantity::ShearDepth { body: 0 }),
 ];
 const NOWHERE: Displaced = Displaced { body: 0, at: Place::Point([f64::NAN; 2]), component: Component::Y };
-/// Names of the half-width, half of what lies between begin and end, and of the second-moment width, which had another.
-pub(super) const HALF_WIDTH: &str = "contact-half-width";
+/// Names of the half-width, half of what lies between begin and end, and of the second-moment width.
+pub(super) const HALF_WIDTHS: [&str; 2] = ["half-width", "contact-half-width"];
 pub(super) const SECOND_MOMENT_WIDTH: &str = "second-moment-width";
-const OLD: &str = "half-width";
 
 const KINDS: [(&str, ReferenceKind); 4] = [
     ("analytic", ReferenceKind::Analytic),
@@ -52,19 +52,6 @@ const KINDS: [(&str, ReferenceKind); 4] = [
     ("measured", ReferenceKind::Measured),
     ("self-consistency", ReferenceKind::SelfConsistency),
 ];
-
-/// Refuses the name that the second-moment width had: of a contact that is no semi-ellipse it is no half-width.
-pub(super) fn refuse_old(name: Value) -> Result<(), Error> {
-    if name.text() != OLD {
-        return Ok(());
-    }
-    let message =
-        format!("the quantity `{OLD}` was the second-moment width, which is the half-width of a semi-ellipse alone");
-    let remedy = format!(
-        "write `{SECOND_MOMENT_WIDTH}`, 2 √(∫p (s − c)²/∫p), or `{HALF_WIDTH}`, half of what lies between begin and end"
-    );
-    Err(name.refused(message, remedy))
-}
 
 /// A check in the units of the scene, whose bodies were read from `bodies`.
 pub(super) fn check(
@@ -74,7 +61,6 @@ pub(super) fn check(
     oracles: &[Option<SharedOracle>],
 ) -> Result<Check, Error> {
     let (name, units) = (table.at("quantity"), table.units);
-    refuse_old(name)?;
     let asked = name.choice("quantity", &QUANTITIES)?;
     let contact = contact(table, asked, scene)?;
     let pair = &scene.contacts[contact];
