@@ -39,10 +39,10 @@ pub(super) fn towards_ends(mut blocks: Vec<Block>, scene: &Scene, body: usize, o
     let layers = scene.contacts_of(body).filter(|pair| !pair.ends.places.is_empty()).map(|pair| pair.ends.layers).max();
     let Some(layers) = layers.filter(|layers| *layers > 0) else { return blocks };
     blocks = layered(blocks, scene, eye::corner(&scene.bodies[body].shape), layers + AT_CORNER, order);
-    for at in held_corners(&blocks, &scene.bodies[body]) {
-        blocks = layered(blocks, scene, Some(at), layers, order);
-    }
-    for at in pressed(&scene.bodies[body]) {
+    // The axis of revolution is a side, but no free one.
+    let is_off_axis = |at: &Point| scene.plane.radial().is_none_or(|radial| at[radial] > 0.0);
+    let corners = held_corners(&blocks, &scene.bodies[body]).into_iter().filter(is_off_axis);
+    for at in corners.chain(pressed(&scene.bodies[body])) {
         let cut = layered(blocks.clone(), scene, Some(at), layers, order);
         // The long cells of a thin ring bend too much to be cut like this.
         if !cut.iter().any(|block| folds(block, order)) {
