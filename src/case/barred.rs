@@ -176,7 +176,12 @@ impl Case {
         let place = format!("{} of {}", check.quantity.name(), self.scene.contacts[check.contact].name);
         let quantity = Quantity::at("error against the closed form over bar and model error stated", place);
         let because = "a closed form that is off by more is not of this scene, or its case does not say so";
-        let reference = Reference { value: 0.0, ..reference };
+        // A force is that of the load that both were given: equilibrium, which is no closed form.
+        let kind = match check.quantity.number() {
+            Some(Number::Resultant) => ReferenceKind::SelfConsistency,
+            _ => reference.kind,
+        };
+        let reference = Reference { value: 0.0, kind, ..reference };
         Check::error(quantity, reference, 1.0, because).judge(error / check.tolerance)
     }
 

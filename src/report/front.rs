@@ -9,18 +9,19 @@ use crate::drawing::palette::{self, Dash, Marker, Style};
 use crate::drawing::{Axis, Chart, Direction, Drawing, Guide, Series};
 use crate::markdown::{self, Column};
 use crate::oracle::ReferenceKind;
-use crate::referee::truth::OURS;
 use crate::report::links::{CHECKS, to_page as link};
 use crate::report::{case_page, matrix, record, statements, study_page, symbols, told};
+use crate::solve::{Element, Iteration};
 use crate::study::atlas;
 use crate::study::atlas::plane::{Digest, digests};
 use crate::study::drawn::{how_stopped, picture};
 use crate::study::grouped::{counted, in_order};
+use crate::study::method::Method;
 use crate::study::paper::statement::{Judgement, Statement};
 use crate::study::paper::{self, NOT_COVERED};
 use crate::study::timings::record::Record;
 use crate::study::timings::{self, FRONTS, conclusion};
-use crate::study::{Finding, Room, Study, cases, limits, measured, promised};
+use crate::study::{Finding, Room, Study, cases, limits, measured, promised, scoreboard};
 
 /// The page.
 pub fn page(findings: &[Finding]) -> String {
@@ -75,7 +76,9 @@ pub fn right(findings: &[Finding]) -> String {
             let unknown = outside.iter().filter(|(_, one)| !one.has_known_bar()).count();
             let beyond = outside.len() - unknown;
             Some(format!(
-                " Of {all} numbers beside a closed form {beyond} are off by more than their error bar and the model error that their case states; of {unknown} the bar is not known."
+                " Of {all} numbers beside a closed form {beyond} are off by more than their error bar and the model error that their case states; of {unknown} the \
+                 bar is not known ({}).",
+                link("which", &format!("{}#error-bars-beside-checks", study_page::file(promised::Numbers::NAME)))
             ))
         }
         _ => None,
@@ -94,7 +97,9 @@ pub fn right(findings: &[Finding]) -> String {
 
 /// Counts of checks by kind, the truths with the agreement with each, and what no measurement has seen.
 pub fn against(findings: &[Finding]) -> String {
-    let all = told::each(findings);
+    let (theirs, ours): (Vec<&Finding>, Vec<&Finding>) =
+        findings.iter().partition(|finding| finding.study == scoreboard::Numbers::NAME);
+    let (all, of_codes) = (told::each(ours), told::each(theirs).len());
     let own = |kind: ReferenceKind| all.iter().copied().filter(move |one| one.reference.kind == kind);
     let mut kinds = SHOWS;
     kinds.sort_by_key(|(kind, ..)| Reverse(own(*kind).count()));
@@ -104,11 +109,9 @@ pub fn against(findings: &[Finding]) -> String {
         vec![format!("{against} ({kind})"), shows.into(), own(kind).count().to_string(), share, pass, fail, absent]
     });
     let head = ["held against", "what it can show", "checks", "%", "pass", "fail", "not run"].map(String::from);
-    let (mut truths, mut others, mut of_one, mut ours) = (Vec::new(), Vec::new(), 0, 0);
+    let (mut truths, mut others, mut of_one) = (Vec::new(), Vec::new(), 0);
     for kind in [ReferenceKind::Analytic, ReferenceKind::CrossCode, ReferenceKind::Measured] {
-        let mut all = agreements(own(kind).collect());
-        // What others are held against where there is no closed form is no truth of another code.
-        ours += all.extract_if(.., |(name, _)| *name == OURS).map(|(_, all)| all.len()).sum::<usize>();
+        let all = agreements(own(kind).collect());
         let (named, rest) = all.split_at(all.len().min(NAMED));
         truths.extend_from_slice(named);
         let (several, single): (Vec<_>, Vec<_>) = rest.iter().partition(|(_, all)| all.len() > 1);
@@ -122,16 +125,16 @@ pub fn against(findings: &[Finding]) -> String {
         ("loosest", |(_, all)| told_agreement(all.last())),
     ];
     format!(
-        "{}\n{} {}. Of each kind the {NAMED} with the most numbers that agree with them, not by round-off alone:\n\n{}\n{}\n",
+        "{}\nOf what other codes answer {of_codes} more checks are made: {}. {} {}. Of each kind the {NAMED} with the most numbers that agree with them, not by round-off alone:\n\n{}\n{}\n",
         markdown::table(&head, &rows),
+        to_study("the scoreboard", scoreboard::Numbers::NAME),
         experiments(findings),
         link("Each check, and how near it is to its limit", CHECKS),
         markdown::columns(&columns, &truths),
         match others.is_empty() {
             true => String::new(),
             false => format!(
-                "Further truths, each with how many numbers agree with it: {}; and {of_one} with one each.\n\n{ours} numbers of other codes agree with \
-                 {OURS}, which they are held against where there is no closed form.",
+                "Further truths, each with how many numbers agree with it: {}; and {of_one} with one each.",
                 others.join(", ")
             ),
         },
@@ -212,8 +215,21 @@ fn surveyed(findings: &[Finding]) -> Option<Vec<Digest>> {
 /// Where methods fail, and what to use: the recommendation and the map.
 fn advice(findings: &[Finding]) -> String {
     let Some(digests) = surveyed(findings) else { return "Nothing was surveyed.".into() };
+    let converged = findings.iter().find_map(|finding| match finding.numbers() {
+        Some(promised::Numbers::Converged(recorded, _)) => Some(promised::converged::of_default(recorded)),
+        _ => None,
+    });
+    let default = converged.map(|[all, right, without]| {
+        format!(
+            "If nothing is said, `contact-vv` takes `{}`: of {all} runs on all scenes, with longer candidates and loads down to a ten-thousandth, \
+             {right} converge, and {without} end with the error that no spring is left to hold a body, as a contact smaller than two elements does; \
+             `--accuracy` finds a mesh for it.\n\n",
+            Method::default(Element::Node, Iteration::Kinematic),
+        )
+    });
     format!(
-        "{}\n{}\n{}, {}, {}.\n\n{}",
+        "{}{}\n{}\n{}, {}, {}.\n\n{}",
+        default.unwrap_or_default(),
         atlas::recommendation(&digests),
         statements::two_stops(),
         to_study("Why", atlas::Numbers::NAME),

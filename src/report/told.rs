@@ -24,8 +24,8 @@ pub fn once<'a>(judged: impl IntoIterator<Item = &'a Judged>) -> Vec<&'a Judged>
 }
 
 /// The checks of each study, once each: the rows of the record.
-pub fn each(findings: &[Finding]) -> Vec<&Judged> {
-    let of_studies = in_order(findings.iter().map(|finding| (finding.study, &finding.judged)));
+pub fn each<'a>(findings: impl IntoIterator<Item = &'a Finding>) -> Vec<&'a Judged> {
+    let of_studies = in_order(findings.into_iter().map(|finding| (finding.study, &finding.judged)));
     of_studies.into_iter().flat_map(|(_, judged)| once(judged.into_iter().flatten())).collect()
 }
 

@@ -84,12 +84,16 @@ impl Study for Numbers {
         answers.chain(sheets).collect()
     }
 
-    /// The checks: answers are known to five digits; values of a sheet are met by the codes that solved the case.
+    /// The checks: answers are known to five digits; values of a sheet are met by the codes that solved the case, but for those that its
+    /// reference answer is held against.
     fn judge(&self) -> Result<Vec<Judged>, Error> {
         Ok(match self {
             Numbers::Answer { known, .. } => known.iter().flat_map(judge_answer).collect(),
-            Numbers::Sheet(Sheet { values, .. }) => {
-                values.iter().flat_map(|value| value.others.iter().map(|other| value.met(other))).collect()
+            Numbers::Sheet(Sheet { name, values, .. }) => {
+                let has_answer = NAMED.contains(&name.as_str());
+                let others = values.iter().flat_map(|value| value.others.iter().map(move |other| (value, other)));
+                let own = others.filter(|(_, other)| !(has_answer && other.of_high_order));
+                own.map(|(value, other)| value.met(other)).collect()
             }
         })
     }

@@ -108,6 +108,8 @@ pub struct Other {
     pub uncertainty: f64,
     /// How far it may be off.
     pub bar: f64,
+    /// Whether it is one of those that reference answers are held against.
+    pub of_high_order: bool,
 }
 
 /// How a value was found.
@@ -160,12 +162,12 @@ impl Other {
     /// On the finest mesh of a series, with its standard uncertainty: thrice that, what springs leave, and round-off.
     pub fn of_series(by: &'static str, has_penalty: bool, [value, uncertainty]: [f64; 2]) -> Self {
         let penalty = if has_penalty { PENALTY * value.abs() } else { 0.0 };
-        Self { by, value, uncertainty, bar: SPREAD * uncertainty + penalty + 1e-9 * value.abs() }
+        Self { by, value, uncertainty, bar: SPREAD * uncertainty + penalty + 1e-9 * value.abs(), of_high_order: false }
     }
 
     /// Of high order, with how far it may be off: that of two standard uncertainties.
     pub fn of_high_order(way: Way, [value, bar]: [f64; 2]) -> Self {
-        Self { by: way.title(), value, uncertainty: 0.5 * bar, bar }
+        Self { by: way.title(), value, uncertainty: 0.5 * bar, bar, of_high_order: true }
     }
 
     /// In another unit.

@@ -14,7 +14,7 @@ use crate::error::Error;
 use crate::markdown;
 use crate::mesh::Resolution;
 use crate::named::named_enum;
-use crate::solve::{Element, Ended, Formulation, Iteration};
+use crate::solve::{Ended, Formulation, Iteration};
 use crate::study::grouped::in_order;
 use crate::study::method::Method;
 use crate::study::records;
@@ -311,16 +311,6 @@ const ADVICE: [markdown::Column<Advice>; 6] = [
     ("command", |(_, method, stiffness, _)| format!("`contact-vv solve CASE{}`", options(*method, *stiffness))),
 ];
 
-/// A row for each need: what differs among those that serve it stands side by side.
-fn merged(rows: &[Advice]) -> Vec<Vec<String>> {
-    let of = |(_, cell): &markdown::Column<Advice>, own: &[&Advice]| {
-        let cells = in_order(own.iter().map(|one| (cell(one), ())));
-        cells.into_iter().map(|(cell, _)| cell).collect::<Vec<_>>().join("; ")
-    };
-    let needs = in_order(rows.iter().map(|row| (row.0, row)));
-    needs.iter().map(|(_, own)| ADVICE.iter().map(|column| of(column, own)).collect()).collect()
-}
-
 /// Which element and algorithm to use from which initial stiffness, and which not.
 pub fn recommendation(digests: &[Digest]) -> String {
     let points: usize = digests.iter().flat_map(|digest| &digest.wrong).map(|(_, [_, all])| all).sum();
@@ -335,32 +325,26 @@ pub fn recommendation(digests: &[Digest]) -> String {
     let decades = |range: &Safe| (range.to / range.from).log10();
     let is_wider = |one: f64, other: f64| one > other && !same(one, other);
     let is_widest = |safe: &Safe| !reliable.iter().any(|(_, other)| is_wider(decades(other), decades(safe)));
-    let widest: Vec<_> = reliable.iter().filter(|(_, safe)| is_widest(safe)).collect();
-    let of_element = |element: Element| {
-        let own = widest.iter().filter(|(method, _)| method.element == element);
-        let (method, safe) = own.min_by_key(|(_, safe)| safe.iterations)?;
-        Some(("nothing known of the stiffness", *method, None, *safe))
-    };
-    let rows: Vec<Advice> =
-        fewest.into_iter().chain(constant).chain(Element::ALL.into_iter().filter_map(of_element)).collect();
+    let any = reliable.iter().filter(|(_, safe)| is_widest(safe)).min_by_key(|(_, safe)| safe.iterations);
+    let any = any.map(|(method, safe)| ("nothing known of the stiffness", *method, None, *safe));
+    let rows: Vec<Advice> = any.into_iter().chain(fewest).chain(constant).collect();
     let mut text = format!(
         "Names are `element.algorithm.rule`: what is pressed, how its stiffness changes, and by which formula; `+` is what the program adds \
          to the paper's. From {points} runs over candidate surface, mesh, a body of revolution and both paper scenes, {predicted} of them beside a prediction; a run *ends right* that converges with p₀ and a within {} % of the discrete solution:\n\n{}",
         100.0 * RIGHT,
-        markdown::table(&ADVICE.map(|(head, _)| head.into()), &merged(&rows))
+        markdown::columns(&ADVICE, &rows)
     );
-    let usual = Formulation::verification();
-    let usual = Method::default(usual.element, usual.algorithm);
-    let _ = writeln!(text, "\nIf nothing is said, `contact-vv` takes `{usual}`.");
     let nowhere = digests.iter().filter(|digest| digest.safe.is_none());
     let failing = in_order(nowhere.map(|digest| (failures(digest), digest.method)));
     if !failing.is_empty() {
         let row = |(failures, methods): &([String; 2], Vec<Method>)| {
             let names: Vec<String> = methods.iter().map(|method| format!("`{method}`")).collect();
-            let why: Vec<&str> = in_order(methods.iter().map(|method| (obstacle(*method), ())))
-                .into_iter()
-                .map(|(why, _)| why)
-                .collect();
+            let obstacles = in_order(methods.iter().map(|method| (obstacle(*method), method.rule.name())));
+            let of_rules = |(why, rules): &(&str, Vec<&str>)| match obstacles.len() {
+                1 => (*why).to_owned(),
+                _ => format!("{}: {why}", rules[0]),
+            };
+            let why: Vec<String> = obstacles.iter().map(of_rules).collect();
             [vec![names.join(", ")], failures.to_vec(), vec![why.join("; ")]].concat()
         };
         let head = ["what fails", "runs that end right", "runs that do not, by plane", "why"].map(String::from);

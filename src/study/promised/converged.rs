@@ -208,6 +208,14 @@ fn share(recorded: &[Record], formulation: usize, is_meant: impl Fn(&Record) -> 
     (!ended.is_empty()).then(|| converged as f64 / ended.len() as f64)
 }
 
+/// Runs of the default formulation, those that converge, and those that end with the named error that no spring is left to hold a body.
+pub fn of_default(recorded: &[Record]) -> [usize; 3] {
+    let own = Formulation::nine().iter().position(|one| one.name() == Formulation::verification().name());
+    let ended = || recorded.iter().filter_map(|record| record.classes[own?]);
+    let count = |class: Ended| ended().filter(|one| *one == class).count();
+    [ended().count(), count(Ended::Converged), count(Ended::Unsupported)]
+}
+
 /// Whether two numbers of the plan are the same one.
 fn same(a: f64, b: f64) -> bool {
     a.to_bits() == b.to_bits()

@@ -234,7 +234,7 @@ impl Sample {
 pub const EACH: usize = 200;
 /// Number of the first one: from scenes of lower numbers the constants of the bars were chosen.
 pub const FIRST: usize = 90_000;
-/// Families with one contact and a mesh made here; those of smooth tops first.
+/// Families with one contact and a mesh made here; those of which every bar is judged first.
 pub const FAMILIES: [Family; 24] = [
     Family::Hertz,
     Family::Polynomial,
@@ -262,7 +262,7 @@ pub const FAMILIES: [Family; 24] = [
     Family::Row,
 ];
 
-/// Families of smooth tops, of which every bar is judged; of the others those that are told: bodies of revolution, whose coarsest meshes tell
+/// Families of which every bar is judged; of the others those that are told: bodies of revolution, whose coarsest meshes tell
 /// few, and any gap with its truth by the boundary method or a series.
 pub const JUDGED: &[Family] = FAMILIES.split_at(11).0;
 
