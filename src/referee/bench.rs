@@ -37,14 +37,22 @@ impl Bench<'_> {
         self.ruled(check, factor * value, known)
     }
 
-    /// A number that follows from all pressures; where these were handed in at points alone, of the two readings of what lies between them the
-    /// one that is nearer to the truth: an answer is judged, not a rule of integration.
-    pub fn nearer(&self, of: impl Fn(&Measures) -> f64, truth: f64) -> f64 {
+    /// A number that follows from all pressures, with straight lines between those at points alone; where these are farther from the truth than is
+    /// allowed and roots are not, with those: an answer is judged, not a rule of integration.
+    pub fn read(&self, of: impl Fn(&Measures) -> f64, truth: f64, allowed: f64) -> f64 {
         let Profile { scene, contact, by_roots, .. } = self.profile;
         let lines = of(self.measures);
-        let roots = (!by_roots.is_empty())
-            .then(|| of(&Measures::of(scene, *contact, Part { points: by_roots, edges: &[], nodes: 2 })));
-        roots.filter(|roots| (roots - truth).abs() < (lines - truth).abs()).unwrap_or(lines)
+        let is_off = |value: &f64| (value - truth).abs() > allowed;
+        let roots = || of(&Measures::of(scene, *contact, Part { points: by_roots, edges: &[], nodes: 2 }));
+        let roots = (is_off(&lines) && !by_roots.is_empty()).then(roots);
+        roots.filter(|roots| !is_off(roots)).unwrap_or(lines)
+    }
+
+    /// The same against what is known of it, as [`Self::near`].
+    pub fn read_near(&self, number: Quantity, of: impl Fn(&Measures) -> f64, known: Known) -> Judged {
+        let allowed = self.tolerance * known.reference.value.abs() + known.bar;
+        let value = self.read(of, known.reference.value, allowed);
+        self.near(number, value, known)
     }
 
     /// The verdict; not run where the reference is not known well enough to judge by.

@@ -64,9 +64,8 @@ pub fn judge(truth: &Truth, profile: &Profile, tolerance: f64) -> Ruled {
 
 impl Bench<'_> {
     fn half_width(&self) -> Judged {
-        let known = self.half_width_known();
-        let value = self.nearer(|measures| measures.second_moment_width, known.reference.value);
-        self.near(Quantity::SecondMomentWidth, value, known)
+        let number = Quantity::SecondMomentWidth;
+        self.read_near(number, |measures| measures.second_moment_width, self.half_width_known())
     }
 
     /// The peak; where that has no limit the pressure at the middle.
@@ -242,8 +241,7 @@ impl Bench<'_> {
         } else {
             self.truth.known(contact, &Quantity::Resultant)
         };
-        let value = self.nearer(|measures| measures.resultant, known.reference.value);
-        self.near(Quantity::Resultant, value, known)
+        self.read_near(Quantity::Resultant, |measures| measures.resultant, known)
     }
 
     fn tension(&self) -> Judged {

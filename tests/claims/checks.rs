@@ -213,7 +213,7 @@ fn line_of_a_check_carries_its_numbers_its_verdict_and_why_it_failed() {
     let error = (number("value") - number("reference")).abs() / number("reference");
     assert!((number("error") - error).abs() < 1e-12 && number("error") > number("tolerance"), "{off}");
     let text = |key: &str| off[key].as_str().unwrap_or_else(|| panic!("{key}: {off}"));
-    assert_eq!((text("unit"), text("kind"), text("because")), ("N", "analytic", "equilibrium"));
+    assert_eq!((text("unit"), text("kind"), text("because")), ("N", "self-consistency", "equilibrium"));
     assert!(text("reason").contains("2.4 %") && text("reason").contains("tolerance"), "{off}");
     // The check of `solve` is the same one, under the keys that it had.
     let solved = json(&["solve", &path]);

@@ -89,7 +89,7 @@ fn a_number_that_another_mesh_or_8_node_cells_contradict_turns_its_check_red() {
     let other = |off: f64, bar: f64| {
         with(&|own| {
             let value = (1.0 + off) * own.known.value;
-            own.others = vec![Other { by: "another", value, uncertainty: 0.5 * bar, bar }];
+            own.others = vec![Other { by: "another", value, uncertainty: 0.5 * bar, bar, of_high_order: false }];
         })
     };
     assert_eq!(other(1e-9, 1e-9), Vec::<String>::new());

@@ -123,6 +123,7 @@ fn readings(courses: &[Course]) -> String {
         different = DIFFERENT,
         unremarkable = 100.0 * UNREMARKABLE,
         together = together(courses),
+        cap = Reading::nearest().cap,
         at = agreement.at(),
         told = agreement.told()
     ) + "\n"
