@@ -1,5 +1,7 @@
 //! The same scene on other meshes, and what they say of the mesh's part of a bar.
 
+use std::collections::BTreeMap;
+
 use rayon::prelude::*;
 
 use crate::accuracy::coarser::{coarser, finer, gentler};
@@ -7,7 +9,7 @@ use crate::accuracy::counted::{Kind, Row};
 use crate::accuracy::reading::{Reading, of_discrete, recovered, value_of};
 use crate::measure::{Measures, Quantity, Stretch, larger, relative_error};
 use crate::mesh::Order;
-use crate::scene::{ContactPair, Place, Profile, Scene};
+use crate::scene::{BoundaryName, ContactPair, Place, Profile, Scene};
 use crate::solve::run::BALANCED;
 use crate::solve::{Discretisation, Displaced, Element, Fitted, Formulation, Iteration, Permits, Run, Settings};
 
@@ -96,6 +98,8 @@ pub struct Family {
     others: Vec<f64>,
     /// Ends of the sides that carry a load: body, place, and length of the outermost edge.
     corners: Vec<(usize, [f64; 2], f64)>,
+    /// Whether a body is held where it loses regularity.
+    held_at_corner: bool,
     cells: usize,
     /// Whether mesh lines lie on the ends of the contacts.
     on_ends: bool,
@@ -214,12 +218,14 @@ impl Family {
         let spacings = spacings_at_vertex(discretisation);
         let cusp = |(pair, spacing): (&ContactPair, f64)| scene.modulus_of(pair) * pair.profile.cusp(spacing);
         let cusps = contacts.iter().zip(spacings).map(cusp).collect();
+        let corners = corners(discretisation);
         Self {
             formulation,
             order,
             sizes,
             others: others(discretisation),
-            corners: corners(discretisation),
+            held_at_corner: is_held_at_corner(discretisation, &corners),
+            corners,
             cells: discretisation.mesh.cells(),
             on_ends,
             layers: contacts.iter().map(|pair| pair.ends.layers).min().unwrap_or(0),
@@ -258,12 +264,6 @@ impl Family {
             _ if self.meshes() == 0 => "no coarser mesh of this scene holds the contact",
             _ => "no coarser mesh has this number",
         }
-    }
-
-    /// Whether a point of a body lies within an edge of the end of a side that carries a load.
-    fn is_at_corner(&self, body: usize, [x, y]: [f64; 2]) -> bool {
-        let near = |(of, at, length): &(usize, [f64; 2], f64)| *of == body && (x - at[0]).hypot(y - at[1]) <= *length;
-        self.corners.iter().any(near)
     }
 
     /// Degrees of freedom of all meshes that tell.
@@ -336,7 +336,8 @@ impl Family {
         // Where all of the mesh counts alike, and not the elements at the end of a contact, cells tell how much coarser it is:
         // one that has one element across a ring has no coarser neighbours in that direction.
         let of_cells = |other: &Other| (self.cells as f64 / other.cells as f64).sqrt();
-        let ratio = |other: &Other| match self.on_ends || row.kind != Kind::Force && !ends_at_candidates {
+        let is_held = self.held_at_corner && [Kind::Force, Kind::Displacement].contains(&row.kind);
+        let ratio = |other: &Other| match self.on_ends || !is_held && row.kind != Kind::Force && !ends_at_candidates {
             true => along(other),
             false => along(other).min(of_cells(other)),
         };
@@ -346,9 +347,12 @@ impl Family {
         let differences: Vec<[f64; 2]> = coarser.map(apart).filter(|[_, apart]| apart.is_finite()).collect();
         let order = match quantity {
             // There errors may be of the first order.
-            Quantity::Displacement(Displaced { body, at: Place::Point(at), .. }) if self.is_at_corner(*body, *at) => {
+            Quantity::Displacement(Displaced { body, at: Place::Point(at), .. })
+                if is_near(&self.corners, *body, *at) =>
+            {
                 observed(&differences, row.exponent())
             }
+            _ if is_held => observed(&differences, row.exponent()),
             _ => row.exponent(),
         };
         let known = match self.next.as_ref().filter(|_| self.order == Order::Quartic) {
@@ -432,7 +436,10 @@ impl Family {
         let hidden = surface * hidden * scale.abs();
         let told = Evidence { row, apart, hidden, rest: (missed + ROUND_OFF) * scale.abs() + read };
         // Meshes that read an end at a node that they share agree by that alone.
-        let is_read = row.kind == Kind::End && discrete.abs() > 0.0 && !self.on_ends && !fills_candidates(measures);
+        let is_read = row.kind == Kind::End
+            && (measures.across || discrete.abs() > 0.0)
+            && !self.on_ends
+            && !fills_candidates(measures);
         let least = if is_read { AT_NODE * self.sizes[contact] } else { 0.0 };
         told.and(larger(least - told.bar(), 0.0))
     }
@@ -593,13 +600,47 @@ fn said((mesh, run): (&Discretisation, &Run), wanted: Option<&[Displaced]>, on_e
     Some(Other { sizes: sizes(mesh), cells, dofs, readings, imbalance })
 }
 
-/// Whether a body has no more cells than candidate edges of one of its contacts.
-fn is_shallow(discretisation: &Discretisation) -> bool {
-    let pairs = discretisation.scene.contacts.iter().zip(&discretisation.interfaces);
-    let bodies = &discretisation.mesh.bodies;
-    pairs
-        .into_iter()
-        .any(|(pair, interface)| pair.bodies().any(|body| bodies[body].cells.len() <= interface.edges.len()))
+/// Whether a body has no more cells than edges on one of the sides that touch.
+fn is_shallow(Discretisation { scene, mesh, .. }: &Discretisation) -> bool {
+    let is_row = |pair: &ContactPair, body: usize| {
+        let edges = mesh.boundary(scene, body, pair.side(body)).map_or(0, <[_]>::len);
+        mesh.bodies[body].cells.len() <= edges
+    };
+    scene.contacts.iter().any(|pair| pair.bodies().any(|body| is_row(pair, body)))
+}
+
+/// Whether a body is held where it loses regularity: on a side that is held in both directions up to where a free one begins, or at a point
+/// on the end of a side that carries a load.
+fn is_held_at_corner(discretisation: &Discretisation, corners: &[(usize, [f64; 2], f64)]) -> bool {
+    let Discretisation { scene, mesh, .. } = discretisation;
+    let held = |body: usize, name: &BoundaryName| {
+        let own = scene.bodies[body].supports.iter();
+        let own = own.filter(|support| matches!(&support.at, Place::Boundary(at) if at == name));
+        own.map(|support| 1 << support.component.index()).fold(0, |all: u8, one| all | one)
+    };
+    let has_corner = |body: usize| {
+        let mut at_nodes: BTreeMap<usize, [bool; 2]> = BTreeMap::new();
+        for (name, edges) in &mesh.bodies[body].boundaries {
+            let kind = match held(body, name) {
+                0 => 0,
+                3 => 1,
+                _ => continue,
+            };
+            edges.iter().flat_map(|edge| &edge[..2]).for_each(|node| at_nodes.entry(*node).or_default()[kind] = true);
+        }
+        at_nodes.into_values().any(|[free, fixed]| free && fixed)
+    };
+    let at_point = |body: usize| {
+        let own = scene.bodies[body].supports.iter();
+        let mut points = own.filter_map(|support| if let Place::Point(at) = support.at { Some(at) } else { None });
+        points.any(|at| is_near(corners, body, at))
+    };
+    (0..scene.bodies.len()).any(|body| has_corner(body) || at_point(body))
+}
+
+/// Whether a point of a body lies within an edge of one of some corners.
+fn is_near(corners: &[(usize, [f64; 2], f64)], body: usize, [x, y]: [f64; 2]) -> bool {
+    corners.iter().any(|(of, at, length)| *of == body && (x - at[0]).hypot(y - at[1]) <= *length)
 }
 
 /// Mean candidate element of each contact, in its coordinate.

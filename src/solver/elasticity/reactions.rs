@@ -6,7 +6,7 @@ use crate::elasticity::axis;
 use crate::elasticity::element::{CellStiffness, degenerate};
 use crate::error::Error;
 use crate::mesh::Mesh;
-use crate::scene::Scene;
+use crate::scene::{Place, Scene};
 
 /// Internal force `Σ k_e u_e` of a body at each of its nodes, in x and y \[N\]: what must act on a node to hold the cells
 /// around it as deformed as they are. It is complete at the nodes of the mesh that are wanted.
@@ -41,17 +41,39 @@ pub fn internal_forces(
     Ok(forces)
 }
 
-/// Which support of a body holds a component of a node: the last one that prescribes it, as in the numbering. The axis of a
-/// body of revolution holds its nodes along the radius by itself.
+/// Which support of a body holds a component of a node: of several that do, the one whose side faces most along the component there, for a
+/// body that is drawn by its middle has no shear on it; of those that face alike the last one, as in the numbering. The axis of a body of
+/// revolution holds its nodes along the radius by itself.
 pub fn holders(scene: &Scene, mesh: &Mesh, body: usize) -> Result<BTreeMap<(usize, usize), usize>, Error> {
-    let mut holders = BTreeMap::new();
+    let mut holders: BTreeMap<(usize, usize), (usize, f64)> = BTreeMap::new();
     let on_axis = axis::holds(scene, mesh, body);
     for (index, support) in scene.bodies[body].supports.iter().enumerate() {
+        let component = support.component.index();
+        let edges = match &support.at {
+            Place::Boundary(name) => mesh.boundary(scene, body, name)?,
+            Place::Point(_) => &[],
+        };
         for node in mesh.nodes_at(scene, body, &support.at)? {
-            if support.component != axis::radial(scene) || !on_axis(node) {
-                holders.insert((node, support.component.index()), index);
+            if support.component == axis::radial(scene) && on_axis(node) {
+                continue;
+            }
+            let own = edges.iter().filter(|edge| edge.contains(&node));
+            let faces = own.map(|edge| facing(mesh, edge, component)).fold(0.0, f64::max);
+            let is_less = |(_, other): &(usize, f64)| *other <= faces + ALIKE;
+            if holders.get(&(node, component)).is_none_or(is_less) {
+                holders.insert((node, component), (index, faces));
             }
         }
     }
-    Ok(holders)
+    Ok(holders.into_iter().map(|(held, (support, _))| (held, support)).collect())
+}
+
+/// Difference of two directions' components that rounding explains.
+const ALIKE: f64 = 1e-6;
+
+/// Component of an edge's normal, without its sign.
+fn facing(mesh: &Mesh, edge: &[usize], component: usize) -> f64 {
+    let [from, to] = [edge[0], edge[1]].map(|node| mesh.points[node]);
+    let along = [0, 1].map(|k| to[k] - from[k]);
+    (along[1 - component] / along[0].hypot(along[1])).abs()
 }
