@@ -14,6 +14,9 @@ pub struct Stretch {
     pub end: f64,
     /// Whether it goes on to the first, and to the last candidate.
     pub reaches: [bool; 2],
+    /// Whether it begins on a symmetry line.
+    #[serde(skip)]
+    pub on_line: bool,
 }
 
 impl Stretch {
@@ -24,7 +27,7 @@ impl Stretch {
 
     /// Whether it begins at an end of its own, and not on a symmetry line.
     pub fn begins_within(&self) -> bool {
-        self.begin.abs() > ROUNDING * self.end.abs()
+        !self.on_line
     }
 }
 
@@ -82,7 +85,12 @@ fn one(pair: &ContactPair, part: Part, floor: f64, [from, to]: [usize; 2]) -> St
         _ if many => nodal::end(&pressed),
         _ => end(&edges[to - half..behind], behind - to),
     };
-    Stretch { begin, end, reaches }
+    Stretch { begin, end, reaches, on_line: on_line || is_at_line(pair, begin) }
+}
+
+/// Whether a contact that begins at a place begins on its symmetry line, if it has one.
+pub(crate) fn is_at_line(pair: &ContactPair, begin: f64) -> bool {
+    !pair.path.has_both_sides() && begin <= ROUNDING * pair.stretch
 }
 
 /// Where a contact ends on edges that are all pressed, in the order towards that end, the last ones by less than a floor \[mm, or rad\].

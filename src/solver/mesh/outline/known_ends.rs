@@ -17,7 +17,7 @@ const NARROW: Range<f64> = 1e-3..0.2;
 const SAME: f64 = 1e-9;
 
 /// Distance of a line from a place of the contact, over its half-width, below which that serves.
-const SERVES: f64 = 1e-3;
+const SERVES: f64 = 0.1;
 
 /// A contact whose ends are known, and into how many each interval between them is cut.
 pub(crate) struct KnownEnds<'a> {

@@ -26,14 +26,19 @@ pub(super) fn blocks(layout: &Layout, x: [f64; 2], y: [f64; 2], contact: Face) -
     };
     let beside: Vec<f64> = layout.points.iter().filter(is_on(0, x)).map(|point| point[1]).collect();
     let upwards = spacing::through(&upwards, &beside);
-    let (bottom, top) = match contact {
-        Face::Bottom => ("contact", "far"),
-        Face::Top => ("far", "contact"),
+    let (bottom, top, opposite) = match contact {
+        Face::Bottom => ("contact", "far", y[1]),
+        Face::Top => ("far", "contact", y[0]),
     };
+    // A point beside a line on an end of the contact has that moved to it on its own side alone.
+    let far = layout.points.iter().filter(|point| point[1] == opposite).map(|point| point[0]);
+    let moved = spacing::through(&along, &far.collect::<Vec<_>>());
+    let far = if moved.len() == along.len() { &moved } else { &along };
+    let of = |height: f64| if height == opposite { far } else { &along };
     vec![Block {
-        bottom: Side::named(bottom, layout.along(&along, |x| [x, y[0]])),
+        bottom: Side::named(bottom, layout.along(of(y[0]), |x| [x, y[0]])),
         right: Side::named("right", layout.along(&upwards, |h| [x[1], h])),
-        top: Side::named(top, layout.along(&along, |x| [x, y[1]])),
+        top: Side::named(top, layout.along(of(y[1]), |x| [x, y[1]])),
         left: Side::named("left", layout.along(&upwards, |h| [x[0], h])),
     }]
 }

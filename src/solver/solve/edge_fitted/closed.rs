@@ -9,6 +9,7 @@ use super::top;
 use crate::algorithm::Exact;
 use crate::contact::ContactPoint;
 use crate::error::{self, Error};
+use crate::measure::stretch::is_at_line;
 use crate::measure::{Measures, Stretch};
 use crate::mesh::{Order, Resolution};
 use crate::scene::{ContactPair, Ends, Grading, Scene};
@@ -163,6 +164,7 @@ impl Closed {
                 let half_width = one.half_width();
                 one.begin = (one.begin - begin * half_width).max(least);
                 one.end += end * half_width;
+                one.on_line = is_at_line(pair, one.begin);
             }
         }
     }
@@ -229,8 +231,7 @@ fn is_of_one_series(pair: &ContactPair, one: &Stretch) -> bool {
 fn on_lines(one: &Stretch, places: &[f64]) -> Option<Stretch> {
     let near = NEAR * (one.end - one.begin);
     let nearest = |end: f64| places.iter().copied().find(|place| (place - end).abs() <= near);
-    let on_symmetry_line = one.begin.abs() <= f64::EPSILON * one.end.abs();
-    let begin = if one.reaches[0] || on_symmetry_line { Some(one.begin) } else { nearest(one.begin) };
+    let begin = if one.reaches[0] || one.on_line { Some(one.begin) } else { nearest(one.begin) };
     let end = if one.reaches[1] { Some(one.end) } else { nearest(one.end) };
-    Some(Stretch { begin: begin?, end: end?, reaches: one.reaches })
+    Some(Stretch { begin: begin?, end: end?, ..*one })
 }
