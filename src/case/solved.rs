@@ -61,8 +61,7 @@ impl Case {
         let formulation = answer.as_ref().map_or(formulation, |answer| &answer.run.formulation);
         let run = Run::of(discretisation, formulation);
         // An accuracy has told which peaks have no limit.
-        let asks_for_limits = answer.is_none() && self.places.is_some();
-        let run = if asks_for_limits { run.and_then(|run| run.with_limits(discretisation)) } else { run };
+        let run = if answer.is_none() { run.and_then(|run| run.with_limits(discretisation)) } else { run };
         run.map_err(|error| self.located(error))
     }
 

@@ -117,13 +117,19 @@ fn checked(runs: &[Ran]) -> String {
 fn limits(runs: &[Ran], judged: &[&Judged]) -> String {
     let scene = &runs[0].1.case.scene;
     let mut told = Vec::new();
-    for pair in &scene.contacts {
+    for (at, pair) in scene.contacts.iter().enumerate() {
         let factor = display_factor(&pair.path);
         let unit = if factor > 1.0 { "°" } else { "mm" };
+        let stretches = runs.iter().filter_map(|(_, numbers)| numbers.case.scene.contacts.get(at));
+        let ends = counted(stretches.map(|own| markdown::significant(factor * own.stretch, 4)));
+        let end = |(end, count): &(String, usize)| match ends.len() {
+            1 => format!("{end} {unit}"),
+            _ => format!("{end} {unit} in {}", markdown::counted(*count, "run")),
+        };
         told.push(format!(
-            "Contact `{}` may occur up to {} {unit} from the origin of its coordinate, not beyond.",
+            "Contact `{}` may occur up to {} from the origin of its coordinate, not beyond.",
             pair.name,
-            markdown::significant(factor * pair.stretch, 4)
+            ends.iter().map(end).collect::<Vec<_>>().join(" and ")
         ));
     }
     let open = runs.iter().filter(|(_, numbers)| !numbers.run.solution.converged()).count();

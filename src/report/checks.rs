@@ -24,7 +24,10 @@ const COLUMNS: [(&str, Cell); 8] = [
         true => told::in_unit(one, one.check.tolerance, markdown::tolerance),
         false => String::new(),
     }),
-    ("bar", |one, _| one.bar_as_error().map_or_else(String::new, |bar| told::in_unit(one, bar, markdown::error))),
+    ("bar", |one, _| match one.bar_as_error() {
+        Some(bar) if bar.is_nan() => "unknown".into(),
+        bar => bar.map_or_else(String::new, |bar| told::in_unit(one, bar, markdown::error)),
+    }),
     ("because", |one, _| one.check.because.to_string()),
     ("verdict", |one, _| one.verdict.to_string()),
 ];

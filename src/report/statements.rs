@@ -29,8 +29,8 @@ pub fn judge(findings: &[Finding]) -> Vec<Statement> {
     let with_others = |(sentence, one): (Sentence, Statement)| match sentence {
         Sentence::Agrees => with_reference(one, findings),
         Sentence::LineAlways => {
-            let Statement { clause, measured, .. } = &one;
-            let [clause, measured] = [clause, measured].map(|told| format!("{told}; but {}", by_error()));
+            let (clause, measured) =
+                (format!("{}; but {}", one.clause, by_error()), format!("{}. But {}", one.measured, by_error()));
             Statement { clause, measured, ..one }
         }
         _ => one,
@@ -42,11 +42,16 @@ pub fn judge(findings: &[Finding]) -> Vec<Statement> {
 pub fn section(findings: &[Finding]) -> String {
     let columns: [Column<Statement>; 3] = [
         ("statement", |one| one.text.into()),
-        ("measured", |one| one.measured.clone()),
+        ("measured", |one| markdown::capitalised(&one.measured)),
         ("judgement", |one| format!("**{}**", one.judgement)),
     ];
     let table = markdown::columns(&columns, &judge(findings));
-    format!("## Its statements\n\n{}\n\n{table}\n", statement::RULE)
+    format!(
+        "## Its statements\n\n{} What is measured of iterations is of cylinder and pin–rod, in this order, under that reading, by a cap of \
+         {}.\n\n{table}\n",
+        statement::RULE,
+        Reading::nearest().cap
+    )
 }
 
 /// How the paper's varying stiffness with line elements ends on its scenes where the error stops it, as the atlas has recorded.
@@ -98,7 +103,7 @@ fn with_reference(statement: Statement, findings: &[Finding]) -> Statement {
     let width = worst(cylinder::NINE, Number::SecondMomentWidth.into());
     let means = worst(pin_rod::NINE, Quantity::EdgeMeans);
     let measured = format!(
-        "{}; by the discrete solutions of all nine: p₀ within {peak:.2} % of Hertz, a within {width:.2} %, pin–rod peak within {rod_peak:.2} %, edge means \
+        "{}. By the discrete solutions of all nine: p₀ within {peak:.2} % of Hertz, a within {width:.2} %, pin–rod peak within {rod_peak:.2} %, edge means \
          within {means:.2} %",
         statement.measured
     );

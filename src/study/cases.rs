@@ -198,12 +198,14 @@ fn factor((_, numbers, _): &Row) -> f64 {
 
 /// A number of a run times a factor, with the bar of the check on its quantity.
 fn quoted((_, numbers, judged): &Row, factor: f64, of: fn(&Run) -> f64, quantity: Option<Number>) -> String {
+    let is_endless = quantity.as_ref().is_some_and(|quantity| numbers.run.is_unbounded(0, quantity));
     let quantity = quantity.map(Quantity::from);
     let is_own = |one: &&Judged| Some(&one.check.quantity) == quantity.as_ref() && one.check.contact == 0;
     let bar = judged.iter().find(is_own).and_then(|one| one.bar).filter(|bar| bar.is_finite());
     let value = factor * of(&numbers.run);
     match bar {
-        _ if !numbers.run.solution.converged() => "–".into(),
+        _ if !numbers.run.solution.converged() || value.is_nan() => "–".into(),
+        _ if is_endless => "without limit".into(),
         Some(bar) => format!("{} ± {}", significant(value, 6), significant(factor * bar, 2)),
         None => significant(value, 5),
     }

@@ -99,14 +99,20 @@ impl Study for Numbers {
         let seen =
             seen.iter().filter(|(count, _)| *count > 0).map(|(count, told)| format!("{count} are seen by {told}"));
         let rooms = rooms()?;
-        // The last one is all of them together.
-        let missed: Vec<&String> = rooms.iter().rev().skip(1).rev().flat_map(|room| &room.missed).collect();
+        let missed: Vec<&String> = rooms.iter().flat_map(|room| &room.missed).collect();
+        let untried = rooms.iter().filter(|room| room.by_claims.of == 0);
+        let untried: Vec<String> = untried.map(|room| format!("`{}`", room.room)).collect();
         Ok(format!(
             include_str!("faults.md"),
             seen = seen.collect::<Vec<_>>().join(", "),
             all = faults.len(),
             faults = markdown::columns(&columns, &faults),
             rooms = markdown::columns(&ROOMS, &rooms),
+            caught = together(&rooms, |room| &room.by_claims),
+            of_truths = together(&rooms, |room| &room.by_truths),
+            untried = if untried.is_empty() { "no folder".into() } else { untried.join(", ") },
+            stale = rooms.iter().map(|room| room.stale).sum::<usize>(),
+            unviable = rooms.iter().map(|room| room.unviable).sum::<usize>(),
             missed = markdown::columns(&MISSED, missed),
             fuzzed = markdown::columns(&FUZZED, &fuzzed()?)
         ))
@@ -248,6 +254,10 @@ pub struct Room {
     pub room: String,
     /// All of its mutants.
     pub mutants: usize,
+    /// Entries whose function is another by now.
+    pub stale: usize,
+    /// Those that the compiler refused.
+    pub unviable: usize,
     /// Those that no test can catch.
     pub equivalent: usize,
     /// Those that were tried, by chance, by anything.
@@ -278,7 +288,29 @@ impl Share {
     }
 }
 
-/// The rooms of the record of mutants, and all of them together.
+/// What is caught of all mutants: the shares of the rooms, each by the number of its mutants, those of which none was tried left out.
+///
+/// The interval of `Σ w p` reaches `√Σ w²(p − l)²` below it, and above it likewise (Zou & Donner 2008).
+pub fn together(rooms: &[Room], of: fn(&Room) -> &Share) -> String {
+    let tried: Vec<(f64, &Share, [f64; 2])> = rooms
+        .iter()
+        .filter_map(|room| of(room).interval.map(|interval| (room.mutants as f64, of(room), interval)))
+        .collect();
+    let mutants: f64 = tried.iter().map(|(mutants, ..)| mutants).sum();
+    let [mut share, mut below, mut above] = [0.0; 3];
+    let [mut caught, mut all] = [0; 2];
+    for (own, counts, [low, high]) in &tried {
+        let (weight, part) = (own / mutants, counts.caught as f64 / counts.of as f64);
+        share += weight * part;
+        below += (weight * (part - low)).powi(2);
+        above += (weight * (high - part)).powi(2);
+        (caught, all) = (caught + counts.caught, all + counts.of);
+    }
+    let [share, low, high] = [share, share - below.sqrt(), share + above.sqrt()].map(|part| 100.0 * part);
+    format!("{share:.0} % ({low:.0} to {high:.0} %; {caught} of {all} tried)")
+}
+
+/// The rooms of the record of mutants.
 pub fn rooms() -> Result<Vec<Room>, Error> {
     let [.., Made { file, renew, .. }] = MADE;
     let file = root().join(file);

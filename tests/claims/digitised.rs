@@ -346,7 +346,7 @@ fn the_photograph_agrees_and_every_spoiled_number_turns_red() {
         (0, |n| n.ends[0].2 = 0.036),
         (1, |n| n.ends[1].2 = 0.036),
         (1, |n| n.ends[1].2 = f64::NAN),
-        (2, |n| n.widths.iter_mut().for_each(|width| width[1] = 0.034)),
+        (2, |n| n.widths.iter_mut().for_each(|width| width[2] = 0.029)),
         (3, |n| n.widths.retain(|width| width[0] < 0.053)),
         (4, |n| n.mesh[0] = 0.011),
         (4, |n| n.mesh[0] = f64::NAN),

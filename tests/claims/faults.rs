@@ -9,7 +9,7 @@ use contact_vv::case::Verdict;
 use contact_vv::checkout::{digest, root};
 use contact_vv::error::Error;
 use contact_vv::study::faults::{self, Caught, Fault, Numbers, Planted, is_caught};
-use contact_vv::study::faults::{Entry, MADE};
+use contact_vv::study::faults::{Entry, MADE, Room, Share, together};
 
 fn fault(name: &str, kinds: &[&str]) -> Fault {
     let [name, file, was, is] = [name, "src/lib.rs", "sound", "spoiled"].map(String::from);
@@ -42,6 +42,19 @@ fn what_is_listed_as_held_against_a_truth_is_a_claim() {
         let claims = fs::read_to_string(root().join(format!("tests/claims/{module}.rs"))).expect("read");
         assert!(claims.contains(&format!("\nfn {of}(")), "{name}");
     }
+}
+
+#[test]
+fn folders_count_by_their_mutants_and_those_of_which_none_was_tried_do_not() {
+    let room = |mutants, caught, of, interval| {
+        let share = || Share { caught, of, interval };
+        let [stale, unviable, equivalent] = [0; 3];
+        let (room, missed) = ("src/one".into(), Vec::new());
+        Room { room, mutants, stale, unviable, equivalent, by_claims: share(), by_truths: share(), missed }
+    };
+    let rooms = [room(3000, 1, 2, Some([0.1, 0.8])), room(2000, 10, 10, Some([0.7, 1.0])), room(900, 0, 0, None)];
+    // 0.6/2 + 0.4, less √((0.6·0.4)² + (0.4·0.3)²), and 0.6·0.3 more.
+    assert_eq!(together(&rooms, |room| &room.by_claims), "70 % (43 to 88 %; 11 of 12 tried)");
 }
 
 #[test]

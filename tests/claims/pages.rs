@@ -68,6 +68,15 @@ fn marker(name: &'static str) -> Judged {
 }
 
 #[test]
+fn no_page_shows_a_number_that_is_none() {
+    for page in all_pages() {
+        let cells = text(&page);
+        let none = cells.split('|').find(|cell| ["NaN", "not a number"].contains(&cell.trim()));
+        assert_eq!(none, None, "{}", page.display());
+    }
+}
+
+#[test]
 fn front_page_is_short() {
     let lines = text(&root().join(page::PAGE)).lines().count();
     assert!(lines <= LINES, "{lines} lines");

@@ -16,29 +16,27 @@ fn judged(numbers: &Numbers) -> Vec<Judged> {
 
 #[test]
 fn a_model_error_that_does_not_fall_with_the_square_of_the_contact_turns_red() {
-    let judge = |of: [[f64; 2]; 4]| {
+    const RATIOS: [f64; 4] = [0.005, 0.05, 0.1, 0.2];
+    let judge = |of: [[f64; 2]; 4], bar: f64| {
         let ratio = |k: usize| {
-            let departures = of[k].map(|value| [value, 1e-6]);
-            refinement::Ratio { a_over_r: [0.005, 0.05, 0.1, 0.2][k], departures, dofs: 1 }
+            let departures = of[k].map(|value| [value, bar]);
+            refinement::Ratio { a_over_r: RATIOS[k], departures, dofs: 1 }
         };
         judged(&Numbers::ModelError([0, 1, 2, 3].map(ratio)))
     };
-    let sound = [[3e-5, 3e-5], [-6e-4, 4e-4], [-2.4e-3, 1.6e-3], [-9.6e-3, 6.4e-3]];
-    assert_eq!((judge(sound).len(), fails(&judge(sound))), (6, 0));
+    let sound = RATIOS.map(|ratio| [-0.24 * ratio * ratio, 0.18 * ratio * ratio]);
+    assert_eq!((judge(sound, 1e-8).len(), fails(&judge(sound, 1e-8))), (8, 0));
+    // What is below five error bars has no power.
+    assert_eq!(fails(&judge(sound, 1e-5)), 2);
     let spoiled = |index: usize, by: f64| {
         let mut departures = sound;
         departures[index] = departures[index].map(|departure| departure * by);
-        departures
+        fails(&judge(departures, 1e-8))
     };
-    // The smallest contact off: itself, and no departure near it has a power any more; 0.05 alone is below five times it.
-    assert_eq!(fails(&judge(spoiled(0, 6.0))), 2 + 2);
-    // One departure off spoils the pairs on both its sides.
-    assert_eq!(fails(&judge(spoiled(1, 1.3))), 2);
-    assert_eq!(fails(&judge(spoiled(2, 1.3))), 4);
+    // The smallest contact off: itself, and the pair that it is in. Another one spoils the pairs on both its sides.
+    assert_eq!([spoiled(0, 6.0), spoiled(1, 1.1), spoiled(2, 1.1), spoiled(3, 1.1)], [4, 4, 4, 2]);
     // Of another sign, or no number: no power at all.
-    assert_eq!(fails(&judge(spoiled(2, -1.0))), 4);
-    assert_eq!(fails(&judge(spoiled(3, f64::NAN))), 4);
-    assert_eq!(fails(&judge(spoiled(0, f64::NAN))), 6);
+    assert_eq!([spoiled(2, -1.0), spoiled(3, f64::NAN), spoiled(0, f64::NAN)], [6, 6, 8]);
 }
 
 #[test]

@@ -7,7 +7,7 @@ use contact_vv::case::library::{cylinder, pin_rod};
 use contact_vv::case::{self, Check, Reference, Verdict};
 use contact_vv::checkout::root;
 use contact_vv::measure::Quantity;
-use contact_vv::report::statements;
+use contact_vv::report::{record, statements};
 use contact_vv::solve::{Element, Iteration};
 use contact_vv::study::paper::reading::{Axis, Candidates, Reading, Stop};
 use contact_vv::study::paper::sentence::{Met, Seen, Sentence, Starts, agrees};
@@ -212,6 +212,16 @@ fn what_is_off_of_hertz_is_told_in_per_cent() {
     let agrees = all.iter().find(|one| one.text == Sentence::Agrees.name()).expect("a statement");
     let told = "p₀ within 0.25 % of Hertz, a within 0.50 %, pin–rod peak within 1.25 %, edge means within 1.75 %";
     assert!(agrees.measured.ends_with(told), "{}", agrees.measured);
+}
+
+#[test]
+fn what_was_measured_is_told_in_sentences_of_at_most_45_words() {
+    let text = std::fs::read_to_string(root().join(record::STATEMENTS)).expect("a record");
+    let rows = record::parsed::<[String; 3]>(&text).expect("rows");
+    assert!(rows.len() > 10);
+    for sentence in rows.iter().flat_map(|[.., measured]| measured.split(". ")) {
+        assert!(sentence.split_whitespace().count() <= 45, "{sentence}");
+    }
 }
 
 #[test]

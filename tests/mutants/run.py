@@ -177,7 +177,7 @@ def told(name, entries, every, listed):
     # In the order in which they are drawn: what the checks were asked about for passing the tests would be no fair sample.
     checked = list(itertools.takewhile(lambda one: "checks" in one, counted))
     return {
-        "room": name, "mutants": sum(name in (room(key), "src") for key in every), "stale": len(entries) - len(current),
+        "room": name, "mutants": sum(name == room(key) for key in every), "stale": len(entries) - len(current),
         "unviable": len(current) - len(viable), "equivalent": sum(one["mutant"] in listed for one in viable),
         "by_claims": wilson(sum(is_caught(one) is True for one in tested), len(tested)),
         "by_truths": wilson(sum(one["checks"] == "truth" for one in checked), len(checked)),
@@ -192,13 +192,13 @@ def read(every):
 
 
 def write(record, every, listed, order):
-    """Writes entries in the order in which they are drawn, and the scores of their rooms and of all together."""
+    """Writes entries in the order in which they are drawn, and the scores of all rooms."""
     record = sorted((one for one in record if "tests" in one or "checks" in one), key=lambda one: order(one["mutant"]))
-    by_room = collections.defaultdict(list)
+    by_room = {room(key): [] for key in every}
     for one in record:
         by_room[room(one["mutant"])].append(one)
     rooms = [told(name, own, every, listed) for name, own in sorted(by_room.items())]
-    found = {"mutants": len(every), "rooms": rooms + [told("src", record, every, listed)], "survivors": list(listed.values())}
+    found = {"mutants": len(every), "rooms": rooms, "survivors": list(listed.values())}
     head = json.dumps(found, indent=1, ensure_ascii=False).removesuffix("\n}")
     lines = ",\n".join("  " + json.dumps(one, ensure_ascii=False) for one in record)
     RECORD.write_text(f'{head},\n "record": [\n{lines}\n ]\n}}\n')

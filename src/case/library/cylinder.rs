@@ -105,7 +105,7 @@ pub(super) fn cases() -> Vec<Case> {
     let model = "model error at a/R = 0.05 plus discretisation; see the model error beside it";
     let verified = Cylinder::default().case();
     let small = Cylinder { a_over_r: 0.005, ..Default::default() }.case();
-    let fine = "model error about 2e-5 at a/R = 0.005; 16 8-node cells per half-width";
+    let fine = "model error below (a/R)² = 2.5e-5; 16 8-node cells per half-width";
     let checks = hertz_checks([1e-3; 2], [model; 2]);
     let small_checks = hertz_checks([2e-4, 5e-4], [fine, "the edge lies between two nodes"]);
     let resolution = Resolution { elements: 16, ..small.resolution };

@@ -284,7 +284,13 @@ fn worst(values: impl Iterator<Item = f64>) -> f64 {
 }
 
 /// That none of some is wrong; of nothing nothing is known.
-fn none(what: &'static str, at: String, because: impl Into<Cow<'static, str>>, wrong: usize, of: usize) -> Judged {
+fn none(
+    what: impl Into<Cow<'static, str>>,
+    at: String,
+    because: impl Into<Cow<'static, str>>,
+    wrong: usize,
+    of: usize,
+) -> Judged {
     Check::none(Quantity::at(what, at), because).judge(if of == 0 { f64::NAN } else { wrong as f64 })
 }
 
@@ -303,20 +309,27 @@ fn predicted(chart: &Chart) -> Vec<Judged> {
     let failing: Vec<&Record> = records().filter(|r| shall_fail(r)).collect();
     let ending: Vec<&Record> = on_nodes().filter(|r| shall_converge(r) && !is_attracted_nearby(r)).collect();
     let ratios: Vec<f64> = on_nodes().filter(|r| is_long(r)).map(ratio).collect();
+    let named = |records: &[&Record]| {
+        let mut names: Vec<String> = records.iter().map(|r| r.method.to_string()).collect();
+        names.sort_unstable();
+        names.dedup();
+        names.join(" or ")
+    };
     let never_converge = none(
-        "run that converges where the condensed matrices predict failure",
+        "run, but of constant stiffness with secant, that converges where the condensed matrices predict failure",
         format!("of {} predicted to fail", failing.len()),
         format!(
-            "spectral radius above 1, or more than {FACTOR} times the limit of iterations; `secant` with constant stiffness is reported"
+            "spectral radius above 1, or more than {FACTOR} times the limit of iterations; what swings below the tolerance may be called converged"
         ),
         failing.iter().filter(|r| converged(r)).count(),
         failing.len(),
     );
     let always_converge = none(
-        "run on nodes that fails where it is predicted to converge",
+        format!("run of {} that fails where it is predicted to converge", named(&ending)),
         format!("of {} predicted to converge", ending.len()),
         format!(
-            "less than the limit of iterations over {FACTOR}; varying stiffness with correction is attracted from nearby only"
+            "less than the limit of iterations over {FACTOR}; other methods are in the table of predictions and not judged: varying stiffness \
+             with correction is attracted from nearby only"
         ),
         ending.iter().filter(|r| !converged(r)).count(),
         ending.len(),

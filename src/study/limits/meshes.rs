@@ -12,8 +12,8 @@ use crate::scene::{
 use crate::solve::run::{INSIDE, Run};
 use crate::solve::{Discretisation, Element, Formulation, Iteration};
 use crate::study::limits::push::{
-    Limit, ORDERS, Push, Solved, against_hertz, folded, meshed, number, percent, refused, size, told, told_with_remedy,
-    within, worst,
+    Limit, ORDERS, Push, Solved, against_hertz, exceeds, folded, meshed, number, percent, refused, size, told,
+    told_with_remedy, within, worst,
 };
 
 /// Truncated Hertz on cells that hardly grow: what fails is then the cells' doing, not their sizes'.
@@ -324,16 +324,33 @@ fn unbalanced(discretisation: &Discretisation, run: &Run) -> f64 {
     larger(((force - other) / force).abs(), ((moment - opposite) / (force * arm)).abs())
 }
 
+/// Ratios at which cells of an order are wrong with points on either side: where those on the finer side are better, and where not.
+fn sides(densities: &Push<Across, 2>, order: usize) -> [Vec<f64>; 2] {
+    let errors = |(density, found): &(f64, [Across; 2])| {
+        let [first, second] = found[order].blocks.each_ref().map(|solved| solved.errors().largest());
+        let [finer, coarser] = if *density < 1.0 { [first, second] } else { [second, first] };
+        exceeds(larger(finer, coarser), WRONG).then_some((*density, finer < coarser))
+    };
+    let wrong: Vec<(f64, bool)> = densities.tried.iter().filter_map(errors).collect();
+    [true, false].map(|better| wrong.iter().filter(|one| one.1 == better).map(|one| one.0).collect())
+}
+
+/// Numbers one after the other.
+fn list(numbers: &[f64]) -> String {
+    if numbers.is_empty() { "none".into() } else { numbers.iter().map(|x| number(*x)).collect::<Vec<_>>().join(", ") }
+}
+
 /// The patch test and Hertz across meshes that do not match.
 pub(super) fn non_matching() -> Result<Limit, Error> {
-    let densities = Push::of("density", &DENSITIES, ORDERS, Across::at)?;
+    let densities = Push::of("second / first", &DENSITIES, ORDERS, Across::at)?;
     let patch = largest(densities.all().flat_map(|across| across.patch));
     let fine = densities.tried.iter().filter(|(density, _)| *density >= COARSE);
-    let coarseness = Push {
-        name: "coarseness",
-        tried: densities.tried.iter().rev().map(|(density, [four, eight])| (1.0 / density, [four, eight])).collect(),
+    let coarser = Push {
+        name: densities.name,
+        tried: densities.tried.iter().rev().map(|(density, [four, eight])| (*density, [four, eight])).collect(),
     };
-    let [four, eight] = [0, 1].map(|k| coarseness.onset(|found| found[k].blocks[0].is_off(WRONG)));
+    let [four, eight] = [0, 1].map(|k| coarser.onset(|found| found[k].blocks[0].is_off(WRONG)));
+    let [of_four, of_eight] = [0, 1].map(|k| sides(&densities, k));
     let rows: Vec<(f64, &Across)> =
         densities.tried.iter().flat_map(|(density, found)| found.iter().map(|across| (*density, across))).collect();
     Ok(Limit {
@@ -345,7 +362,14 @@ pub(super) fn non_matching() -> Result<Limit, Error> {
             within(patch, ITERATED)
         ),
         seen: format!("{}; only a finer mesh shows the error", densities.last()[1].blocks[1].seen()),
-        instead: "contact points on the finer side: name its body as `first`".into(),
+        instead: format!(
+            "8-node cells. Where points on either side are off by more than {}, those on the finer side are less so with 8-node cells at \
+             second / first = {}, with 4-node cells at {}; those on the coarser side with 4-node cells at {}. The body named `first` has them",
+            size(WRONG),
+            list(&of_eight[0]),
+            list(&of_four[0]),
+            list(&of_four[1])
+        ),
         judged: vec![
             Check::error(
                 Quantity::at(
@@ -367,6 +391,14 @@ pub(super) fn non_matching() -> Result<Limit, Error> {
                 "round-off: the weights of the nodes on the other side reproduce constants and the coordinate itself",
             )
             .judge(largest(densities.all().map(|across| across.unbalanced))),
+            Check::none(
+                Quantity::at(
+                    "ratio of elements at which points on the coarser side are the better ones",
+                    format!("8-node, error beyond {}", size(WRONG)),
+                ),
+                "points on a coarse side do not see what the finer one does between them",
+            )
+            .judge(if of_eight[0].is_empty() { f64::NAN } else { of_eight[1].len() as f64 }),
             against_hertz(
                 Quantity::at(
                     "largest error of p₀ and a at points opposite a side up to twice as coarse as their own, or finer",

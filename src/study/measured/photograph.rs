@@ -120,14 +120,15 @@ fn place(over: impl Fn(f64) -> f64, near: f64) -> Option<f64> {
     Some(0.5 * (inner + outer))
 }
 
-/// Root mean square that is accepted, in fringe orders: the reading is good to about 0.03.
+/// Root mean square of reading, and that which is accepted, in fringe orders.
+const READ: f64 = 0.03;
 const ACCEPTED: f64 = 0.035;
-/// Half-widths over the fitted one that must not pass.
+/// Half-widths over the fitted one that reading alone must not explain.
 const WRONG: [f64; 2] = [0.7, 1.3];
 /// Root mean square that our mesh may cost: a third of that of reading.
 const MESH: f64 = 0.01;
 
-/// Within what is asked at both ends; and a width that is plainly wrong must be seen.
+/// Within what is asked at both ends; and reading alone does not explain a width that is plainly wrong.
 pub fn judge(photograph: &Photograph) -> Vec<Judged> {
     let ends = photograph.ends.iter().map(|(end, points, rms)| {
         let reference = Reference {
@@ -138,17 +139,18 @@ pub fn judge(photograph: &Photograph) -> Vec<Judged> {
         };
         let quantity =
             Quantity::at("root mean square of the fringe orders", format!("{}, {points} points", end.name()));
-        let because = "read to about 0.03 orders; five constants fitted at the bottom, none at the top";
+        let because = format!("read to about {READ} orders; five constants fitted at the bottom, none at the top");
         Check::absolute(quantity, reference, ACCEPTED, because).judge(*rms)
     });
     let wrong = WRONG.map(|times| {
-        let quantity = Quantity::at("root mean square with a wrong half-width", format!("{times} of the fitted one"));
-        let because = "a comparison that does not see this sees nothing of the contact";
-        // With all else held, at the half-width solved next to it.
+        let what = "root mean square with a wrong half-width and all else refitted";
+        let quantity = Quantity::at(what, format!("{times} of the fitted one"));
+        let because = "more than reading explains, though not always more than is accepted: the width is told roughly";
+        // At the half-width solved next to it.
         let far = |width: &&[f64; 3]| (width[0] - times * photograph.half_width[0]).abs();
         let next = photograph.widths.iter().min_by(|a, b| far(a).total_cmp(&far(b)));
-        Check::at_least(quantity, Reference::own("what is accepted", ACCEPTED), because)
-            .judge(next.map_or(f64::NAN, |width| width[1]))
+        Check::at_least(quantity, Reference::own("what reading leaves", READ), because)
+            .judge(next.map_or(f64::NAN, |width| width[2]))
     });
     let mesh = Check::at_most(
         "root mean square of the fringe orders that a mesh twice as coarse changes",
@@ -191,7 +193,8 @@ pub fn section(photograph: &Photograph) -> String {
         widths = markdown::columns(&COLUMNS, &photograph.widths),
         narrow = significant(narrow, 2),
         wide = significant(wide, 2),
-        accepted = ACCEPTED
+        accepted = ACCEPTED,
+        reading = READ
     ) + "\n"
         + &picture(
             FRINGES,

@@ -8,6 +8,7 @@ use rayon::prelude::*;
 use crate::algorithm::Criterion;
 use crate::case::library::{Cylinder, PinRod};
 use crate::error::{Error, Kind};
+use crate::markdown;
 use crate::mesh::{Order, Resolution};
 use crate::named::named_enum;
 use crate::solution::{Iterated, Outcome, Solution};
@@ -322,14 +323,14 @@ fn statement(sentence: Sentence, nearest: &[Seen; 2], fared: &Fared) -> Statemen
             fared.held.len(),
             fared.counted
         ),
-        measured: format!(
-            "cylinder and pin–rod, reading nearest to the text, by a cap of {}: {numbers}; {}; {}",
-            Reading::nearest().cap,
-            fared.at(),
-            fared.told()
-        ),
+        measured: sentences(&[numbers, fared.at(), fared.told()].join("; ")),
         judgement: fared.judgement(sentence),
     }
+}
+
+/// What is parted by semicolons, as sentences.
+fn sentences(told: &str) -> String {
+    told.split("; ").map(markdown::capitalised).collect::<Vec<_>>().join(". ")
 }
 
 /// A sentence over the designed set. Under a reading it holds where it does at each tolerance that the reading is judged at.

@@ -11,14 +11,15 @@ pub mod curved;
 pub mod family;
 pub mod nested;
 
+use crate::accuracy::{self, Asked};
 use crate::case::library::{Cylinder, CylinderModel};
 use crate::case::{Check, Judged, Quantity, Reference};
 use crate::drawing::Drawing;
 use crate::error::Error;
 use crate::markdown::{self, Column};
-use crate::measure::order::{Observed, pairs, richardson};
+use crate::measure::order::{Observed, pairs};
 use crate::measure::{larger, relative_error};
-use crate::mesh::{Order, Resolution};
+use crate::mesh::Order;
 use crate::solve::{Discretisation, Formulation, Run};
 use crate::study::about::{About, Found, Planned, Study};
 use crate::study::differences::peak_and_width;
@@ -127,8 +128,9 @@ impl Study for Numbers {
     }
 }
 
-/// Elements per half-width that show the model error of the cylinder: the finest of three meshes.
-const FINE: [usize; 3] = [12, 24, 48];
+/// Relative error that may remain in the cylinder beside Hertz, and in what.
+const SOLVED_TO: f64 = 1e-6;
+const BOTH: [accuracy::Quantity; 2] = [accuracy::Quantity::PeakPressure, accuracy::Quantity::SecondMomentWidth];
 /// Ratios a/R of the cylinder beside Hertz.
 const BESIDE_HERTZ: [f64; 4] = [0.005, 0.05, 0.1, 0.2];
 /// Ratios a/R of the half cylinder.
@@ -139,10 +141,9 @@ const HALVES: [f64; 4] = [0.0125, 0.025, 0.05, 0.1];
 pub struct Ratio {
     /// Half-width of Hertz over the radius.
     pub a_over_r: f64,
-    /// How far peak pressure and half-width depart from those of Hertz, relative to them: on the finest mesh, and what
-    /// the mesh may still change, a bound that covers about 95 %.
+    /// How far peak pressure and second-moment width depart from those of Hertz, relative to them, and their error bars.
     pub departures: [[f64; 2]; 2],
-    /// Degrees of freedom of the finest mesh.
+    /// Degrees of freedom of the mesh answered.
     pub dofs: usize,
 }
 
@@ -168,33 +169,28 @@ impl Change {
     }
 }
 
-/// Powers of a/R by which a departure falls, from the largest contact to the smallest, whose own departure is what the
-/// mesh leaves: it has no power, and nothing below five times as much has one.
+/// Powers of a/R by which a departure falls, from the largest contact to the smallest; nothing below five error bars has one.
 fn powers(ratios: &[Ratio; 4], number: usize) -> Vec<Observed> {
-    let [smallest, others @ ..] = ratios;
-    let floor = others.iter().map(|ratio| ratio.departures[number][1]);
-    let floor = floor.fold(smallest.departures[number][0].abs(), larger);
+    let floor = ratios.iter().map(|ratio| ratio.departures[number][1]).fold(0.0, larger);
     let falling = || ratios.iter().rev();
     let sizes: Vec<f64> = falling().map(|ratio| ratio.a_over_r).collect();
     pairs(&sizes, &falling().map(|ratio| ratio.departures[number][0]).collect::<Vec<_>>(), floor)
 }
 
-/// What the quarter cylinder differs from Hertz by, on meshes fine enough to show it.
+/// What the quarter cylinder differs from Hertz by, on cells that end with the contact.
 pub fn model_error() -> Result<[Ratio; 4], Error> {
     let ratio = |a_over_r| {
         let numbers = Cylinder { a_over_r, ..Default::default() };
-        let run = |elements| {
-            let resolution = Resolution { elements, refinement: 0, order: Order::Quadratic };
-            Run::of(&Discretisation::of(numbers.scene(), resolution)?, &Formulation::verification())
-        };
-        let [coarse, medium, fine] = FINE.map(run);
-        let runs = [coarse?, medium?, fine?];
+        let asked = Asked { quantities: BOTH.into(), ..Asked::new(SOLVED_TO) };
+        let answer = accuracy::solve(&numbers.scene(), &Formulation::verification(), &asked)?;
         let hertz = [numbers.scene().reference.pressure, numbers.half_width()];
+        let found = peak_and_width(&answer.run);
         let departures = [0, 1].map(|number| {
-            let series = runs.each_ref().map(|run| peak_and_width(run)[number] / hertz[number] - 1.0);
-            [series[2], richardson(series).bound]
+            let own = answer.estimates.iter().find(|one| one.is_of(0, &BOTH[number]));
+            let bar = own.map_or(f64::NAN, |one| one.bar.total());
+            [found[number] / hertz[number] - 1.0, bar / hertz[number]]
         });
-        Ok(Ratio { a_over_r, departures, dofs: runs[2].dofs })
+        Ok(Ratio { a_over_r, departures, dofs: answer.run.dofs })
     };
     let [a, b, c, d]: [Result<Ratio, Error>; 4] = BESIDE_HERTZ.map(ratio);
     Ok([a?, b?, c?, d?])
@@ -215,30 +211,26 @@ pub fn changes() -> Result<Vec<Change>, Error> {
     HALVES.into_iter().map(change).collect()
 }
 
-/// Numbers of the cylinder over those of Hertz, and how near those of the smallest contact must come.
-const OVER_HERTZ: [(&str, f64); 2] =
-    [("peak pressure over that of Hertz", 1e-4), ("second-moment width over the half-width of Hertz", 1.5e-4)];
-/// How near the powers must come to 2, relative to that.
-const POWER: f64 = 0.1;
+/// Numbers of the cylinder over those of Hertz.
+const OVER_HERTZ: [&str; 2] = ["peak pressure over that of Hertz", "second-moment width over the half-width of Hertz"];
 
 /// The smallest contact is Hertz's; with growing contact the difference grows by (a/R)².
 pub fn judge_model_error(ratios: &[Ratio; 4]) -> Vec<Judged> {
-    let [first, others @ ..] = ratios;
     let small = [0, 1].map(|number| {
-        let ((quantity, near), [departure, bound]) = (OVER_HERTZ[number], first.departures[number]);
-        let because = format!("no model error is left, but the mesh: {} 8-node cells per half-width", FINE[2]);
-        let at = format!("a/R = {}", first.a_over_r);
-        let check = Check::near(Quantity::at(quantity, at), Reference::analytic("Hertz", 1.0), near, because);
-        Judged { uncertainty: Some(standard(bound)), ..check.judge(1.0 + departure) }
+        let (Ratio { a_over_r, departures, .. }, hertz) = (&ratios[0], Reference::analytic("Hertz", 1.0));
+        let ([departure, bar], at) = (departures[number], format!("a/R = {a_over_r}"));
+        let because = "what a half-plane leaves out is below (a/R)²";
+        let check = Check::near(Quantity::at(OVER_HERTZ[number], at), hertz, a_over_r.powi(2), because);
+        Judged { uncertainty: Some(standard(bar)), ..check.judge(1.0 + departure) }
     });
     let growth = [0, 1].into_iter().flat_map(|number| {
-        let pairs = others.windows(2).rev().zip(powers(ratios, number));
+        let pairs = ratios.windows(2).rev().zip(powers(ratios, number));
         let judged = pairs.map(move |(two, power)| {
-            let at = format!("{}, a/R = {} to {}", OVER_HERTZ[number].0, two[0].a_over_r, two[1].a_over_r);
+            let at = format!("{}, a/R = {} to {}", OVER_HERTZ[number], two[0].a_over_r, two[1].a_over_r);
             let quantity = Quantity::at("power of a/R by which the cylinder departs from Hertz", at);
-            let because = "the next power of a/R, and what the mesh still changes";
-            Check::near(quantity, Reference::analytic("far field", 2.0), POWER, because)
-                .judge(power.unwrap_or(f64::NAN))
+            let because = "the next power of a/R changes it by (a/R)² of the larger contact";
+            let check = Check::near(quantity, Reference::analytic("far field", 2.0), two[1].a_over_r.powi(2), because);
+            check.judge(power.unwrap_or(f64::NAN))
         });
         judged.collect::<Vec<_>>()
     });
@@ -269,11 +261,11 @@ pub fn table_of_ratios(ratios: &[Ratio; 4]) -> String {
     type Row<'a> = (&'a Ratio, [String; 2]);
     let columns: [Column<Row>; 8] = [
         ("a/R", |(ratio, _)| ratio.a_over_r.to_string()),
-        ("p₀ / Hertz − 1", |(ratio, _)| format!("{:+.2e}", ratio.departures[0][0])),
-        ("error bar of the mesh", |(ratio, _)| format!("{:.0e}", ratio.departures[0][1])),
+        ("p₀ / Hertz − 1", |(ratio, _)| format!("{:+.3e}", ratio.departures[0][0])),
+        ("error bar", |(ratio, _)| format!("{:.0e}", ratio.departures[0][1])),
         ("power", |(_, powers)| powers[0].clone()),
-        ("a / Hertz − 1", |(ratio, _)| format!("{:+.2e}", ratio.departures[1][0])),
-        ("error bar of the mesh", |(ratio, _)| format!("{:.0e}", ratio.departures[1][1])),
+        ("a / Hertz − 1", |(ratio, _)| format!("{:+.3e}", ratio.departures[1][0])),
+        ("error bar", |(ratio, _)| format!("{:.0e}", ratio.departures[1][1])),
         ("power", |(_, powers)| powers[1].clone()),
         ("dofs", |(ratio, _)| ratio.dofs.to_string()),
     ];
@@ -283,8 +275,8 @@ pub fn table_of_ratios(ratios: &[Ratio; 4]) -> String {
         (ratio, [read(0), read(1)])
     });
     format!(
-        "**Cylinder: model error against Hertz, and the power of a/R by which it falls ({} elements per half-width)**\n\n{}\n",
-        FINE[2],
+        "**Cylinder: model error against Hertz, and the power of a/R by which it falls (solved to {} %)**\n\n{}\n",
+        accuracy::in_percent(SOLVED_TO),
         markdown::columns(&columns, &rows.collect::<Vec<_>>())
     )
 }
