@@ -7,6 +7,7 @@ side) and a row (node, component, factor) whose product with the displacements i
 """
 
 import argparse
+import csv
 import json
 import os
 import pathlib
@@ -237,27 +238,37 @@ def solve(problem, stiffness, method, direct):
     raise RuntimeError(f"the active set still changes after {STEPS} iterations")
 
 
+def units(contact):
+    """Units of the lists of a contact: along an arc positions are angles."""
+    return {"position": "rad" if contact["arc"] else "mm", "pressure": "MPa", "gap": "mm", "area": "mm2"}
+
+
 def write_json(problem, file, code, pressure, gap):
     """The answer by the schema that `contact-vv schema answer` prints; angles in rad."""
-    arc, contacts, k = problem.data["contacts"][0]["arc"], [], 0
+    contacts, k = [], 0
     for contact in problem.data["contacts"]:
         n = len(contact["nodes"])
         left = [value if np.isfinite(value) else None for value in gap[k : k + n].tolist()]
-        contacts.append({"name": contact["name"], "order": problem.data["order"], "position": [node["position"] for node in contact["nodes"]],
+        contacts.append({"name": contact["name"], "units": units(contact), "order": problem.data["order"],
+                         "position": [node["position"] for node in contact["nodes"]],
                          "pressure": pressure[k : k + n].tolist(), "gap": left, "area": problem.area[k : k + n].tolist()})
         k += n
-    units = {"position": "rad" if arc else "mm", "pressure": "MPa", "gap": "mm", "area": "mm2"}
-    text = json.dumps({"case": problem.data["case"], "code": code, "units": units, "contacts": contacts})
+    own = units(problem.data["contacts"][0])
+    text = json.dumps({"case": problem.data["case"], "code": code, "units": own, "contacts": contacts})
     (problem.folder / file).write_text(text + "\n", encoding="utf-8")
 
 
 def write_csv(problem, file, pressure, gap):
-    """The answer as a table."""
-    lines = [f"contact,position [{'rad' if problem.data['contacts'][0]['arc'] else 'mm'}],pressure [MPa],gap [mm],area [mm2]"]
-    nodes = [(contact["name"], node["position"]) for contact in problem.data["contacts"] for node in contact["nodes"]]
-    lines += [f"{name},{at!r},{p!r},{g!r},{a!r}" for (name, at), p, g, a in
-              zip(nodes, pressure.tolist(), gap.tolist(), problem.area.tolist())]
-    (problem.folder / file).write_text("\n".join(lines) + "\n", encoding="utf-8")
+    """The answer as a table; angles have a column of their own beside lengths."""
+    contacts = problem.data["contacts"]
+    kinds = sorted({units(contact)["position"] for contact in contacts})
+    nodes = [(contact, node["position"]) for contact in contacts for node in contact["nodes"]]
+    with open(problem.folder / file, "w", encoding="utf-8", newline="") as table:
+        rows = csv.writer(table, lineterminator="\n")
+        rows.writerow(["contact", *(f"position [{kind}]" for kind in kinds), "pressure [MPa]", "gap [mm]", "area [mm2]"])
+        for (contact, at), *numbers in zip(nodes, pressure.tolist(), gap.tolist(), problem.area.tolist()):
+            places = [repr(at) if kind == units(contact)["position"] else "" for kind in kinds]
+            rows.writerow([contact["name"], *places, *(repr(number) for number in numbers)])
 
 
 def report(**told):

@@ -214,7 +214,7 @@ fn called(scene: &Scene, handed: &Handed) -> Vec<(String, [f64; 2])> {
             (format!("nodal forces are those of a sector of {angle}°: they are to be multiplied by {by}"), [by, 1.0])
         }));
     }
-    if !is_circle && (scene.thickness - 1.0).abs() > 0.0 {
+    if handed.forces && !is_circle && (scene.thickness - 1.0).abs() > 0.0 {
         let text = format!("forces are per unit thickness, but the scene is {} mm thick", scene.thickness);
         all.push((text, [scene.thickness, 1.0]));
     }

@@ -545,9 +545,12 @@ fn columns(source: &Source, head: &[String], scene: &Scene, asked: &Asked) -> Re
     let is_of_angles = |k: usize| split(&head[k]).1.is_some_and(is_angle);
     let mut found: Vec<(Role, usize)> = Vec::new();
     for role in Role::OF_TABLES {
-        let usual = |name: &&str| of(&|title: &str| is_called(title, name));
+        // What is named for one role has no other, and forces that are named are not passed over for pressures.
+        let is_taken = |title: &str| Role::OF_TABLES.iter().any(|other| *other != role && asked.names(*other, title));
+        let usual = |name: &&str| of(&|title: &str| is_called(title, name) && !is_taken(title));
         let all = match asked.column(role) {
             Some(_) => of(&|title: &str| asked.names(role, title)),
+            None if role == Role::Pressure && asked.column(Role::Force).is_some() => Vec::new(),
             None => {
                 let plain = role.usual().iter().filter(|name| !RADIUS_AND_AXIS.contains(*name)).copied();
                 // What x and y are of bodies of revolution.
