@@ -74,7 +74,7 @@ pub fn parse(file: &Path, text: &str, scene: &Scene, asked: &Asked) -> Result<An
         );
         return Err(source.refused(message, if strange > 0 { EXPANDED } else { BETWEEN }));
     }
-    side.all_pressed(&source, (pair, scene.plane.radial()), &places, value)?;
+    side.all_pressed(&source, (pair, scene.plane.radial()), &places, |node, _| value(node))?;
     let order = asked.order.unwrap_or(side.order());
     let points =
         ordered(points, order, pair, |message, remedy| source.refused(format!("contact block: {message}"), remedy))?;

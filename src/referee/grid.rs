@@ -74,8 +74,8 @@ fn parts(nodes: &[usize]) -> Option<Vec<Cell>> {
 
 /// A component of a field.
 type Part<'f> = (&'f Field, usize);
-/// A number of a node.
-type OfNode<'f> = Box<dyn Fn(usize) -> f64 + 'f>;
+/// A number of a node, of stresses along a normal; without one along that of the contact.
+type OfNode<'f> = Box<dyn Fn(usize, Option<[f64; 2]>) -> f64 + 'f>;
 
 impl<'a> Grid<'a> {
     /// What is wrong with the file.
@@ -149,7 +149,8 @@ impl<'a> Grid<'a> {
         asked: &Asked,
     ) -> Result<(Handed, Vec<String>), Error> {
         let (source, pair) = (self.source(), &scene.contacts[contact]);
-        let (pressure, how, is_of_stresses) = self.pressures(points, pair, asked)?;
+        let (along, how, is_of_stresses) = self.pressures(points, pair, asked)?;
+        let pressure = |node: usize| along(node, None);
         let (side, other) = Side::of(&source, (scene, contact), points, cells, |node| Some(pressure(node)))?;
         let mut nodes = side.nodes();
         let order = asked.order.unwrap_or(side.order());
@@ -169,7 +170,7 @@ impl<'a> Grid<'a> {
             );
             return Err(source.refused(message, "hand in a finite number at every node of the contact side"));
         }
-        side.all_pressed(&source, (pair, scene.plane.radial()), points, |node| Some(pressure(node)))?;
+        side.all_pressed(&source, (pair, scene.plane.radial()), points, |node, normal| Some(along(node, normal)))?;
         nodes.retain(|&node| !pressure(node).is_nan());
         let mut value: Vec<f64> = nodes.iter().map(|&node| pressure(node)).collect();
         let mut read = vec![how];
@@ -265,7 +266,7 @@ impl<'a> Grid<'a> {
             let factor = asked.sign() * self.factor(Role::Pressure, field, asked)?;
             let of = if field.components > 1 { format!(", component {component}") } else { String::new() };
             return Ok((
-                Box::new(move |node| factor * field.at(node, component)),
+                Box::new(move |node, _| factor * field.at(node, component)),
                 format!("`{}`{of} as pressure", field.name),
                 false,
             ));
@@ -302,8 +303,9 @@ impl<'a> Grid<'a> {
             return Err(self.source().refused(message, remedy));
         };
         let factor = asked.sign() * self.factor(Role::Stress, field, asked)?;
-        let pressure = move |node: usize| {
-            let (n, [x, y, xy]) = (pair.normal(points[node]), at.map(|k| field.at(node, k)));
+        let pressure = move |node: usize, normal: Option<[f64; 2]>| {
+            let n = normal.unwrap_or_else(|| pair.normal(points[node]));
+            let [x, y, xy] = at.map(|k| field.at(node, k));
             0.0 - factor * (n[0] * n[0] * x + n[1] * n[1] * y + 2.0 * n[0] * n[1] * xy)
         };
         let how = format!(

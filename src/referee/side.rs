@@ -138,25 +138,40 @@ impl Side {
         if self.edges.iter().all(|edge| edge.len() == 3) { Order::Quadratic } else { Order::Linear }
     }
 
-    /// Refuses a side of which only a part is read: edges that go on from it are pressed too. Edges of bodies of revolution are rings about x = 0 or y = 0.
+    /// Refuses a side of which only a part is read: edges that go on from it are pressed too, by what their nodes say along their own normal.
+    /// Edges of bodies of revolution are rings about x = 0 or y = 0; those without another side are not pressed, whatever corners beside them say.
     pub fn all_pressed(
         &self,
         source: &Source,
         (pair, radial): (&ContactPair, Option<usize>),
         points: &[[f64; 2]],
-        pressure: impl Fn(usize) -> Option<f64>,
+        pressure: impl Fn(usize, Option<[f64; 2]>) -> Option<f64>,
     ) -> Result<(), Error> {
-        let at = |node: usize| pressure(node).filter(|value| value.is_finite()).unwrap_or(0.0).abs();
-        let all = || self.edges.iter().chain(&self.off);
-        let largest = all().flatten().map(|&node| at(node)).fold(0.0, f64::max);
-        let force = |edge: &Edge| {
-            let mean = edge.iter().map(|&node| at(node)).sum::<f64>() / edge.len() as f64;
-            let middle = |radial: usize| 0.5 * (points[edge[0]][radial] + points[edge[1]][radial]).abs();
-            distance(points[edge[0]], points[edge[1]]) * mean * radial.map_or(1.0, middle)
+        let along = |node: usize, normal: Option<[f64; 2]>| {
+            pressure(node, normal).filter(|value| value.is_finite()).unwrap_or(0.0).abs()
         };
+        let at = |node: usize| along(node, None);
+        let of_edge = |edge: &Edge| -> Vec<f64> {
+            let normal = normal(points, edge);
+            edge.iter().map(|&node| along(node, Some(normal))).collect()
+        };
+        let has_other_side = |edge: &&Edge| {
+            let [a, b] = [edge[0], edge[1]].map(|node| pair.path.coordinate(points[node]));
+            !pair.gap(0.5 * (a + b)).is_infinite()
+        };
+        let beside = || self.off.iter().filter(has_other_side);
+        let own = self.edges.iter().flatten().map(|&node| at(node));
+        let largest = own.chain(beside().flat_map(of_edge)).fold(0.0, f64::max);
+        let length = |edge: &Edge| {
+            let middle = |radial: usize| 0.5 * (points[edge[0]][radial] + points[edge[1]][radial]).abs();
+            distance(points[edge[0]], points[edge[1]]) * radial.map_or(1.0, middle) / edge.len() as f64
+        };
+        let on_side = |edge: &Edge| length(edge) * edge.iter().map(|&node| at(node)).sum::<f64>();
+        let force = |edge: &Edge| length(edge) * of_edge(edge).iter().sum::<f64>();
         // The edge at which the contact ends has one pressed node.
-        let pressed = || self.off.iter().filter(|edge| edge.iter().all(|&node| at(node) > PRESSED * largest));
-        let (whole, dropped) = (all().map(force).sum::<f64>(), pressed().map(force).sum::<f64>());
+        let pressed = || beside().filter(|edge| of_edge(edge).iter().all(|value| *value > PRESSED * largest));
+        let dropped = pressed().map(force).sum::<f64>();
+        let whole = self.edges.iter().map(on_side).sum::<f64>() + beside().map(force).sum::<f64>();
         if dropped <= DROPPED * whole {
             // Nodes of quadratic edges go by three.
             let is_pressed = |node: usize| at(node) > PRESSED * largest || self.order() == Order::Quadratic;
@@ -178,6 +193,13 @@ impl Side {
         };
         Err(source.refused(message, remedy))
     }
+}
+
+/// A unit normal of an edge.
+fn normal(points: &[[f64; 2]], edge: &Edge) -> [f64; 2] {
+    let [a, b] = [points[edge[0]], points[edge[1]]];
+    let length = distance(a, b);
+    [(b[1] - a[1]) / length, (a[0] - b[0]) / length]
 }
 
 /// What is said of a part of a side that no edge is on \[mm, or rad on an arc\].
