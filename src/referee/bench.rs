@@ -5,7 +5,7 @@ use crate::markdown;
 use crate::measure::{Measures, Quantity};
 use crate::referee::profile::Profile;
 use crate::referee::truth::{Known, Truth};
-use crate::solution::{EdgeState, Part};
+use crate::solution::Part;
 use crate::uncertainty::standard;
 
 /// What judges one contact.
@@ -93,13 +93,17 @@ impl Bench<'_> {
         measures.edge().abs().max(measures.begin().abs())
     }
 
-    /// The longest edge around the ends of what was handed in \[mm, or rad\].
+    /// The longest edge around the ends of what was handed in, of samples along a line the longest line \[mm, or rad\].
     pub fn size_at_end(&self) -> f64 {
         let ends = [self.measures.begin(), self.measures.edge()];
-        let near = |edge: &&EdgeState| {
-            ends.iter().any(|end| edge.ends[0] - edge.length() <= *end && *end <= edge.ends[1] + edge.length())
+        let near = |[from, to]: [f64; 2]| {
+            let length = to - from;
+            ends.iter().any(|end| from - length <= *end && *end <= to + length).then_some(length)
         };
-        self.profile.edges.iter().filter(near).map(EdgeState::length).fold(0.0, f64::max)
+        let edges = self.profile.edges.iter().map(|edge| edge.ends);
+        let lines = self.profile.lines.windows(2).map(|two| [two[0], two[1]]);
+        let is_pressed = |[from, to]: &[f64; 2]| (ends[0]..=ends[1]).contains(&(0.5 * (from + to)));
+        edges.chain(lines.filter(is_pressed)).filter_map(near).fold(0.0, f64::max)
     }
 }
 

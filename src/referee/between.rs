@@ -55,6 +55,29 @@ pub fn by_roots(points: &[Point]) -> Vec<Point> {
     all
 }
 
+/// Difference from a straight line, over the largest pressure, that digits explain.
+const STRAIGHT: f64 = 1e-5;
+
+/// Places between which pressures lie on straight lines: the ends of edges, of which samples along a line tell many points each.
+pub fn lines(points: &[Point]) -> Vec<f64> {
+    let near = STRAIGHT * points.iter().map(|point| point.value.abs()).fold(0.0, f64::max);
+    let mut ends = vec![points[0].position];
+    let (mut from, mut slopes) = (0, [f64::NEG_INFINITY, f64::INFINITY]);
+    for (k, point) in points.iter().enumerate().skip(1) {
+        let slope = |off: f64| (point.value + off - points[from].value) / (point.position - points[from].position);
+        let own = slope(0.0);
+        if k > from + 1 && !(slopes[0] <= own && own <= slopes[1]) {
+            from = k - 1;
+            ends.push(points[from].position);
+            slopes = [f64::NEG_INFINITY, f64::INFINITY];
+        }
+        let slope = |off: f64| (point.value + off - points[from].value) / (point.position - points[from].position);
+        slopes = [slopes[0].max(slope(0.0 - near)), slopes[1].min(slope(near))];
+    }
+    ends.extend(points.last().map(|point| point.position));
+    ends
+}
+
 /// The parabola through three places, at another.
 fn through(three: [(f64, f64); 3], at: f64) -> f64 {
     let term = |k: usize| {

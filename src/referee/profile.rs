@@ -23,6 +23,8 @@ pub struct Profile {
     pub points: Vec<PointState>,
     /// The same where pressures alone were handed in, with more of them [between](between::by_roots); none elsewhere.
     pub by_roots: Vec<PointState>,
+    /// Places between which pressures alone lie on [straight lines](between::lines); none elsewhere.
+    pub lines: Vec<f64>,
     /// Means over the edges between them.
     pub edges: Vec<EdgeState>,
     /// Contact coordinate and pressure of the points as they were handed in, where they neither are forces nor stand beside means over edges
@@ -51,8 +53,9 @@ impl Profile {
         let plain = handed;
         let is_open = is_of_points && !has_forces;
         let by_roots = if is_open { of_roots(&scene, handed) } else { Vec::new() };
-        let lines = is_open.then(|| between::by_lines(handed));
-        let handed = lines.as_ref().unwrap_or(handed);
+        let lines = if is_open { between::lines(&handed.points) } else { Vec::new() };
+        let with_middles = is_open.then(|| between::by_lines(handed));
+        let handed = with_middles.as_ref().unwrap_or(handed);
         let areas = tributary(&scene, pair, &handed.points, handed.order);
         let state = |(point, area): (&Point, &f64)| {
             let weight = point.area.unwrap_or(*area);
@@ -74,7 +77,7 @@ impl Profile {
         points.drain(..usize::from(on_axis));
         let has_gaps = handed.points.iter().all(|point| point.gap.is_some());
         let (contact, order) = (handed.contact, handed.order);
-        Self { contact, order, points, by_roots, edges, alone, has_means, across, has_gaps, has_forces, scene }
+        Self { contact, order, points, by_roots, lines, edges, alone, has_means, across, has_gaps, has_forces, scene }
     }
 
     /// The contact.
