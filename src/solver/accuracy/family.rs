@@ -98,8 +98,8 @@ pub struct Family {
     others: Vec<f64>,
     /// Ends of the sides that carry a load: body, place, and length of the outermost edge.
     corners: Vec<(usize, [f64; 2], f64)>,
-    /// Whether a body is held where it loses regularity.
-    held_at_corner: bool,
+    /// Along which components a body is held where it loses regularity.
+    held_at_corner: [bool; 2],
     cells: usize,
     /// Whether mesh lines lie on the ends of the contacts.
     on_ends: bool,
@@ -224,7 +224,7 @@ impl Family {
             order,
             sizes,
             others: others(discretisation),
-            held_at_corner: is_held_at_corner(discretisation, &corners),
+            held_at_corner: held_at_corner(discretisation, &corners),
             corners,
             cells: discretisation.mesh.cells(),
             on_ends,
@@ -336,7 +336,11 @@ impl Family {
         // Where all of the mesh counts alike, and not the elements at the end of a contact, cells tell how much coarser it is:
         // one that has one element across a ring has no coarser neighbours in that direction.
         let of_cells = |other: &Other| (self.cells as f64 / other.cells as f64).sqrt();
-        let is_held = self.held_at_corner && [Kind::Force, Kind::Displacement].contains(&row.kind);
+        let is_held = match quantity {
+            Quantity::Displacement(Displaced { component, .. }) => self.held_at_corner[component.index()],
+            Quantity::Approach | Quantity::Reaction { .. } => self.held_at_corner == [true; 2],
+            _ => false,
+        };
         let ratio = |other: &Other| match self.on_ends || !is_held && row.kind != Kind::Force && !ends_at_candidates {
             true => along(other),
             false => along(other).min(of_cells(other)),
@@ -609,9 +613,9 @@ fn is_shallow(Discretisation { scene, mesh, .. }: &Discretisation) -> bool {
     scene.contacts.iter().any(|pair| pair.bodies().any(|body| is_row(pair, body)))
 }
 
-/// Whether a body is held where it loses regularity: on a side that is held in both directions up to where a free one begins, or at a point
-/// on the end of a side that carries a load.
-fn is_held_at_corner(discretisation: &Discretisation, corners: &[(usize, [f64; 2], f64)]) -> bool {
+/// Along which components a body is held where it loses regularity: on a side that is held in both directions up to where a free one begins, or at
+/// a point on the end of a side that carries a load.
+fn held_at_corner(discretisation: &Discretisation, corners: &[(usize, [f64; 2], f64)]) -> [bool; 2] {
     let Discretisation { scene, mesh, .. } = discretisation;
     let held = |body: usize, name: &BoundaryName| {
         let own = scene.bodies[body].supports.iter();
@@ -630,12 +634,12 @@ fn is_held_at_corner(discretisation: &Discretisation, corners: &[(usize, [f64; 2
         }
         at_nodes.into_values().any(|[free, fixed]| free && fixed)
     };
-    let at_point = |body: usize| {
-        let own = scene.bodies[body].supports.iter();
+    let at_point = |body: usize, k: usize| {
+        let own = scene.bodies[body].supports.iter().filter(|support| support.component.index() == k);
         let mut points = own.filter_map(|support| if let Place::Point(at) = support.at { Some(at) } else { None });
         points.any(|at| is_near(corners, body, at))
     };
-    (0..scene.bodies.len()).any(|body| has_corner(body) || at_point(body))
+    [0, 1].map(|k| (0..scene.bodies.len()).any(|body| has_corner(body) || at_point(body, k)))
 }
 
 /// Whether a point of a body lies within an edge of one of some corners.
