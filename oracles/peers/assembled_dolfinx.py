@@ -66,15 +66,21 @@ def edge_functions(xi):
 
 
 def linear_solution(matrix, load):
-    """Direct solution by MUMPS, of one load."""
+    """Direct solution by MUMPS, of one load, or of one a column."""
     matrix = matrix.tocsr()
     entries = (matrix.indptr, matrix.indices, matrix.data)
     operator = PETSc.Mat().createAIJ(matrix.shape, csr=entries, comm=MPI.COMM_SELF)
     solver = PETSc.KSP().create(MPI.COMM_SELF)
     solver.setOperators(operator)
     solver.setType("preonly")
-    solver.getPC().setType("lu")
-    solver.getPC().setFactorSolverType("mumps")
-    solution = operator.createVecRight()
-    solver.solve(PETSc.Vec().createWithArray(load, comm=MPI.COMM_SELF), solution)
-    return solution.array.copy()
+    factors = solver.getPC()
+    factors.setType("lu")
+    factors.setFactorSolverType("mumps")
+    solver.setUp()
+    loads = load.reshape(len(load), -1)
+    given, found = (
+        PETSc.Mat().createDense(loads.shape, array=array, comm=MPI.COMM_SELF)
+        for array in (np.asfortranarray(loads), np.zeros(loads.shape, order="F"))
+    )
+    factors.getFactorMatrix().matSolve(given, found)
+    return found.getDenseArray().reshape(load.shape).copy()

@@ -245,15 +245,15 @@ def units(contact):
 
 def write_json(problem, file, code, pressure, gap):
     """The answer by the schema that `contact-vv schema answer` prints; angles in rad."""
-    contacts, k = [], 0
+    own, contacts, k = units(problem.data["contacts"][0]), [], 0
     for contact in problem.data["contacts"]:
         n = len(contact["nodes"])
         left = [value if np.isfinite(value) else None for value in gap[k : k + n].tolist()]
-        contacts.append({"name": contact["name"], "units": units(contact), "order": problem.data["order"],
-                         "position": [node["position"] for node in contact["nodes"]],
-                         "pressure": pressure[k : k + n].tolist(), "gap": left, "area": problem.area[k : k + n].tolist()})
+        other = {} if units(contact) == own else {"units": units(contact)}
+        contacts.append({"name": contact["name"]} | other | {
+            "order": problem.data["order"], "position": [node["position"] for node in contact["nodes"]],
+            "pressure": pressure[k : k + n].tolist(), "gap": left, "area": problem.area[k : k + n].tolist()})
         k += n
-    own = units(problem.data["contacts"][0])
     text = json.dumps({"case": problem.data["case"], "code": code, "units": own, "contacts": contacts})
     (problem.folder / file).write_text(text + "\n", encoding="utf-8")
 

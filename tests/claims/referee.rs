@@ -77,6 +77,25 @@ fn judged_as_solved(truth: &Truth, discretisation: &Discretisation, run: &Run) -
     found
 }
 
+/// As a line through the mesh of another code is sampled: an end is told to within an edge of that, and not within two samples.
+#[test]
+fn samples_along_the_straight_lines_of_an_answer_are_met_as_its_nodes_are() {
+    let a = TruncatedHertz::default().half_width();
+    let edge = a / 9.7;
+    let at_node = |k: usize| hertz().pressure(0, edge * k as f64);
+    let sampled = |s: f64| {
+        let (k, share) = ((s / edge).floor(), (s / edge).fract());
+        at_node(k as usize) * (1.0 - share) + at_node(k as usize + 1) * share
+    };
+    for samples in [150, 1000] {
+        let step = 2.0 * a / f64::from(samples);
+        let rows =
+            |by: f64| table(PRESSURES, (0..samples).map(|k| [step * f64::from(k), by * sampled(step * f64::from(k))]));
+        assert_eq!(failed(&judged(hertz(), &rows(1.0), &Asked::default())), [""; 0], "{samples}");
+        assert_ne!(failed(&judged(hertz(), &rows(0.97), &Asked::default())), [""; 0], "{samples}");
+    }
+}
+
 /// What lies between points that press alone is not handed in: neither straight lines nor roots there are an answer's fault.
 #[test]
 fn exact_pressures_at_few_points_are_met_and_two_percent_of_load_are_not() {

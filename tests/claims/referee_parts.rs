@@ -8,7 +8,7 @@ use contact_vv::referee::{Asked, Truth};
 use contact_vv::solve::{Discretisation, Formulation, Run};
 use serde_json::{Value, json};
 
-use crate::handed::{PRESSURES, document, failed, judged_as, read, table};
+use crate::handed::{PRESSURES, document, failed, in_units, judged_as, read, table};
 use crate::referee_readers::{Frd, ellipse, vtk};
 use crate::referee_wild::{judged, parsed, refused, usual};
 use crate::workbench::{self, truth};
@@ -380,6 +380,24 @@ fn tables_of_code_aster_are_judged_at_their_last_time() {
     let found = parsed("tab.txt", &text, &Asked { tension_positive: true, ..usual() }).expect("read");
     ellipse::assert(&found, 1e-6);
     assert_eq!(found.read.last().expect("said"), "the rows of time 1");
+}
+
+#[test]
+fn a_column_that_is_named_for_one_role_has_no_other() {
+    let named = |role: Role, name: &str, asked: Asked| Asked { columns: vec![(role, name.into())], ..asked };
+    let hertz = truth("truncated-hertz");
+    let step = 0.05;
+    let places = || (0..=60).map(|k| step * f64::from(k));
+    // Nodal forces called as pressures usually are.
+    let share = |s: f64| if s > 0.0 { step } else { 0.5 * step };
+    let forces = table("x,p", places().map(|s| [s, hertz.pressure(0, s) * share(s)]));
+    let asked = named(Role::Force, "p", in_units(&[(Role::X, "mm"), (Role::Force, "N")]));
+    let found = judged_as(hertz, "forces.csv", &forces, &asked);
+    assert_eq!(failed(&found), [""; 0]);
+    // Pressures called as a coordinate usually is.
+    let pressures = table("x,y", places().map(|s| [s, hertz.pressure(0, s)]));
+    let asked = named(Role::Pressure, "y", in_units(&[(Role::X, "mm"), (Role::Pressure, "MPa")]));
+    assert_eq!(failed(&judged_as(hertz, "xy.csv", &pressures, &asked)), [""; 0]);
 }
 
 #[test]

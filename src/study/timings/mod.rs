@@ -261,7 +261,6 @@ fn methods(record: &Record) -> String {
     let told = |Beside { code, version, .. }: &Beside| {
         let by = match code {
             Series::Ngsolve => format!("({}) by an augmented Lagrangian", cells(*code)),
-            Series::Dolfinx => "by a penalty".into(),
             _ => "by exact active sets".into(),
         };
         format!("{} {version} {by}", code.name())

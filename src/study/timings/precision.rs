@@ -44,7 +44,7 @@ named_enum! {
         Fitted = "truncated-hertz, fitted",
         /// By exact active sets.
         ScikitFem = "scikit-fem",
-        /// By a penalty.
+        /// By exact active sets.
         Dolfinx = "dolfinx",
         /// At high order, by an augmented Lagrangian.
         Ngsolve = "NGSolve",
