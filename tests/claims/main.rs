@@ -43,6 +43,7 @@ mod geometry;
 mod gmsh;
 mod halved;
 mod handed;
+mod held;
 mod high_order;
 mod incompressible;
 mod independent;

@@ -1,0 +1,114 @@
+//! Bodies that are held at corners, at points and by two supports at a node: what each support takes, and how well that is known.
+
+use std::f64::consts::PI;
+
+use approx::assert_relative_eq;
+use contact_vv::accuracy::{Barred, Quantity, bars};
+use contact_vv::case::Case;
+use contact_vv::mesh::Order;
+use contact_vv::scene::{Component, Place};
+use contact_vv::solve::{Displaced, Fitted};
+
+use crate::balance::solved_as_it_says;
+use crate::workbench::{kinematic, parsed};
+
+/// A scene of one body under a pressure of 10 MPa, or as it is loaded, on a rigid profile.
+fn scene(body: &str, contact: &str, mesh: &str) -> Case {
+    parsed(&format!(
+        "plane = \"strain\"\nthickness = 1\n[[body]]\nname = \"b\"\n{body}\n[contact]\nfirst = \"b\"\n{contact}\n[reference]\npressure = 10\n\
+         [mesh]\n{mesh}\n[solve]\ntolerance = 1e-8\n"
+    ))
+}
+
+/// The numbers of a case on its own mesh with their bars, the displacements of a side among them.
+fn barred(case: &Case, side: &str) -> Vec<Barred> {
+    let (discretisation, run) = solved_as_it_says(case);
+    let of = |component| Displaced { body: 0, at: Place::Boundary(side.to_owned().into()), component };
+    let wanted = [Component::X, Component::Y].map(of);
+    bars(&discretisation, &run, &wanted).expect("bars").all
+}
+
+/// Walls on both sides and a far side that cannot slide: both hold the node where they meet, and no shear acts on either.
+#[test]
+fn a_node_that_two_supports_hold_leans_on_the_one_that_faces_it_whichever_is_listed_first() {
+    for supports in [["left", "right", "far"], ["far", "right", "left"]] {
+        let listed = supports.map(|at| format!("{{ at = \"{at}\", component = \"x\" }}")).join(", ");
+        let body = format!(
+            "young = 1000\npoisson = 0.3\nshape = {{ rectangle = {{ x = [0, 10], y = [0, 10], contact = \"bottom\" }} }}\n\
+             supports = [{listed}]\nloads = [{{ traction = {{ at = \"far\", value = [0, -10] }} }}]"
+        );
+        for elements in [3, 8] {
+            let mesh = format!("elements = {elements}\nper = 10");
+            let (discretisation, run) = solved_as_it_says(&scene(&body, "gap = { uniform = 0 }\nstretch = 10", &mesh));
+            let reactions = discretisation.reactions(1.0, &run.solution).expect("recovered");
+            let of = |name: &str| reactions[supports.iter().position(|at| *at == name).expect("held")].force;
+            // ν/(1−ν) p H, pushed inwards.
+            assert_relative_eq!(of("left"), 0.3 / 0.7 * 100.0, max_relative = 1e-7);
+            assert_relative_eq!(of("right"), 0.3 / -0.7 * 100.0, max_relative = 1e-7);
+            assert!(of("far").abs() <= 1e-5, "{supports:?}, {elements}: {}", of("far"));
+        }
+    }
+}
+
+/// Candidates that end before the body does are fewer than its cells, though these lie in one row.
+#[test]
+fn a_layer_of_one_row_of_cells_has_no_bars_however_far_it_goes_beyond_the_candidates() {
+    let body = "young = 60e3\npoisson = 0.38\nshape = { rectangle = { x = [0, 33], y = [0, 1], contact = \"bottom\" } }\n\
+                supports = [{ at = \"left\", component = \"x\" }, { at = \"far\", component = \"x\" }]\n\
+                loads = [{ rigid-face = { at = \"far\", component = \"y\", force = -216 } }]";
+    let contact = "gap = { parabola = 2e5 }\nstretch = 28";
+    let growth = "growth = { along = 1.2, depth = 1.2, coarsest = 1.0 }";
+    let all = barred(&scene(body, contact, &format!("elements = 16\nper = 13.5\n{growth}")), "far");
+    let peak = all.iter().find(|one| one.quantity == Quantity::PeakPressure).expect("a peak");
+    assert!(peak.bar.total().is_nan(), "{peak:?}");
+}
+
+/// Where a side that is held meets a free one displacements converge as the stresses there have it, and not with the order of the cells.
+#[test]
+fn bars_of_reactions_and_displacements_hold_where_a_body_is_clamped_beside_a_free_side() {
+    let case = parsed(
+        "plane = \"strain\"\nthickness = 1\n[[body]]\nname = \"u\"\nyoung = 679936.4224075718\npoisson = 0.09343843506176439\n\
+         shape = { rectangle = { x = [0, 16.659583468838132], y = [0, 19.88655333392575], contact = \"bottom\" } }\n\
+         supports = [{ at = \"left\", component = \"x\" }]\nloads = [{ traction = { at = \"far\", force = [0, -155.16180769998414] } }]\n\
+         [[body]]\nname = \"l\"\nyoung = 2372.328598929389\npoisson = 0.4999\n\
+         shape = { rectangle = { x = [0, 20.824479336047663], y = [-23.29617947386151, 0], contact = \"top\" } }\n\
+         supports = [{ at = \"far\", component = \"x\" }, { at = \"left\", component = \"x\" }, { at = \"far\", component = \"y\" }]\n\
+         [contact]\nfirst = \"u\"\nsecond = \"l\"\ngap = { parabola = 25.695735941962248 }\nstretch = 3.5916506195900184\n\
+         [mesh]\nelements = 32\nper = 1.7958253097950092\norder = 2\n[solve]\ntolerance = 1e-8\n",
+    );
+    let all = barred(&case, "far");
+    // By cells of order 4 and by graded ones of order 2: -0.189711 and -0.189716 mm, 86.1322 and 86.1325 N.
+    let told = |wanted: &dyn Fn(&Quantity) -> bool, truth: f64| {
+        let one = all.iter().find(|one| wanted(&one.quantity)).expect("told");
+        let bar = one.bar.total();
+        assert!((one.value - truth).abs() <= 2.0 * bar && bar <= 0.05 * truth.abs(), "{one:?}");
+    };
+    told(&|one| matches!(one, Quantity::Displacement(of) if of.component == Component::Y), -0.189715);
+    told(&|one| matches!(one, Quantity::Reaction { body: 1, support: 1 }), 86.133);
+}
+
+/// A block that is held at a point of its far side, by which a contact nearly begins, and one whose coarse mesh reads the begin at 0.
+#[test]
+fn contacts_that_begin_beside_the_origin_are_fitted_to_where_they_begin() {
+    let beside = |slope: f64| {
+        let body = format!(
+            "young = 210e3\npoisson = 0.3\nshape = {{ rectangle = {{ x = [-80, 80], y = [0, 80], contact = \"bottom\" }} }}\n\
+             supports = [{{ at = [0, 80], component = \"x\" }}]\n\
+             loads = [{{ pressure = {{ at = \"far\", law = {{ polynomial = {{ along = \"x\", coefficients = [40, {slope}] }} }} }} }}]"
+        );
+        scene(&body, "both-sides = true\ngap = { parabola = 500 }\nstretch = 14", "elements = 8\nper = 3")
+    };
+    // Hertz of the same force, rolled aside: the half-width is that of no moment, but for the block's size.
+    let hertz = (4.0 * 40.0 * 160.0 * 500.0 / (PI * 210e3 / (1.0 - 0.09))).sqrt();
+    let begin = |slope: f64, order| {
+        let case = beside(slope);
+        let answer = Fitted::of(order, 3).solve(&case.scene, &kinematic()).expect("solved");
+        let measures = &answer.run.contacts[0].measures;
+        (measures.begin(), measures.half_width())
+    };
+    for slope in [0.07839086380980628, 0.0782] {
+        let [seven, eight] = [Order::Septic, Order::Octic].map(|order| begin(slope, order));
+        assert!((seven.0 - eight.0).abs() <= 1e-4 && (seven.1 - eight.1).abs() <= 1e-4, "{seven:?}, {eight:?}");
+        assert!((eight.1 / hertz - 1.0).abs() <= 2e-3, "{eight:?}");
+    }
+}
