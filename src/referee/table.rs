@@ -134,7 +134,7 @@ const TIMES: [&str; 2] = ["time", "inst"];
 /// What the coordinates of bodies of revolution are called.
 const RADIUS_AND_AXIS: [&str; 2] = ["r", "z"];
 /// What comments begin with.
-const COMMENTS: [&str; 6] = ["#", "%", "!", "//", "$", "**"];
+const COMMENTS: [&str; 6] = ["#", "%", "!", "//", "$", "*"];
 /// What lines below the numbers of a report begin with; `at` where no number follows.
 const BELOW: [&str; 4] = ["minimum", "maximum", "total", "at"];
 
@@ -549,7 +549,13 @@ fn columns(source: &Source, head: &[String], scene: &Scene, asked: &Asked) -> Re
         let is_taken = |title: &str| Role::OF_TABLES.iter().any(|other| *other != role && asked.names(*other, title));
         let usual = |name: &&str| of(&|title: &str| is_called(title, name) && !is_taken(title));
         let all = match asked.column(role) {
-            Some(_) => of(&|title: &str| asked.names(role, title)),
+            Some(named) => match of(&|title: &str| asked.names(role, title)) {
+                // By its number, where no title is one.
+                none if none.is_empty() => {
+                    named.parse().ok().filter(|k| (1..=head.len()).contains(k)).map(|k| k - 1).into_iter().collect()
+                }
+                all => all,
+            },
             None if role == Role::Pressure && asked.column(Role::Force).is_some() => Vec::new(),
             None => {
                 let plain = role.usual().iter().filter(|name| !RADIUS_AND_AXIS.contains(*name)).copied();
@@ -573,9 +579,14 @@ fn columns(source: &Source, head: &[String], scene: &Scene, asked: &Asked) -> Re
             ([a, b], None) if role == Role::Position && is_of_angles(*a) != is_of_angles(*b) => {
                 found.extend([(role, *a), (role, *b)]);
             }
-            (_, _) => {
-                let message = format!("more than one column is called {}: {}", role.name(), shown());
-                return Err(source.refused(message, "name it by --column, with its unit"));
+            ([first, ..], _) => {
+                let (message, first) =
+                    (format!("more than one column is called {}: {}", role.name(), shown()), first + 1);
+                let remedy = format!(
+                    "name it by --column, with its unit or by its number, as in --column {}={first}",
+                    role.name()
+                );
+                return Err(source.refused(message, remedy));
             }
         }
     }

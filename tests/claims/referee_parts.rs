@@ -398,6 +398,17 @@ fn a_column_that_is_named_for_one_role_has_no_other() {
     let pressures = table("x,y", places().map(|s| [s, hertz.pressure(0, s)]));
     let asked = named(Role::Pressure, "y", in_units(&[(Role::X, "mm"), (Role::Pressure, "MPa")]));
     assert_eq!(failed(&judged_as(hertz, "xy.csv", &pressures, &asked)), [""; 0]);
+    // Two of one title are told apart by their numbers, and so are those of a report that names them otherwise.
+    let twice = table("x [mm],p [MPa],p [MPa]", places().map(|s| [s, 50.0, hertz.pressure(0, s)]));
+    let said = read(&hertz.case, "twice.csv", &twice, &usual());
+    workbench::refused(said, &["more than one column is called pressure", "--column pressure=2"]);
+    let asked = named(Role::Pressure, "3", usual());
+    assert_eq!(failed(&judged_as(hertz, "twice.csv", &twice, &asked)), [""; 0]);
+    let rows: String = places().enumerate().map(|(k, s)| format!("{k} {s} 0 {}\n", hertz.pressure(0, s))).collect();
+    let report = format!("*Step  = 10\n*Time  = 1\n*Data  = x;y;contact pressure\n{rows}");
+    let asked = in_units(&[(Role::X, "mm"), (Role::Pressure, "MPa")]);
+    let asked = Asked { columns: vec![(Role::X, "2".into()), (Role::Pressure, "4".into())], ..asked };
+    assert_eq!(failed(&judged_as(hertz, "report.txt", &report, &asked)), [""; 0]);
 }
 
 #[test]
