@@ -62,17 +62,17 @@ const STRAIGHT: f64 = 1e-5;
 pub fn lines(points: &[Point]) -> Vec<f64> {
     let near = STRAIGHT * points.iter().map(|point| point.value.abs()).fold(0.0, f64::max);
     let mut ends = vec![points[0].position];
-    let (mut from, mut slopes) = (0, [f64::NEG_INFINITY, f64::INFINITY]);
+    let all = [f64::NEG_INFINITY, f64::INFINITY];
+    let (mut from, mut slopes) = (0, all);
     for (k, point) in points.iter().enumerate().skip(1) {
-        let slope = |off: f64| (point.value + off - points[from].value) / (point.position - points[from].position);
-        let own = slope(0.0);
-        if k > from + 1 && !(slopes[0] <= own && own <= slopes[1]) {
-            from = k - 1;
+        let slope = |from: &Point, off: f64| (point.value + off - from.value) / (point.position - from.position);
+        let own = slope(&points[from], 0.0);
+        if !(slopes[0] <= own && own <= slopes[1]) {
+            (from, slopes) = (k - 1, all);
             ends.push(points[from].position);
-            slopes = [f64::NEG_INFINITY, f64::INFINITY];
         }
-        let slope = |off: f64| (point.value + off - points[from].value) / (point.position - points[from].position);
-        slopes = [slopes[0].max(slope(0.0 - near)), slopes[1].min(slope(near))];
+        let [low, high] = [0.0 - near, near].map(|off| slope(&points[from], off));
+        slopes = [slopes[0].max(low), slopes[1].min(high)];
     }
     ends.extend(points.last().map(|point| point.position));
     ends
