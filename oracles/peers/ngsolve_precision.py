@@ -3,7 +3,7 @@
 Request and answer are those of work_precision.py, but for
     meshes     [order, n]: quadrilaterals of that order of H1, n equal ones along the candidates; as often as n divides by three, a row of
                them joins three to one, and from there on cells grow geometrically to the far sides. They know no load.
-    method     "augmented-lagrangian" (if none is given) or "penalty"
+    methods    of "augmented-lagrangian" and "penalty" those that are asked (both)
     peak       by least squares of c0 + c1 x^2 + c2 x^4 where x < a/4
     l2_error   and all integrals of p are sums over the Gauss points of the contact, twice the order an edge, where p is found
 Newton's method minimises the energy of overlap on the contact boundary, K max(0, overlap + multiplier/K)^2 / 2 at the Gauss points, from a
@@ -165,9 +165,9 @@ def condensed(matrix, free, contact, force):
     return columns[contact] - products[1:], force.FV().NumPy()[contact] - products[0]
 
 
-def row(on, half_width, request):
+def row(on, half_width, method, request):
     """Times and errors under the load of one half-width, on a mesh that does not know it."""
-    (freedoms, x, weight, pressure, steps), seconds = on.laps(request["repeats"], lambda: on.solved(half_width, request["method"]))
+    (freedoms, x, weight, pressure, steps), seconds = on.laps(request["repeats"], lambda: on.solved(half_width, method))
     peak = on.modulus * half_width / (2.0 * on.scene["radius"])
     width = 2.0 * np.sqrt((weight * pressure * x**2).sum() / (weight * pressure).sum())
     near = x < 0.25 * width
@@ -182,12 +182,13 @@ def main():
     """Answers the request on stdin."""
     if sys.argv[1:]:
         sys.exit("usage: python3 oracles/peers/ngsolve_precision.py < request.json")
-    request = work_precision.asked(list(METHODS), "augmented-lagrangian")
-    Block(request["scene"], 4, 9).solved(request["half_widths"][0], request["method"])  # warm-up
-    for order, size in request["meshes"]:
-        on = Block(request["scene"], order, size)
-        rows = [row(on, half_width, request) for half_width in request["half_widths"]]
-        work_precision.tell("ngsolve", ng.__version__, request["method"], [order, size], size, rows)
+    request = work_precision.asked(list(METHODS))
+    for method in request["methods"]:
+        Block(request["scene"], 4, 9).solved(request["half_widths"][0], method)  # warm-up
+        for order, size in request["meshes"]:
+            on = Block(request["scene"], order, size)
+            rows = [row(on, half_width, method, request) for half_width in request["half_widths"]]
+            work_precision.tell("ngsolve", ng.__version__, method, [order, size], size, rows)
 
 
 if __name__ == "__main__":

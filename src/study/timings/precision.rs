@@ -42,11 +42,11 @@ named_enum! {
         SteepQuadratic = "truncated-hertz, steep, 8-node",
         /// Cells of high order, fitted to the end of the contact that they find.
         Fitted = "truncated-hertz, fitted",
-        /// By exact active sets.
+        /// By exact active sets and by a penalty.
         ScikitFem = "scikit-fem",
-        /// By exact active sets.
+        /// By exact active sets and by a penalty.
         Dolfinx = "dolfinx",
-        /// At high order, by an augmented Lagrangian.
+        /// At high order, by an augmented Lagrangian and by a penalty.
         Ngsolve = "NGSolve",
     }
 }
