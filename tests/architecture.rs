@@ -217,7 +217,7 @@ const BUDGETS: [(&str, usize); 9] = [
     ("case", 8_244),
     ("oracle", 1_436),
     ("study", 14_954),
-    ("referee", 7_278),
+    ("referee", 7_289),
     ("report", 3_135),
     ("cli", 4_736),
     ("live", 490),

@@ -106,10 +106,11 @@ fn green(sheet: &Sheet) -> bool {
 
 #[test]
 fn a_value_that_another_code_does_not_meet_turns_red() {
-    let sound = solve("pin-rod").expect("solved");
+    // Those of reference answers are judged there.
+    let sound = solve("cylinder-between-plates").expect("solved");
     assert!(green(&sound));
     let asked: Vec<usize> = (0..sound.values.len()).filter(|&k| !sound.values[k].others.is_empty()).collect();
-    assert_eq!(asked.len(), 7, "peak, its place, second-moment width, end, p(0), force across, approach");
+    assert_eq!(asked.len(), 5, "peak, second-moment width, end, p(0), approach");
     for k in asked {
         for times in [0.996, 1.004, f64::NAN] {
             let ours = spoiled(&sound, |sheet| sheet.values[k].value *= times);
