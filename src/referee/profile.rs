@@ -21,9 +21,9 @@ pub struct Profile {
     pub order: Order,
     /// Contact points, in the order of the contact coordinate.
     pub points: Vec<PointState>,
-    /// The same where pressures alone were handed in, with more of them [between](between::by_roots); none elsewhere.
+    /// The same where pressures alone were handed in, with more of them between; none elsewhere.
     pub by_roots: Vec<PointState>,
-    /// Places between which pressures alone lie on [straight lines](between::lines); none elsewhere.
+    /// Places between which pressures alone lie on straight lines; none elsewhere.
     pub lines: Vec<f64>,
     /// Means over the edges between them.
     pub edges: Vec<EdgeState>,

@@ -171,44 +171,38 @@ impl Whole<'_> {
                 "stresses against loads and pressures: stretched along y",
             ],
         ];
-        // Of every motion the bodies that it moves, each with its inner and its outer work.
-        let mut found: Vec<(&'static str, Vec<(usize, f64, Vec<f64>)>)> = Vec::new();
+        // Of every motion the body whose works differ most; where nothing works what is left is held against the other motions.
+        let (mut found, mut scale) = (Vec::new(), self.least_work(profiles));
         for (component, names) in names.into_iter().enumerate() {
             for (along, name) in names.into_iter().enumerate() {
                 let is_radial = self.own.scene.plane.radial() == Some(component);
                 if is_radial && along != component {
                     continue;
                 }
-                let mut of_bodies = Vec::new();
+                let mut worst: Option<(usize, f64)> = None;
                 for (body, part) in self.own.mesh.bodies.iter().enumerate() {
                     let Some(from) = self.at_rest(body, component, along)? else { continue };
                     if is_radial && from.abs() > 0.0 {
                         continue;
                     }
                     let motion = |point: [f64; 2]| point[along] - from;
-                    let inner = part
-                        .nodes
-                        .clone()
-                        .map(|node| self.internal[node][component] * motion(self.own.mesh.points[node]));
-                    of_bodies.push((body, inner.sum(), self.outer(body, component, &motion, profiles)?));
+                    let nodes = part.nodes.clone();
+                    let inner = nodes.map(|node| self.internal[node][component] * motion(self.own.mesh.points[node]));
+                    let outer = self.outer(body, component, &motion, profiles)?;
+                    scale = larger(scale, outer.iter().map(|term| term.abs()).sum());
+                    let left = (inner.sum::<f64>() - outer.iter().sum::<f64>()).abs();
+                    let is_less = |(_, most): &(usize, f64)| left <= *most || most.is_nan();
+                    worst = worst.filter(is_less).or(Some((body, left)));
                 }
-                found.push((name, of_bodies));
+                found.extend(worst.map(|(body, left)| (name, body, left)));
             }
         }
-        // Under some motions nothing works: what is left there is held against the others.
-        let size = |terms: &[f64]| terms.iter().map(|term| term.abs()).sum::<f64>();
-        let all = found.iter().flat_map(|(_, of_bodies)| of_bodies);
-        let scale = all.map(|(.., terms)| size(terms)).fold(self.least_work(profiles), larger);
         let because = "the tolerance: virtual work of linear motions is exact for elements of any order";
-        let judged = |(name, of_bodies): (&'static str, Vec<(usize, f64, Vec<f64>)>)| {
-            let off = |(body, inner, terms): (usize, f64, Vec<f64>)| {
-                (body, (inner - terms.iter().sum::<f64>()).abs() / scale)
-            };
-            let (body, worst) = of_bodies.into_iter().map(off).reduce(|a, b| if b.1 <= a.1 { a } else { b })?;
+        let judged = |(name, body, left): (&'static str, usize, f64)| {
             let quantity = case::Quantity::at(name, self.own.scene.bodies[body].name.clone());
-            Some(Check::error(quantity, Reference::own("virtual work", 0.0), self.tolerance, because).judge(worst))
+            Check::error(quantity, Reference::own("virtual work", 0.0), self.tolerance, because).judge(left / scale)
         };
-        Ok(found.into_iter().filter_map(judged).collect())
+        Ok(found.into_iter().map(judged).collect())
     }
 
     /// A tenth of the work of all pressures along the size of the bodies: less than this is no scale to judge by.
