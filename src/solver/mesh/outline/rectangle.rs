@@ -30,8 +30,9 @@ pub(super) fn blocks(layout: &Layout, x: [f64; 2], y: [f64; 2], contact: Face) -
         Face::Bottom => ("contact", "far", y[1]),
         Face::Top => ("far", "contact", y[0]),
     };
-    // A point beside a line on an end of the contact has that moved to it on its own side alone.
-    let far = layout.points.iter().filter(|point| point[1] == opposite).map(|point| point[0]);
+    // A point beside a line on an end of the contact that is known has that moved to it on its own side alone.
+    let has_ends = layout.same_ends().is_some();
+    let far = layout.points.iter().filter(|point| has_ends && point[1] == opposite).map(|point| point[0]);
     let moved = spacing::through(&along, &far.collect::<Vec<_>>());
     let far = if moved.len() == along.len() { &moved } else { &along };
     let of = |height: f64| if height == opposite { far } else { &along };
