@@ -93,19 +93,32 @@ impl Bench<'_> {
         measures.edge().abs().max(measures.begin().abs())
     }
 
-    /// The longest edge around the ends of what was handed in, of samples along a line the longest line \[mm, or rad\].
+    /// The longest edge around the ends of what was handed in \[mm, or rad\].
     pub fn size_at_end(&self) -> f64 {
+        self.longest(self.profile.edges.iter().map(|edge| edge.ends))
+    }
+
+    /// The same, of samples along a line the longest straight one of those within the contact, as far as edges of an answer go.
+    pub fn size_of_lines(&self) -> f64 {
+        let [begin, end] = [self.measures.begin(), self.measures.edge()];
+        let lines = self.profile.lines.windows(2).map(|two| [two[0], two[1]]);
+        let within = lines.filter(|[from, to]| (begin..=end).contains(&(0.5 * (from + to))));
+        let most = WIDEST * self.half_width_known().reference.value;
+        self.longest(within).min(most).max(self.size_at_end())
+    }
+
+    fn longest(&self, edges: impl Iterator<Item = [f64; 2]>) -> f64 {
         let ends = [self.measures.begin(), self.measures.edge()];
         let near = |[from, to]: [f64; 2]| {
             let length = to - from;
             ends.iter().any(|end| from - length <= *end && *end <= to + length).then_some(length)
         };
-        let edges = self.profile.edges.iter().map(|edge| edge.ends);
-        let lines = self.profile.lines.windows(2).map(|two| [two[0], two[1]]);
-        let is_pressed = |[from, to]: &[f64; 2]| (ends[0]..=ends[1]).contains(&(0.5 * (from + to)));
-        edges.chain(lines.filter(is_pressed)).filter_map(near).fold(0.0, f64::max)
+        edges.filter_map(near).fold(0.0, f64::max)
     }
 }
+
+/// Edges of an answer that is sampled are no wider, over the half-width: four on it.
+const WIDEST: f64 = 0.25;
 
 /// Linear between places that rise, each with what is known there.
 pub fn along(known: &[(f64, f64)], at: f64) -> f64 {

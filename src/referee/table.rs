@@ -543,20 +543,27 @@ fn columns(source: &Source, head: &[String], scene: &Scene, asked: &Asked) -> Re
     let shown = || head.iter().map(|title| format!("`{title}`")).collect::<Vec<_>>().join(", ");
     let of = |is_it: &dyn Fn(&str) -> bool| (0..head.len()).filter(|&k| is_it(&head[k])).collect::<Vec<usize>>();
     let is_of_angles = |k: usize| split(&head[k]).1.is_some_and(is_angle);
+    // By title, or by its number where no title is it.
+    let named = |role: Role| -> Vec<usize> {
+        let all = of(&|title: &str| asked.names(role, title));
+        let number = || asked.column(role)?.parse().ok().filter(|k| (1..=head.len()).contains(k)).map(|k: usize| k - 1);
+        if all.is_empty() { number().into_iter().collect() } else { all }
+    };
     let mut found: Vec<(Role, usize)> = Vec::new();
     for role in Role::OF_TABLES {
-        // What is named for one role has no other, and forces that are named are not passed over for pressures.
-        let is_taken = |title: &str| Role::OF_TABLES.iter().any(|other| *other != role && asked.names(*other, title));
-        let usual = |name: &&str| of(&|title: &str| is_called(title, name) && !is_taken(title));
+        // What is named for one role has no other, and what is named is not passed over for what is called as usual.
+        let is_taken = |k: &usize| Role::OF_TABLES.iter().any(|other| *other != role && named(*other).contains(k));
+        let usual = |name: &&str| -> Vec<usize> {
+            of(&|title: &str| is_called(title, name)).into_iter().filter(|k| !is_taken(k)).collect()
+        };
+        let is_passed_over = match role {
+            Role::Pressure => asked.column(Role::Force).is_some(),
+            Role::Position => asked.column(Role::X).is_some(),
+            _ => false,
+        };
         let all = match asked.column(role) {
-            Some(named) => match of(&|title: &str| asked.names(role, title)) {
-                // By its number, where no title is one.
-                none if none.is_empty() => {
-                    named.parse().ok().filter(|k| (1..=head.len()).contains(k)).map(|k| k - 1).into_iter().collect()
-                }
-                all => all,
-            },
-            None if role == Role::Pressure && asked.column(Role::Force).is_some() => Vec::new(),
+            Some(_) => named(role),
+            None if is_passed_over => Vec::new(),
             None => {
                 let plain = role.usual().iter().filter(|name| !RADIUS_AND_AXIS.contains(*name)).copied();
                 // What x and y are of bodies of revolution.
