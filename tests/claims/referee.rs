@@ -77,6 +77,18 @@ fn judged_as_solved(truth: &Truth, discretisation: &Discretisation, run: &Run) -
     found
 }
 
+/// Straight lines are no edges of an answer where they are as long as the contact: a trapezoid of Hertz's force and second moment is none of his.
+#[test]
+fn a_trapezoid_of_the_right_force_and_width_is_not_met_however_densely_it_is_sampled() {
+    let a = TruncatedHertz::default().half_width();
+    let peak = hertz().pressure(0, 0.0);
+    let (flat, end) = (0.841 / 2.0 * a, 2.3006 / 2.0 * a);
+    let trapezoid = |s: f64| peak * ((end - s) / (end - flat)).clamp(0.0, 1.0);
+    let rows = table(PRESSURES, (0..1000).map(|k| 2e-3 * a * f64::from(k)).map(|s| [s, trapezoid(s)]));
+    let found = failed(&judged(hertz(), &rows, &Asked::default()));
+    assert!(found.iter().any(|one| one.contains("mean pressures")), "{found:?}");
+}
+
 /// As a line through the mesh of another code is sampled: an end is told to within an edge of that, and not within two samples.
 #[test]
 fn samples_along_the_straight_lines_of_an_answer_are_met_as_its_nodes_are() {
