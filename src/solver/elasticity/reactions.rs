@@ -42,7 +42,7 @@ pub fn internal_forces(
 }
 
 /// Which support of a body holds a component of a node: of several that do, the one whose side faces most along the component there, for a
-/// body that is drawn by its middle has no shear on it; of those that face alike the last one, as in the numbering. The axis of a body of
+/// body that is drawn by its middle has no shear on it, and a side before a point; of those that face alike the last one, as in the numbering. The axis of a body of
 /// revolution holds its nodes along the radius by itself.
 pub fn holders(scene: &Scene, mesh: &Mesh, body: usize) -> Result<BTreeMap<(usize, usize), usize>, Error> {
     let mut holders: BTreeMap<(usize, usize), (usize, f64)> = BTreeMap::new();
@@ -58,7 +58,8 @@ pub fn holders(scene: &Scene, mesh: &Mesh, body: usize) -> Result<BTreeMap<(usiz
                 continue;
             }
             let own = edges.iter().filter(|edge| edge.contains(&node));
-            let faces = own.map(|edge| facing(mesh, edge, component)).fold(0.0, f64::max);
+            // A point faces nothing, and takes what no side does.
+            let faces = own.map(|edge| facing(mesh, edge, component)).fold(-1.0, f64::max);
             let is_less = |(_, other): &(usize, f64)| *other <= faces + ALIKE;
             if holders.get(&(node, component)).is_none_or(is_less) {
                 holders.insert((node, component), (index, faces));

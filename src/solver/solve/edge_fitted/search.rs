@@ -42,18 +42,22 @@ impl Answer {
     /// Where a first mesh takes two stretches for one, or one that begins away from a symmetry line for one that begins on it, the
     /// fitted mesh has no line where the contact ends.
     pub fn is_where_it_was_sought(&self) -> bool {
-        self.stretches.iter().enumerate().all(|(contact, stretches)| {
-            let (mut open, mut within, mut outside, mut force) = (0.0, 0.0, 0.0, 0.0);
-            for point in self.run.solution.points_of(contact) {
-                let is_in = stretches.iter().any(|[begin, end]| *begin <= point.position && point.position <= *end);
-                let carried = point.weight * point.pressure;
-                force += carried;
-                within += if is_in { point.weight } else { 0.0 };
-                open += if is_in && point.pressure <= 0.0 { point.weight } else { 0.0 };
-                outside += if is_in { 0.0 } else { carried };
-            }
-            open <= ELSEWHERE * within && outside <= ELSEWHERE * force
-        })
+        let contacts = self.discretisation.scene.contacts.iter().zip(&self.run.contacts);
+        // Every end that is read has its line.
+        let mut read = contacts.map(|(pair, found)| places(&found.measures.stretches).len() == pair.ends.places.len());
+        read.all(|has_lines| has_lines)
+            && self.stretches.iter().enumerate().all(|(contact, stretches)| {
+                let (mut open, mut within, mut outside, mut force) = (0.0, 0.0, 0.0, 0.0);
+                for point in self.run.solution.points_of(contact) {
+                    let is_in = stretches.iter().any(|[begin, end]| *begin <= point.position && point.position <= *end);
+                    let carried = point.weight * point.pressure;
+                    force += carried;
+                    within += if is_in { point.weight } else { 0.0 };
+                    open += if is_in && point.pressure <= 0.0 { point.weight } else { 0.0 };
+                    outside += if is_in { 0.0 } else { carried };
+                }
+                open <= ELSEWHERE * within && outside <= ELSEWHERE * force
+            })
     }
 }
 
