@@ -212,12 +212,12 @@ fn matrix_types_of_libraries_stay_inside_the_numerics() {
 
 /// Lines that a room may have; raised only by a commit that says what for.
 const BUDGETS: [(&str, usize); 9] = [
-    ("solver", 23_449),
+    ("solver", 23_455),
     ("drawing", 2_945),
     ("case", 8_244),
     ("oracle", 1_436),
     ("study", 14_954),
-    ("referee", 7_289),
+    ("referee", 7_365),
     ("report", 3_135),
     ("cli", 4_736),
     ("live", 490),

@@ -21,9 +21,14 @@ def peak(points, pressure, width):
     near = edge_means(points, points.position) < 0.25 * width
     near[:3] = True
     mean, second = edge_means(points, pressure)[near], edge_means(points, points.position**2)[near]
-    root = np.sqrt(np.bincount(points.edge, points.weight)[near])
-    basis = np.column_stack([np.ones_like(mean), second])
-    return np.linalg.lstsq(root[:, None] * basis, root * mean, rcond=None)[0][0]
+    return fit(mean, np.bincount(points.edge, points.weight)[near], second)[0]
+
+
+def fit(values, weights, *terms):
+    """Coefficients c of c0 + c1 t1 + c2 t2 ... nearest to the values, by least squares with weights."""
+    root = np.sqrt(weights)
+    basis = np.column_stack([np.ones_like(values), *terms])
+    return np.linalg.lstsq(root[:, None] * basis, root * values, rcond=None)[0]
 
 
 def edge_means(points, values):

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use approx::assert_relative_eq;
-use contact_vv::accuracy::{Barred, Quantity, bars};
+use contact_vv::accuracy::{self, Asked, Barred, Quantity, bars};
 use contact_vv::case::Case;
 use contact_vv::mesh::Order;
 use contact_vv::scene::{Component, Place};
@@ -110,5 +110,46 @@ fn contacts_that_begin_beside_the_origin_are_fitted_to_where_they_begin() {
         let [seven, eight] = [Order::Septic, Order::Octic].map(|order| begin(slope, order));
         assert!((seven.0 - eight.0).abs() <= 1e-4 && (seven.1 - eight.1).abs() <= 1e-4, "{seven:?}, {eight:?}");
         assert!((eight.1 / hertz - 1.0).abs() <= 2e-3, "{eight:?}");
+    }
+}
+
+/// Two rectangles that touch beside their symmetry line: on the first mesh the contact goes on to it, with one open node.
+const NEAR_LINE: &str = r#"
+plane="stress"
+thickness=1
+[[body]]
+name="u"
+young=468109.98262833175
+poisson=0.4142277482479338
+shape={ rectangle={x=[0,11.008302989888344],y=[0,4.562380020298731],contact="bottom"} }
+supports=[{at="left",component="x"}]
+loads=[{traction={at="far",force=[0,-5.348785875440636]}}]
+[[body]]
+name="l"
+young=3351.351949502285
+poisson=0.038835481516070004
+shape={ rectangle={x=[0,14.310793886854848],y=[-11.716861557901785,0],contact="top"} }
+supports=[{at="left",component="x"}, {at="far",component="y"}]
+[contact]
+first="u"
+second="l"
+gap={even=[-0.00028790915561563186,1.942501809006718e-05]}
+stretch=6.261232922109193
+[mesh]
+elements=8
+per=2.722275183525736
+order=4
+[solve]
+tolerance=1e-8
+"#;
+
+#[test]
+fn a_contact_that_begins_near_its_symmetry_line_is_not_met_as_one_that_begins_on_it() {
+    let case = parsed(NEAR_LINE);
+    // By order 8, and unfitted on 32 elements: 1.80865 and 1.797.
+    for asked in [3e-2, 1e-2] {
+        let answer = accuracy::solve(&case.scene, &kinematic(), &Asked::new(asked)).expect("solved");
+        let half_width = answer.run.contacts[0].measures.half_width();
+        assert!(answer.unmet.is_none() && (half_width / 1.80865 - 1.0).abs() <= asked, "{asked}: {half_width}");
     }
 }
