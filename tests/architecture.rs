@@ -216,7 +216,7 @@ const BUDGETS: [(&str, usize); 9] = [
     ("drawing", 2_945),
     ("case", 8_244),
     ("oracle", 1_436),
-    ("study", 14_954),
+    ("study", 14_960),
     ("referee", 7_365),
     ("report", 3_135),
     ("cli", 4_736),

@@ -222,8 +222,8 @@ fn advice(findings: &[Finding]) -> String {
     let default = converged.map(|[all, right, without]| {
         format!(
             "If nothing is said, `contact-vv` takes `{}`: of {all} runs on all scenes, with longer candidates and loads down to a ten-thousandth, \
-             {right} converge, and {without} end with the error that no spring is left to hold a body, as a contact smaller than two elements does; \
-             `--accuracy` finds a mesh for it.\n\n",
+             {right} converge, and {without} end with the error that no spring is left to hold a body, which names what may be the cause: \
+             a load that pulls the bodies apart, a soft start, or a contact smaller than two elements, for which `--accuracy` seeks a mesh.\n\n",
             Method::default(Element::Node, Iteration::Kinematic),
         )
     });

@@ -215,7 +215,8 @@ fn no_point_is_both_cheaper_and_as_exact_as_one_of_the_front() {
 
 #[test]
 fn whoever_is_cheaper_at_an_accuracy_is_said_to_be_and_the_table_has_the_seconds_of_the_chart() {
-    let mut record = Record::read().expect("the committed record");
+    // As the page tells it: other codes may have been asked on another machine, with ours beside them.
+    let mut record = Record::read().expect("the committed record").in_one_run();
     let said = conclusion(&record);
     for (name, series, _) in COMPARED_CODES {
         let within = front_of(&record, series).into_iter().find(|point| point.worst() <= 1e-3).expect("within 0.1 %");

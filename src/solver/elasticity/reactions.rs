@@ -41,9 +41,9 @@ pub fn internal_forces(
     Ok(forces)
 }
 
-/// Which support of a body holds a component of a node: of several that do, the one whose side faces most along the component there, for a
-/// body that is drawn by its middle has no shear on it, and a side before a point; of those that face alike the last one, as in the numbering. The axis of a body of
-/// revolution holds its nodes along the radius by itself.
+/// Which support of a body holds a component of a node: of several that do, the one whose side faces most along the component there, since a
+/// side on a line of symmetry has no shear, and any side before a point; of those that face alike the last one, as in the numbering. The axis
+/// of a body of revolution holds its nodes along the radius by itself.
 pub fn holders(scene: &Scene, mesh: &Mesh, body: usize) -> Result<BTreeMap<(usize, usize), usize>, Error> {
     let mut holders: BTreeMap<(usize, usize), (usize, f64)> = BTreeMap::new();
     let on_axis = axis::holds(scene, mesh, body);

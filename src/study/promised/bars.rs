@@ -1,5 +1,7 @@
 //! Whether error bars hold: random scenes whose truth is known on random meshes, and their true errors.
 
+use std::borrow::Cow;
+
 use serde::{Deserialize, Serialize};
 
 use crate::accuracy::counted::Kind;
@@ -283,7 +285,10 @@ pub fn within(recorded: &[Record]) -> Judged {
         shares,
         quantity,
         bound,
-        "of each number of each of the first 11 families on each kind of cells, an unknown bar being outside",
+        format!(
+            "of each number of each of the first {} families on each kind of cells, an unknown bar being outside",
+            JUDGED.len()
+        ),
     )
 }
 
@@ -308,7 +313,7 @@ fn smallest(
     shares: impl Iterator<Item = (String, f64)>,
     quantity: &'static str,
     bound: Reference,
-    because: &'static str,
+    because: impl Into<Cow<'static, str>>,
 ) -> Judged {
     let least = shares.reduce(|a, b| if b.1 < a.1 || b.1.is_nan() { b } else { a });
     let (at, share) = least.unwrap_or((String::new(), f64::NAN));
@@ -403,6 +408,7 @@ pub(super) fn section(recorded: &[Record]) -> String {
         found = markdown::significant(widest(recorded), 3),
         cuts = CUTS.map(|cut| format!("{cut:e}")).join(", "),
         limit = MEDIAN,
+        families = JUDGED.len(),
         surveyed = SURVEY.told(recorded),
         chart = drawn::picture(
             "coverage.svg",
