@@ -198,3 +198,24 @@ fn first_mesh_across_the_middle_that_does_not_converge_ends_the_search_where_it_
     let why = answer.unmet.as_deref().unwrap_or("met");
     assert!(why.contains("the first iteration ended so") && answer.tried.len() == 1, "{why}, {}", answer.tried.len());
 }
+
+/// Candidates of a body whose cells are given end with one of them: those that were too short once are not tried again.
+#[test]
+fn disc_on_blocks_of_wide_cells_is_answered() {
+    let load = 9000.0;
+    let text = format!(
+        "plane = \"strain\"\nthickness = 1\n[[body]]\nname = \"disc\"\nyoung = 4e5\npoisson = 0.3\n\
+         shape = {{ disc = {{ centre = [0, 30], radius = 30 }} }}\nsupports = [{{ at = \"axis\", component = \"x\" }}]\n\
+         loads = [{{ traction = {{ at = \"cut\", force = [0, -{load}] }} }}]\n\
+         [[body]]\nname = \"block\"\nyoung = 4e5\npoisson = 0.3\n\
+         shape = {{ blocks = [{{ corners = [[0, -15], [16, -15], [16, 0], [0, 0]], elements = [13, 6], bottom = \"far\", top = \"contact\", left = \"left\" }}] }}\n\
+         supports = [{{ at = \"left\", component = \"x\" }}, {{ at = \"far\", component = \"y\" }}]\n\
+         [contact]\nfirst = \"block\"\nsecond = \"disc\"\ngap = {{ circle = 30 }}\nstretch = 4\n[mesh]\naccuracy = \"1 %\"\n"
+    );
+    let answer =
+        accuracy::solve(&parsed(&text).scene, &Formulation::verification(), &Asked::new(0.01)).expect("solved");
+    assert_eq!(answer.unmet, None);
+    // Hertz's of two half-planes, but for the size of block and disc.
+    let hertz = (4.0 * 2.0 * load * 30.0 / PI / (0.5 * 4e5 / 0.91)).sqrt();
+    assert_relative_eq!(answer.run.measures().half_width(), hertz, max_relative = 0.03);
+}

@@ -1,6 +1,7 @@
 //! Reactions: what the supports exert balances loads and contact, with the sign of a force on the body.
 
 use approx::assert_relative_eq;
+use contact_vv::accuracy::{Barred, Quantity, bars};
 use contact_vv::solution::Solution;
 use contact_vv::solve::Discretisation;
 
@@ -102,5 +103,27 @@ fn blocks_between_walls_lean_on_them_with_poissons_share() {
     let wanted = [upper, -upper, lower, -lower, 2000.0];
     for (found, wanted) in forces_of(&text_of("blocks.toml")).into_iter().zip(wanted) {
         assert_relative_eq!(found, wanted, max_relative = 1e-7);
+    }
+}
+
+/// What a point takes beside a side falls with the logarithm of the cells: no mesh tells how far it is from 0. What statics give stays known.
+#[test]
+fn force_that_a_point_takes_beside_a_side_has_no_bar() {
+    let barred = |supports: &str| {
+        let load = "{ body-force = [0.5, -5] }";
+        let (discretisation, run) = solved_as_it_says(&parsed(&bar("stress", 0.0, supports, load)));
+        let all = bars(&discretisation, &run, &[]).expect("bars").all;
+        all.into_iter().filter(|one| matches!(one.quantity, Quantity::Reaction { .. })).collect::<Vec<Barred>>()
+    };
+    let [point, side] = ["{ at = [10, 20], component = \"x\" }", "{ at = \"left\", component = \"x\" }"];
+    let alone = barred(point);
+    assert_relative_eq!(alone[0].value, -300.0, max_relative = 1e-6);
+    assert!(alone[0].bar.total() <= 1e-4, "{alone:?}");
+    for supports in [format!("{side}, {point}"), format!("{point}, {side}")] {
+        let shared = barred(&supports);
+        assert_relative_eq!(shared[0].value + shared[1].value, -300.0, max_relative = 1e-6);
+        for one in shared {
+            assert!(one.bar.total().is_nan() && one.unknown.is_some_and(|why| why.contains("at a point")), "{one:?}");
+        }
     }
 }

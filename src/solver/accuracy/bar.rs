@@ -39,6 +39,7 @@ const GOES_ON: f64 = 0.8;
 /// Why a bar is not known.
 const NOT_FOUND: &str = "the discrete solution was not found";
 const TOO_WIDE: &str = "the bar would be larger than the number itself";
+const AT_POINT: &str = "a support at a point takes a part that vanishes as the mesh is refined: hold a side instead";
 
 /// How far a number may be from the truth of the scene.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
@@ -289,6 +290,7 @@ fn of_displacements(
         }
         _ => false,
     };
+    let yields = |body: usize| readings.iter().any(|one| one.is_force_at_point(scene, body));
     let one = |reading: &Reading| {
         let Reading { contact, quantity, .. } = reading;
         if is_prescribed(reading) {
@@ -300,7 +302,14 @@ fn of_displacements(
             Quantity::ShearDepth { body } => told.and(flat(*contact, *body)),
             _ => told,
         };
-        Barred::of(reading, (Some(told), told.bar()), [ended, discrete], (run, family))
+        let is_shared = |body: usize| told.is_of_mesh(reading) && yields(body);
+        match quantity {
+            Quantity::Reaction { body, .. } if is_shared(*body) => {
+                let barred = Barred::of(reading, (None, f64::NAN), [ended, discrete], (run, family));
+                Barred { unknown: Some(AT_POINT), ..barred }
+            }
+            _ => Barred::of(reading, (Some(told), told.bar()), [ended, discrete], (run, family)),
+        }
     };
     Ok(readings.iter().map(one).collect())
 }

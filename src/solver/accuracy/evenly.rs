@@ -52,14 +52,17 @@ pub(super) struct Evenly {
     resolution: Resolution,
     /// Longest candidates of each contact.
     longest: Vec<f64>,
+    /// Longest candidates of each contact that it was seen to reach the end of: on a given mesh they end with a cell.
+    too_short: Vec<f64>,
 }
 
 impl Evenly {
     /// Finds where the contacts end on cheap meshes, and lays out candidates for them.
     pub(super) fn found(scene: &Scene, rungs: &mut Rungs) -> Result<Self, Error> {
         let longest = scene.contacts.iter().map(|pair| longest(scene, pair)).collect();
+        let too_short = vec![0.0; scene.contacts.len()];
         let (scene, resolution) = first(scene);
-        let mut found = Self { scene, resolution, longest };
+        let mut found = Self { scene, resolution, longest, too_short };
         if found.given().all(|given| given) {
             return Ok(found);
         }
@@ -148,7 +151,9 @@ impl Evenly {
             let filled = fitted::is_filled(run, contact);
             let wanted = if filled { LONGER * pair.stretch } else { MARGIN * end.max(-begin) };
             known &= pressed >= TOLD || filled && pair.stretch >= self.longest[contact];
-            pair.stretch = wanted.min(self.longest[contact]);
+            if wanted > self.too_short[contact] {
+                pair.stretch = wanted.min(self.longest[contact]);
+            }
         }
         self.shorten_open(run);
         fit(&mut self.scene, MARGIN);
@@ -180,6 +185,7 @@ impl Evenly {
         let Place::Contact { contact, .. } = error.place else { return false };
         let (pair, longest) = (&mut self.scene.contacts[contact], self.longest[contact]);
         let longer = pair.stretch < longest * (1.0 - 1e-9);
+        self.too_short[contact] = self.too_short[contact].max(pair.stretch);
         pair.stretch = (LONGER * pair.stretch).min(longest);
         longer
     }

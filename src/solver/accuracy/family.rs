@@ -144,6 +144,11 @@ impl Evidence {
         factor * self.apart + hidden * self.hidden + self.rest
     }
 
+    /// Whether meshes find a force otherwise, which statics alone do not give then.
+    pub(super) fn is_of_mesh(&self, force: &Reading) -> bool {
+        self.apart > STATICS * ROUND_OFF * force.scale.abs()
+    }
+
     /// The same with more that is known otherwise.
     pub(super) fn and(self, more: f64) -> Self {
         Self { rest: self.rest + more, ..self }

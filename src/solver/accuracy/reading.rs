@@ -3,7 +3,7 @@
 
 use crate::error::Error;
 use crate::measure::{Measures, Quantity};
-use crate::scene::{ContactPair, Place};
+use crate::scene::{ContactPair, Place, Scene};
 use crate::solve::{Discretisation, Displaced, Reaction, Run, Shear};
 
 /// A number, and the size that round-off of it is judged by.
@@ -32,7 +32,18 @@ impl Reading {
             _ => self.scale.abs(),
         }
     }
+
+    /// Whether it is a force that a support of a body exerts at a point, where the displacement has no limit.
+    pub(super) fn is_force_at_point(&self, scene: &Scene, body: usize) -> bool {
+        let Quantity::Reaction { body: own, support } = self.quantity else { return false };
+        let at = &scene.bodies[own].supports[support].at;
+        own == body && matches!(at, Place::Point(_)) && self.value.abs() > AT_POINT * self.scale
+    }
 }
+
+/// Part of the largest force that a support at a point may exert: with more, the displacement there has no limit, and with it
+/// those of all that it holds.
+const AT_POINT: f64 = 1e-6;
 
 impl Quantity {
     /// Those that an accuracy may be asked for.
@@ -74,10 +85,6 @@ pub(super) fn value_of(readings: &[Reading], contact: usize, quantity: &Quantity
     found.map_or(f64::NAN, |one| one.value)
 }
 
-/// Part of the largest force that a support at a point may exert: with more, the displacement there has no limit, and with it
-/// those of all that it holds.
-const AT_POINT: f64 = 1e-6;
-
 /// Shear stresses by contact and body.
 type Shears = Vec<([usize; 2], Shear)>;
 
@@ -92,17 +99,14 @@ pub(super) fn recovered(
     let reactions = discretisation.reactions_of(run.share(), &displacement)?;
     let pressed = run.contacts.iter().map(|contact| contact.transmitted.abs());
     let force = reactions.iter().map(|reaction| reaction.force.abs()).chain(pressed).fold(0.0, f64::max);
-    let is_at_point = |one: &Reaction| {
-        let support = &discretisation.scene.bodies[one.body].supports[one.support];
-        matches!(support.at, Place::Point(_)) && one.force.abs() > AT_POINT * force
-    };
-    let has_limit = !reactions.iter().any(is_at_point);
     let of_support = |one: &Reaction| {
         let quantity = Quantity::Reaction { body: one.body, support: one.support };
         Reading { contact: 0, quantity, value: one.force, scale: force }
     };
     let mut readings: Vec<Reading> = reactions.iter().map(of_support).collect();
-    if has_limit {
+    let scene = &discretisation.scene;
+    let yields = |body: usize| readings.iter().any(|one| one.is_force_at_point(scene, body));
+    if !(0..scene.bodies.len()).any(yields) {
         readings.extend(displacements(discretisation, &displacement, wanted)?);
     }
     let shears = shears(discretisation, run, &displacement)?;
