@@ -9,18 +9,19 @@ use crate::error::Error;
 use crate::mesh::{Order, Resolution, candidates};
 use crate::oracle::ReferenceKind;
 use crate::oracle::cross_code::frozen::{Digest, Frozen, REFREEZE, changed_versions, file};
+use crate::oracle::cross_code::live::Live;
 use crate::oracle::cross_code::{Code, DiscreteAnswer, DiscreteProblem, SET_UP};
 use crate::scene::{Action, Load, Path, Profile, Scene};
 use crate::solve::{Discretisation, Element, Formulation, Iteration};
 use crate::study::about::{About, Found, Planned, Study};
-use crate::study::differences::{Answers, relative_difference, reproduced, worst_difference};
+use crate::study::differences::{relative_difference, reproduced, suffix, worst_difference};
 
 /// All trials, against answers that are frozen, or of the codes themselves.
-pub fn against(answers: Answers) -> Vec<Planned<Numbers>> {
+pub fn against(live: Option<Live>) -> Vec<Planned<Numbers>> {
     let of_both = |(name, order): (&'static str, Order)| {
         Code::ALL.map(|code| {
-            let title = format!("{name}, {}-node, {}{}", order.nodes_per_cell(), code.name(), answers.suffix());
-            Planned::new("same discrete problem", title, move || compare(name, order, code, answers))
+            let title = format!("{name}, {}-node, {}{}", order.nodes_per_cell(), code.name(), suffix(live));
+            Planned::new("same discrete problem", title, move || compare(name, order, code, live))
         })
     };
     problems().into_iter().flat_map(of_both).collect()
@@ -40,7 +41,7 @@ impl Study for Numbers {
 
     /// All trials, against frozen answers.
     fn plan() -> Vec<Planned<Self>> {
-        against(Answers::Frozen)
+        against(None)
     }
 
     fn judge(&self) -> Result<Vec<Judged>, Error> {
@@ -62,12 +63,12 @@ impl Study for Numbers {
 }
 
 /// A scene and order in another code: whether it finds what was frozen where it is asked now, and the same as we.
-fn compare(name: &str, order: Order, code: Code, answers: Answers) -> Result<Numbers, Error> {
+fn compare(name: &str, order: Order, code: Code, live: Option<Live>) -> Result<Numbers, Error> {
     let twin = Twin::of(name, order)?;
-    let (digest, live) = answered(answers, code, &twin)?;
-    let mut judged: Vec<Judged> = live.iter().map(|(_, reproduced)| reproduced.clone()).collect();
+    let (digest, asked) = answered(live, code, &twin)?;
+    let mut judged: Vec<Judged> = asked.iter().map(|(_, reproduced)| reproduced.clone()).collect();
     judged.extend(differences(code, &twin.digest(), &digest));
-    judged.extend(live.iter().flat_map(|(answer, _)| twin.in_full(code, answer)));
+    judged.extend(asked.iter().flat_map(|(answer, _)| twin.in_full(code, answer)));
     Ok(Numbers(judged))
 }
 
@@ -90,7 +91,7 @@ pub fn differences(code: Code, ours: &Digest, theirs: &Digest) -> Vec<Judged> {
 /// A code's answer to our discrete problem: in short, in full where it was asked, and whether that is what was frozen.
 type Answered = (Digest, Option<(DiscreteAnswer, Judged)>);
 
-fn answered(answers: Answers, code: Code, twin: &Twin) -> Result<Answered, Error> {
+fn answered(live: Option<Live>, code: Code, twin: &Twin) -> Result<Answered, Error> {
     let name = &twin.problem.name;
     let frozen = Frozen::read(code)?;
     let absent = || Error::missing_key(&file(code), name, "the frozen results", REFREEZE);
@@ -100,16 +101,12 @@ fn answered(answers: Answers, code: Code, twin: &Twin) -> Result<Answered, Error
         let found = format!("of a mesh with {} nodes, but ours has {nodes}", kept.nodes);
         return Err(Error::refused(&file(code), name, found, REFREEZE));
     }
-    match answers {
-        Answers::Frozen => Ok((kept, None)),
-        Answers::Live(live) => {
-            let answer = (live.discrete)(code, &twin.problem)?;
-            let digest = twin.digest_of_other(&answer);
-            let changed = changed_versions(&frozen.versions, &(live.versions)()?);
-            let reproduced = reproduced(code.name(), &digest.numbers(), &kept.numbers(), &changed);
-            Ok((digest, Some((answer, reproduced))))
-        }
-    }
+    let Some(live) = live else { return Ok((kept, None)) };
+    let answer = (live.discrete)(code, &twin.problem)?;
+    let digest = twin.digest_of_other(&answer);
+    let changed = changed_versions(&frozen.versions, &(live.versions)()?);
+    let reproduced = reproduced(code.name(), &digest.numbers(), &kept.numbers(), &changed);
+    Ok((digest, Some((answer, reproduced))))
 }
 
 /// Scenes and elements per half-width, or per 10 mm of arc.

@@ -1,5 +1,5 @@
-//! What is compared of runs, where other codes' answers come from, and how far two answers are apart; NaN, which no check passes, where they
-//! cannot be compared.
+//! What is compared of runs, and how far two answers are apart; NaN, which no check passes, where they cannot be compared. Answers of other
+//! codes are read from `oracles/frozen`, for which Rust alone suffices; live ones are asked now, and held against the frozen ones as well.
 
 use crate::case::{Check, Judged, Quantity, Reference};
 use crate::measure::{larger, relative_error};
@@ -71,23 +71,9 @@ pub fn changes(code: Code, old: &Frozen, new: &Frozen) -> Vec<String> {
 /// Relative difference from the frozen answer that a live one may have.
 const REPRODUCED: f64 = 1e-6;
 
-/// Frozen or live.
-#[derive(Clone, Copy, Debug)]
-pub enum Answers {
-    /// Read from `oracles/frozen`; Rust alone suffices.
-    Frozen,
-    /// Asked now, and held against the frozen ones as well.
-    Live(Live),
-}
-
-impl Answers {
-    /// What tells the trials apart: nothing for frozen answers, which the page shows.
-    pub fn suffix(self) -> &'static str {
-        match self {
-            Self::Frozen => "",
-            Self::Live(_) => ", live",
-        }
-    }
+/// What tells trials of live answers from those of frozen ones, which the page shows.
+pub fn suffix(live: Option<Live>) -> &'static str {
+    live.map_or("", |_| ", live")
 }
 
 /// A live answer is what was frozen; the versions that changed since are named.

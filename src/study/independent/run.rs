@@ -15,7 +15,7 @@ use crate::oracle::cross_code::live::Live;
 use crate::oracle::cross_code::{PhysicalAnswer, PhysicalScene};
 use crate::solve::{Discretisation, Element, Formulation, Iteration, Run};
 use crate::study::Planned;
-use crate::study::differences::{Answers, peak_and_width, reproduced};
+use crate::study::differences::{peak_and_width, reproduced, suffix};
 
 /// Springs of the scripts with a penalty, `k_n = κ E*/ℓ`.
 pub const KAPPA: f64 = 1e4;
@@ -181,10 +181,10 @@ fn ours(benchmark: &Benchmark) -> Result<Vec<PhysicalAnswer>, Error> {
 }
 
 /// All scenes, against answers that are frozen, or of the scripts themselves.
-pub fn against(answers: Answers) -> Vec<Planned<Compared>> {
+pub fn against(live: Option<Live>) -> Vec<Planned<Compared>> {
     let planned = Scene::ALL.map(|scene| {
-        let name = format!("{}{}", scene.name(), answers.suffix());
-        Planned::new("independent codes", name, move || compare(&scene.benchmark(), answers))
+        let name = format!("{}{}", scene.name(), suffix(live));
+        Planned::new("independent codes", name, move || compare(&scene.benchmark(), live))
     });
     planned.into()
 }
@@ -214,9 +214,9 @@ pub struct Other {
 }
 
 /// A scene by every script.
-pub fn compare(benchmark: &Benchmark, answers: Answers) -> Result<Compared, Error> {
+pub fn compare(benchmark: &Benchmark, live: Option<Live>) -> Result<Compared, Error> {
     let mut others = Vec::new();
-    for (script, series, reproduced) in asked(benchmark, answers)? {
+    for (script, series, reproduced) in asked(benchmark, live)? {
         others.push(Other { script, reproduced, found: Found::of(script.title(), &series)? });
     }
     Ok(Compared {
@@ -248,7 +248,7 @@ impl Benchmark {
 pub type Series = (Script, Vec<PhysicalAnswer>, Option<Judged>);
 
 /// The series of every script that serves a scene; live, meshes up to [`ASKED`] are asked now, and finer ones are as they were frozen.
-pub fn asked(benchmark: &Benchmark, answers: Answers) -> Result<Vec<Series>, Error> {
+pub fn asked(benchmark: &Benchmark, live: Option<Live>) -> Result<Vec<Series>, Error> {
     let (name, scene) = (benchmark.scene.name(), &benchmark.physical);
     let frozen = Independent::read()?;
     let kept =
@@ -257,8 +257,8 @@ pub fn asked(benchmark: &Benchmark, answers: Answers) -> Result<Vec<Series>, Err
         let found = format!("{theirs} in the frozen scene, but {ours} in ours");
         return Err(Error::refused(&file(), &format!("{name}: {key}"), found, REFREEZE));
     }
-    let all = kept.series.iter().map(|(script, kept)| match answers {
-        Answers::Live(live) if script.is_set_up() => {
+    let all = kept.series.iter().map(|(script, kept)| match live {
+        Some(live) if script.is_set_up() => {
             let asked = |(level, one): (usize, &PhysicalAnswer)| {
                 if one.dofs <= ASKED { (live.independent)(*script, scene, level) } else { Ok(one.clone()) }
             };
@@ -267,7 +267,7 @@ pub fn asked(benchmark: &Benchmark, answers: Answers) -> Result<Vec<Series>, Err
             let reproduced = reproduced(script.title(), &Asked::numbers(&now), &Asked::numbers(kept), &versions);
             Ok((*script, now, Some(reproduced)))
         }
-        Answers::Live(_) | Answers::Frozen => Ok((*script, kept.clone(), None)),
+        _ => Ok((*script, kept.clone(), None)),
     });
     all.collect()
 }
