@@ -4,9 +4,9 @@
 use crate::algorithm::StiffnessRule;
 use crate::case::{Check, Judged, Quantity, Reference, library};
 use crate::contact::Quadrature;
-use crate::elasticity::Dofs;
+use crate::elasticity::{BodySystem, Dofs};
 use crate::error::Error;
-use crate::mesh::{Order, Resolution, candidates};
+use crate::mesh::{BodyMesh, Order, Resolution, candidates};
 use crate::oracle::ReferenceKind;
 use crate::oracle::cross_code::frozen::{Digest, Frozen, REFREEZE, changed_versions, file};
 use crate::oracle::cross_code::live::Live;
@@ -65,10 +65,14 @@ impl Study for Numbers {
 /// A scene and order in another code: whether it finds what was frozen where it is asked now, and the same as we.
 fn compare(name: &str, order: Order, code: Code, live: Option<Live>) -> Result<Numbers, Error> {
     let twin = Twin::of(name, order)?;
-    let (digest, asked) = answered(live, code, &twin)?;
-    let mut judged: Vec<Judged> = asked.iter().map(|(_, reproduced)| reproduced.clone()).collect();
+    let (frozen, kept) = frozen_answer(code, &twin)?;
+    let Some(live) = live else { return Ok(Numbers(differences(code, &twin.digest(), &kept))) };
+    let answer = (live.discrete)(code, &twin.problem)?;
+    let digest = twin.digest_of_other(&answer);
+    let changed = changed_versions(&frozen.versions, &(live.versions)()?);
+    let mut judged = vec![reproduced(code.name(), &digest.numbers(), &kept.numbers(), &changed)];
     judged.extend(differences(code, &twin.digest(), &digest));
-    judged.extend(asked.iter().flat_map(|(answer, _)| twin.in_full(code, answer)));
+    judged.extend(twin.in_full(code, &answer));
     Ok(Numbers(judged))
 }
 
@@ -88,10 +92,8 @@ pub fn differences(code: Code, ours: &Digest, theirs: &Digest) -> Vec<Judged> {
     all
 }
 
-/// A code's answer to our discrete problem: in short, in full where it was asked, and whether that is what was frozen.
-type Answered = (Digest, Option<(DiscreteAnswer, Judged)>);
-
-fn answered(live: Option<Live>, code: Code, twin: &Twin) -> Result<Answered, Error> {
+/// A code's frozen answers, and of them that to our discrete problem; refused where it is of another mesh.
+fn frozen_answer(code: Code, twin: &Twin) -> Result<(Frozen, Digest), Error> {
     let name = &twin.problem.name;
     let frozen = Frozen::read(code)?;
     let absent = || Error::missing_key(&file(code), name, "the frozen results", REFREEZE);
@@ -101,12 +103,7 @@ fn answered(live: Option<Live>, code: Code, twin: &Twin) -> Result<Answered, Err
         let found = format!("of a mesh with {} nodes, but ours has {nodes}", kept.nodes);
         return Err(Error::refused(&file(code), name, found, REFREEZE));
     }
-    let Some(live) = live else { return Ok((kept, None)) };
-    let answer = (live.discrete)(code, &twin.problem)?;
-    let digest = twin.digest_of_other(&answer);
-    let changed = changed_versions(&frozen.versions, &(live.versions)()?);
-    let reproduced = reproduced(code.name(), &digest.numbers(), &kept.numbers(), &changed);
-    Ok((digest, Some((answer, reproduced))))
+    Ok((frozen, kept))
 }
 
 /// Scenes and elements per half-width, or per 10 mm of arc.
@@ -191,8 +188,7 @@ impl Twin {
     /// `Tᵀ f` of nodal forces: their components along our unknowns.
     pub fn along_unknowns(&self, force: &[f64]) -> Vec<f64> {
         let (system, mesh) = (&self.discretisation.system, &self.discretisation.mesh);
-        let of_body = |(body, part): (_, &crate::mesh::BodyMesh)| {
-            let body: &crate::elasticity::BodySystem = body;
+        let of_body = |(body, part): (&BodySystem, &BodyMesh)| {
             let mut out = vec![0.0; body.force.len()];
             for node in part.nodes.clone() {
                 body.dofs.add_force(node, [force[2 * node], force[2 * node + 1]], &mut out);

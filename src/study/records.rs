@@ -1,6 +1,5 @@
 //! Recorded surveys: sites that are run one by one, the lines that each leaves in a CSV file, and the part of them that is run again.
 
-use std::collections::BTreeMap;
 use std::fmt;
 use std::path::{Path, PathBuf};
 
@@ -10,6 +9,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::checkout::{root, sha256};
 use crate::error::Error;
+use crate::study::grouped::sorted;
 
 /// A recorded survey: what is run, what is kept of it, and what of that the tests run again.
 pub struct Survey<S, R> {
@@ -54,8 +54,7 @@ impl<S: Sync + Send, R: Serialize + DeserializeOwned + Clone + Sync + Send> Surv
 
     /// A record held against sites run again, each by its name with its lines, in the order of the record: lines, and those that moved.
     pub fn compared(&self, recorded: &[R], fresh: &[(String, Vec<R>)]) -> [usize; 2] {
-        let mut of_site: BTreeMap<String, Vec<&R>> = BTreeMap::new();
-        recorded.iter().for_each(|line| of_site.entry((self.of)(line)).or_default().push(line));
+        let of_site = sorted(recorded.iter().map(|line| ((self.of)(line), line)));
         let (mut again, mut moved) = (0, 0);
         for (site, fresh) in fresh {
             let kept = of_site.get(site).map_or(&[][..], Vec::as_slice);
@@ -76,8 +75,7 @@ impl<S: Sync + Send, R: Serialize + DeserializeOwned + Clone + Sync + Send> Surv
 
     /// Puts the lines of the record into the folder of unfinished sites, which are then not run.
     pub fn keep(&self, unfinished: &Path) -> Result<(), Error> {
-        let mut of_site: BTreeMap<String, Vec<R>> = BTreeMap::new();
-        self.read()?.into_iter().for_each(|line| of_site.entry((self.of)(&line)).or_default().push(line));
+        let of_site = sorted(self.read()?.into_iter().map(|line| ((self.of)(&line), line)));
         let head = (self.head)();
         of_site.iter().try_for_each(|(site, lines)| write(&unfinished.join(format!("{site}.csv")), &head, lines))
     }

@@ -12,7 +12,6 @@ use crate::case::{self, Case, Check, Judged, Reference};
 use crate::error::Error;
 use crate::markdown::{self, significant, to_bound};
 use crate::measure::Quantity;
-use crate::measure::order::richardson;
 use crate::mesh::Resolution;
 use crate::oracle::cross_code::PhysicalAnswer;
 use crate::oracle::cross_code::high::High;
@@ -22,6 +21,7 @@ use crate::scene::{ContactPair, Scene};
 use crate::solve::{Discretisation, Formulation, Run};
 use crate::study::about::{About, Found, Planned, Study};
 use crate::study::described;
+use crate::study::differences::on_finest;
 use crate::study::sheet::{FoundBy, Other, SHEETS, Sheet, Value, bounded, definition};
 
 /// Cases of the library with an answer, beside the cylinder with a contact twice as wide.
@@ -275,9 +275,7 @@ fn other(series: &[PhysicalAnswer], one: &Barred) -> Option<[f64; 2]> {
         (0, Quantity::SecondMomentWidth) => |answer| answer.half_width,
         _ => return None,
     };
-    let [coarse, medium, fine] = series else { return None };
-    let values = [coarse, medium, fine].map(of);
-    Some([values[2], richardson(values).uncertainty()])
+    on_finest(series, of)
 }
 
 impl Sheet {

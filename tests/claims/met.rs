@@ -66,8 +66,7 @@ fn slow_algorithms_are_run_on_the_mesh_that_kinematic_load_chose() {
 
 fn sound() -> Vec<Record> {
     let one = |number: usize| Record {
-        family: Family::Wedge,
-        number,
+        site: site(Family::Wedge, number),
         asked: 1e-3,
         met: true,
         estimate: Millionths(8e-4),

@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 use contact_vv::solve::Ended;
 use contact_vv::solve::unbounded;
-use contact_vv::study::promised::converged::{Record, SURVEY, is_as_recorded};
+use contact_vv::study::promised::converged::{Record, SURVEY, Site, is_as_recorded};
 use contact_vv::study::promised::{bars, counted, met};
 use contact_vv::study::records::{self, Millionths, Survey};
 use serde::Serialize;
@@ -18,8 +18,8 @@ fn record() -> Record {
     for (k, class, count, error) in [(0, Ended::Converged, 7, 1e-4), (8, Ended::Capped, 2000, f64::NAN)] {
         (classes[k], iterations[k], errors[k]) = (Some(class), Some(count), Some(Millionths(error)));
     }
-    let scene = "cylinder".into();
-    Record { scene, stretch: 2.0, load: 1e-2, tolerance: 1e-3, classes, iterations, errors }
+    let site = Site { scene: "cylinder".into(), stretch: 2.0 };
+    Record { site, load: 1e-2, tolerance: 1e-3, classes, iterations, errors }
 }
 
 /// The record with another error, class and number of iterations of its first formulation.

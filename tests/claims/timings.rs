@@ -187,7 +187,7 @@ fn what_ngsolve_prints_is_held_against_the_accuracy() {
     assert_relative_eq!(point.worst(), 1e-5, max_relative = 1e-12);
     let mut record = without_ngsolve();
     // Our own solve under the worst load, had it been recorded on the machine on which that under the median load takes 2 ms.
-    let own = cheapest(sound(&record.points), |point| point.seconds, Point::worst, COMPARED).expect("a mesh of ours");
+    let own = cheapest(sound(&record.points), Point::worst, COMPARED).expect("a mesh of ours");
     let as_long = 2e-3 * own.seconds / ours(&record.points).expect("a mesh of ours").seconds;
     let met = |times: f64, error: f64, record: &mut Record| {
         record.renew(vec![of_ngsolve(times * as_long, error)], two_milliseconds());

@@ -28,7 +28,7 @@ pub const SURVEY: Survey<Site, Record> = Survey {
     head,
     sites: || Ok(FAMILIES.into_iter().flat_map(family::unseen).collect()),
     key: Site::key,
-    of: |record| Site { family: record.family, number: record.number }.key(),
+    of: |record| record.site.key(),
     run: |site| Ok(vec![record(site)?]),
     alike: is_as_recorded,
     again,
@@ -137,10 +137,8 @@ fn kinds() -> impl Iterator<Item = Kind> {
 /// The numbers of a scene, as many of each kind as it has: errors and bars over the size of such a number.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Record {
-    /// Family of the scene.
-    pub family: Family,
-    /// Its number in the family.
-    pub number: usize,
+    /// The scene.
+    pub site: Site,
     /// True errors; NaN where the run did not converge, infinite where what has no limit is quoted.
     pub errors: [Option<Millionths>; NUMBERS],
     /// Their bars; NaN where they are not known.
@@ -204,8 +202,7 @@ fn solved(site: &Site) -> Result<(Sample, Vec<Barred>), Error> {
 /// All numbers of a scene whose truth is known.
 pub fn record(site: &Site) -> Result<Record, Error> {
     let (sample, all) = solved(site)?;
-    let (family, number) = (site.family, site.number);
-    let mut record = Record { family, number, errors: [None; NUMBERS], bars: [None; NUMBERS] };
+    let mut record = Record { site: *site, errors: [None; NUMBERS], bars: [None; NUMBERS] };
     for truth in &sample.truths {
         let is_of = |one: &&Barred| one.is_of(truth.contact, &truth.quantity);
         let [error, bar] = all.iter().find(is_of).map_or([f64::NAN; 2], |one| match truth.value.is_finite() {
@@ -227,7 +224,7 @@ pub(super) const ROUND_OFF: f64 = 1e-7;
 
 /// Whether the numbers of a fresh scene are the recorded ones.
 pub fn is_as_recorded(kept: &Record, fresh: &Record) -> bool {
-    (kept.family, kept.number) == (fresh.family, fresh.number)
+    kept.site == fresh.site
         && are_like(&kept.errors, &fresh.errors, ROUND_OFF)
         && are_like(&kept.bars, &fresh.bars, ROUND_OFF)
 }
@@ -274,7 +271,7 @@ pub fn within(recorded: &[Record]) -> Judged {
     let groups = JUDGED.iter().flat_map(|&family| Kind::ALL.map(|kind| (family, kind, kind.title())));
     let groups = groups.flat_map(|(family, kind, name)| ORDERS.map(|cells| (family, kind, name, cells)));
     let shares = groups.filter_map(|(family, kind, name, cells)| {
-        let is_own = |one: &Record, own| one.family == family && own == kind && order(one.number) == cells;
+        let is_own = |one: &Record, own| one.site.family == family && own == kind && order(one.site.number) == cells;
         let own = meant(recorded, is_own);
         let at = || format!("{name}, {}, {}-node cells", family.title(), cells.nodes_per_cell());
         (!own.is_empty()).then(|| (at(), share_within(&own, 1.0)))
@@ -296,7 +293,7 @@ pub fn within(recorded: &[Record]) -> Judged {
 pub fn told(recorded: &[Record]) -> Judged {
     let groups = FAMILIES.into_iter().flat_map(|family| Kind::ALL.map(|kind| (family, kind, kind.title())));
     let shares = groups.filter_map(|(family, kind, name)| {
-        let mut own = meant(recorded, |one, own| one.family == family && own == kind);
+        let mut own = meant(recorded, |one, own| one.site.family == family && own == kind);
         let at = || format!("{name}, {}", family.title());
         (!own.is_empty()).then(|| {
             own.retain(|[_, bar]| !bar.is_nan());
@@ -346,7 +343,7 @@ pub fn narrow(recorded: &[Record]) -> Judged {
 
 /// The largest median of bar over error, of errors above any of the cuts.
 fn widest(recorded: &[Record]) -> f64 {
-    let judged = meant(recorded, |one, _| JUDGED.contains(&one.family));
+    let judged = meant(recorded, |one, _| JUDGED.contains(&one.site.family));
     CUTS.map(|cut| median(&judged, cut)).into_iter().fold(0.0, larger)
 }
 
@@ -394,8 +391,8 @@ pub(super) fn section(recorded: &[Record]) -> String {
     let families = std::iter::once(None).chain(FAMILIES.map(Some));
     let rows = families.flat_map(|family| Kind::ALL.map(|kind| (family, kind, kind.title())));
     let row = |(family, kind, name): (Option<Family>, Kind, &'static str)| {
-        let is_own = |one: &Record, own: Kind| own == kind && family.is_none_or(|family| one.family == family);
-        let of = |cells: Order| meant(recorded, |one, own| is_own(one, own) && order(one.number) == cells);
+        let is_own = |one: &Record, own: Kind| own == kind && family.is_none_or(|family| one.site.family == family);
+        let of = |cells: Order| meant(recorded, |one, own| is_own(one, own) && order(one.site.number) == cells);
         let [four, eight] = ORDERS.map(of);
         (family.map_or("**all**", Family::title), name, [meant(recorded, is_own), four, eight])
     };

@@ -24,7 +24,7 @@ pub const SURVEY: Survey<Site, Record> = Survey {
     head,
     sites,
     key: Site::key,
-    of: |record| Site { scene: record.scene.clone(), stretch: record.stretch }.key(),
+    of: |record| record.site.key(),
     run: records,
     alike: is_as_recorded,
     again: |site| AGAIN.iter().any(|&(scene, stretch)| site.scene == scene && same(site.stretch, stretch)),
@@ -74,7 +74,7 @@ const AGAIN: [(&str, f64); 22] = [
 ];
 
 /// A scene on a candidate stretch.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Site {
     /// Name in the library, that of the long block, or a scene file.
     pub scene: String,
@@ -85,10 +85,8 @@ pub struct Site {
 /// The runs of all nine under a load and a tolerance; none where a formulation is not defined for the scene.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Record {
-    /// The scene.
-    pub scene: String,
-    /// Candidate stretch over the nominal half-width; 0 is the scene's own.
-    pub stretch: f64,
+    /// The scene on its stretch.
+    pub site: Site,
     /// Load over the nominal one.
     pub load: f64,
     /// Tolerance.
@@ -156,9 +154,8 @@ pub fn records(site: &Site) -> Result<Vec<Record>, Error> {
     let Some(discretisation) = site.discretised()? else { return Ok(Vec::new()) };
     let mut records = Vec::new();
     for [load, tolerance] in LOADS.into_iter().flat_map(|load| TOLERANCES.map(|tolerance| [load, tolerance])) {
-        let Site { scene, stretch } = site.clone();
         let (classes, iterations, errors) = ([None; 9], [None; 9], [None; 9]);
-        let mut record = Record { scene, stretch, load, tolerance, classes, iterations, errors };
+        let mut record = Record { site: site.clone(), load, tolerance, classes, iterations, errors };
         for (k, formulation) in Formulation::nine().into_iter().enumerate() {
             let formulation = formulation.tolerance(tolerance);
             let run = Run::from(None, &discretisation, &formulation, Change { load, ..Change::NONE });
@@ -275,7 +272,8 @@ pub(super) fn picture(recorded: &[Record]) -> (String, Drawing) {
             Chart::new(algorithm.name(), Axis::log("candidate stretch / a [–]").over(1.0, 150.0), share_of_runs);
         for (k, formulation) in all.iter().enumerate().filter(|(_, one)| one.algorithm == algorithm) {
             let at = |stretch: f64| {
-                let is_at = |record: &Record| same(record.tolerance, TOLERANCES[0]) && same(record.stretch, stretch);
+                let is_at =
+                    |record: &Record| same(record.tolerance, TOLERANCES[0]) && same(record.site.stretch, stretch);
                 share(recorded, k, is_at).map(|share| [stretch, 100.0 * share])
             };
             let points = STRETCHES.into_iter().filter(|stretch| *stretch > 0.0).filter_map(at);

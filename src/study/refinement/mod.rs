@@ -37,7 +37,7 @@ pub enum Numbers {
     /// Rings on meshes of cells of one order that do not match.
     Rings(Order, curved::Curved),
     /// The cylinder beside Hertz, from the smallest contact to the largest.
-    ModelError([Ratio; 4]),
+    ModelError(Vec<Ratio>),
     /// The half cylinder against the quarter, from the smallest contact to the largest.
     Quarter(Vec<Change>),
     /// The family over the clearance.
@@ -80,9 +80,8 @@ impl Study for Numbers {
             Planned::new("model error, cylinder", "node.kinematic", || model_error().map(Numbers::ModelError)),
             Planned::new(QUARTER, "node.kinematic", || changes().map(Numbers::Quarter)),
             Planned::new("dimensionless family, pin-rod", "clearance and thickness", || {
-                let [first, other] = family::same_place()?;
-                let (curves, wide_plate) = (family::curves()?, family::in_wide_plate());
-                Ok(Numbers::Family { curves, same_place: [first, other], wide_plate })
+                let (curves, same_place) = (family::curves()?, family::same_place()?);
+                Ok(Numbers::Family { curves, same_place, wide_plate: family::in_wide_plate() })
             }),
         ];
         orders.into_iter().chain(rings).chain(others).collect()
@@ -170,7 +169,7 @@ impl Change {
 }
 
 /// Powers of a/R by which a departure falls, from the largest contact to the smallest; nothing below five error bars has one.
-fn powers(ratios: &[Ratio; 4], number: usize) -> Vec<Observed> {
+fn powers(ratios: &[Ratio], number: usize) -> Vec<Observed> {
     let floor = ratios.iter().map(|ratio| ratio.departures[number][1]).fold(0.0, larger);
     let falling = || ratios.iter().rev();
     let sizes: Vec<f64> = falling().map(|ratio| ratio.a_over_r).collect();
@@ -178,7 +177,7 @@ fn powers(ratios: &[Ratio; 4], number: usize) -> Vec<Observed> {
 }
 
 /// What the quarter cylinder differs from Hertz by, on cells that end with the contact.
-pub fn model_error() -> Result<[Ratio; 4], Error> {
+pub fn model_error() -> Result<Vec<Ratio>, Error> {
     let ratio = |a_over_r| {
         let numbers = Cylinder { a_over_r, ..Default::default() };
         let asked = Asked { quantities: BOTH.into(), ..Asked::new(SOLVED_TO) };
@@ -192,8 +191,7 @@ pub fn model_error() -> Result<[Ratio; 4], Error> {
         });
         Ok(Ratio { a_over_r, departures, dofs: answer.run.dofs })
     };
-    let [a, b, c, d]: [Result<Ratio, Error>; 4] = BESIDE_HERTZ.map(ratio);
-    Ok([a?, b?, c?, d?])
+    BESIDE_HERTZ.into_iter().map(ratio).collect()
 }
 
 /// Every model at every a/R.
@@ -215,7 +213,7 @@ pub fn changes() -> Result<Vec<Change>, Error> {
 const OVER_HERTZ: [&str; 2] = ["peak pressure over that of Hertz", "second-moment width over the half-width of Hertz"];
 
 /// The smallest contact is Hertz's; with growing contact the difference grows by (a/R)².
-pub fn judge_model_error(ratios: &[Ratio; 4]) -> Vec<Judged> {
+pub fn judge_model_error(ratios: &[Ratio]) -> Vec<Judged> {
     let small = [0, 1].map(|number| {
         let (Ratio { a_over_r, departures, .. }, hertz) = (&ratios[0], Reference::analytic("Hertz", 1.0));
         let ([departure, bar], at) = (departures[number], format!("a/R = {a_over_r}"));
@@ -257,7 +255,7 @@ pub fn judge_change(change: &Change) -> Vec<Judged> {
 }
 
 /// The cylinder beside Hertz.
-pub fn table_of_ratios(ratios: &[Ratio; 4]) -> String {
+pub fn table_of_ratios(ratios: &[Ratio]) -> String {
     type Row<'a> = (&'a Ratio, [String; 2]);
     let columns: [Column<Row>; 8] = [
         ("a/R", |(ratio, _)| ratio.a_over_r.to_string()),
@@ -270,10 +268,8 @@ pub fn table_of_ratios(ratios: &[Ratio; 4]) -> String {
         ("dofs", |(ratio, _)| ratio.dofs.to_string()),
     ];
     let powers = [0, 1].map(|number| powers(ratios, number));
-    let rows = ratios.iter().rev().enumerate().map(|(k, ratio)| {
-        let read = |number: usize| told(k.checked_sub(1).and_then(|before| powers[number].get(before)));
-        (ratio, [read(0), read(1)])
-    });
+    let rows =
+        ratios.iter().rev().enumerate().map(|(k, ratio)| (ratio, powers.each_ref().map(|powers| told(powers, k))));
     format!(
         "**Cylinder: model error against Hertz, and the power of a/R by which it falls (solved to {} %)**\n\n{}\n",
         accuracy::in_percent(SOLVED_TO),

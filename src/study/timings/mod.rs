@@ -209,14 +209,13 @@ const ACCURACIES: [f64; 3] = [COMPARED, 1e-4, 1e-5];
 /// The points of one that is compared to which none of its own is both as cheap and as exact.
 pub fn front_of<'a>(record: &'a Record, series: &[Series]) -> Vec<&'a Point> {
     let own: Vec<&Point> = record.points.iter().filter(|point| series.contains(&point.series)).collect();
-    front(&own, |point| point.seconds, &Point::worst)
+    front(&own, |point| point.seconds)
 }
 
 /// Who is the cheapest at each accuracy, from where on other codes are ahead of our cells that are not fitted, and what each takes.
 pub fn conclusion(record: &Record) -> String {
     let within = |points: &[&Point], most: f64| {
-        let best = cheapest(points.iter().copied(), |point| point.seconds, Point::worst, most);
-        best.map_or(f64::INFINITY, |point| point.seconds)
+        cheapest(points.iter().copied(), Point::worst, most).map_or(f64::INFINITY, |point| point.seconds)
     };
     let fronts = COMPARED_CODES.map(|(_, series, _)| front_of(record, series));
     let fastest = ACCURACIES.map(|most| {
@@ -268,7 +267,7 @@ fn methods(record: &Record) -> String {
 
 /// The seconds of the cheapest of some points within an error, and the error that it has.
 fn told(points: &[&Point], most: f64) -> String {
-    let best = cheapest(points.iter().copied(), |point| point.seconds, Point::worst, most);
+    let best = cheapest(points.iter().copied(), Point::worst, most);
     best.map_or("–".into(), |best| format!("{}, {} off", milliseconds(best.seconds), percent_of(best.worst(), 2)))
 }
 
@@ -344,7 +343,7 @@ fn fronts(record: &Record) -> Drawing {
             ring: None,
             colour,
         }));
-        chart.remarks.extend(cheapest(own, |point| point.seconds, Point::worst, COMPARED).map(|point| Remark {
+        chart.remarks.extend(cheapest(own, Point::worst, COMPARED).map(|point| Remark {
             at: place(point.worst(), point),
             text: milliseconds(point.seconds),
             ring: Some(format!("cheapest within {}", percent())),
@@ -375,7 +374,7 @@ fn cloud(record: &Record) -> Drawing {
             let label = format!("{} element, any algorithm and mesh", element.name());
             chart.series.push(drawing::Series::new(label, own, Style::run(colour, Dash::Absent, Marker::Dot)));
         }
-        let front = front(&points, cost, &Point::worst);
+        let front = front(&points, cost);
         let style = Style::run(palette::INK, Dash::Solid, Marker::Absent);
         let front = front.into_iter().map(place).collect::<Vec<_>>();
         chart.series.push(drawing::Series::new("Pareto front: none is cheaper and as exact", front, style));
