@@ -4,7 +4,7 @@
 //!
 //! * `plane` — initial stiffness against which other number, and what lies on one mesh; what is kept under `snapshots/atlas`, and its
 //!   chart of classes with their boundaries; what the records say of each method, and what to use.
-//! * `run` — a point predicted and run; a twentieth of a record recomputed; the paper's scenes before and after
+//! * `run` — a point predicted and run; the paper's scenes before and after
 //!   acceleration; and predictions against runs.
 //! * `picture` — charts.
 //!

@@ -1,6 +1,5 @@
-//! What is run: points, each predicted from the condensed matrices before; of a recorded plane a fixed twentieth; and the paper's
-//! formulations beside what the program takes in their place. And what the atlas must hold: a twentieth recomputed is what was recorded,
-//! the predictions are right, and what the program takes converges.
+//! What is run: points, each predicted from the condensed matrices before; and the paper's formulations beside what the program takes in
+//! their place. And what the atlas must hold: the predictions are right, and what the program takes converges.
 
 use std::borrow::Cow;
 use std::path::Path;
@@ -13,9 +12,7 @@ use crate::contact::ContactPoint;
 use crate::error::Error;
 use crate::measure::larger;
 use crate::solution::IterationError;
-use crate::solve::Ended;
-use crate::solve::run::Run;
-use crate::solve::{Discretisation, Element, Formulation, Iteration, Settings};
+use crate::solve::{Discretisation, Element, Ended, Formulation, Iteration, Run, Settings};
 use crate::stability::halving::{self, SOFT};
 use crate::stability::{Limit, linear, rate, release};
 use crate::study::Found;
@@ -52,50 +49,11 @@ pub struct Saved {
     pub iterations: [Option<usize>; 2],
 }
 
-/// Of the meshes of the full planes every third is entered again, and on it three of twenty points; of the others every mesh, and
-/// one of twenty points.
-const FULL: [usize; 2] = [3, 3];
-const OTHERS: [usize; 2] = [1, 1];
-const OF: usize = 20;
-/// A recomputed error or prediction may differ by this share: the records hold four digits.
-const DIGITS: f64 = 2e-3;
 /// A spectral radius up to here is 1 to round-off: pressures that no displacement feels stay as they are, and hurt nobody.
 const INDIFFERENT: f64 = 1.0 + 1e-6;
 /// Most iterations of a formulation of the paper: more than any takes on the cylinder; on the pin–rod some take fifty thousand, which
 /// would tell no more.
 pub const ENOUGH: usize = 6_000;
-
-/// The points of a plane that are run again: how many these are, and how many of them are not as recorded.
-pub fn recomputed(plane: Plane) -> Result<[usize; 2], Error> {
-    let chart = Chart::read(plane)?;
-    let methods = Method::all().len();
-    let [every, share] = if plane.is_full() { FULL } else { OTHERS };
-    let entered: Vec<(usize, Site)> = plane.sites().into_iter().enumerate().step_by(every).collect();
-    let again = |(k, site): &(usize, Site)| -> Result<Vec<bool>, Error> {
-        let chosen = |row: usize, column: usize| (7 * (k * methods + row) + 3 * column) % OF < share;
-        let fresh = points(site, chosen)?;
-        Ok(fresh
-            .iter()
-            .map(|([row, column], fresh)| is_as_recorded(&chart, k * methods + row, *column, fresh))
-            .collect())
-    };
-    let as_recorded = entered.par_iter().map(again).collect::<Result<Vec<_>, _>>()?.concat();
-    Ok([as_recorded.len(), as_recorded.iter().filter(|same| !**same).count()])
-}
-
-/// Whether a fresh point is the recorded one: class and prediction always, what was measured where no boundary is near.
-pub fn is_as_recorded(chart: &Chart, row: usize, column: usize, fresh: &Record) -> bool {
-    let kept = &chart.rows[row][column];
-    let near = |a: f64, b: f64| a.is_finite() && b.is_finite() && (a - b).abs() <= DIGITS * a.abs().max(b.abs());
-    let alike = |a: f64, b: f64| (a.is_nan() && b.is_nan()) || a == b || near(a, b);
-    let both =
-        |a: Option<f64>, b: Option<f64>| a.is_none() && b.is_none() || a.zip(b).is_some_and(|(a, b)| alike(a, b));
-    let measured =
-        kept.iterations == fresh.iterations && alike(kept.error, fresh.error) && both(kept.penalty, fresh.penalty);
-    let exact = kept.class == Ended::Converged && !chart.is_near_a_boundary(row, column);
-    let predicted = both(kept.predicted_iterations, fresh.predicted_iterations);
-    kept.class == fresh.class && predicted && (!exact || measured)
-}
 
 /// Surveys a plane into a file; what is finished of it is kept in the folder `unfinished`.
 pub fn renew(plane: Plane, unfinished: &Path, file: &Path, done: impl Fn() + Sync) -> Result<usize, Error> {
@@ -108,7 +66,7 @@ pub fn records(site: &Site) -> Result<Vec<Record>, Error> {
 }
 
 /// The points of a site that are chosen by the places of their method and of their initial stiffness, with these places.
-fn points(site: &Site, chosen: impl Fn(usize, usize) -> bool) -> Result<Vec<([usize; 2], Record)>, Error> {
+pub fn points(site: &Site, chosen: impl Fn(usize, usize) -> bool) -> Result<Vec<([usize; 2], Record)>, Error> {
     let case = site.case();
     let discretisation = Discretisation::of(case.scene, case.resolution)?;
     let (methods, stiffnesses) = (Method::all(), Plane::stiffnesses());

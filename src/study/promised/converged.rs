@@ -13,8 +13,7 @@ use crate::drawing::{Axis, Chart, Drawing, Series, panels};
 use crate::error::{Error, Kind};
 use crate::markdown;
 use crate::solution::EnergyError;
-use crate::solve::Ended;
-use crate::solve::{Change, Discretisation, Formulation, Iteration, Run, Settings};
+use crate::solve::{Change, Discretisation, Ended, Formulation, Iteration, Run, Settings};
 use crate::study::drawn;
 use crate::study::records::{Millionths, Survey, are_like};
 

@@ -9,8 +9,7 @@ use crate::mesh::{Order, Resolution};
 use crate::oracle::analytic::Plane;
 use crate::oracle::analytic::persson::PinInHole;
 use crate::scene::Material;
-use crate::solve::Ended;
-use crate::solve::{Discretisation, Formulation, Run};
+use crate::solve::{Discretisation, Ended, Formulation, Run};
 
 /// Values of `E t c / F`.
 pub const CLEARANCES: [f64; 8] = [0.0, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0];

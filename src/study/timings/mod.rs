@@ -1,19 +1,17 @@
 //! Speed against accuracy: what each accuracy costs, in seconds and in counted work. Seconds are believed only while the errors and
-//! counts recorded beside them are still the code's own: these the tests compute again. A folder, since what measures seconds, what keeps
-//! them and what computes errors and counts again are three things.
+//! counts recorded beside them are still the code's own: these the claims compute again. A folder, since what measures seconds and what
+//! keeps them are two things.
 //!
 //! * `precision` — on which meshes truncated Hertz is solved; error against seconds and work, ours and of codes on meshes of their own.
 //! * `growth` — one solve at three sizes, stage by stage, against one plain sparse Cholesky solve; all nine formulations over one.
 //! * `record` — what is kept under `snapshots/timings`, measured on demand by the command `timings`, what of it is cheapest, and what was asked for.
 //!
-//! Below are the page, what is computed again, the answer of the front page, and the charts. An error is everywhere the larger one of p₀ and a under
+//! Below are the page, the answer of the front page, and the charts. An error is everywhere the larger one of p₀ and a under
 //! the worst of all loads.
 
 pub mod growth;
 pub mod precision;
 pub mod record;
-
-use rayon::prelude::*;
 
 use crate::case::Judged;
 use crate::clock::Stage;
@@ -24,14 +22,9 @@ use crate::markdown::{self, Column, significant};
 use crate::solve::{Element, Formulation, Iteration};
 use crate::study::about::{About, Found, Planned, Study};
 use crate::study::drawn::picture;
-use crate::study::timings::growth::{Counts, Growth, exponent};
+use crate::study::timings::growth::{Growth, exponent};
 use crate::study::timings::precision::{LOADS, Point, Series, TOLERANCE, cells};
 use crate::study::timings::record::{Beside, COMPARED, Record, Target, cheapest, front, ours, sound, targets};
-
-/// Recorded errors may differ from recomputed ones by this share: other machines round otherwise, and runs stop at 1e-5.
-const DIGITS: f64 = 1e-3;
-/// Degrees of freedom up to which iterations and entries of the factor are counted again.
-const RECOUNTED: usize = 200_000;
 
 pub use record::Record as Numbers;
 
@@ -62,51 +55,6 @@ impl Study for Record {
         let of = |record: &Record| [(FRONTS[0].into(), fronts(record)), (CLOUD[0].into(), cloud(record))];
         Ok(findings.iter().flat_map(|found| of(found.numbers)).collect())
     }
-}
-
-/// Every mesh of a series once more: points, and how many are not as recorded.
-pub fn again(series: Series) -> Result<[usize; 2], Error> {
-    let recorded: Vec<Point> = Record::read()?.of(series).cloned().collect();
-    let planned = series.meshes().len() * series.formulations().len();
-    // The largest mesh takes as long as all others: each is a piece of work of its own.
-    let fresh = series.meshes().par_iter().with_max_len(1).map(|mesh| precision::measure(series, *mesh));
-    let fresh = fresh.collect::<Result<Vec<_>, _>>()?.concat();
-    Ok([fresh.len(), points_moved(&recorded, &fresh, planned)])
-}
-
-/// How many points of so many are not recorded as they are now.
-pub fn points_moved(recorded: &[Point], fresh: &[Point], planned: usize) -> usize {
-    moved(recorded, fresh, is_same) + planned.abs_diff(recorded.len())
-}
-
-/// The smaller meshes of the growth once more: meshes, and how many have other counts than those recorded.
-pub fn recounted() -> Result<[usize; 2], Error> {
-    let record::Measured { growth, revolved, .. } = Record::read()?.measured;
-    let recorded: Vec<Counts> = growth.into_iter().chain(revolved).map(|one| one.counts).collect();
-    let kept = recorded.par_iter().filter(|counts| counts.dofs <= RECOUNTED);
-    let fresh = kept.map(|Counts { case, elements, refinement, .. }| growth::counts(case, *elements, *refinement));
-    let fresh = fresh.collect::<Result<Vec<_>, _>>()?;
-    Ok([fresh.len(), counts_moved(&recorded, &fresh)])
-}
-
-/// How many meshes of the growth are not recorded as they are now.
-pub fn counts_moved(recorded: &[Counts], fresh: &[Counts]) -> usize {
-    moved(recorded, fresh, Counts::eq) + (growth::MESHES.len() + growth::SPHERE.1).abs_diff(recorded.len())
-}
-
-fn moved<T>(recorded: &[T], fresh: &[T], is_same: fn(&T, &T) -> bool) -> usize {
-    fresh.iter().filter(|fresh| !recorded.iter().any(|kept| is_same(kept, fresh))).count()
-}
-
-/// Whether two points are of the same mesh and formulation, with the same errors and counts; seconds are not compared.
-fn is_same(kept: &Point, fresh: &Point) -> bool {
-    let exact = |one: &Point| (one.series, one.mesh, one.formulation.clone(), one.dofs, one.converged);
-    let numbers = |one: &Point| [one.operations, one.peak, one.peak_worst, one.half_width, one.half_width_worst];
-    exact(kept) == exact(fresh) && numbers(kept).into_iter().zip(numbers(fresh)).all(|(a, b)| near(a, b))
-}
-
-fn near(a: f64, b: f64) -> bool {
-    (a.is_nan() && b.is_nan()) || (a - b).abs() <= DIGITS * a.abs().max(b.abs()) + 1e-9
 }
 
 /// What a parabola misses of the top of `√(1 − x²/a²)`, fitted by least squares to x < a/4: its next term is x⁴/8a⁴, and the best

@@ -17,8 +17,7 @@ use crate::named::named_enum;
 use crate::oracle::analytic::hertz::Hertz;
 use crate::oracle::cross_code::process::{Told, run};
 use crate::scene::{Grading, Scene};
-use crate::solve::run::Run;
-use crate::solve::{Discretisation, Fitted, Formulation, Iteration};
+use crate::solve::{Discretisation, Fitted, Formulation, Iteration, Run};
 use crate::study::differences::errors;
 use crate::study::seconds::Spread;
 
