@@ -16,6 +16,7 @@ use contact_vv::study::promised::bars::{Record, SURVEY, beyond, narrow, setup, t
 use contact_vv::study::random::{Family, Site};
 use contact_vv::study::records::Millionths;
 
+use crate::again::BARS;
 use crate::balance::{scene, solved};
 use crate::scene_file::{self, text_of};
 use crate::workbench::{kinematic, meshed, parsed, spoiled};
@@ -86,7 +87,7 @@ fn judges_of_bars_turn_red_on_spoiled_ones_and_on_what_is_not_a_number() {
     // The numbers of one scene.
     let as_recorded = |fresh: &[Record]| {
         let fresh = [((SURVEY.of)(&all[0]), fresh.to_vec())];
-        SURVEY.compared(&all, &fresh)
+        BARS.compared(&all, &fresh)
     };
     assert_eq!(as_recorded(&all[..1]), [1, 0]);
     for moved in [spoiled(&all[0], |one| one.errors[3] = Some(Millionths(f64::NAN))), widened(&all[0], 1.01)] {

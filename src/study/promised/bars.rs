@@ -20,7 +20,7 @@ use crate::solve::{Discretisation, Element, Formulation, Iteration, Run};
 use crate::study::drawn;
 use crate::study::random::family::{self, FAMILIES, JUDGED};
 use crate::study::random::{Draw, Family, Sample, Site, Truth};
-use crate::study::records::{Millionths, Survey, are_like};
+use crate::study::records::{Millionths, Survey};
 
 /// The survey.
 pub const SURVEY: Survey<Site, Record> = Survey {
@@ -30,18 +30,7 @@ pub const SURVEY: Survey<Site, Record> = Survey {
     key: Site::key,
     of: |record| record.site.key(),
     run: |site| Ok(vec![record(site)?]),
-    alike: is_as_recorded,
-    again,
 };
-
-/// Whether a scene is solved again: of each family of closed form the six chosen, of others, whose truth takes longer than the
-/// solution, one with cells of either kind.
-fn again(site: &Site) -> bool {
-    match JUDGED.contains(&site.family) {
-        true => family::chosen(site.family).any(|one| one.number == site.number),
-        false => (8..10).contains(&(site.number - family::FIRST)),
-    }
-}
 
 /// Fewest and most elements on half of the contact.
 const ELEMENTS: [f64; 2] = [3.0, 30.0];
@@ -220,14 +209,7 @@ pub fn record(site: &Site) -> Result<Record, Error> {
 }
 
 /// Errors and bars below are round-off, which no bar needs to follow, and which may differ.
-pub(super) const ROUND_OFF: f64 = 1e-7;
-
-/// Whether the numbers of a fresh scene are the recorded ones.
-pub fn is_as_recorded(kept: &Record, fresh: &Record) -> bool {
-    kept.site == fresh.site
-        && are_like(&kept.errors, &fresh.errors, ROUND_OFF)
-        && are_like(&kept.bars, &fresh.bars, ROUND_OFF)
-}
+pub const ROUND_OFF: f64 = 1e-7;
 
 /// Errors and bars of the numbers that are meant.
 pub fn meant(recorded: &[Record], is_meant: impl Fn(&Record, Kind) -> bool) -> Vec<[f64; 2]> {

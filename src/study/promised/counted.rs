@@ -8,7 +8,7 @@ use crate::accuracy::counted::{Kind, Row};
 use crate::error::Error;
 use crate::study::random::Site;
 use crate::study::random::family::JUDGED;
-use crate::study::records::{Millionths, Survey, are_like};
+use crate::study::records::{Millionths, Survey};
 
 /// The survey.
 pub const SURVEY: Survey<Site, Record> = Survey {
@@ -18,17 +18,10 @@ pub const SURVEY: Survey<Site, Record> = Survey {
     key: Site::key,
     of: |record| record.site.key(),
     run: record,
-    alike: |kept, fresh| {
-        let numbers = |one: &Record| [one.error, one.apart, one.hidden, one.rest].map(Some);
-        kept.row() == fresh.row() && are_like(&numbers(kept), &numbers(fresh), ROUND_OFF)
-    },
-    again: |site| site.number % AGAIN == 1,
 };
 
 /// Scenes of a family: five of each cells, element, and way to end.
-const EACH: usize = 90;
-/// Of so many scenes one is solved again whenever the record is judged.
-const AGAIN: usize = EACH;
+pub const EACH: usize = 90;
 
 const COLUMNS: [&str; 8] = ["family", "number", "kind", "ends_at_candidates", "error", "apart", "hidden", "rest"];
 
