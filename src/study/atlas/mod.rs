@@ -123,23 +123,18 @@ fn predictions(charts: &[&Chart]) -> String {
     markdown::table(&head, &Method::all().into_iter().filter_map(row).collect::<Vec<Vec<String>>>())
 }
 
-/// Elements and iterations: what they are, iterations from every initial stiffness, before and after acceleration.
-fn in_the_paper(findings: &[Found<Numbers>]) -> String {
-    let mut text = "## Elements and iterations on the scenes of the paper\n\n".to_string();
-    text += &picture(
-        "contact-problem.svg",
-        "As Figs 1 and 2: bodies in contact, and contact elements on the potential contact area",
-    );
-    text += &picture("contact-elements.svg", "As Figs 3, 4 and 5: line, layer and node contact element");
-    text += &picture(
+/// Pictures of the paper's elements and iterations.
+const PICTURES: [[&str; 2]; 3] = [
+    ["contact-problem.svg", "As Figs 1 and 2: bodies in contact, and contact elements on the potential contact area"],
+    ["contact-elements.svg", "As Figs 3, 4 and 5: line, layer and node contact element"],
+    [
         "iterations-against-stiffness.svg",
         "As Fig. 11 with all nine formulations, by the iteration error: iterations against initial stiffness, as they stand in the paper and, dash-dotted, accelerated; runs that did not converge are drawn as hollow markers above the chart",
-    );
-    text + &before_and_after(findings)
-}
+    ],
+];
 
 /// Iterations of the paper's formulations, and of what the program takes in their place, on both scenes.
-fn before_and_after(findings: &[Found<Numbers>]) -> String {
+fn in_the_paper(findings: &[Found<Numbers>]) -> String {
     let saved = findings.iter().filter_map(|found| match found.numbers {
         Numbers::Saved(scene, saved) => Some((scene.name(), saved)),
         Numbers::Surveyed(_) => None,
@@ -160,6 +155,7 @@ fn before_and_after(findings: &[Found<Numbers>]) -> String {
     let kinematic = Formulation::accelerated(Element::Line, Iteration::Kinematic).stiffness;
     format!(
         include_str!("iterations.md"),
+        pictures = PICTURES.map(|[file, caption]| picture(file, caption)).concat(),
         tolerance = Settings::default().tolerance,
         table = markdown::table(&head.map(String::from).collect::<Vec<_>>(), &rows),
         stood = STOOD,

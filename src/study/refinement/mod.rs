@@ -99,22 +99,25 @@ impl Study for Numbers {
 
     /// Tables of the nested meshes and of the model error; the quarter; the family.
     fn section(findings: &[Found<Self>]) -> Result<String, Error> {
-        let [mut refinement, mut rings, mut quarter, mut family] = [
-            picture(nested::FILE, "Observed orders of accuracy") + nested::INTRODUCTION,
-            curved::INTRODUCTION.to_owned(),
-            "## Half cylinder against quarter\n\n".to_owned(),
-            format!("## The dimensionless family of the pin–rod\n\n{}\n\n", family::INTRODUCTION),
-        ];
+        let [mut orders, mut rings, mut ratios, mut quarter, mut family] = [const { String::new() }; 5];
         for found in findings {
             match found.numbers {
-                Numbers::Orders(series) => refinement += &nested::table_of_orders(series),
+                Numbers::Orders(series) => orders += &nested::table_of_orders(series),
                 Numbers::Rings(order, found) => rings += &curved::table(*order, found),
-                Numbers::ModelError(ratios) => refinement += &table_of_ratios(ratios),
+                Numbers::ModelError(found) => ratios += &table_of_ratios(found),
                 Numbers::Quarter(changes) => quarter += &table_of_changes(changes),
                 Numbers::Family { curves, .. } => family += &family::table_of_curves(curves),
             }
         }
-        Ok(refinement + &rings + &quarter + &family)
+        Ok(format!(
+            include_str!("page.md"),
+            chart = picture(nested::FILE, "Observed orders of accuracy"),
+            orders = orders,
+            ratios = ratios,
+            rings = rings,
+            quarter = quarter,
+            family = family
+        ))
     }
 
     /// Errors over the mesh size.

@@ -141,11 +141,6 @@ fn below_second_order(series: &Series) -> Vec<Judged> {
     judged.collect()
 }
 
-/// How orders are read.
-pub const INTRODUCTION: &str = "Orders are read between each two successive meshes. Those of a series whose errors do not keep \
-     their sign and fall are withheld, as are those of errors near what no mesh removes. The edge is where the contact ends: its distance \
-     from the nearest node, outwards positive, in elements.\n\n";
-
 /// How far the contact's edge may move within its element from mesh to mesh and still be said to stay \[elements\].
 const STAYS: f64 = 0.1;
 
