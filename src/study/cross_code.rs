@@ -28,8 +28,7 @@ pub fn against(live: Option<Live>) -> Vec<Planned<Numbers>> {
 }
 
 /// A discrete problem in another code: what is judged of it.
-#[derive(Clone, Debug)]
-pub struct Numbers(Vec<Judged>);
+pub type Numbers = Vec<Judged>;
 
 impl Study for Numbers {
     const NAME: &'static str = "cross_code";
@@ -45,7 +44,7 @@ impl Study for Numbers {
     }
 
     fn judge(&self) -> Result<Vec<Judged>, Error> {
-        Ok(self.0.clone())
+        Ok(self.clone())
     }
 
     /// The versions that the frozen answers came from, and who assembles what.
@@ -66,14 +65,14 @@ impl Study for Numbers {
 fn compare(name: &str, order: Order, code: Code, live: Option<Live>) -> Result<Numbers, Error> {
     let twin = Twin::of(name, order)?;
     let (frozen, kept) = frozen_answer(code, &twin)?;
-    let Some(live) = live else { return Ok(Numbers(differences(code, &twin.digest(), &kept))) };
+    let Some(live) = live else { return Ok(differences(code, &twin.digest(), &kept)) };
     let answer = (live.discrete)(code, &twin.problem)?;
     let digest = twin.digest_of_other(&answer);
     let changed = changed_versions(&frozen.versions, &(live.versions)()?);
     let mut judged = vec![reproduced(code.name(), &digest.numbers(), &kept.numbers(), &changed)];
     judged.extend(differences(code, &twin.digest(), &digest));
     judged.extend(twin.in_full(code, &answer));
-    Ok(Numbers(judged))
+    Ok(judged)
 }
 
 /// Ours against another code's, by their digests.
@@ -287,16 +286,7 @@ fn profile(scene: &Scene) -> Result<(&'static str, f64, f64), Error> {
         Profile::Parabola { radius } => Ok(("parabola", radius, 0.0)),
         Profile::Hole { radius, clearance } => Ok(("hole", radius, clearance)),
         Profile::Uniform(_) | Profile::Punch { .. } => Err(not_handed_over(&scene.name, "a uniform gap")),
-        Profile::Drawn
-        | Profile::Bodies(_)
-        | Profile::Table(_)
-        | Profile::Smooth(_)
-        | Profile::Even { .. }
-        | Profile::Powers { .. }
-        | Profile::Wedge { .. }
-        | Profile::Circles { .. }
-        | Profile::Pin { .. }
-        | Profile::Cosine { .. } => Err(not_handed_over(&scene.name, "this rigid profile")),
+        _ => Err(not_handed_over(&scene.name, "this rigid profile")),
     }
 }
 

@@ -195,7 +195,8 @@ fn everything_that_is_drawn_is_in_the_legend() {
 fn no_point_is_both_cheaper_and_as_exact_as_one_of_the_front() {
     let points = Record::read().expect("the committed record").points;
     let own = sound(&points);
-    let (cost, worst): (fn(&Point) -> f64, fn(&Point) -> f64) = (|point| point.seconds, Point::worst);
+    let cost = |point: &Point| point.seconds;
+    let worst = Point::worst;
     let front = front(&own, cost);
     assert!(front.len() > 3);
     let beats = |a: &Point, b: &Point| cost(a) < cost(b) && worst(a) <= worst(b);

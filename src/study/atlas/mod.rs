@@ -142,14 +142,14 @@ fn in_the_paper(findings: &[Found<Numbers>]) -> String {
     let scenes: Vec<(&str, &Vec<Saved>)> = saved.collect();
     let Some((_, first)) = scenes.first() else { return String::new() };
     let head = ["in the paper", "as the program takes it"].into_iter().chain(scenes.iter().map(|(name, _)| *name));
-    let cell = |saved: &Saved| {
-        let [before, after] = saved.iterations.map(|iterations| iterations.map(|count| count.to_string()));
+    let cell = |[(_, before), (_, after)]: &Saved| {
+        let [before, after] = [before, after].map(|iterations| iterations.map(|count| count.to_string()));
         let before = before.unwrap_or_else(|| format!("not converged in {ENOUGH}"));
         format!("{before} → {}", after.unwrap_or_else(|| "not converged".into()))
     };
     let row = |(k, one): (usize, &Saved)| {
         let cells = scenes.iter().map(|(_, saved)| cell(&saved[k]));
-        [one.paper.clone(), one.program.clone()].into_iter().chain(cells).collect()
+        one.each_ref().map(|(name, _)| name.clone()).into_iter().chain(cells).collect()
     };
     let rows: Vec<Vec<String>> = first.iter().enumerate().map(row).collect();
     let kinematic = Formulation::accelerated(Element::Line, Iteration::Kinematic).stiffness;

@@ -38,16 +38,8 @@ pub fn charts<'a>(findings: &[Found<'a, Numbers>]) -> Vec<&'a Chart> {
     chart.collect()
 }
 
-/// A formulation as it stands in the paper, and as the program takes it.
-#[derive(Clone, Debug)]
-pub struct Saved {
-    /// Name of the element and the algorithm.
-    pub paper: String,
-    /// Name of what the program takes.
-    pub program: String,
-    /// Iterations of both; none where it does not converge.
-    pub iterations: [Option<usize>; 2],
-}
+/// A formulation as it stands in the paper, and as the program takes it: names, and iterations; none where it does not converge.
+pub type Saved = [(String, Option<usize>); 2];
 
 /// A spectral radius up to here is 1 to round-off: pressures that no displacement feels stay as they are, and hurt nobody.
 const INDIFFERENT: f64 = 1.0 + 1e-6;
@@ -164,10 +156,11 @@ pub(super) fn saved(scene: Plane) -> Result<Numbers, Error> {
     let pairs = Formulation::nine().into_iter().zip(Formulation::compared());
     let of = |(mut paper, program): (Formulation, Formulation)| {
         paper.settings.max_iterations = ENOUGH;
-        let [before, after] = [&paper, &program].map(|formulation| Run::of(&discretisation, formulation));
-        let (before, after) = (before?, after?);
-        let iterations = [&before, &after].map(|run| run.solution.converged().then_some(run.solution.work.iterations));
-        Ok(Saved { paper: paper.name(), program: program.name(), iterations })
+        let ended = |formulation: &Formulation| {
+            let solution = Run::of(&discretisation, formulation)?.solution;
+            Ok((formulation.name(), solution.converged().then_some(solution.work.iterations)))
+        };
+        Ok([ended(&paper)?, ended(&program)?])
     };
     Ok(Numbers::Saved(scene, pairs.map(of).collect::<Result<_, Error>>()?))
 }
@@ -338,6 +331,6 @@ pub(super) fn taken(scene: &str, saved: &[Saved]) -> Vec<Judged> {
         Quantity::at("formulation that does not converge as the program takes it", scene),
         "acceleration, κ₀ and tolerance are chosen so that all nine do",
     );
-    let failing = saved.iter().filter(|one| one.iterations[1].is_none()).count();
+    let failing = saved.iter().filter(|[_, (_, program)]| program.is_none()).count();
     vec![converging.judge(failing as f64)]
 }
