@@ -250,53 +250,49 @@ pub(super) fn judge(recorded: &[Record]) -> Vec<Judged> {
 /// The share of errors within their bars, an unknown one being outside, of each number of each family on each kind of cells, where it is
 /// smallest.
 pub fn within(recorded: &[Record]) -> Judged {
-    let groups = JUDGED.iter().flat_map(|&family| Kind::ALL.map(|kind| (family, kind, kind.title())));
-    let groups = groups.flat_map(|(family, kind, name)| ORDERS.map(|cells| (family, kind, name, cells)));
-    let shares = groups.filter_map(|(family, kind, name, cells)| {
+    let groups = JUDGED.iter().flat_map(|&family| Kind::ALL.map(|kind| (family, kind)));
+    let groups = groups.flat_map(|(family, kind)| ORDERS.map(|cells| (family, kind, cells)));
+    let groups = groups.map(|(family, kind, cells)| {
         let is_own = |one: &Record, own| one.site.family == family && own == kind && order(one.site.number) == cells;
-        let own = meant(recorded, is_own);
-        let at = || format!("{name}, {}, {}-node cells", family.title(), cells.nodes_per_cell());
-        (!own.is_empty()).then(|| (at(), share_within(&own, 1.0)))
+        let at = format!("{}, {}, {}-node cells", kind.title(), family.title(), cells.nodes_per_cell());
+        (at, meant(recorded, is_own))
     });
     let quantity = "share of the true errors within their bars, where it is smallest";
-    let bound = Reference::analytic("closed forms", SHARE);
-    smallest(
-        shares,
-        quantity,
-        bound,
-        format!(
-            "of each number of each of the first {} families on each kind of cells, an unknown bar being outside",
-            JUDGED.len()
-        ),
-    )
+    let because = format!(
+        "of each number of each of the first {} families on each kind of cells, an unknown bar being outside",
+        JUDGED.len()
+    );
+    smallest(groups, |_| true, quantity, "closed forms", because)
 }
 
 /// The share of errors within the bars that are told, of each number of every family, where it is smallest; none told is no share.
 pub fn told(recorded: &[Record]) -> Judged {
-    let groups = FAMILIES.into_iter().flat_map(|family| Kind::ALL.map(|kind| (family, kind, kind.title())));
-    let shares = groups.filter_map(|(family, kind, name)| {
-        let mut own = meant(recorded, |one, own| one.site.family == family && own == kind);
-        let at = || format!("{name}, {}", family.title());
-        (!own.is_empty()).then(|| {
-            own.retain(|[_, bar]| !bar.is_nan());
-            (at(), share_within(&own, 1.0))
-        })
+    let groups = FAMILIES.into_iter().flat_map(|family| Kind::ALL.map(|kind| (family, kind)));
+    let groups = groups.map(|(family, kind)| {
+        let own = meant(recorded, |one, own| one.site.family == family && own == kind);
+        (format!("{}, {}", kind.title(), family.title()), own)
     });
     let quantity = "share of the true errors within the bars that are told, where it is smallest";
-    let bound = Reference::analytic("closed forms and boundary methods", SHARE);
-    smallest(shares, quantity, bound, "of each number of every family, on both kinds of cells together")
+    let because = "of each number of every family, on both kinds of cells together";
+    smallest(groups, |[_, bar]| !bar.is_nan(), quantity, "closed forms and boundary methods", because)
 }
 
-/// The smallest of some shares, which shall not be below a bound; one that is no number is the smallest.
+/// The smallest share within their bars of the errors that count, which shall not be below [`SHARE`], of groups that are not empty; one
+/// that is no number is the smallest.
 fn smallest(
-    shares: impl Iterator<Item = (String, f64)>,
+    groups: impl Iterator<Item = (String, Vec<[f64; 2]>)>,
+    counts: fn(&[f64; 2]) -> bool,
     quantity: &'static str,
-    bound: Reference,
+    truth: &str,
     because: impl Into<Cow<'static, str>>,
 ) -> Judged {
+    let shares = groups.filter(|(_, own)| !own.is_empty()).map(|(at, mut own)| {
+        own.retain(counts);
+        (at, share_within(&own, 1.0))
+    });
     let least = shares.reduce(|a, b| if b.1 < a.1 || b.1.is_nan() { b } else { a });
     let (at, share) = least.unwrap_or((String::new(), f64::NAN));
-    Check::at_least(case::Quantity::at(quantity, at), bound, because).judge(share)
+    Check::at_least(case::Quantity::at(quantity, at), Reference::analytic(truth, SHARE), because).judge(share)
 }
 
 /// Errors far outside the bars that are known.
