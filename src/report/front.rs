@@ -251,8 +251,7 @@ fn paper_statements(findings: &[Finding]) -> String {
     };
     let words = counted(judged.iter().map(|one| one.judgement.word()));
     let words: Vec<String> = words.iter().map(|(word, count)| format!("{count} {word}")).collect();
-    let together =
-        findings.iter().find_map(|finding| Some(paper::together(&finding.numbers::<paper::Numbers>()?.courses)));
+    let together = findings.iter().find_map(|finding| Some(paper::together(finding.numbers::<paper::Numbers>()?)));
     format!(
         "{} Of {} statements: {}. {}.\n\n{}",
         together.unwrap_or_default(),

@@ -23,7 +23,7 @@ pub const CASES: [&str; 4] = [refinement::QUARTER, cylinder::NINE, pin_rod::NINE
 pub fn judge(findings: &[Finding]) -> Vec<Statement> {
     let sentences = findings.iter().filter_map(|finding| {
         let numbers: &paper::Numbers = finding.numbers()?;
-        Some(Sentence::ALL.into_iter().zip(statement::statements(&numbers.courses)))
+        Some(Sentence::ALL.into_iter().zip(statement::statements(numbers)))
     });
     let others = [top_quarter(findings), condensation_pays(findings), gaertner(findings)];
     let with_others = |(sentence, one): (Sentence, Statement)| match sentence {

@@ -131,21 +131,20 @@ impl Study for Numbers {
         let nine = |case: &str| -> Vec<&Run> {
             findings.iter().filter(|found| found.case == case).map(|found| &found.numbers.run).collect()
         };
-        let [on_cylinder, on_pin] = [nine(cylinder::NINE), nine(pin_rod::NINE)];
+        let [of_cylinder, of_pin] = [nine(cylinder::NINE), nine(pin_rod::NINE)];
+        let [few_of_cylinder, few_of_pin] =
+            [&of_cylinder, &of_pin].map(|runs| those(runs, |run| run.formulation.is_in_the_paper()));
+        let figure_10 = on_cylinder("Fig. 10: exact and approximate solutions on the cylinder", &few_of_cylinder);
+        let mut figure_14 = on_pin("Fig. 14: pressure on the pin", &few_of_pin);
+        figure_14.notes.push(WITHOUT_GAERTNER.into());
         Ok(vec![
             ("scene-cylinder.svg".into(), cylinder_scheme()),
             ("scene-pin-rod.svg".into(), pin_rod_scheme()),
-            ("figure-10.svg".into(), figure_10(&on_cylinder).drawing()),
-            ("pressure-cylinder.svg".into(), all_on_cylinder(&on_cylinder)),
-            ("figure-14.svg".into(), figure_14(&on_pin).drawing()),
-            ("pressure-pin-rod.svg".into(), all_on_pin(&on_pin)),
+            ("figure-10.svg".into(), figure_10.drawing()),
+            ("pressure-cylinder.svg".into(), all_on_cylinder(&of_cylinder)),
+            ("figure-14.svg".into(), figure_14.drawing()),
+            ("pressure-pin-rod.svg".into(), all_on_pin(&of_pin)),
         ])
-    }
-}
-
-impl std::fmt::Debug for Numbers {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("Numbers").field("case", &self.case.name).field("run", &self.run).finish_non_exhaustive()
     }
 }
 
@@ -298,57 +297,41 @@ fn pin_rod_scheme() -> Drawing {
     schematic("pin-rod", include_str!("cases/pin-rod.svg"), &shown)
 }
 
-/// Edge means of the pressure; runs that did not converge stand hollow at the frame.
-fn curves(runs: &[&Run], place: f64, scale: f64) -> Vec<Series> {
-    let curve = |run: &&&Run| {
-        let points = run.solution.edges.iter().map(|edge| (edge.position() * place, edge.pressure / scale));
-        let points = points.filter(|_| run.solution.converged());
-        Series { hollow: failed(&[run]), ..Series::new(label(&run.formulation), points, style(&run.formulation)) }
+/// A curve a run over the middles of its edges; one that did not converge stands hollow at the frame.
+fn curves(runs: &[&Run], place: f64, of: &dyn Fn(usize, &EdgeState) -> f64) -> Vec<Series> {
+    let curve = |run: &&Run| {
+        let (converged, edges) = (run.solution.converged(), run.solution.edges.iter().enumerate());
+        let points = edges.map(|(k, edge)| (edge.position() * place, of(k, edge))).filter(|_| converged);
+        let hollow = if converged { vec![] } else { vec![0.0] };
+        Series { hollow, ..Series::new(label(&run.formulation), points, style(&run.formulation)) }
     };
-    runs.iter().map(|run| curve(&run)).collect()
+    runs.iter().map(curve).collect()
 }
 
-/// The runs of the formulations that the paper shows.
-fn of_paper<'a>(runs: &[&'a Run]) -> Vec<&'a Run> {
-    runs.iter().copied().filter(|run| run.formulation.is_in_the_paper()).collect()
+fn those<'a>(runs: &[&'a Run], are: fn(&Run) -> bool) -> Vec<&'a Run> {
+    runs.iter().copied().filter(|run| are(run)).collect()
 }
 
-/// Hertz's pressure over p₀ along x/a.
-fn hertz() -> Series {
+/// Pressure over p₀ along x/a on the cylinder, and Hertz's.
+fn on_cylinder(title: &str, runs: &[&Run]) -> Chart {
     let problem = Cylinder::default().case();
     let ReferenceValues { length: a, pressure: p0, .. } = problem.scene.reference;
-    let places = (0..=INTERVALS).map(|k| END * k as f64 / INTERVALS as f64);
-    let points = places.map(|x| (x, problem.reference_pressure(0, x * a) / p0));
-    Series::new("Hertz", points, Style::reference())
-}
-
-/// Pressure on the cylinder, its axes.
-fn on_cylinder(title: &str) -> Chart {
     let place = Axis::linear("place over half-width x / a [–]").over(0.0, END);
-    Chart::new(title, place, Axis::linear("pressure p / p₀ [–]").over(0.0, 1.1))
-}
-
-/// Pressure against angle on the pin, its axes.
-fn on_pin(title: &str) -> Chart {
-    let angle = Axis::linear("θ from the load line [°]").over(0.0, PinRod::default().stretch.to_degrees());
-    Chart::new(title, angle, Axis::linear("pressure R t p / F [–]").over(0.0, 0.9))
-}
-
-/// Pressure on the cylinder against Hertz.
-fn figure_10(runs: &[&Run]) -> Chart {
-    let ReferenceValues { length: a, pressure: p0, .. } = Cylinder::default().case().scene.reference;
-    let mut chart = on_cylinder("Fig. 10: exact and approximate solutions on the cylinder");
-    chart.series = curves(&of_paper(runs), 1.0 / a, p0);
-    chart.series.push(hertz());
+    let mut chart = Chart::new(title, place, Axis::linear("pressure p / p₀ [–]").over(0.0, 1.1));
+    chart.series = curves(runs, 1.0 / a, &|_, edge| edge.pressure / p0);
+    let places = (0..=INTERVALS).map(|k| END * k as f64 / INTERVALS as f64);
+    let exact = places.map(|x| (x, problem.reference_pressure(0, x * a) / p0));
+    chart.series.push(Series::new("Hertz", exact, Style::reference()));
     chart
 }
 
 /// Pressure against angle on the pin.
-fn figure_14(runs: &[&Run]) -> Chart {
+fn on_pin(title: &str, runs: &[&Run]) -> Chart {
     let scene = PinRod::default().case().scene;
-    let mut chart = on_pin("Fig. 14: pressure on the pin");
-    chart.series = curves(&of_paper(runs), display_factor(&scene.contact().path), scene.reference.pressure);
-    chart.notes.push(WITHOUT_GAERTNER.into());
+    let angle = Axis::linear("θ from the load line [°]").over(0.0, PinRod::default().stretch.to_degrees());
+    let mut chart = Chart::new(title, angle, Axis::linear("pressure R t p / F [–]").over(0.0, 0.9));
+    let (degrees, scale) = (display_factor(&scene.contact().path), scene.reference.pressure);
+    chart.series = curves(runs, degrees, &|_, edge| edge.pressure / scale);
     chart
 }
 
@@ -362,45 +345,27 @@ fn all_on_cylinder(runs: &[&Run]) -> Drawing {
         let part = |k: usize| edge.position() / a + half * (2.0 * (k as f64 + 0.5) / PARTS as f64 - 1.0);
         (0..PARTS).map(|k| exact(part(k))).sum::<f64>() / PARTS as f64
     };
-    let mut pressure = on_cylinder("Pressure");
-    pressure.series = curves(runs, 1.0 / a, p0);
-    pressure.series.push(hertz());
-    let place = Axis::linear("place over half-width x / a [–]").over(0.0, END);
-    let mut difference = Chart::new("Difference to Hertz", place, Axis::linear("(p − p_Hertz) / p₀ [%]"));
-    difference.series = differences(runs, 1.0 / a, &|_, edge| 100.0 * (edge.pressure / p0 - mean(edge)));
+    let pressure = on_cylinder("Pressure", runs);
+    let axis = Axis::linear("(p − p_Hertz) / p₀ [%]");
+    let mut difference = Chart::new("Difference to Hertz", pressure.x.clone(), axis);
+    let converged = those(runs, |run| run.solution.converged());
+    difference.series = curves(&converged, 1.0 / a, &|_, edge| 100.0 * (edge.pressure / p0 - mean(edge)));
     panels("Cylinder on a rigid plane: all nine formulations", &[pressure, difference], 2)
 }
 
 /// All nine on the pin against the formulation that verification uses: there is no closed form.
 fn all_on_pin(runs: &[&Run]) -> Drawing {
-    let scene = PinRod::default().case().scene;
-    let (degrees, scale) = (display_factor(&scene.contact().path), scene.reference.pressure);
     let own = Formulation::verification();
     let is_own = |run: &&&Run| (run.formulation.element, run.formulation.algorithm) == (own.element, own.algorithm);
     let edges = runs.iter().find(is_own).map(|run| run.solution.edges.as_slice()).unwrap_or_default();
-    let mut pressure = on_pin("Pressure");
-    pressure.series = curves(runs, degrees, scale);
-    let angle = Axis::linear("θ from the load line [°]").over(0.0, PinRod::default().stretch.to_degrees());
+    let pressure = on_pin("Pressure", runs);
     let axis = Axis::linear("difference of R t p / F [% of its largest]");
-    let mut difference = Chart::new(&format!("Difference to {}", label(&own)), angle, axis);
+    let mut difference = Chart::new(&format!("Difference to {}", label(&own)), pressure.x.clone(), axis);
     let largest = edges.iter().map(|edge| edge.pressure).fold(f64::NAN, f64::max);
     let to_own = |k: usize, edge: &EdgeState| {
         edges.get(k).map_or(f64::NAN, |own| 100.0 * (edge.pressure - own.pressure) / largest)
     };
-    difference.series = differences(runs, degrees, &to_own);
+    let degrees = display_factor(&PinRod::default().scene().contact().path);
+    difference.series = curves(&those(runs, |run| run.solution.converged()), degrees, &to_own);
     panels("Pin in a connecting-rod eye: all nine formulations", &[pressure, difference], 2)
-}
-
-/// What the edges of every run that converged differ by, with their number.
-fn differences(runs: &[&Run], place: f64, of: &dyn Fn(usize, &EdgeState) -> f64) -> Vec<Series> {
-    let curve = |run: &&&Run| {
-        let points = run.solution.edges.iter().enumerate().map(|(k, edge)| (edge.position() * place, of(k, edge)));
-        Series::new(label(&run.formulation), points, style(&run.formulation))
-    };
-    runs.iter().filter(|run| run.solution.converged()).map(|run| curve(&run)).collect()
-}
-
-/// A hollow sign for each run that did not converge.
-fn failed(runs: &[&Run]) -> Vec<f64> {
-    runs.iter().filter(|run| !run.solution.converged()).map(|_| 0.0).collect()
 }

@@ -4,31 +4,31 @@
 use crate::algorithm::StiffnessRule;
 use crate::case::{Check, Judged, Quantity, Reference, library};
 use crate::contact::Quadrature;
-use crate::elasticity::Dofs;
+use crate::elasticity::{BodySystem, Dofs};
 use crate::error::Error;
-use crate::mesh::{Order, Resolution, candidates};
+use crate::mesh::{BodyMesh, Order, Resolution, candidates};
 use crate::oracle::ReferenceKind;
 use crate::oracle::cross_code::frozen::{Digest, Frozen, REFREEZE, changed_versions, file};
+use crate::oracle::cross_code::live::Live;
 use crate::oracle::cross_code::{Code, DiscreteAnswer, DiscreteProblem, SET_UP};
 use crate::scene::{Action, Load, Path, Profile, Scene};
 use crate::solve::{Discretisation, Element, Formulation, Iteration};
 use crate::study::about::{About, Found, Planned, Study};
-use crate::study::differences::{Answers, relative_difference, reproduced, worst_difference};
+use crate::study::differences::{relative_difference, reproduced, suffix, worst_difference};
 
 /// All trials, against answers that are frozen, or of the codes themselves.
-pub fn against(answers: Answers) -> Vec<Planned<Numbers>> {
+pub fn against(live: Option<Live>) -> Vec<Planned<Numbers>> {
     let of_both = |(name, order): (&'static str, Order)| {
         Code::ALL.map(|code| {
-            let title = format!("{name}, {}-node, {}{}", order.nodes_per_cell(), code.name(), answers.suffix());
-            Planned::new("same discrete problem", title, move || compare(name, order, code, answers))
+            let title = format!("{name}, {}-node, {}{}", order.nodes_per_cell(), code.name(), suffix(live));
+            Planned::new("same discrete problem", title, move || compare(name, order, code, live))
         })
     };
     problems().into_iter().flat_map(of_both).collect()
 }
 
 /// A discrete problem in another code: what is judged of it.
-#[derive(Clone, Debug)]
-pub struct Numbers(Vec<Judged>);
+pub type Numbers = Vec<Judged>;
 
 impl Study for Numbers {
     const NAME: &'static str = "cross_code";
@@ -40,11 +40,11 @@ impl Study for Numbers {
 
     /// All trials, against frozen answers.
     fn plan() -> Vec<Planned<Self>> {
-        against(Answers::Frozen)
+        against(None)
     }
 
     fn judge(&self) -> Result<Vec<Judged>, Error> {
-        Ok(self.0.clone())
+        Ok(self.clone())
     }
 
     /// The versions that the frozen answers came from, and who assembles what.
@@ -62,13 +62,17 @@ impl Study for Numbers {
 }
 
 /// A scene and order in another code: whether it finds what was frozen where it is asked now, and the same as we.
-fn compare(name: &str, order: Order, code: Code, answers: Answers) -> Result<Numbers, Error> {
+fn compare(name: &str, order: Order, code: Code, live: Option<Live>) -> Result<Numbers, Error> {
     let twin = Twin::of(name, order)?;
-    let (digest, live) = answered(answers, code, &twin)?;
-    let mut judged: Vec<Judged> = live.iter().map(|(_, reproduced)| reproduced.clone()).collect();
+    let (frozen, kept) = frozen_answer(code, &twin)?;
+    let Some(live) = live else { return Ok(differences(code, &twin.digest(), &kept)) };
+    let answer = (live.discrete)(code, &twin.problem)?;
+    let digest = twin.digest_of_other(&answer);
+    let changed = changed_versions(&frozen.versions, &(live.versions)()?);
+    let mut judged = vec![reproduced(code.name(), &digest.numbers(), &kept.numbers(), &changed)];
     judged.extend(differences(code, &twin.digest(), &digest));
-    judged.extend(live.iter().flat_map(|(answer, _)| twin.in_full(code, answer)));
-    Ok(Numbers(judged))
+    judged.extend(twin.in_full(code, &answer));
+    Ok(judged)
 }
 
 /// Ours against another code's, by their digests.
@@ -87,10 +91,8 @@ pub fn differences(code: Code, ours: &Digest, theirs: &Digest) -> Vec<Judged> {
     all
 }
 
-/// A code's answer to our discrete problem: in short, in full where it was asked, and whether that is what was frozen.
-type Answered = (Digest, Option<(DiscreteAnswer, Judged)>);
-
-fn answered(answers: Answers, code: Code, twin: &Twin) -> Result<Answered, Error> {
+/// A code's frozen answers, and of them that to our discrete problem; refused where it is of another mesh.
+fn frozen_answer(code: Code, twin: &Twin) -> Result<(Frozen, Digest), Error> {
     let name = &twin.problem.name;
     let frozen = Frozen::read(code)?;
     let absent = || Error::missing_key(&file(code), name, "the frozen results", REFREEZE);
@@ -100,16 +102,7 @@ fn answered(answers: Answers, code: Code, twin: &Twin) -> Result<Answered, Error
         let found = format!("of a mesh with {} nodes, but ours has {nodes}", kept.nodes);
         return Err(Error::refused(&file(code), name, found, REFREEZE));
     }
-    match answers {
-        Answers::Frozen => Ok((kept, None)),
-        Answers::Live(live) => {
-            let answer = (live.discrete)(code, &twin.problem)?;
-            let digest = twin.digest_of_other(&answer);
-            let changed = changed_versions(&frozen.versions, &(live.versions)()?);
-            let reproduced = reproduced(code.name(), &digest.numbers(), &kept.numbers(), &changed);
-            Ok((digest, Some((answer, reproduced))))
-        }
-    }
+    Ok((frozen, kept))
 }
 
 /// Scenes and elements per half-width, or per 10 mm of arc.
@@ -194,8 +187,7 @@ impl Twin {
     /// `Tᵀ f` of nodal forces: their components along our unknowns.
     pub fn along_unknowns(&self, force: &[f64]) -> Vec<f64> {
         let (system, mesh) = (&self.discretisation.system, &self.discretisation.mesh);
-        let of_body = |(body, part): (_, &crate::mesh::BodyMesh)| {
-            let body: &crate::elasticity::BodySystem = body;
+        let of_body = |(body, part): (&BodySystem, &BodyMesh)| {
             let mut out = vec![0.0; body.force.len()];
             for node in part.nodes.clone() {
                 body.dofs.add_force(node, [force[2 * node], force[2 * node + 1]], &mut out);
@@ -294,16 +286,7 @@ fn profile(scene: &Scene) -> Result<(&'static str, f64, f64), Error> {
         Profile::Parabola { radius } => Ok(("parabola", radius, 0.0)),
         Profile::Hole { radius, clearance } => Ok(("hole", radius, clearance)),
         Profile::Uniform(_) | Profile::Punch { .. } => Err(not_handed_over(&scene.name, "a uniform gap")),
-        Profile::Drawn
-        | Profile::Bodies(_)
-        | Profile::Table(_)
-        | Profile::Smooth(_)
-        | Profile::Even { .. }
-        | Profile::Powers { .. }
-        | Profile::Wedge { .. }
-        | Profile::Circles { .. }
-        | Profile::Pin { .. }
-        | Profile::Cosine { .. } => Err(not_handed_over(&scene.name, "this rigid profile")),
+        _ => Err(not_handed_over(&scene.name, "this rigid profile")),
     }
 }
 

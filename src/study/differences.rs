@@ -1,12 +1,13 @@
-//! What is compared of runs, where other codes' answers come from, and how far two answers are apart; NaN, which no check passes, where they
-//! cannot be compared.
+//! What is compared of runs, and how far two answers are apart; NaN, which no check passes, where they cannot be compared. Answers of other
+//! codes are read from `oracles/frozen`, for which Rust alone suffices; live ones are asked now, and held against the frozen ones as well.
 
 use crate::case::{Check, Judged, Quantity, Reference};
+use crate::measure::order::richardson;
 use crate::measure::{larger, relative_error};
 use crate::oracle::ReferenceKind;
-use crate::oracle::cross_code::Code;
 use crate::oracle::cross_code::frozen::{Frozen, changed_versions};
 use crate::oracle::cross_code::live::Live;
+use crate::oracle::cross_code::{Code, PhysicalAnswer};
 use crate::solve::Run;
 
 /// Peak pressure and second-moment width of a run; NaN, which no check passes, where it did not converge.
@@ -19,6 +20,13 @@ pub fn peak_and_width(run: &Run) -> [f64; 2] {
 pub fn errors(run: &Run, truth: [f64; 2]) -> [f64; 2] {
     let found = peak_and_width(run);
     [0, 1].map(|k| relative_error(found[k], truth[k]))
+}
+
+/// A number on the finest of three meshes, coarse to fine, with its standard uncertainty by Richardson; none on other series.
+pub fn on_finest(series: &[PhysicalAnswer], of: fn(&PhysicalAnswer) -> f64) -> Option<[f64; 2]> {
+    let [coarse, medium, fine] = series else { return None };
+    let values = [coarse, medium, fine].map(of);
+    Some([values[2], richardson(values).uncertainty()])
 }
 
 /// Numbers in groups of one unit and scale.
@@ -71,23 +79,9 @@ pub fn changes(code: Code, old: &Frozen, new: &Frozen) -> Vec<String> {
 /// Relative difference from the frozen answer that a live one may have.
 const REPRODUCED: f64 = 1e-6;
 
-/// Frozen or live.
-#[derive(Clone, Copy, Debug)]
-pub enum Answers {
-    /// Read from `oracles/frozen`; Rust alone suffices.
-    Frozen,
-    /// Asked now, and held against the frozen ones as well.
-    Live(Live),
-}
-
-impl Answers {
-    /// What tells the trials apart: nothing for frozen answers, which the page shows.
-    pub fn suffix(self) -> &'static str {
-        match self {
-            Self::Frozen => "",
-            Self::Live(_) => ", live",
-        }
-    }
+/// What tells trials of live answers from those of frozen ones, which the page shows.
+pub fn suffix(live: Option<Live>) -> &'static str {
+    live.map_or("", |_| ", live")
 }
 
 /// A live answer is what was frozen; the versions that changed since are named.

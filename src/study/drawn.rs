@@ -7,7 +7,7 @@ use crate::drawing::{self, Drawing, Mark};
 use crate::elasticity::loads;
 use crate::error::Error;
 use crate::mesh::Candidate;
-use crate::scene::{Load, Place, Support};
+use crate::scene::{Component, Load, Place, Support};
 use crate::solve::{Discretisation, Formulation, Iteration, Settings};
 
 /// The SVG of a figure.
@@ -48,6 +48,7 @@ pub const WITHOUT_GAERTNER: &str =
 pub fn marks(discretisation: &Discretisation) -> Result<Vec<Mark>, Error> {
     let Discretisation { scene, mesh, .. } = discretisation;
     let mut marks = Vec::new();
+    let along = |component: Component, sign: f64| if component.index() == 0 { (sign, 0.0) } else { (0.0, sign) };
     for (index, (body, part)) in scene.bodies.iter().zip(&mesh.bodies).enumerate() {
         let count = part.nodes.len() as f64;
         let middle = [0, 1].map(|k| part.nodes.clone().map(|node| mesh.points[node][k]).sum::<f64>() / count);
@@ -55,12 +56,9 @@ pub fn marks(discretisation: &Discretisation) -> Result<Vec<Mark>, Error> {
             let k = component.index();
             for node in mesh.nodes_at(scene, index, at)? {
                 let side = if mesh.points[node][k] < middle[k] { -1.0 } else { 1.0 };
-                let along = |sign: f64| if k == 0 { (sign, 0.0) } else { (0.0, sign) };
-                let is_fixed = value.abs() <= 0.0;
-                marks.push(if is_fixed {
-                    Mark::Fixed(node, along(side))
-                } else {
-                    Mark::Pushed(node, along(value.signum()))
+                marks.push(match value.abs() > 0.0 {
+                    true => Mark::Pushed(node, along(*component, value.signum())),
+                    false => Mark::Fixed(node, along(*component, side)),
                 });
             }
         }
@@ -82,8 +80,7 @@ pub fn marks(discretisation: &Discretisation) -> Result<Vec<Mark>, Error> {
         }
         for load in &body.loads {
             if let Load::RigidFace { boundary, component, force } = load {
-                let sign = force.signum();
-                let along = if component.index() == 0 { (sign, 0.0) } else { (0.0, sign) };
+                let along = along(*component, force.signum());
                 let nodes = mesh.nodes_at(scene, index, &Place::Boundary(boundary.clone()))?;
                 marks.extend(nodes.into_iter().map(|node| Mark::Pushed(node, along)));
             }

@@ -115,24 +115,14 @@ pub struct Mesh {
     pub exact: bool,
 }
 
-/// The block and its candidates under a load of another half-width than they are drawn for.
-pub fn under(factor: f64) -> TruncatedHertz {
-    let drawn = TruncatedHertz::default();
-    TruncatedHertz {
-        a_over_r: factor * drawn.a_over_r,
-        size: drawn.size / factor,
-        stretch: drawn.stretch / factor,
-        ..drawn
-    }
-}
-
 fn numbers() -> Result<Numbers, Error> {
     let asked = ASKED.map(|(digits, ..)| Fitted::of_digits(digits));
     let on_all = |drawn: Drawn| -> Result<Vec<Mesh>, Error> {
         OTHERS.into_iter().chain(asked).map(|fitted| worst(fitted, drawn)).collect()
     };
     let plane = |factor: f64| {
-        let (drawn, hertz) = (under(factor), under(factor).closed_form());
+        let drawn = TruncatedHertz::default().under(factor);
+        let hertz = drawn.closed_form();
         (drawn.scene(), [hertz.peak_pressure(), hertz.half_width()])
     };
     let of_revolution = |factor: f64| {

@@ -9,7 +9,7 @@
 //! * [`random`] — random scenes of closed form.
 //! * [`records`] — recorded surveys.
 //! * [`seconds`] — on what seconds were measured, and their quantiles.
-//! * [`differences`] — where other codes' answers come from, and how far two of them are apart.
+//! * [`differences`] — how far answers of other codes are apart.
 
 pub mod about;
 pub mod atlas;
@@ -45,7 +45,6 @@ use crate::case::judged::{Judged, Verdict, worst};
 use crate::error::Error;
 use crate::oracle::cross_code::live::Live;
 use about::{About, complete};
-use differences::Answers;
 
 pub use about::{Found, Planned, Study};
 
@@ -155,8 +154,8 @@ pub fn on_bars(findings: &[Finding]) -> Result<Finding, Error> {
 
 /// Trials that ask the other codes themselves.
 pub fn live(live: Live) -> Vec<Trial> {
-    let twins = cross_code::against(Answers::Live(live)).into_iter().map(judged);
-    twins.chain(independent::run::against(Answers::Live(live)).into_iter().map(judged)).collect()
+    let twins = cross_code::against(Some(live)).into_iter().map(judged);
+    twins.chain(independent::run::against(Some(live)).into_iter().map(judged)).collect()
 }
 
 /// A trial of a study among those of all, judged.

@@ -1,6 +1,5 @@
-//! Recorded surveys: sites that are run one by one, the lines that each leaves in a CSV file, and the part of them that is run again.
+//! Recorded surveys: sites that are run one by one, and the lines that each leaves in a CSV file.
 
-use std::collections::BTreeMap;
 use std::fmt;
 use std::path::{Path, PathBuf};
 
@@ -10,8 +9,9 @@ use serde::{Deserialize, Serialize};
 
 use crate::checkout::{root, sha256};
 use crate::error::Error;
+use crate::study::grouped::sorted;
 
-/// A recorded survey: what is run, what is kept of it, and what of that the tests run again.
+/// A recorded survey: what is run, and what is kept of it.
 pub struct Survey<S, R> {
     /// Name of its command, and of its record under `snapshots`.
     pub name: &'static str,
@@ -25,10 +25,6 @@ pub struct Survey<S, R> {
     pub of: fn(&R) -> String,
     /// Runs a site.
     pub run: fn(&S) -> Result<Vec<R>, Error>,
-    /// Whether a fresh line is the recorded one.
-    pub alike: fn(&R, &R) -> bool,
-    /// Whether a site is run again.
-    pub again: fn(&S) -> bool,
 }
 
 impl<S: Sync + Send, R: Serialize + DeserializeOwned + Clone + Sync + Send> Survey<S, R> {
@@ -44,28 +40,6 @@ impl<S: Sync + Send, R: Serialize + DeserializeOwned + Clone + Sync + Send> Surv
         read(&self.file(), &(self.head)(), &renew)
     }
 
-    /// Runs the chosen part again: how many lines that are, and how many of them are not as recorded.
-    pub fn recomputed(&self) -> Result<[usize; 2], Error> {
-        let again: Vec<S> = (self.sites)()?.into_iter().filter(self.again).collect();
-        let run = |site: &S| Ok(((self.key)(site), (self.run)(site)?));
-        let fresh = again.par_iter().map(run).collect::<Result<Vec<_>, Error>>()?;
-        Ok(self.compared(&self.read()?, &fresh))
-    }
-
-    /// A record held against sites run again, each by its name with its lines, in the order of the record: lines, and those that moved.
-    pub fn compared(&self, recorded: &[R], fresh: &[(String, Vec<R>)]) -> [usize; 2] {
-        let mut of_site: BTreeMap<String, Vec<&R>> = BTreeMap::new();
-        recorded.iter().for_each(|line| of_site.entry((self.of)(line)).or_default().push(line));
-        let (mut again, mut moved) = (0, 0);
-        for (site, fresh) in fresh {
-            let kept = of_site.get(site).map_or(&[][..], Vec::as_slice);
-            again += fresh.len().max(kept.len());
-            moved += fresh.len().abs_diff(kept.len());
-            moved += kept.iter().zip(fresh).filter(|(kept, fresh)| !(self.alike)(kept, fresh)).count();
-        }
-        [again, moved]
-    }
-
     /// The sentence that says how a record is renewed, and what is done that it stays so.
     pub fn told(&self, recorded: &[R]) -> String {
         let (name, all) = (self.name, recorded.len());
@@ -76,8 +50,7 @@ impl<S: Sync + Send, R: Serialize + DeserializeOwned + Clone + Sync + Send> Surv
 
     /// Puts the lines of the record into the folder of unfinished sites, which are then not run.
     pub fn keep(&self, unfinished: &Path) -> Result<(), Error> {
-        let mut of_site: BTreeMap<String, Vec<R>> = BTreeMap::new();
-        self.read()?.into_iter().for_each(|line| of_site.entry((self.of)(&line)).or_default().push(line));
+        let of_site = sorted(self.read()?.into_iter().map(|line| ((self.of)(&line), line)));
         let head = (self.head)();
         of_site.iter().try_for_each(|(site, lines)| write(&unfinished.join(format!("{site}.csv")), &head, lines))
     }

@@ -12,7 +12,6 @@ use crate::case::{self, Case, Check, Judged, Reference};
 use crate::error::Error;
 use crate::markdown::{self, significant, to_bound};
 use crate::measure::Quantity;
-use crate::measure::order::richardson;
 use crate::mesh::Resolution;
 use crate::oracle::cross_code::PhysicalAnswer;
 use crate::oracle::cross_code::high::High;
@@ -22,21 +21,15 @@ use crate::scene::{ContactPair, Scene};
 use crate::solve::{Discretisation, Formulation, Run};
 use crate::study::about::{About, Found, Planned, Study};
 use crate::study::described;
+use crate::study::differences::on_finest;
 use crate::study::sheet::{FoundBy, Other, SHEETS, Sheet, Value, bounded, definition};
 
-/// Cases of the library with an answer, beside the cylinder with a contact twice as wide.
-const NAMED: [&str; 3] = ["cylinder", "pin-rod", "pin-plate"];
+/// Scenes with an answer: cases of the library, and its cylinder with a contact twice as wide.
+const NAMED: [&str; 4] = ["cylinder", "pin-rod", "pin-plate", WIDE];
+const WIDE: &str = "cylinder, a/R = 0.1";
 
 /// Halvings of the case's own mesh of 8-node cells.
 const REFINEMENT: u32 = 1;
-
-/// Cases that other codes solve too, by the names of the frozen scenes.
-const SHARED: [(&str, &str); 4] = [
-    ("cylinder", "cylinder, a/R = 0.05"),
-    ("truncated-hertz", "truncated Hertz"),
-    ("pin-rod", "pin-rod"),
-    ("pin-plate", "pin in plate"),
-];
 
 /// Cases of bodies of revolution that other codes have solved.
 const AROUND: [&str; 2] = ["sphere", "truncated-sphere"];
@@ -67,21 +60,18 @@ impl Study for Numbers {
 
     /// A trial an answer, and a case of the library.
     fn plan() -> Vec<Planned<Self>> {
-        let wide = Cylinder { a_over_r: 0.1, ..Cylinder::default() }.case().named("cylinder, a/R = 0.1");
-        let named = NAMED.iter().map(|name| find(name, None)).chain([Ok(wide)]);
         let shared = NAMES.map(|(name, _)| (name, Shared::default()));
         let of =
             |name: &str| shared.iter().find(|(own, _)| *own == name).map_or_else(Shared::default, |own| own.1.clone());
-        let answer = |(name, case): (&'static str, Result<Case, Error>)| {
+        let answers = NAMED.map(|name| {
             let found = of(name);
-            Planned::new("reference answers", name, move || answer(name, case.as_ref().map_err(Clone::clone)?, &found))
-        };
-        let answers = NAMED.into_iter().chain(["cylinder, a/R = 0.1"]).zip(named).map(answer);
+            Planned::new("reference answers", name, move || answer(name, &found))
+        });
         let sheets = NAMES.map(|(name, _)| {
             let found = of(name);
             Planned::new("benchmark sheets", name, move || solve_once(name, &found).map(Numbers::Sheet))
         });
-        answers.chain(sheets).collect()
+        answers.into_iter().chain(sheets).collect()
     }
 
     /// The checks: answers are known to five digits; values of a sheet are met by the codes that solved the case, but for those that its
@@ -101,19 +91,7 @@ impl Study for Numbers {
     /// A table an answer, and the list of the sheets.
     fn section(findings: &[Found<Self>]) -> Result<String, Error> {
         let [(answer, answer_cells), (order, _), (layers, _), (_, other_cells)] = MESHES;
-        let mut answers = format!(
-            include_str!("references.md"),
-            order = answer.order.number(),
-            cells = answer_cells,
-            layers = answer.layers,
-            other_order = order.order.number(),
-            fewer_layers = layers.layers,
-            other_cells = other_cells
-        );
-        let mut sheets = String::from(
-            "\n## Benchmark sheets\n\nA page a case of the library: geometry, material, loads, supports, equations, reference values with what \
-             they may be off, sources, and which codes agree. Everything somebody with another code needs to run it.\n\n",
-        );
+        let [mut answers, mut sheets] = [const { String::new() }; 2];
         for found in findings {
             match found.numbers {
                 Numbers::Answer { dofs, known } => {
@@ -124,7 +102,17 @@ impl Study for Numbers {
                 }
             }
         }
-        Ok(answers + &sheets + "\n")
+        Ok(format!(
+            include_str!("references.md"),
+            order = answer.order.number(),
+            cells = answer_cells,
+            layers = answer.layers,
+            other_order = order.order.number(),
+            fewer_layers = layers.layers,
+            other_cells = other_cells,
+            answers = answers,
+            sheets = sheets
+        ))
     }
 }
 
@@ -161,9 +149,13 @@ fn once(found: &Shared, scene: &Scene) -> Result<reference::Answer, Error> {
 }
 
 /// A scene on all meshes, by the name of its trial.
-fn answer(name: &str, case: &Case, found: &Shared) -> Result<Numbers, Error> {
+fn answer(name: &str, found: &Shared) -> Result<Numbers, Error> {
+    let case = match name {
+        WIDE => Cylinder { a_over_r: 0.1, ..Cylinder::default() }.case().named(WIDE),
+        _ => find(name, None)?,
+    };
     let reference::Answer { known, dofs: [answer, order, layers, cells] } = once(found, &case.scene)?;
-    let (_, run, barred) = on_8_node_cells(case)?;
+    let (_, run, barred) = on_8_node_cells(&case)?;
     let (high, on_arc) = (High::built_in()?, !case.scene.contact().path.is_straight());
     let answered = |one: Known| {
         let (unit, factor) = one.quantity.unit(on_arc);
@@ -262,8 +254,8 @@ fn series(name: &str) -> Result<Vec<Called>, Error> {
     if AROUND.contains(&name) {
         return Ok(Revolution::built_in()?.of(name));
     }
-    let Some((_, scene)) = SHARED.iter().find(|(known, _)| *known == name) else { return Ok(Vec::new()) };
-    let asked = Independent::built_in()?.scenes.remove(*scene);
+    // Of both cylinders the narrower contact, which is that of the library, comes first.
+    let asked = Independent::built_in()?.scenes.into_values().find(|asked| asked.scene.case == name);
     let each = asked.into_iter().flat_map(|asked| asked.series);
     Ok(each.map(|(script, series)| (script.title(), script.has_penalty(), series)).collect())
 }
@@ -275,9 +267,7 @@ fn other(series: &[PhysicalAnswer], one: &Barred) -> Option<[f64; 2]> {
         (0, Quantity::SecondMomentWidth) => |answer| answer.half_width,
         _ => return None,
     };
-    let [coarse, medium, fine] = series else { return None };
-    let values = [coarse, medium, fine].map(of);
-    Some([values[2], richardson(values).uncertainty()])
+    on_finest(series, of)
 }
 
 impl Sheet {

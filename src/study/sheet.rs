@@ -104,8 +104,6 @@ pub struct Other {
     pub by: &'static str,
     /// What it found.
     pub value: f64,
-    /// Its standard uncertainty.
-    pub uncertainty: f64,
     /// How far it may be off.
     pub bar: f64,
     /// Whether it is one of those that reference answers are held against.
@@ -162,18 +160,17 @@ impl Other {
     /// On the finest mesh of a series, with its standard uncertainty: thrice that, what springs leave, and round-off.
     pub fn of_series(by: &'static str, has_penalty: bool, [value, uncertainty]: [f64; 2]) -> Self {
         let penalty = if has_penalty { PENALTY * value.abs() } else { 0.0 };
-        Self { by, value, uncertainty, bar: SPREAD * uncertainty + penalty + 1e-9 * value.abs(), of_high_order: false }
+        Self { by, value, bar: SPREAD * uncertainty + penalty + 1e-9 * value.abs(), of_high_order: false }
     }
 
-    /// Of high order, with how far it may be off: that of two standard uncertainties.
+    /// Of high order, with how far it may be off.
     pub fn of_high_order(way: Way, [value, bar]: [f64; 2]) -> Self {
-        Self { by: way.title(), value, uncertainty: 0.5 * bar, bar, of_high_order: true }
+        Self { by: way.title(), value, bar, of_high_order: true }
     }
 
     /// In another unit.
     pub fn times(self, factor: f64) -> Self {
-        let [value, uncertainty, bar] = [self.value, self.uncertainty, self.bar].map(|own| factor * own);
-        Self { value, uncertainty, bar, ..self }
+        Self { value: factor * self.value, bar: factor * self.bar, ..self }
     }
 
     /// It, as what a difference is held against.

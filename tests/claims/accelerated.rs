@@ -158,7 +158,7 @@ fn formulation_that_does_not_converge_turns_red() {
         numbers.judge().expect("judged").iter().map(|one| one.verdict.clone()).collect::<Vec<_>>()
     };
     assert_eq!(verdicts(|_| ()), [Verdict::Pass]);
-    assert_eq!(verdicts(|saved| saved.iterations[1] = None), [Verdict::Fail]);
+    assert_eq!(verdicts(|saved| saved[1].1 = None), [Verdict::Fail]);
 }
 
 #[test]

@@ -16,6 +16,7 @@ use contact_vv::study::promised::bars::{Record, SURVEY, beyond, narrow, setup, t
 use contact_vv::study::random::{Family, Site};
 use contact_vv::study::records::Millionths;
 
+use crate::again::BARS;
 use crate::balance::{scene, solved};
 use crate::scene_file::{self, text_of};
 use crate::workbench::{kinematic, meshed, parsed, spoiled};
@@ -46,7 +47,7 @@ fn widened(record: &Record, factor: f64) -> Record {
 #[test]
 fn judges_of_bars_turn_red_on_spoiled_ones_and_on_what_is_not_a_number() {
     let mut all = SURVEY.read().expect("recorded");
-    all.retain(|one| [Family::Cylinder, Family::Pin, Family::Power, Family::Wedge].contains(&one.family));
+    all.retain(|one| [Family::Cylinder, Family::Pin, Family::Power, Family::Wedge].contains(&one.site.family));
     let verdicts = |spoil: &dyn Fn(&mut Record)| {
         let spoiled = spoiled(&all, |all| all.iter_mut().for_each(spoil));
         [within(&spoiled), beyond(&spoiled), narrow(&spoiled)].map(|judged| judged.verdict)
@@ -60,21 +61,21 @@ fn judges_of_bars_turn_red_on_spoiled_ones_and_on_what_is_not_a_number() {
         assert_eq!(told(&widened).verdict, *verdict, "{factor}");
     }
     let mut none_told = all.clone();
-    for record in none_told.iter_mut().filter(|record| record.family == Family::Power) {
+    for record in none_told.iter_mut().filter(|record| record.site.family == Family::Power) {
         // The first number of a record is its peak.
         record.bars[0] = Some(Millionths(f64::NAN));
     }
     assert_eq!(told(&none_told).verdict, fail, "a number of which no bar is told");
     // Unknown bars are no bars.
     let unknown = |record: &mut Record| {
-        if record.family == Family::Pin && record.number.is_multiple_of(10) {
+        if record.site.family == Family::Pin && record.site.number.is_multiple_of(10) {
             *record = widened(record, f64::NAN);
         }
     };
     assert_eq!(verdicts(&unknown)[0], fail);
     // One error of all.
     let far = |record: &mut Record| {
-        if (record.family, record.number) == (all[0].family, all[0].number) {
+        if record.site == all[0].site {
             record.errors[0] = record.bars[0].map(|bar| Millionths(3.1 * bar.0));
         }
     };
@@ -86,7 +87,7 @@ fn judges_of_bars_turn_red_on_spoiled_ones_and_on_what_is_not_a_number() {
     // The numbers of one scene.
     let as_recorded = |fresh: &[Record]| {
         let fresh = [((SURVEY.of)(&all[0]), fresh.to_vec())];
-        SURVEY.compared(&all, &fresh)
+        BARS.compared(&all, &fresh)
     };
     assert_eq!(as_recorded(&all[..1]), [1, 0]);
     for moved in [spoiled(&all[0], |one| one.errors[3] = Some(Millionths(f64::NAN))), widened(&all[0], 1.01)] {

@@ -48,7 +48,7 @@ fn hold(sample: &[&Record], constants: [f64; 2]) -> bool {
         if !is_within(most) {
             return false;
         }
-        let [all, beyond] = families.entry(one.family).or_default();
+        let [all, beyond] = families.entry(one.site.family).or_default();
         *all += 1;
         *beyond += usize::from(!is_within(1.0));
     }

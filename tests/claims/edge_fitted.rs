@@ -11,7 +11,7 @@ use contact_vv::scene::{
 };
 use contact_vv::solve::edge_fitted::Answer;
 use contact_vv::solve::{Discretisation, Fitted, Formulation, Run};
-use contact_vv::study::fitted::{self, LOADS};
+use contact_vv::study::fitted::LOADS;
 
 use crate::outputs::json;
 use crate::scene_file::case;
@@ -19,7 +19,7 @@ use crate::workbench::{self, area, block_text, held_at, meshed, parsed, resoluti
 
 /// The same block and candidates under another load.
 fn under(factor: f64) -> (TruncatedHertz, Hertz) {
-    let numbers = fitted::under(factor);
+    let numbers = TruncatedHertz::default().under(factor);
     (numbers.clone(), numbers.closed_form())
 }
 

@@ -195,8 +195,9 @@ fn everything_that_is_drawn_is_in_the_legend() {
 fn no_point_is_both_cheaper_and_as_exact_as_one_of_the_front() {
     let points = Record::read().expect("the committed record").points;
     let own = sound(&points);
-    let (cost, worst): (fn(&Point) -> f64, _) = (|point| point.seconds, |point: &Point| point.worst());
-    let front = front(&own, cost, &worst);
+    let cost = |point: &Point| point.seconds;
+    let worst = Point::worst;
+    let front = front(&own, cost);
     assert!(front.len() > 3);
     let beats = |a: &Point, b: &Point| cost(a) < cost(b) && worst(a) <= worst(b);
     assert!(front.iter().all(|kept| own.iter().all(|other| !beats(other, kept))));
@@ -206,7 +207,7 @@ fn no_point_is_both_cheaper_and_as_exact_as_one_of_the_front() {
             "left out for nothing"
         );
     }
-    let within = |most: f64| cheapest(own.iter().copied(), cost, worst, most);
+    let within = |most: f64| cheapest(own.iter().copied(), worst, most);
     let best = within(1e-3).expect("within 0.1 %");
     assert!(front.iter().any(|kept| std::ptr::eq(*kept, best)));
     assert!(own.iter().filter(|point| worst(point) <= 1e-3).all(|point| cost(point) >= cost(best)));

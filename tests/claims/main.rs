@@ -1,5 +1,6 @@
 //! One module per link of the chain; every test name is a claim.
 
+mod again;
 mod cells;
 mod checks;
 mod iterate;

@@ -5,11 +5,12 @@ use contact_vv::case::Verdict;
 use contact_vv::measure::Quantity;
 use contact_vv::scene::Shape;
 use contact_vv::solve::Formulation;
-use contact_vv::study::promised::met::{self, Record, consistent, is_as_recorded, near, record, right};
+use contact_vv::study::promised::met::{self, Record, consistent, near, record, right};
 use contact_vv::study::random::round::OF_SPHERES;
 use contact_vv::study::random::{Family, Site, family};
 use contact_vv::study::records::Millionths;
 
+use crate::again::MET;
 use crate::workbench::spoiled;
 
 /// What the closed forms of cylinders and pins leave out, relative.
@@ -66,8 +67,7 @@ fn slow_algorithms_are_run_on_the_mesh_that_kinematic_load_chose() {
 
 fn sound() -> Vec<Record> {
     let one = |number: usize| Record {
-        family: Family::Wedge,
-        number,
+        site: site(Family::Wedge, number),
         asked: 1e-3,
         met: true,
         estimate: Millionths(8e-4),
@@ -117,7 +117,7 @@ fn what_is_solved_on_the_way_costs_a_few_times_the_largest_mesh() {
 #[test]
 fn record_that_moved_is_noticed() {
     let kept = &sound()[0];
-    let moved = |spoil: fn(&mut Record)| !is_as_recorded(kept, &spoiled(kept, spoil));
+    let moved = |spoil: fn(&mut Record)| !(MET.is_as_recorded)(kept, &spoiled(kept, spoil));
     assert!(!moved(|_| ()));
     assert!(!moved(|one| one.peak.0 *= 1.0005));
     assert!(moved(|one| one.peak.0 *= 1.1) && moved(|one| one.peak = Millionths(f64::NAN)));

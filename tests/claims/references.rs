@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use contact_vv::accuracy::reference::{Answer, Known, answer};
 use contact_vv::case::Verdict;
-use contact_vv::case::library::{Bars, Cylinder, NAMES, PinPlate};
+use contact_vv::case::library::{Bars, Cylinder, NAMES, PinPlate, TruncatedHertz};
 use contact_vv::checkout::root;
 use contact_vv::markdown::significant;
 use contact_vv::measure::{Quantity, relative_error};
@@ -12,7 +12,7 @@ use contact_vv::oracle::cross_code::frozen::hash_of;
 use contact_vv::oracle::cross_code::high::{ASK_AGAIN, High, Way};
 use contact_vv::oracle::cross_code::independent::Independent;
 use contact_vv::study::Study;
-use contact_vv::study::fitted::{LOADS, under};
+use contact_vv::study::fitted::LOADS;
 use contact_vv::study::references::{Answered, Numbers, solve};
 use contact_vv::study::sheet::{BUILT_IN, FoundBy, Other, Sheet, schema};
 use serde_json::Value;
@@ -29,7 +29,7 @@ fn of(known: &[Known], quantity: Quantity) -> &Known {
 #[test]
 fn bounds_of_reference_answers_hold_the_error_of_truncated_hertz_and_are_below_1e_5() {
     for factor in LOADS.into_iter().step_by(2) {
-        let numbers = under(factor);
+        let numbers = TruncatedHertz::default().under(factor);
         let (hertz, known) = (numbers.closed_form(), answer(&numbers.scene()).expect("answered").known);
         let truths = [
             (Quantity::Pressure { at: 0.0 }, hertz.peak_pressure()),
@@ -89,7 +89,7 @@ fn a_number_that_another_mesh_or_8_node_cells_contradict_turns_its_check_red() {
     let other = |off: f64, bar: f64| {
         with(&|own| {
             let value = (1.0 + off) * own.known.value;
-            own.others = vec![Other { by: "another", value, uncertainty: 0.5 * bar, bar, of_high_order: false }];
+            own.others = vec![Other { by: "another", value, bar, of_high_order: false }];
         })
     };
     assert_eq!(other(1e-9, 1e-9), Vec::<String>::new());

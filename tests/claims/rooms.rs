@@ -22,7 +22,7 @@ fn a_model_error_that_does_not_fall_with_the_square_of_the_contact_turns_red() {
             let departures = of[k].map(|value| [value, bar]);
             refinement::Ratio { a_over_r: RATIOS[k], departures, dofs: 1 }
         };
-        judged(&Numbers::ModelError([0, 1, 2, 3].map(ratio)))
+        judged(&Numbers::ModelError([0, 1, 2, 3].map(ratio).into()))
     };
     let sound = RATIOS.map(|ratio| [-0.24 * ratio * ratio, 0.18 * ratio * ratio]);
     assert_eq!((judge(sound, 1e-8).len(), fails(&judge(sound, 1e-8))), (8, 0));

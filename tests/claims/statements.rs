@@ -13,7 +13,7 @@ use contact_vv::study::paper::reading::{Axis, Candidates, Reading, Stop};
 use contact_vv::study::paper::sentence::{Met, Seen, Sentence, Starts, agrees};
 use contact_vv::study::paper::statement::{Course, courses, shown};
 use contact_vv::study::paper::statement::{Fared, Judgement};
-use contact_vv::study::{Finding, Study, cases, paper};
+use contact_vv::study::{Finding, Study, cases};
 
 use crate::workbench;
 
@@ -174,7 +174,7 @@ static NEAREST: LazyLock<Vec<Course>> = LazyLock::new(|| {
 });
 
 fn judged(courses: Vec<Course>, sentence: Sentence) -> Judgement {
-    let finding = Finding::of("r", "r", paper::Numbers { courses }).expect("judged");
+    let finding = Finding::of("r", "r", courses).expect("judged");
     let mut all = statements::judge(&[finding]).into_iter();
     all.find(|statement| statement.text == sentence.name()).expect("a statement").judgement
 }
@@ -203,7 +203,7 @@ fn off(case: &str, by: [(case::Quantity, f64); 2]) -> Finding {
 
 #[test]
 fn what_is_off_of_hertz_is_told_in_per_cent() {
-    let paper = Finding::of("r", "r", paper::Numbers { courses: NEAREST.clone() }).expect("judged");
+    let paper = Finding::of("r", "r", NEAREST.clone()).expect("judged");
     // Of a hundred, so that the number is the share in per cent.
     let cylinder =
         off(cylinder::NINE, [(Quantity::PeakPressure.into(), 0.25), (Quantity::SecondMomentWidth.into(), -0.5)]);
@@ -233,7 +233,7 @@ fn statement_that_needs_what_was_not_run_is_not_judged() {
 #[test]
 fn run_that_stops_elsewhere_than_its_course_tells_is_red() {
     let verdict = |courses: &[Course]| {
-        let judged = paper::Numbers { courses: courses.to_vec() }.judge().expect("judged");
+        let judged = courses.to_vec().judge().expect("judged");
         judged[0].verdict.clone()
     };
     let all = NEAREST.clone();
@@ -259,7 +259,7 @@ fn run_that_stops_elsewhere_than_its_course_tells_is_red() {
 
 #[test]
 fn statement_on_every_case_is_told_beside_what_the_error_stops() {
-    let finding = Finding::of("r", "r", paper::Numbers { courses: NEAREST.clone() }).expect("judged");
+    let finding = Finding::of("r", "r", NEAREST.clone()).expect("judged");
     let all = statements::judge(&[finding]);
     let told = all.iter().find(|one| one.text == Sentence::LineAlways.name()).expect("a statement");
     // By hand from the lines of the record: converged, and p₀ and a within 0.3 %.

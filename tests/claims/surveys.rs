@@ -6,11 +6,13 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 use contact_vv::solve::Ended;
 use contact_vv::solve::unbounded;
-use contact_vv::study::promised::converged::{Record, SURVEY, is_as_recorded};
-use contact_vv::study::promised::{bars, counted, met};
+use contact_vv::study::promised::converged::{Record, SURVEY, Site};
+use contact_vv::study::promised::{bars, met};
 use contact_vv::study::records::{self, Millionths, Survey};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
+
+use crate::again::{self, Again};
 
 /// A record of two formulations, one of which does not converge.
 fn record() -> Record {
@@ -18,8 +20,8 @@ fn record() -> Record {
     for (k, class, count, error) in [(0, Ended::Converged, 7, 1e-4), (8, Ended::Capped, 2000, f64::NAN)] {
         (classes[k], iterations[k], errors[k]) = (Some(class), Some(count), Some(Millionths(error)));
     }
-    let scene = "cylinder".into();
-    Record { scene, stretch: 2.0, load: 1e-2, tolerance: 1e-3, classes, iterations, errors }
+    let site = Site { scene: "cylinder".into(), stretch: 2.0 };
+    Record { site, load: 1e-2, tolerance: 1e-3, classes, iterations, errors }
 }
 
 /// The record with another error, class and number of iterations of its first formulation.
@@ -32,6 +34,7 @@ fn with(error: f64, class: Ended, iterations: usize) -> Record {
 
 #[test]
 fn run_that_moved_is_not_as_recorded() {
+    let is_as_recorded = again::CONVERGED.is_as_recorded;
     assert!(is_as_recorded(&record(), &record()));
     let mut other = record();
     (other.classes, other.iterations, other.errors) = ([None; 9], [None; 9], [None; 9]);
@@ -51,26 +54,24 @@ fn run_that_moved_is_not_as_recorded() {
 
 #[test]
 fn every_survey_runs_a_part_of_its_sites_again() {
-    fn again<S: Send + Sync, R: Serialize + DeserializeOwned + Clone + Send + Sync>(
-        survey: &Survey<S, R>,
-    ) -> [usize; 2] {
+    fn chosen<S, R>(Again { survey, is_chosen, .. }: &Again<S, R>) -> [usize; 2] {
         let sites = (survey.sites)().expect("sites");
-        [sites.iter().filter(|site| (survey.again)(site)).count(), sites.len()]
+        [sites.iter().filter(|site| is_chosen(site)).count(), sites.len()]
     }
-    assert_eq!(again(&SURVEY)[0], 22, "none that is named is missing");
-    assert_eq!(again(&bars::SURVEY), [11 * 6 + 13 * 2, 24 * 200]);
-    assert_eq!(again(&met::SURVEY)[0], 10 * 2 + 14);
+    assert_eq!(chosen(&again::CONVERGED)[0], 22, "none that is named is missing");
+    assert_eq!(chosen(&again::BARS), [11 * 6 + 13 * 2, 24 * 200]);
+    assert_eq!(chosen(&again::MET)[0], 10 * 2 + 14);
 }
 
 #[test]
 fn what_every_survey_runs_again_is_as_recorded() {
     fn told<S: Send + Sync, R: Serialize + DeserializeOwned + Clone + Send + Sync>(
-        survey: &Survey<S, R>,
+        all: &Again<S, R>,
     ) -> Option<String> {
-        let [again, moved] = survey.recomputed().expect("run again");
-        (again == 0 || moved > 0).then(|| format!("{0}: {moved} of {again}, `{0}` renews the record", survey.name))
+        let ([again, moved], name) = (all.recomputed().expect("run again"), all.survey.name);
+        (again == 0 || moved > 0).then(|| format!("{name}: {moved} of {again}, `{name}` renews the record"))
     }
-    let all = [told(&SURVEY), told(&bars::SURVEY), told(&met::SURVEY), told(&counted::SURVEY)];
+    let all = [told(&again::CONVERGED), told(&again::BARS), told(&again::MET), told(&again::COUNTED)];
     let moved: Vec<String> = all.into_iter().flatten().collect();
     assert!(moved.is_empty(), "{}", moved.join("; "));
 }
@@ -92,8 +93,6 @@ fn survey_that_was_broken_off_goes_on_where_it_stopped() {
                 false => Ok(vec![with(1e-4, Ended::Converged, *iterations)]),
             }
         },
-        alike: is_as_recorded,
-        again: |_| true,
     };
     let folder = tempfile::tempdir().expect("folder");
     let [unfinished, file] = ["unfinished", "record.csv"].map(|name| folder.path().join(name));

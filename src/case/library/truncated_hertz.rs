@@ -34,6 +34,12 @@ impl Default for TruncatedHertz {
 }
 
 impl TruncatedHertz {
+    /// The same block and candidates under the load of another half-width than they are drawn for, by its factor.
+    pub fn under(self, factor: f64) -> Self {
+        let Self { a_over_r, size, stretch, .. } = self;
+        Self { a_over_r: factor * a_over_r, size: size / factor, stretch: stretch / factor, ..self }
+    }
+
     /// Half-width `a` \[mm\].
     pub fn half_width(&self) -> f64 {
         self.a_over_r * self.radius

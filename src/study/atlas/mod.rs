@@ -4,7 +4,7 @@
 //!
 //! * `plane` — initial stiffness against which other number, and what lies on one mesh; what is kept under `snapshots/atlas`, and its
 //!   chart of classes with their boundaries; what the records say of each method, and what to use.
-//! * `run` — a point predicted and run; a twentieth of a record recomputed; the paper's scenes before and after
+//! * `run` — a point predicted and run; the paper's scenes before and after
 //!   acceleration; and predictions against runs.
 //! * `picture` — charts.
 //!
@@ -123,23 +123,18 @@ fn predictions(charts: &[&Chart]) -> String {
     markdown::table(&head, &Method::all().into_iter().filter_map(row).collect::<Vec<Vec<String>>>())
 }
 
-/// Elements and iterations: what they are, iterations from every initial stiffness, before and after acceleration.
-fn in_the_paper(findings: &[Found<Numbers>]) -> String {
-    let mut text = "## Elements and iterations on the scenes of the paper\n\n".to_string();
-    text += &picture(
-        "contact-problem.svg",
-        "As Figs 1 and 2: bodies in contact, and contact elements on the potential contact area",
-    );
-    text += &picture("contact-elements.svg", "As Figs 3, 4 and 5: line, layer and node contact element");
-    text += &picture(
+/// Pictures of the paper's elements and iterations.
+const PICTURES: [[&str; 2]; 3] = [
+    ["contact-problem.svg", "As Figs 1 and 2: bodies in contact, and contact elements on the potential contact area"],
+    ["contact-elements.svg", "As Figs 3, 4 and 5: line, layer and node contact element"],
+    [
         "iterations-against-stiffness.svg",
         "As Fig. 11 with all nine formulations, by the iteration error: iterations against initial stiffness, as they stand in the paper and, dash-dotted, accelerated; runs that did not converge are drawn as hollow markers above the chart",
-    );
-    text + &before_and_after(findings)
-}
+    ],
+];
 
 /// Iterations of the paper's formulations, and of what the program takes in their place, on both scenes.
-fn before_and_after(findings: &[Found<Numbers>]) -> String {
+fn in_the_paper(findings: &[Found<Numbers>]) -> String {
     let saved = findings.iter().filter_map(|found| match found.numbers {
         Numbers::Saved(scene, saved) => Some((scene.name(), saved)),
         Numbers::Surveyed(_) => None,
@@ -147,19 +142,20 @@ fn before_and_after(findings: &[Found<Numbers>]) -> String {
     let scenes: Vec<(&str, &Vec<Saved>)> = saved.collect();
     let Some((_, first)) = scenes.first() else { return String::new() };
     let head = ["in the paper", "as the program takes it"].into_iter().chain(scenes.iter().map(|(name, _)| *name));
-    let cell = |saved: &Saved| {
-        let [before, after] = saved.iterations.map(|iterations| iterations.map(|count| count.to_string()));
+    let cell = |[(_, before), (_, after)]: &Saved| {
+        let [before, after] = [before, after].map(|iterations| iterations.map(|count| count.to_string()));
         let before = before.unwrap_or_else(|| format!("not converged in {ENOUGH}"));
         format!("{before} → {}", after.unwrap_or_else(|| "not converged".into()))
     };
     let row = |(k, one): (usize, &Saved)| {
         let cells = scenes.iter().map(|(_, saved)| cell(&saved[k]));
-        [one.paper.clone(), one.program.clone()].into_iter().chain(cells).collect()
+        one.each_ref().map(|(name, _)| name.clone()).into_iter().chain(cells).collect()
     };
     let rows: Vec<Vec<String>> = first.iter().enumerate().map(row).collect();
     let kinematic = Formulation::accelerated(Element::Line, Iteration::Kinematic).stiffness;
     format!(
         include_str!("iterations.md"),
+        pictures = PICTURES.map(|[file, caption]| picture(file, caption)).concat(),
         tolerance = Settings::default().tolerance,
         table = markdown::table(&head.map(String::from).collect::<Vec<_>>(), &rows),
         stood = STOOD,

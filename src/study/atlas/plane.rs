@@ -209,16 +209,6 @@ impl Chart {
     pub fn of_method(&self, method: Method) -> impl Iterator<Item = &[Record]> {
         self.rows.iter().map(Vec::as_slice).filter(move |row| row[0].method == method)
     }
-
-    /// Whether a neighbour in stiffness or in the other number ended in another class.
-    pub fn is_near_a_boundary(&self, row: usize, column: usize) -> bool {
-        let across = Method::all().len();
-        let beside = [column.checked_sub(1), Some(column + 1)].map(|column| Some((row, column?)));
-        let above = [row.checked_sub(across), Some(row + across)].map(|row| Some((row?, column)));
-        let places = beside.into_iter().chain(above).flatten();
-        let mut neighbours = places.filter_map(|(row, column)| self.rows.get(row)?.get(column));
-        neighbours.any(|other| other.class != self.rows[row][column].class)
-    }
 }
 
 /// The record of a plane.

@@ -1,6 +1,5 @@
-//! What is run: points, each predicted from the condensed matrices before; of a recorded plane a fixed twentieth; and the paper's
-//! formulations beside what the program takes in their place. And what the atlas must hold: a twentieth recomputed is what was recorded,
-//! the predictions are right, and what the program takes converges.
+//! What is run: points, each predicted from the condensed matrices before; and the paper's formulations beside what the program takes in
+//! their place. And what the atlas must hold: the predictions are right, and what the program takes converges.
 
 use std::borrow::Cow;
 use std::path::Path;
@@ -13,9 +12,7 @@ use crate::contact::ContactPoint;
 use crate::error::Error;
 use crate::measure::larger;
 use crate::solution::IterationError;
-use crate::solve::Ended;
-use crate::solve::run::Run;
-use crate::solve::{Discretisation, Element, Formulation, Iteration, Settings};
+use crate::solve::{Discretisation, Element, Ended, Formulation, Iteration, Run, Settings};
 use crate::stability::halving::{self, SOFT};
 use crate::stability::{Limit, linear, rate, release};
 use crate::study::Found;
@@ -41,61 +38,14 @@ pub fn charts<'a>(findings: &[Found<'a, Numbers>]) -> Vec<&'a Chart> {
     chart.collect()
 }
 
-/// A formulation as it stands in the paper, and as the program takes it.
-#[derive(Clone, Debug)]
-pub struct Saved {
-    /// Name of the element and the algorithm.
-    pub paper: String,
-    /// Name of what the program takes.
-    pub program: String,
-    /// Iterations of both; none where it does not converge.
-    pub iterations: [Option<usize>; 2],
-}
+/// A formulation as it stands in the paper, and as the program takes it: names, and iterations; none where it does not converge.
+pub type Saved = [(String, Option<usize>); 2];
 
-/// Of the meshes of the full planes every third is entered again, and on it three of twenty points; of the others every mesh, and
-/// one of twenty points.
-const FULL: [usize; 2] = [3, 3];
-const OTHERS: [usize; 2] = [1, 1];
-const OF: usize = 20;
-/// A recomputed error or prediction may differ by this share: the records hold four digits.
-const DIGITS: f64 = 2e-3;
 /// A spectral radius up to here is 1 to round-off: pressures that no displacement feels stay as they are, and hurt nobody.
 const INDIFFERENT: f64 = 1.0 + 1e-6;
 /// Most iterations of a formulation of the paper: more than any takes on the cylinder; on the pin–rod some take fifty thousand, which
 /// would tell no more.
 pub const ENOUGH: usize = 6_000;
-
-/// The points of a plane that are run again: how many these are, and how many of them are not as recorded.
-pub fn recomputed(plane: Plane) -> Result<[usize; 2], Error> {
-    let chart = Chart::read(plane)?;
-    let methods = Method::all().len();
-    let [every, share] = if plane.is_full() { FULL } else { OTHERS };
-    let entered: Vec<(usize, Site)> = plane.sites().into_iter().enumerate().step_by(every).collect();
-    let again = |(k, site): &(usize, Site)| -> Result<Vec<bool>, Error> {
-        let chosen = |row: usize, column: usize| (7 * (k * methods + row) + 3 * column) % OF < share;
-        let fresh = points(site, chosen)?;
-        Ok(fresh
-            .iter()
-            .map(|([row, column], fresh)| is_as_recorded(&chart, k * methods + row, *column, fresh))
-            .collect())
-    };
-    let as_recorded = entered.par_iter().map(again).collect::<Result<Vec<_>, _>>()?.concat();
-    Ok([as_recorded.len(), as_recorded.iter().filter(|same| !**same).count()])
-}
-
-/// Whether a fresh point is the recorded one: class and prediction always, what was measured where no boundary is near.
-pub fn is_as_recorded(chart: &Chart, row: usize, column: usize, fresh: &Record) -> bool {
-    let kept = &chart.rows[row][column];
-    let near = |a: f64, b: f64| a.is_finite() && b.is_finite() && (a - b).abs() <= DIGITS * a.abs().max(b.abs());
-    let alike = |a: f64, b: f64| (a.is_nan() && b.is_nan()) || a == b || near(a, b);
-    let both =
-        |a: Option<f64>, b: Option<f64>| a.is_none() && b.is_none() || a.zip(b).is_some_and(|(a, b)| alike(a, b));
-    let measured =
-        kept.iterations == fresh.iterations && alike(kept.error, fresh.error) && both(kept.penalty, fresh.penalty);
-    let exact = kept.class == Ended::Converged && !chart.is_near_a_boundary(row, column);
-    let predicted = both(kept.predicted_iterations, fresh.predicted_iterations);
-    kept.class == fresh.class && predicted && (!exact || measured)
-}
 
 /// Surveys a plane into a file; what is finished of it is kept in the folder `unfinished`.
 pub fn renew(plane: Plane, unfinished: &Path, file: &Path, done: impl Fn() + Sync) -> Result<usize, Error> {
@@ -108,7 +58,7 @@ pub fn records(site: &Site) -> Result<Vec<Record>, Error> {
 }
 
 /// The points of a site that are chosen by the places of their method and of their initial stiffness, with these places.
-fn points(site: &Site, chosen: impl Fn(usize, usize) -> bool) -> Result<Vec<([usize; 2], Record)>, Error> {
+pub fn points(site: &Site, chosen: impl Fn(usize, usize) -> bool) -> Result<Vec<([usize; 2], Record)>, Error> {
     let case = site.case();
     let discretisation = Discretisation::of(case.scene, case.resolution)?;
     let (methods, stiffnesses) = (Method::all(), Plane::stiffnesses());
@@ -206,10 +156,11 @@ pub(super) fn saved(scene: Plane) -> Result<Numbers, Error> {
     let pairs = Formulation::nine().into_iter().zip(Formulation::compared());
     let of = |(mut paper, program): (Formulation, Formulation)| {
         paper.settings.max_iterations = ENOUGH;
-        let [before, after] = [&paper, &program].map(|formulation| Run::of(&discretisation, formulation));
-        let (before, after) = (before?, after?);
-        let iterations = [&before, &after].map(|run| run.solution.converged().then_some(run.solution.work.iterations));
-        Ok(Saved { paper: paper.name(), program: program.name(), iterations })
+        let ended = |formulation: &Formulation| {
+            let solution = Run::of(&discretisation, formulation)?.solution;
+            Ok((formulation.name(), solution.converged().then_some(solution.work.iterations)))
+        };
+        Ok([ended(&paper)?, ended(&program)?])
     };
     Ok(Numbers::Saved(scene, pairs.map(of).collect::<Result<_, Error>>()?))
 }
@@ -380,6 +331,6 @@ pub(super) fn taken(scene: &str, saved: &[Saved]) -> Vec<Judged> {
         Quantity::at("formulation that does not converge as the program takes it", scene),
         "acceleration, κ₀ and tolerance are chosen so that all nine do",
     );
-    let failing = saved.iter().filter(|one| one.iterations[1].is_none()).count();
+    let failing = saved.iter().filter(|[_, (_, program)]| program.is_none()).count();
     vec![converging.judge(failing as f64)]
 }

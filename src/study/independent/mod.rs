@@ -19,7 +19,6 @@ use crate::oracle::ReferenceKind;
 use crate::oracle::cross_code::independent::{Folder, Independent, Script};
 use crate::scene::ReferenceValues;
 use crate::study::about::{About, Found, Planned, Study};
-use crate::study::differences::Answers;
 use crate::study::drawn::picture;
 use crate::study::independent::run::{Benchmark, Compared, KAPPA, Other, STATIONS, Scene};
 use crate::uncertainty::{COVERAGE, Comparison};
@@ -36,7 +35,7 @@ impl Study for Compared {
 
     /// All scenes, against frozen answers.
     fn plan() -> Vec<Planned<Self>> {
-        run::against(Answers::Frozen)
+        run::against(None)
     }
 
     fn judge(&self) -> Result<Vec<Judged>, Error> {

@@ -5,7 +5,6 @@ use crate::algorithm::StiffnessRule;
 use crate::case::library::{Cylinder, PinPlate, PinRod, TruncatedHertz};
 use crate::case::{Case, Judged};
 use crate::error::Error;
-use crate::measure::order::richardson;
 use crate::measure::{profile, whole};
 use crate::mesh::{Order, Resolution};
 use crate::named::named_enum;
@@ -15,7 +14,7 @@ use crate::oracle::cross_code::live::Live;
 use crate::oracle::cross_code::{PhysicalAnswer, PhysicalScene};
 use crate::solve::{Discretisation, Element, Formulation, Iteration, Run};
 use crate::study::Planned;
-use crate::study::differences::{Answers, peak_and_width, reproduced};
+use crate::study::differences::{on_finest, peak_and_width, reproduced, suffix};
 
 /// Springs of the scripts with a penalty, `k_n = κ E*/ℓ`.
 pub const KAPPA: f64 = 1e4;
@@ -143,19 +142,13 @@ pub struct Found {
 impl Found {
     /// From a refinement series, coarse to fine; `by` is named where it has not three meshes.
     pub fn of(by: &str, levels: &[PhysicalAnswer]) -> Result<Self, Error> {
-        let [coarse, medium, fine] = levels else {
+        let measured = |of| on_finest(levels, of);
+        let (Some(peak), Some(width), [.., fine]) = (measured(|one| one.peak), measured(|one| one.half_width), levels)
+        else {
             let message = format!("it answered on {} meshes instead of {LEVELS}", levels.len());
             return Err(Error::at(by, message, REFREEZE));
         };
-        let measured = |of: fn(&PhysicalAnswer) -> f64| {
-            let values = [coarse, medium, fine].map(of);
-            [values[2], richardson(values).uncertainty()]
-        };
-        Ok(Self {
-            measured: [measured(|answer| answer.peak), measured(|answer| answer.half_width)],
-            resultant: fine.resultant,
-            profile: fine.pressure.clone(),
-        })
+        Ok(Self { measured: [peak, width], resultant: fine.resultant, profile: fine.pressure.clone() })
     }
 }
 
@@ -181,10 +174,10 @@ fn ours(benchmark: &Benchmark) -> Result<Vec<PhysicalAnswer>, Error> {
 }
 
 /// All scenes, against answers that are frozen, or of the scripts themselves.
-pub fn against(answers: Answers) -> Vec<Planned<Compared>> {
+pub fn against(live: Option<Live>) -> Vec<Planned<Compared>> {
     let planned = Scene::ALL.map(|scene| {
-        let name = format!("{}{}", scene.name(), answers.suffix());
-        Planned::new("independent codes", name, move || compare(&scene.benchmark(), answers))
+        let name = format!("{}{}", scene.name(), suffix(live));
+        Planned::new("independent codes", name, move || compare(&scene.benchmark(), live))
     });
     planned.into()
 }
@@ -214,17 +207,10 @@ pub struct Other {
 }
 
 /// A scene by every script.
-pub fn compare(benchmark: &Benchmark, answers: Answers) -> Result<Compared, Error> {
-    let mut others = Vec::new();
-    for (script, series, reproduced) in asked(benchmark, answers)? {
-        others.push(Other { script, reproduced, found: Found::of(script.title(), &series)? });
-    }
-    Ok(Compared {
-        scene: benchmark.scene,
-        ours: Found::of("ours", &ours(benchmark)?)?,
-        others,
-        penalty: penalty(benchmark)?,
-    })
+pub fn compare(benchmark: &Benchmark, live: Option<Live>) -> Result<Compared, Error> {
+    let others = asked(benchmark, live)?;
+    let ours = Found::of("ours", &ours(benchmark)?)?;
+    Ok(Compared { scene: benchmark.scene, ours, others, penalty: penalty(benchmark)? })
 }
 
 impl Benchmark {
@@ -244,11 +230,8 @@ impl Benchmark {
     }
 }
 
-/// A script, its series, and whether that is what was frozen.
-pub type Series = (Script, Vec<PhysicalAnswer>, Option<Judged>);
-
-/// The series of every script that serves a scene; live, meshes up to [`ASKED`] are asked now, and finer ones are as they were frozen.
-pub fn asked(benchmark: &Benchmark, answers: Answers) -> Result<Vec<Series>, Error> {
+/// What every script that serves a scene found; live, meshes up to [`ASKED`] are asked now, and finer ones are as they were frozen.
+pub fn asked(benchmark: &Benchmark, live: Option<Live>) -> Result<Vec<Other>, Error> {
     let (name, scene) = (benchmark.scene.name(), &benchmark.physical);
     let frozen = Independent::read()?;
     let kept =
@@ -257,17 +240,17 @@ pub fn asked(benchmark: &Benchmark, answers: Answers) -> Result<Vec<Series>, Err
         let found = format!("{theirs} in the frozen scene, but {ours} in ours");
         return Err(Error::refused(&file(), &format!("{name}: {key}"), found, REFREEZE));
     }
-    let all = kept.series.iter().map(|(script, kept)| match answers {
-        Answers::Live(live) if script.is_set_up() => {
-            let asked = |(level, one): (usize, &PhysicalAnswer)| {
-                if one.dofs <= ASKED { (live.independent)(*script, scene, level) } else { Ok(one.clone()) }
-            };
-            let now = kept.iter().enumerate().map(asked).collect::<Result<Vec<_>, _>>()?;
-            let versions = changed_versions(&frozen.versions, &(live.versions)()?);
-            let reproduced = reproduced(script.title(), &Asked::numbers(&now), &Asked::numbers(kept), &versions);
-            Ok((*script, now, Some(reproduced)))
-        }
-        Answers::Live(_) | Answers::Frozen => Ok((*script, kept.clone(), None)),
+    let all = kept.series.iter().map(|(&script, kept)| {
+        let Some(live) = live.filter(|_| script.is_set_up()) else {
+            return Ok(Other { script, reproduced: None, found: Found::of(script.title(), kept)? });
+        };
+        let asked = |(level, one): (usize, &PhysicalAnswer)| {
+            if one.dofs <= ASKED { (live.independent)(script, scene, level) } else { Ok(one.clone()) }
+        };
+        let now = kept.iter().enumerate().map(asked).collect::<Result<Vec<_>, _>>()?;
+        let versions = changed_versions(&frozen.versions, &(live.versions)()?);
+        let reproduced = reproduced(script.title(), &Asked::numbers(&now), &Asked::numbers(kept), &versions);
+        Ok(Other { script, reproduced: Some(reproduced), found: Found::of(script.title(), &now)? })
     });
     all.collect()
 }

@@ -9,8 +9,8 @@ use crate::mesh::{Mesh, Order, Resolution};
 use crate::scene::{
     Action, Component, Face, Grading, LARGEST_POISSON, Load, Place, Profile, Scene, Shape, Support, VectorField,
 };
-use crate::solve::run::{INSIDE, Run};
-use crate::solve::{Discretisation, Element, Formulation, Iteration};
+use crate::solve::run::INSIDE;
+use crate::solve::{Discretisation, Element, Formulation, Iteration, Run};
 use crate::study::limits::push::{
     Limit, ORDERS, Push, Solved, against_hertz, exceeds, folded, meshed, number, percent, refused, size, told,
     told_with_remedy, within, worst,

@@ -75,14 +75,8 @@ impl Study for Numbers {
 
     /// What is compared; of curves the table of checks says the rest.
     fn section(findings: &[Found<Self>]) -> Result<String, Error> {
-        let photographs = photographs(findings).map(photograph::section);
-        Ok(format!(
-            "## Digitised curves\n\n\
-             Stresses along the pin of a rod (Gaertner 1977), and load against the angle of contact of a pin in a \
-             large sheet (Ghosh, Dattaguru and Rao 1982), each held against the same pin of ours. The folders under `oracles/digitised` say what to \
-             bring.\n\n## A photograph\n\n{}",
-            photographs.collect::<String>()
-        ))
+        let photographs: String = photographs(findings).map(photograph::section).collect();
+        Ok(include_str!("page.md").to_owned() + "\n" + &photographs)
     }
 
     /// Of the photograph.

@@ -330,19 +330,9 @@ impl Constants {
 
 /// Where a function of one minimum is least.
 fn golden([mut low, mut high]: [f64; 2], of: impl Fn(f64) -> f64) -> f64 {
-    let inner = |low: f64, high: f64| [high - GOLDEN * (high - low), low + GOLDEN * (high - low)];
-    let [mut left, mut right] = inner(low, high);
-    let [mut at_left, mut at_right] = [of(left), of(right)];
     for _ in 0..SECTIONS {
-        if at_left < at_right {
-            (high, right, at_right) = (right, left, at_left);
-            left = inner(low, high)[0];
-            at_left = of(left);
-        } else {
-            (low, left, at_left) = (left, right, at_right);
-            right = inner(low, high)[1];
-            at_right = of(right);
-        }
+        let [left, right] = [high - GOLDEN * (high - low), low + GOLDEN * (high - low)];
+        if of(left) < of(right) { high = right } else { low = left }
     }
     0.5 * (low + high)
 }

@@ -24,12 +24,8 @@ use reading::Reading;
 use sentence::{DIFFERENT, GOOD, MUCH, Met, STRONG, Sentence, UNREMARKABLE};
 use statement::{Course, Fared, most_fulfilled, starts};
 
-/// What was run.
-#[derive(Clone, Debug)]
-pub struct Numbers {
-    /// Every start of every site of the designed set.
-    pub courses: Vec<Course>,
-}
+/// Every start of every site of the designed set.
+pub type Numbers = Vec<Course>;
 
 impl Study for Numbers {
     const NAME: &'static str = "paper";
@@ -40,14 +36,12 @@ impl Study for Numbers {
     };
 
     fn plan() -> Vec<Planned<Self>> {
-        let run = || Ok(Numbers { courses: statement::courses(&Reading::designed())? });
-        vec![Planned::new("readings of the paper", "designed set", run)]
+        vec![Planned::new("readings of the paper", "designed set", || statement::courses(&Reading::designed()))]
     }
 
     /// Whether a run that a criterion stops ends where the course of a run without it tells.
     fn judge(&self) -> Result<Vec<Judged>, Error> {
-        let Numbers { courses } = self;
-        let stopped: Vec<&[Option<Met>; 2]> = courses.iter().flat_map(|course| &course.alone).collect();
+        let stopped: Vec<&[Option<Met>; 2]> = self.iter().flat_map(|course| &course.alone).collect();
         let is_told = |[told, own]: &[Option<Met>; 2]| match (told, own) {
             (Some(told), Some(own)) => told.iterations == own.iterations && (told.error - own.error).abs() <= SAME,
             (None, None) => true,
@@ -73,7 +67,7 @@ impl Study for Numbers {
             include_str!("page.md"),
             shown = own.len(),
             names = own.join(", "),
-            readings = findings.iter().map(|found| readings(&found.numbers.courses)).collect::<String>(),
+            readings = findings.iter().map(|found| readings(found.numbers)).collect::<String>(),
             radius = cylinder.radius,
             young = cylinder.young,
             poisson = cylinder.poisson,

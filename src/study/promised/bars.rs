@@ -20,7 +20,7 @@ use crate::solve::{Discretisation, Element, Formulation, Iteration, Run};
 use crate::study::drawn;
 use crate::study::random::family::{self, FAMILIES, JUDGED};
 use crate::study::random::{Draw, Family, Sample, Site, Truth};
-use crate::study::records::{Millionths, Survey, are_like};
+use crate::study::records::{Millionths, Survey};
 
 /// The survey.
 pub const SURVEY: Survey<Site, Record> = Survey {
@@ -28,20 +28,9 @@ pub const SURVEY: Survey<Site, Record> = Survey {
     head,
     sites: || Ok(FAMILIES.into_iter().flat_map(family::unseen).collect()),
     key: Site::key,
-    of: |record| Site { family: record.family, number: record.number }.key(),
+    of: |record| record.site.key(),
     run: |site| Ok(vec![record(site)?]),
-    alike: is_as_recorded,
-    again,
 };
-
-/// Whether a scene is solved again: of each family of closed form the six chosen, of others, whose truth takes longer than the
-/// solution, one with cells of either kind.
-fn again(site: &Site) -> bool {
-    match JUDGED.contains(&site.family) {
-        true => family::chosen(site.family).any(|one| one.number == site.number),
-        false => (8..10).contains(&(site.number - family::FIRST)),
-    }
-}
 
 /// Fewest and most elements on half of the contact.
 const ELEMENTS: [f64; 2] = [3.0, 30.0];
@@ -137,10 +126,8 @@ fn kinds() -> impl Iterator<Item = Kind> {
 /// The numbers of a scene, as many of each kind as it has: errors and bars over the size of such a number.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Record {
-    /// Family of the scene.
-    pub family: Family,
-    /// Its number in the family.
-    pub number: usize,
+    /// The scene.
+    pub site: Site,
     /// True errors; NaN where the run did not converge, infinite where what has no limit is quoted.
     pub errors: [Option<Millionths>; NUMBERS],
     /// Their bars; NaN where they are not known.
@@ -204,8 +191,7 @@ fn solved(site: &Site) -> Result<(Sample, Vec<Barred>), Error> {
 /// All numbers of a scene whose truth is known.
 pub fn record(site: &Site) -> Result<Record, Error> {
     let (sample, all) = solved(site)?;
-    let (family, number) = (site.family, site.number);
-    let mut record = Record { family, number, errors: [None; NUMBERS], bars: [None; NUMBERS] };
+    let mut record = Record { site: *site, errors: [None; NUMBERS], bars: [None; NUMBERS] };
     for truth in &sample.truths {
         let is_of = |one: &&Barred| one.is_of(truth.contact, &truth.quantity);
         let [error, bar] = all.iter().find(is_of).map_or([f64::NAN; 2], |one| match truth.value.is_finite() {
@@ -223,14 +209,7 @@ pub fn record(site: &Site) -> Result<Record, Error> {
 }
 
 /// Errors and bars below are round-off, which no bar needs to follow, and which may differ.
-pub(super) const ROUND_OFF: f64 = 1e-7;
-
-/// Whether the numbers of a fresh scene are the recorded ones.
-pub fn is_as_recorded(kept: &Record, fresh: &Record) -> bool {
-    (kept.family, kept.number) == (fresh.family, fresh.number)
-        && are_like(&kept.errors, &fresh.errors, ROUND_OFF)
-        && are_like(&kept.bars, &fresh.bars, ROUND_OFF)
-}
+pub const ROUND_OFF: f64 = 1e-7;
 
 /// Errors and bars of the numbers that are meant.
 pub fn meant(recorded: &[Record], is_meant: impl Fn(&Record, Kind) -> bool) -> Vec<[f64; 2]> {
@@ -271,53 +250,49 @@ pub(super) fn judge(recorded: &[Record]) -> Vec<Judged> {
 /// The share of errors within their bars, an unknown one being outside, of each number of each family on each kind of cells, where it is
 /// smallest.
 pub fn within(recorded: &[Record]) -> Judged {
-    let groups = JUDGED.iter().flat_map(|&family| Kind::ALL.map(|kind| (family, kind, kind.title())));
-    let groups = groups.flat_map(|(family, kind, name)| ORDERS.map(|cells| (family, kind, name, cells)));
-    let shares = groups.filter_map(|(family, kind, name, cells)| {
-        let is_own = |one: &Record, own| one.family == family && own == kind && order(one.number) == cells;
-        let own = meant(recorded, is_own);
-        let at = || format!("{name}, {}, {}-node cells", family.title(), cells.nodes_per_cell());
-        (!own.is_empty()).then(|| (at(), share_within(&own, 1.0)))
+    let groups = JUDGED.iter().flat_map(|&family| Kind::ALL.map(|kind| (family, kind)));
+    let groups = groups.flat_map(|(family, kind)| ORDERS.map(|cells| (family, kind, cells)));
+    let groups = groups.map(|(family, kind, cells)| {
+        let is_own = |one: &Record, own| one.site.family == family && own == kind && order(one.site.number) == cells;
+        let at = format!("{}, {}, {}-node cells", kind.title(), family.title(), cells.nodes_per_cell());
+        (at, meant(recorded, is_own))
     });
     let quantity = "share of the true errors within their bars, where it is smallest";
-    let bound = Reference::analytic("closed forms", SHARE);
-    smallest(
-        shares,
-        quantity,
-        bound,
-        format!(
-            "of each number of each of the first {} families on each kind of cells, an unknown bar being outside",
-            JUDGED.len()
-        ),
-    )
+    let because = format!(
+        "of each number of each of the first {} families on each kind of cells, an unknown bar being outside",
+        JUDGED.len()
+    );
+    smallest(groups, |_| true, quantity, "closed forms", because)
 }
 
 /// The share of errors within the bars that are told, of each number of every family, where it is smallest; none told is no share.
 pub fn told(recorded: &[Record]) -> Judged {
-    let groups = FAMILIES.into_iter().flat_map(|family| Kind::ALL.map(|kind| (family, kind, kind.title())));
-    let shares = groups.filter_map(|(family, kind, name)| {
-        let mut own = meant(recorded, |one, own| one.family == family && own == kind);
-        let at = || format!("{name}, {}", family.title());
-        (!own.is_empty()).then(|| {
-            own.retain(|[_, bar]| !bar.is_nan());
-            (at(), share_within(&own, 1.0))
-        })
+    let groups = FAMILIES.into_iter().flat_map(|family| Kind::ALL.map(|kind| (family, kind)));
+    let groups = groups.map(|(family, kind)| {
+        let own = meant(recorded, |one, own| one.site.family == family && own == kind);
+        (format!("{}, {}", kind.title(), family.title()), own)
     });
     let quantity = "share of the true errors within the bars that are told, where it is smallest";
-    let bound = Reference::analytic("closed forms and boundary methods", SHARE);
-    smallest(shares, quantity, bound, "of each number of every family, on both kinds of cells together")
+    let because = "of each number of every family, on both kinds of cells together";
+    smallest(groups, |[_, bar]| !bar.is_nan(), quantity, "closed forms and boundary methods", because)
 }
 
-/// The smallest of some shares, which shall not be below a bound; one that is no number is the smallest.
+/// The smallest share within their bars of the errors that count, which shall not be below [`SHARE`], of groups that are not empty; one
+/// that is no number is the smallest.
 fn smallest(
-    shares: impl Iterator<Item = (String, f64)>,
+    groups: impl Iterator<Item = (String, Vec<[f64; 2]>)>,
+    counts: fn(&[f64; 2]) -> bool,
     quantity: &'static str,
-    bound: Reference,
+    truth: &str,
     because: impl Into<Cow<'static, str>>,
 ) -> Judged {
+    let shares = groups.filter(|(_, own)| !own.is_empty()).map(|(at, mut own)| {
+        own.retain(counts);
+        (at, share_within(&own, 1.0))
+    });
     let least = shares.reduce(|a, b| if b.1 < a.1 || b.1.is_nan() { b } else { a });
     let (at, share) = least.unwrap_or((String::new(), f64::NAN));
-    Check::at_least(case::Quantity::at(quantity, at), bound, because).judge(share)
+    Check::at_least(case::Quantity::at(quantity, at), Reference::analytic(truth, SHARE), because).judge(share)
 }
 
 /// Errors far outside the bars that are known.
@@ -346,7 +321,7 @@ pub fn narrow(recorded: &[Record]) -> Judged {
 
 /// The largest median of bar over error, of errors above any of the cuts.
 fn widest(recorded: &[Record]) -> f64 {
-    let judged = meant(recorded, |one, _| JUDGED.contains(&one.family));
+    let judged = meant(recorded, |one, _| JUDGED.contains(&one.site.family));
     CUTS.map(|cut| median(&judged, cut)).into_iter().fold(0.0, larger)
 }
 
@@ -394,8 +369,8 @@ pub(super) fn section(recorded: &[Record]) -> String {
     let families = std::iter::once(None).chain(FAMILIES.map(Some));
     let rows = families.flat_map(|family| Kind::ALL.map(|kind| (family, kind, kind.title())));
     let row = |(family, kind, name): (Option<Family>, Kind, &'static str)| {
-        let is_own = |one: &Record, own: Kind| own == kind && family.is_none_or(|family| one.family == family);
-        let of = |cells: Order| meant(recorded, |one, own| is_own(one, own) && order(one.number) == cells);
+        let is_own = |one: &Record, own: Kind| own == kind && family.is_none_or(|family| one.site.family == family);
+        let of = |cells: Order| meant(recorded, |one, own| is_own(one, own) && order(one.site.number) == cells);
         let [four, eight] = ORDERS.map(of);
         (family.map_or("**all**", Family::title), name, [meant(recorded, is_own), four, eight])
     };

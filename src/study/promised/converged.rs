@@ -13,22 +13,13 @@ use crate::drawing::{Axis, Chart, Drawing, Series, panels};
 use crate::error::{Error, Kind};
 use crate::markdown;
 use crate::solution::EnergyError;
-use crate::solve::Ended;
-use crate::solve::{Change, Discretisation, Formulation, Iteration, Run, Settings};
+use crate::solve::{Change, Discretisation, Ended, Formulation, Iteration, Run, Settings};
 use crate::study::drawn;
-use crate::study::records::{Millionths, Survey, are_like};
+use crate::study::records::{Millionths, Survey};
 
 /// The survey.
-pub const SURVEY: Survey<Site, Record> = Survey {
-    name: "converged",
-    head,
-    sites,
-    key: Site::key,
-    of: |record| Site { scene: record.scene.clone(), stretch: record.stretch }.key(),
-    run: records,
-    alike: is_as_recorded,
-    again: |site| AGAIN.iter().any(|&(scene, stretch)| site.scene == scene && same(site.stretch, stretch)),
-};
+pub const SURVEY: Survey<Site, Record> =
+    Survey { name: "converged", head, sites, key: Site::key, of: |record| record.site.key(), run: records };
 
 /// Candidate stretches over the half-width under the nominal load; 0 is the scene's own.
 const STRETCHES: [f64; 7] = [0.0, 1.05, 2.0, 5.0, 20.0, 50.0, 150.0];
@@ -45,36 +36,10 @@ const FILES: &str = "tests/cases";
 /// Candidate elements of a contact: beyond them elements get longer with the stretch.
 const ELEMENTS: f64 = 64.0;
 /// Error over the tolerance that is round-off, and recorded as none.
-const ROUND_OFF: f64 = 1e-3;
-
-/// Scenes that are run again, each on a stretch: the cheapest of each kind of body, profile and load.
-const AGAIN: [(&str, f64); 22] = [
-    ("truncated-hertz", 0.0),
-    ("press-fit", 0.0),
-    ("patch", 0.0),
-    ("own-weight", 0.0),
-    ("flat-punch", 0.0),
-    ("eccentric-load.toml", 0.0),
-    ("pressed-patch.toml", 0.0),
-    ("load-approach.toml", 0.0),
-    ("cylinder-half", 1.05),
-    ("cylinder-between-plates", 1.05),
-    ("cylinder-between-blocks.toml", 1.05),
-    ("cylinder-on-block.toml", 1.05),
-    ("hollow-circle.toml", 1.05),
-    ("moment.toml", 1.05),
-    ("rigid-cosine.toml", 1.05),
-    ("rigid-pin.toml", 1.05),
-    ("cylinder", 2.0),
-    ("bars", 5.0),
-    ("cylinder-to-accuracy.toml", 5.0),
-    ("cylinder-to-accuracy.toml", 20.0),
-    ("rings-to-accuracy.toml", 50.0),
-    ("blocks.toml", 150.0),
-];
+pub const ROUND_OFF: f64 = 1e-3;
 
 /// A scene on a candidate stretch.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Site {
     /// Name in the library, that of the long block, or a scene file.
     pub scene: String,
@@ -85,10 +50,8 @@ pub struct Site {
 /// The runs of all nine under a load and a tolerance; none where a formulation is not defined for the scene.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Record {
-    /// The scene.
-    pub scene: String,
-    /// Candidate stretch over the nominal half-width; 0 is the scene's own.
-    pub stretch: f64,
+    /// The scene on its stretch.
+    pub site: Site,
     /// Load over the nominal one.
     pub load: f64,
     /// Tolerance.
@@ -156,9 +119,8 @@ pub fn records(site: &Site) -> Result<Vec<Record>, Error> {
     let Some(discretisation) = site.discretised()? else { return Ok(Vec::new()) };
     let mut records = Vec::new();
     for [load, tolerance] in LOADS.into_iter().flat_map(|load| TOLERANCES.map(|tolerance| [load, tolerance])) {
-        let Site { scene, stretch } = site.clone();
         let (classes, iterations, errors) = ([None; 9], [None; 9], [None; 9]);
-        let mut record = Record { scene, stretch, load, tolerance, classes, iterations, errors };
+        let mut record = Record { site: site.clone(), load, tolerance, classes, iterations, errors };
         for (k, formulation) in Formulation::nine().into_iter().enumerate() {
             let formulation = formulation.tolerance(tolerance);
             let run = Run::from(None, &discretisation, &formulation, Change { load, ..Change::NONE });
@@ -175,15 +137,6 @@ pub fn records(site: &Site) -> Result<Vec<Record>, Error> {
         records.extend(record.classes.iter().any(Option::is_some).then_some(record));
     }
     Ok(records)
-}
-
-/// Whether fresh runs are the recorded ones: outcome and iterations always, the error where it is above round-off.
-pub fn is_as_recorded(kept: &Record, fresh: &Record) -> bool {
-    let key = |record: &Record| [record.load, record.tolerance].map(f64::to_bits);
-    key(kept) == key(fresh)
-        && kept.classes == fresh.classes
-        && kept.iterations == fresh.iterations
-        && are_like(&kept.errors, &fresh.errors, ROUND_OFF * kept.tolerance)
 }
 
 /// Scenes of the library on which the bound of the energy error is measured, under all nine formulations.
@@ -275,7 +228,8 @@ pub(super) fn picture(recorded: &[Record]) -> (String, Drawing) {
             Chart::new(algorithm.name(), Axis::log("candidate stretch / a [–]").over(1.0, 150.0), share_of_runs);
         for (k, formulation) in all.iter().enumerate().filter(|(_, one)| one.algorithm == algorithm) {
             let at = |stretch: f64| {
-                let is_at = |record: &Record| same(record.tolerance, TOLERANCES[0]) && same(record.stretch, stretch);
+                let is_at =
+                    |record: &Record| same(record.tolerance, TOLERANCES[0]) && same(record.site.stretch, stretch);
                 share(recorded, k, is_at).map(|share| [stretch, 100.0 * share])
             };
             let points = STRETCHES.into_iter().filter(|stretch| *stretch > 0.0).filter_map(at);

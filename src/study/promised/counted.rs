@@ -6,9 +6,9 @@ use serde::{Deserialize, Serialize};
 use super::bars::{self, ROUND_OFF};
 use crate::accuracy::counted::{Kind, Row};
 use crate::error::Error;
+use crate::study::random::Site;
 use crate::study::random::family::JUDGED;
-use crate::study::random::{Family, Site};
-use crate::study::records::{Millionths, Survey, are_like};
+use crate::study::records::{Millionths, Survey};
 
 /// The survey.
 pub const SURVEY: Survey<Site, Record> = Survey {
@@ -16,28 +16,20 @@ pub const SURVEY: Survey<Site, Record> = Survey {
     head: || COLUMNS.map(String::from).into(),
     sites: || Ok(JUDGED.iter().flat_map(|&family| (1..=EACH).map(move |number| Site { family, number })).collect()),
     key: Site::key,
-    of: |record| Site { family: record.family, number: record.number }.key(),
+    of: |record| record.site.key(),
     run: record,
-    alike: |kept, fresh| {
-        let numbers = |one: &Record| [one.error, one.apart, one.hidden, one.rest].map(Some);
-        kept.row() == fresh.row() && are_like(&numbers(kept), &numbers(fresh), ROUND_OFF)
-    },
-    again: |site| site.number % AGAIN == 1,
 };
 
 /// Scenes of a family: five of each cells, element, and way to end.
-const EACH: usize = 90;
-/// Of so many scenes one is solved again whenever the record is judged.
-const AGAIN: usize = EACH;
+pub const EACH: usize = 90;
 
 const COLUMNS: [&str; 8] = ["family", "number", "kind", "ends_at_candidates", "error", "apart", "hidden", "rest"];
 
 /// A number of a scene, over the size of such a number.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Record {
-    /// Family of the scene.
-    pub family: Family,
-    number: usize,
+    /// The scene.
+    pub site: Site,
     kind: Kind,
     ends_at_candidates: bool,
     /// True error.
@@ -53,7 +45,7 @@ pub struct Record {
 impl Record {
     /// What it is counted on as.
     pub fn row(&self) -> Row {
-        Row::of(self.kind, bars::element(self.number), bars::order(self.number), self.ends_at_candidates)
+        Row::of(self.kind, bars::element(self.site.number), bars::order(self.site.number), self.ends_at_candidates)
     }
 }
 
@@ -65,8 +57,7 @@ fn record(site: &Site) -> Result<Vec<Record>, Error> {
         let over = |value: f64| Millionths(value / size);
         let is_told = told.bar().is_finite() && rest.is_finite() && error.is_finite() && error > ROUND_OFF * size;
         is_told.then(|| Record {
-            family: site.family,
-            number: site.number,
+            site: *site,
             kind: told.row.kind,
             ends_at_candidates: told.row.ends_at_candidates,
             error: over(error),

@@ -26,10 +26,8 @@ pub const SURVEY: Survey<(Site, f64), Record> = Survey {
     head: || records::named(HEAD),
     sites: || Ok(sites().collect()),
     key,
-    of: |&Record { family, number, asked, .. }| key(&(Site { family, number }, asked)),
+    of: |record| key(&(record.site, record.asked)),
     run: |(site, asked)| Ok(vec![record(site, *asked, &site.sample()?)?]),
-    alike: is_as_recorded,
-    again,
 };
 
 /// Columns of the record.
@@ -40,19 +38,6 @@ const HEAD: [&str; 10] =
 pub const ASKED: [f64; 5] = [3e-2, 1e-2, 3e-3, 1e-3, 3e-4];
 /// Families whose mesh is halved or made evenly finer.
 const EVENLY: [Family; 2] = [Family::Mesh, Family::Pair];
-/// Number of the scene that is solved again, of each family to the first of the accuracies, of those of closed form in turn to that
-/// and the third, or to the second and the fourth.
-const AGAIN: usize = family::FIRST + 10;
-
-fn again((site, asked): &(Site, f64)) -> bool {
-    let accuracies = match family::JUDGED.iter().position(|family| *family == site.family) {
-        Some(turn) if turn % 2 == 1 => [ASKED[1], ASKED[3]],
-        Some(_) => [ASKED[0], ASKED[2]],
-        None => [ASKED[0]; 2],
-    };
-    site.number == AGAIN && accuracies.contains(asked)
-}
-
 /// All families but those whose peak has no limit.
 pub fn families() -> impl Iterator<Item = Family> {
     let has_limit = |family: &Family| !matches!(family, Family::Punch | Family::Kink);
@@ -79,10 +64,8 @@ fn key((site, asked): &(Site, f64)) -> String {
 /// One answer.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Record {
-    /// Family of the scene.
-    pub family: Family,
-    /// Its number in the family.
-    pub number: usize,
+    /// The scene.
+    pub site: Site,
     /// Relative error asked for.
     pub asked: f64,
     /// Whether it is said to be met.
@@ -103,11 +86,11 @@ pub struct Record {
 
 impl Record {
     /// Of an answer.
-    pub fn of(&Site { family, number }: &Site, asked: f64, sample: &Sample, answer: &Answer) -> Self {
+    pub fn of(&site: &Site, asked: f64, sample: &Sample, answer: &Answer) -> Self {
         let [peak, half_width] = errors(sample, &answer.run).map(Millionths);
         let (met, estimate) = (answer.unmet.is_none(), Millionths(answer.estimate()));
         let (dofs, most_dofs, dofs_in_all) = (answer.run.dofs, answer.most_dofs(), answer.dofs_in_all());
-        Self { family, number, asked, met, estimate, peak, half_width, dofs, most_dofs, dofs_in_all }
+        Self { site, asked, met, estimate, peak, half_width, dofs, most_dofs, dofs_in_all }
     }
 
     /// Dofs of all meshes over those of the largest one.
@@ -147,21 +130,9 @@ pub fn record(site: &Site, asked: f64, sample: &Sample) -> Result<Record, Error>
 const WRONG: f64 = 0.01;
 /// Error over what was asked, of what is called met.
 const FARTHEST: f64 = 1.5;
-/// Errors below this part of the one asked for may differ: they hang on the iteration.
-const ITERATED: f64 = 0.01;
-
 /// The checks.
 pub(super) fn judge(recorded: &[Record]) -> Vec<Judged> {
     vec![right(recorded), near(recorded), consistent(recorded)]
-}
-
-/// Whether a fresh answer is the recorded one: mesh and verdict always, errors but for the iteration.
-pub fn is_as_recorded(kept: &Record, fresh: &Record) -> bool {
-    let key = |record: &Record| (record.family, record.number, record.asked.to_bits());
-    let found = |record: &Record| (record.met, record.dofs, record.most_dofs, record.dofs_in_all);
-    let alike = |of: fn(&Record) -> Millionths| of(kept).is_like(of(fresh), ITERATED * kept.asked);
-    let errors = [|one: &Record| one.estimate, |one: &Record| one.peak, |one: &Record| one.half_width];
-    key(kept) == key(fresh) && found(kept) == found(fresh) && errors.into_iter().all(alike)
 }
 
 /// What is called met is so, but for a small share.
@@ -377,11 +348,11 @@ fn largest(ratios: impl Iterator<Item = f64>) -> String {
 pub(super) fn section(recorded: &[Record], beside: &[Beside]) -> String {
     let [shortest, longest] = GUESS;
     let row = |(family, asked): (Family, f64)| -> Row {
-        let is_own = |record: &&Record| record.family == family && record.asked.to_bits() == asked.to_bits();
+        let is_own = |record: &&Record| record.site.family == family && record.asked.to_bits() == asked.to_bits();
         (family, asked, recorded.iter().filter(is_own).cloned().collect())
     };
     let wrong = |family: Option<Family>| {
-        let own = recorded.iter().filter(|record| family.is_none_or(|family| record.family == family));
+        let own = recorded.iter().filter(|record| family.is_none_or(|family| record.site.family == family));
         own.filter(|record| record.is_falsely_met()).count()
     };
     let over_cheapest: Vec<f64> = beside.iter().map(|one| one.own().dofs as f64 / one.cheapest() as f64).collect();

@@ -266,39 +266,30 @@ pub fn largest_shear(stress: impl Fn([f64; 2]) -> [f64; 3], [from, to]: [f64; 2]
 /// Elements on the shortest stretch, closed or open: on fewer, no coarser mesh sees it.
 const ON_SHORTEST: f64 = 2.0;
 
-/// How a contact is cut out of the half-plane.
-#[derive(Clone, Copy, Debug)]
-pub struct Cut {
-    /// Whether the blocks lie on both sides of s = 0; else they are halves of an even contact.
-    pub whole: bool,
-    /// How far they go to each side, and into the depth, over the outermost end of the contact.
-    pub size: [f64; 2],
-    /// Guess of the candidate stretch over the outermost end.
-    pub guess: f64,
-}
-
-/// A contact between a block and a rigid profile, or between two blocks, the upper one first.
-pub fn sample(contact: HalfPlane, materials: &[Material], cut: Cut) -> Sample {
+/// A contact between a block and a rigid profile, or between two blocks, the upper one first: `whole` blocks lie on both sides of s = 0, others
+/// are halves of an even contact; `size` is how far they go to each side, and into the depth, and `guess` the candidate stretch, all over the
+/// outermost end of the contact.
+pub fn sample(contact: HalfPlane, materials: &[Material], whole: bool, size: [f64; 2], guess: f64) -> Sample {
     let outermost = contact.stretches.iter().flatten().fold(0.0, |far: f64, end| far.max(end.abs()));
-    let [side, height] = cut.size.map(|size| size * outermost);
+    let [side, height] = size.map(|size| size * outermost);
     let [peak, place] = contact.peak();
     let load = contact.load();
     let [centre, width] = contact.centre_and_width();
     let contact = Arc::new(contact);
-    let (path, left) = if cut.whole { (BOTH_SIDES, -side) } else { (Path::HORIZONTAL, 0.0) };
+    let (path, left) = if whole { (BOTH_SIDES, -side) } else { (Path::HORIZONTAL, 0.0) };
     let bodies = materials.iter().enumerate();
     let bodies = bodies.map(|(k, material)| block(&contact, *material, k == 0, [left, side, height])).collect();
     let pair = ContactPair::new(
         (materials.len() > 1).then_some(1),
         path,
         contact.profile.clone(),
-        (cut.guess * outermost).min(side),
+        (guess * outermost).min(side),
     );
     let finite = if peak.is_finite() { peak } else { load / outermost };
     let scene = scene(
         "block of a half-plane",
         bodies,
-        ContactPair { symmetric: !cut.whole, ..pair },
+        ContactPair { symmetric: !whole, ..pair },
         ReferenceValues { length: outermost, pressure: finite, gap: load / contact.modulus },
         GROWING,
     );
@@ -306,23 +297,22 @@ pub fn sample(contact: HalfPlane, materials: &[Material], cut: Cut) -> Sample {
         scene,
         [
             (Quantity::PeakPressure, peak),
-            (Quantity::PeakPlace, if cut.whole { place } else { place.abs() }),
+            (Quantity::PeakPlace, if whole { place } else { place.abs() }),
             (Quantity::SecondMomentWidth, width),
             (Quantity::Resultant, load),
         ],
     );
-    if cut.whole {
+    if whole {
         sample = sample.with(Quantity::Centre, centre).with(Quantity::Moment, load * centre);
     }
-    let modelled: Vec<[f64; 2]> =
-        contact.stretches.iter().copied().filter(|[_, end]| cut.whole || *end > 0.0).collect();
+    let modelled: Vec<[f64; 2]> = contact.stretches.iter().copied().filter(|[_, end]| whole || *end > 0.0).collect();
     if let ([[begin, _], ..], [.., [_, end]]) = (&modelled[..], &modelled[..])
-        && (cut.whole || *begin > 0.0)
+        && (whole || *begin > 0.0)
     {
         sample = sample.with(Quantity::HalfWidth, 0.5 * (end - begin));
     }
     for (k, [begin, end]) in modelled.iter().enumerate() {
-        if cut.whole || *begin > 0.0 {
+        if whole || *begin > 0.0 {
             sample = sample.with(Quantity::Begin(k), *begin);
         }
         sample = sample.with(Quantity::End(k), *end);
@@ -334,13 +324,13 @@ pub fn sample(contact: HalfPlane, materials: &[Material], cut: Cut) -> Sample {
     }
     if peak.is_finite() {
         let from = contact.stretches[0][0];
-        let shear = largest_shear(stress, [if cut.whole { from } else { from.max(0.0) }, outermost_end(&contact)]);
+        let shear = largest_shear(stress, [if whole { from } else { from.max(0.0) }, outermost_end(&contact)]);
         sample = sample.sheared(0, shear);
         if materials.len() > 1 {
             sample = sample.sheared(1, shear);
         }
     }
-    let several = contact.stretches.len() > if cut.whole { 1 } else { 2 };
+    let several = contact.stretches.len() > if whole { 1 } else { 2 };
     let half = 0.5 * (outermost_end(&contact) - contact.stretches[0][0]);
     if several { sample.seen_by(ON_SHORTEST * half / contact.shortest()) } else { sample }
 }

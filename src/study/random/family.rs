@@ -1,6 +1,8 @@
 //! Kinds of random scenes, the random numbers that they are drawn from, what is true of a sample of them, and which were not used to
 //! choose how far anything is counted on.
 
+use serde::{Deserialize, Serialize};
+
 use crate::measure::Quantity;
 use crate::named::named_enum;
 use crate::scene::{Component, Place, Scene};
@@ -112,7 +114,7 @@ named_enum! {
 }
 
 /// A scene of a family.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Site {
     /// Its family.
     pub family: Family,

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::oracle::boundary::HalfPlane;
 use crate::scene::{Material, MonotoneCubic, PlaneHypothesis, Profile};
-use crate::study::random::blocks::{self, Cut};
+use crate::study::random::blocks;
 use crate::study::random::family::{Draw, Sample};
 
 /// How far a profile through points goes, over the expected end of the contact.
@@ -70,7 +70,7 @@ pub fn pressed(draw: &mut Draw, materials: &[Material], guess: f64, drawn: impl 
         let gap = drawn(draw);
         let size = [draw.between(4.0, 14.0), draw.between(4.0, 14.0)];
         if let Some(contact) = gap.pressed(1.0 / compliance) {
-            return blocks::sample(contact, materials, Cut { whole: gap.whole, size, guess });
+            return blocks::sample(contact, materials, gap.whole, size, guess);
         }
     }
 }
@@ -220,7 +220,7 @@ pub fn polynomial(draw: &mut Draw, material: Material, guess: f64, off_centre: b
             && (0..LOOKED_AT).all(|k| contact.pressure(a * place(k)) > least(place(k)))
             && off_centre == (contact.peak()[0] > 1.01 * contact.pressure(0.0))
         {
-            return blocks::sample(contact, &[material], Cut { whole: false, size: [size, size], guess });
+            return blocks::sample(contact, &[material], false, [size, size], guess);
         }
     }
 }
@@ -233,6 +233,5 @@ pub fn wedge(draw: &mut Draw, material: Material, guess: f64) -> Sample {
     let gap = |u: f64| if u < round { [0.5 * u * u / round, u / round] } else { [u - 0.5 * round, 1.0] };
     let profile = smooth([a, slope], [0.0, round, size].into_iter(), gap);
     let contact = HalfPlane { modulus, profile, stretches: vec![[-a, a]] };
-    let cut = Cut { whole: false, size: [size, size], guess };
-    blocks::sample(contact, &[material], cut).seen_by(ON_TIP / round)
+    blocks::sample(contact, &[material], false, [size, size], guess).seen_by(ON_TIP / round)
 }

@@ -158,13 +158,6 @@ pub fn judge(cells: Order, [.., (_, levels)]: &Curved) -> Vec<Judged> {
     judged.collect()
 }
 
-/// How it is asked.
-pub const INTRODUCTION: &str = "## Curved sides that do not match\n\n\
-     Two rings are pressed into one another with the interference `δ + Δ cos 2θ`, the inner one with two elements beside three of the outer \
-     one. By Lamé and Michell the pressure is `p₀ + p₂ cos 2θ` all around the fit: no end of the contact limits the orders. Errors are \
-     relative in L2, of the pressure over the points of the contact, of the displacements over both rings; orders are in brackets. \
-     A dash is a run that did not converge.\n\n";
-
 /// Errors and orders by each contact element.
 pub fn table(order: Order, curved: &Curved) -> String {
     let of_each = |number: usize| {

@@ -9,8 +9,7 @@ use crate::mesh::{Order, Resolution};
 use crate::oracle::analytic::Plane;
 use crate::oracle::analytic::persson::PinInHole;
 use crate::scene::Material;
-use crate::solve::Ended;
-use crate::solve::{Discretisation, Formulation, Run};
+use crate::solve::{Discretisation, Ended, Formulation, Run};
 
 /// Values of `E t c / F`.
 pub const CLEARANCES: [f64; 8] = [0.0, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0];
@@ -129,9 +128,6 @@ pub fn judge(curves: &[Curve], [first, other]: &[[f64; 2]; 2], wide_plate: f64) 
     [lost, embraced].into_iter().chain(placed).collect()
 }
 
-/// What the family is.
-pub const INTRODUCTION: &str = "Three dimensionless numbers place any published figure of a pin in an eye.";
-
 /// Pressure and angle over the clearance.
 pub fn table_of_curves(curves: &[Curve]) -> String {
     let head = ["R t p_max/F / 2√(∫pθ²/∫p) at E t c/F =".into()].into_iter();
@@ -143,5 +139,5 @@ pub fn table_of_curves(curves: &[Curve]) -> String {
     };
     let row = |(name, placed): &Curve| [name.clone()].into_iter().chain(placed.iter().map(cell)).collect();
     let table = markdown::table(&head, &curves.iter().map(row).collect::<Vec<_>>());
-    format!("**Pin–rod: pressure and second-moment angle by dimensionless clearance**\n\n{table}\n")
+    format!("**Pin–rod: pressure and second-moment angle by dimensionless clearance**\n\n{table}")
 }

@@ -37,7 +37,7 @@ pub enum Numbers {
     /// Rings on meshes of cells of one order that do not match.
     Rings(Order, curved::Curved),
     /// The cylinder beside Hertz, from the smallest contact to the largest.
-    ModelError([Ratio; 4]),
+    ModelError(Vec<Ratio>),
     /// The half cylinder against the quarter, from the smallest contact to the largest.
     Quarter(Vec<Change>),
     /// The family over the clearance.
@@ -80,9 +80,8 @@ impl Study for Numbers {
             Planned::new("model error, cylinder", "node.kinematic", || model_error().map(Numbers::ModelError)),
             Planned::new(QUARTER, "node.kinematic", || changes().map(Numbers::Quarter)),
             Planned::new("dimensionless family, pin-rod", "clearance and thickness", || {
-                let [first, other] = family::same_place()?;
-                let (curves, wide_plate) = (family::curves()?, family::in_wide_plate());
-                Ok(Numbers::Family { curves, same_place: [first, other], wide_plate })
+                let (curves, same_place) = (family::curves()?, family::same_place()?);
+                Ok(Numbers::Family { curves, same_place, wide_plate: family::in_wide_plate() })
             }),
         ];
         orders.into_iter().chain(rings).chain(others).collect()
@@ -100,22 +99,25 @@ impl Study for Numbers {
 
     /// Tables of the nested meshes and of the model error; the quarter; the family.
     fn section(findings: &[Found<Self>]) -> Result<String, Error> {
-        let [mut refinement, mut rings, mut quarter, mut family] = [
-            picture(nested::FILE, "Observed orders of accuracy") + nested::INTRODUCTION,
-            curved::INTRODUCTION.to_owned(),
-            "## Half cylinder against quarter\n\n".to_owned(),
-            format!("## The dimensionless family of the pin–rod\n\n{}\n\n", family::INTRODUCTION),
-        ];
+        let [mut orders, mut rings, mut ratios, mut quarter, mut family] = [const { String::new() }; 5];
         for found in findings {
             match found.numbers {
-                Numbers::Orders(series) => refinement += &nested::table_of_orders(series),
+                Numbers::Orders(series) => orders += &nested::table_of_orders(series),
                 Numbers::Rings(order, found) => rings += &curved::table(*order, found),
-                Numbers::ModelError(ratios) => refinement += &table_of_ratios(ratios),
+                Numbers::ModelError(found) => ratios += &table_of_ratios(found),
                 Numbers::Quarter(changes) => quarter += &table_of_changes(changes),
                 Numbers::Family { curves, .. } => family += &family::table_of_curves(curves),
             }
         }
-        Ok(refinement + &rings + &quarter + &family)
+        Ok(format!(
+            include_str!("page.md"),
+            chart = picture(nested::FILE, "Observed orders of accuracy"),
+            orders = orders,
+            ratios = ratios,
+            rings = rings,
+            quarter = quarter,
+            family = family
+        ))
     }
 
     /// Errors over the mesh size.
@@ -170,7 +172,7 @@ impl Change {
 }
 
 /// Powers of a/R by which a departure falls, from the largest contact to the smallest; nothing below five error bars has one.
-fn powers(ratios: &[Ratio; 4], number: usize) -> Vec<Observed> {
+fn powers(ratios: &[Ratio], number: usize) -> Vec<Observed> {
     let floor = ratios.iter().map(|ratio| ratio.departures[number][1]).fold(0.0, larger);
     let falling = || ratios.iter().rev();
     let sizes: Vec<f64> = falling().map(|ratio| ratio.a_over_r).collect();
@@ -178,7 +180,7 @@ fn powers(ratios: &[Ratio; 4], number: usize) -> Vec<Observed> {
 }
 
 /// What the quarter cylinder differs from Hertz by, on cells that end with the contact.
-pub fn model_error() -> Result<[Ratio; 4], Error> {
+pub fn model_error() -> Result<Vec<Ratio>, Error> {
     let ratio = |a_over_r| {
         let numbers = Cylinder { a_over_r, ..Default::default() };
         let asked = Asked { quantities: BOTH.into(), ..Asked::new(SOLVED_TO) };
@@ -192,8 +194,7 @@ pub fn model_error() -> Result<[Ratio; 4], Error> {
         });
         Ok(Ratio { a_over_r, departures, dofs: answer.run.dofs })
     };
-    let [a, b, c, d]: [Result<Ratio, Error>; 4] = BESIDE_HERTZ.map(ratio);
-    Ok([a?, b?, c?, d?])
+    BESIDE_HERTZ.into_iter().map(ratio).collect()
 }
 
 /// Every model at every a/R.
@@ -215,7 +216,7 @@ pub fn changes() -> Result<Vec<Change>, Error> {
 const OVER_HERTZ: [&str; 2] = ["peak pressure over that of Hertz", "second-moment width over the half-width of Hertz"];
 
 /// The smallest contact is Hertz's; with growing contact the difference grows by (a/R)².
-pub fn judge_model_error(ratios: &[Ratio; 4]) -> Vec<Judged> {
+pub fn judge_model_error(ratios: &[Ratio]) -> Vec<Judged> {
     let small = [0, 1].map(|number| {
         let (Ratio { a_over_r, departures, .. }, hertz) = (&ratios[0], Reference::analytic("Hertz", 1.0));
         let ([departure, bar], at) = (departures[number], format!("a/R = {a_over_r}"));
@@ -257,7 +258,7 @@ pub fn judge_change(change: &Change) -> Vec<Judged> {
 }
 
 /// The cylinder beside Hertz.
-pub fn table_of_ratios(ratios: &[Ratio; 4]) -> String {
+pub fn table_of_ratios(ratios: &[Ratio]) -> String {
     type Row<'a> = (&'a Ratio, [String; 2]);
     let columns: [Column<Row>; 8] = [
         ("a/R", |(ratio, _)| ratio.a_over_r.to_string()),
@@ -270,10 +271,8 @@ pub fn table_of_ratios(ratios: &[Ratio; 4]) -> String {
         ("dofs", |(ratio, _)| ratio.dofs.to_string()),
     ];
     let powers = [0, 1].map(|number| powers(ratios, number));
-    let rows = ratios.iter().rev().enumerate().map(|(k, ratio)| {
-        let read = |number: usize| told(k.checked_sub(1).and_then(|before| powers[number].get(before)));
-        (ratio, [read(0), read(1)])
-    });
+    let rows =
+        ratios.iter().rev().enumerate().map(|(k, ratio)| (ratio, powers.each_ref().map(|powers| told(powers, k))));
     format!(
         "**Cylinder: model error against Hertz, and the power of a/R by which it falls (solved to {} %)**\n\n{}\n",
         accuracy::in_percent(SOLVED_TO),

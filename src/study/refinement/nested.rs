@@ -141,17 +141,12 @@ fn below_second_order(series: &Series) -> Vec<Judged> {
     judged.collect()
 }
 
-/// How orders are read.
-pub const INTRODUCTION: &str = "Orders are read between each two successive meshes. Those of a series whose errors do not keep \
-     their sign and fall are withheld, as are those of errors near what no mesh removes. The edge is where the contact ends: its distance \
-     from the nearest node, outwards positive, in elements.\n\n";
-
 /// How far the contact's edge may move within its element from mesh to mesh and still be said to stay \[elements\].
 const STAYS: f64 = 0.1;
 
-/// An order in a table.
-pub fn told(observed: Option<&Observed>) -> String {
-    match observed {
+/// The order from the mesh before to the mesh `k`, in a table.
+pub fn told(orders: &[Observed], k: usize) -> String {
+    match k.checked_sub(1).and_then(|before| orders.get(before)) {
         None => "–".into(),
         Some(Ok(order)) => format!("{order:.2}"),
         Some(Err(Why::NotMonotone)) => "withheld".into(),
@@ -180,7 +175,7 @@ pub fn table_of_orders(series: &Series) -> String {
         ("edge", |(_, edge, _)| in_elements(*edge)),
     ];
     let pairs = [0, 1, 2].map(|number| series.orders(number));
-    let orders = |k: usize| pairs.each_ref().map(|pairs| told(k.checked_sub(1).and_then(|before| pairs.get(before))));
+    let orders = |k: usize| pairs.each_ref().map(|pairs| told(pairs, k));
     let levels = series.levels.iter().zip(&series.edges).enumerate();
     let rows: Vec<Row> = levels.map(|(k, (level, edge))| (level, *edge, orders(k))).collect();
     format!(

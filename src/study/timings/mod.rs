@@ -1,19 +1,17 @@
 //! Speed against accuracy: what each accuracy costs, in seconds and in counted work. Seconds are believed only while the errors and
-//! counts recorded beside them are still the code's own: these the tests compute again. A folder, since what measures seconds, what keeps
-//! them and what computes errors and counts again are three things.
+//! counts recorded beside them are still the code's own: these the claims compute again. A folder, since what measures seconds and what
+//! keeps them are two things.
 //!
 //! * `precision` — on which meshes truncated Hertz is solved; error against seconds and work, ours and of codes on meshes of their own.
 //! * `growth` — one solve at three sizes, stage by stage, against one plain sparse Cholesky solve; all nine formulations over one.
 //! * `record` — what is kept under `snapshots/timings`, measured on demand by the command `timings`, what of it is cheapest, and what was asked for.
 //!
-//! Below are the page, what is computed again, the answer of the front page, and the charts. An error is everywhere the larger one of p₀ and a under
+//! Below are the page, the answer of the front page, and the charts. An error is everywhere the larger one of p₀ and a under
 //! the worst of all loads.
 
 pub mod growth;
 pub mod precision;
 pub mod record;
-
-use rayon::prelude::*;
 
 use crate::case::Judged;
 use crate::clock::Stage;
@@ -24,20 +22,13 @@ use crate::markdown::{self, Column, significant};
 use crate::solve::{Element, Formulation, Iteration};
 use crate::study::about::{About, Found, Planned, Study};
 use crate::study::drawn::picture;
-use crate::study::timings::growth::{Counts, Growth, exponent};
+use crate::study::timings::growth::{Growth, exponent};
 use crate::study::timings::precision::{LOADS, Point, Series, TOLERANCE, cells};
 use crate::study::timings::record::{Beside, COMPARED, Record, Target, cheapest, front, ours, sound, targets};
 
-/// Recorded errors may differ from recomputed ones by this share: other machines round otherwise, and runs stop at 1e-5.
-const DIGITS: f64 = 1e-3;
-/// Degrees of freedom up to which iterations and entries of the factor are counted again.
-const RECOUNTED: usize = 200_000;
+pub use record::Record as Numbers;
 
-/// Nothing but that there is a record, which the page is made of.
-#[derive(Clone, Debug)]
-pub struct Numbers;
-
-impl Study for Numbers {
+impl Study for Record {
     const NAME: &'static str = "timings";
     const ABOUT: About = About {
         title: "Speed against accuracy",
@@ -46,7 +37,7 @@ impl Study for Numbers {
     };
 
     fn plan() -> Vec<Planned<Self>> {
-        vec![Planned::new("speed against accuracy", "the record", || Record::read().map(|_| Self))]
+        vec![Planned::new("speed against accuracy", "the record", || Record::read().map(Record::in_one_run))]
     }
 
     /// Seconds are of their machine; that errors and counts are still those of the code is claimed by the tests.
@@ -55,60 +46,15 @@ impl Study for Numbers {
     }
 
     /// The page of the committed record.
-    fn section(_: &[Found<Self>]) -> Result<String, Error> {
-        Ok(page(&Record::read()?.in_one_run()))
+    fn section(findings: &[Found<Self>]) -> Result<String, Error> {
+        Ok(findings.iter().map(|found| page(found.numbers)).collect())
     }
 
-    /// The chart of the committed record.
-    fn pictures(_: &[Found<Self>]) -> Result<Vec<(String, Drawing)>, Error> {
-        let record = Record::read()?.in_one_run();
-        Ok(vec![(FRONTS[0].into(), fronts(&record)), (CLOUD[0].into(), cloud(&record))])
+    /// The charts of the committed record.
+    fn pictures(findings: &[Found<Self>]) -> Result<Vec<(String, Drawing)>, Error> {
+        let of = |record: &Record| [(FRONTS[0].into(), fronts(record)), (CLOUD[0].into(), cloud(record))];
+        Ok(findings.iter().flat_map(|found| of(found.numbers)).collect())
     }
-}
-
-/// Every mesh of a series once more: points, and how many are not as recorded.
-pub fn again(series: Series) -> Result<[usize; 2], Error> {
-    let recorded: Vec<Point> = Record::read()?.of(series).cloned().collect();
-    let planned = series.meshes().len() * series.formulations().len();
-    // The largest mesh takes as long as all others: each is a piece of work of its own.
-    let fresh = series.meshes().par_iter().with_max_len(1).map(|mesh| precision::measure(series, *mesh));
-    let fresh = fresh.collect::<Result<Vec<_>, _>>()?.concat();
-    Ok([fresh.len(), points_moved(&recorded, &fresh, planned)])
-}
-
-/// How many points of so many are not recorded as they are now.
-pub fn points_moved(recorded: &[Point], fresh: &[Point], planned: usize) -> usize {
-    moved(recorded, fresh, is_same) + planned.abs_diff(recorded.len())
-}
-
-/// The smaller meshes of the growth once more: meshes, and how many have other counts than those recorded.
-pub fn recounted() -> Result<[usize; 2], Error> {
-    let record::Measured { growth, revolved, .. } = Record::read()?.measured;
-    let recorded: Vec<Counts> = growth.into_iter().chain(revolved).map(|one| one.counts).collect();
-    let kept = recorded.par_iter().filter(|counts| counts.dofs <= RECOUNTED);
-    let fresh = kept.map(|Counts { case, elements, refinement, .. }| growth::counts(case, *elements, *refinement));
-    let fresh = fresh.collect::<Result<Vec<_>, _>>()?;
-    Ok([fresh.len(), counts_moved(&recorded, &fresh)])
-}
-
-/// How many meshes of the growth are not recorded as they are now.
-pub fn counts_moved(recorded: &[Counts], fresh: &[Counts]) -> usize {
-    moved(recorded, fresh, Counts::eq) + (growth::MESHES.len() + growth::SPHERE.1).abs_diff(recorded.len())
-}
-
-fn moved<T>(recorded: &[T], fresh: &[T], is_same: fn(&T, &T) -> bool) -> usize {
-    fresh.iter().filter(|fresh| !recorded.iter().any(|kept| is_same(kept, fresh))).count()
-}
-
-/// Whether two points are of the same mesh and formulation, with the same errors and counts; seconds are not compared.
-fn is_same(kept: &Point, fresh: &Point) -> bool {
-    let exact = |one: &Point| (one.series, one.mesh, one.formulation.clone(), one.dofs, one.converged);
-    let numbers = |one: &Point| [one.operations, one.peak, one.peak_worst, one.half_width, one.half_width_worst];
-    exact(kept) == exact(fresh) && numbers(kept).into_iter().zip(numbers(fresh)).all(|(a, b)| near(a, b))
-}
-
-fn near(a: f64, b: f64) -> bool {
-    (a.is_nan() && b.is_nan()) || (a - b).abs() <= DIGITS * a.abs().max(b.abs()) + 1e-9
 }
 
 /// What a parabola misses of the top of `√(1 − x²/a²)`, fitted by least squares to x < a/4: its next term is x⁴/8a⁴, and the best
@@ -211,14 +157,13 @@ const ACCURACIES: [f64; 3] = [COMPARED, 1e-4, 1e-5];
 /// The points of one that is compared to which none of its own is both as cheap and as exact.
 pub fn front_of<'a>(record: &'a Record, series: &[Series]) -> Vec<&'a Point> {
     let own: Vec<&Point> = record.points.iter().filter(|point| series.contains(&point.series)).collect();
-    front(&own, |point| point.seconds, &Point::worst)
+    front(&own, |point| point.seconds)
 }
 
 /// Who is the cheapest at each accuracy, from where on other codes are ahead of our cells that are not fitted, and what each takes.
 pub fn conclusion(record: &Record) -> String {
     let within = |points: &[&Point], most: f64| {
-        let best = cheapest(points.iter().copied(), |point| point.seconds, Point::worst, most);
-        best.map_or(f64::INFINITY, |point| point.seconds)
+        cheapest(points.iter().copied(), Point::worst, most).map_or(f64::INFINITY, |point| point.seconds)
     };
     let fronts = COMPARED_CODES.map(|(_, series, _)| front_of(record, series));
     let fastest = ACCURACIES.map(|most| {
@@ -270,7 +215,7 @@ fn methods(record: &Record) -> String {
 
 /// The seconds of the cheapest of some points within an error, and the error that it has.
 fn told(points: &[&Point], most: f64) -> String {
-    let best = cheapest(points.iter().copied(), |point| point.seconds, Point::worst, most);
+    let best = cheapest(points.iter().copied(), Point::worst, most);
     best.map_or("–".into(), |best| format!("{}, {} off", milliseconds(best.seconds), percent_of(best.worst(), 2)))
 }
 
@@ -346,7 +291,7 @@ fn fronts(record: &Record) -> Drawing {
             ring: None,
             colour,
         }));
-        chart.remarks.extend(cheapest(own, |point| point.seconds, Point::worst, COMPARED).map(|point| Remark {
+        chart.remarks.extend(cheapest(own, Point::worst, COMPARED).map(|point| Remark {
             at: place(point.worst(), point),
             text: milliseconds(point.seconds),
             ring: Some(format!("cheapest within {}", percent())),
@@ -377,7 +322,7 @@ fn cloud(record: &Record) -> Drawing {
             let label = format!("{} element, any algorithm and mesh", element.name());
             chart.series.push(drawing::Series::new(label, own, Style::run(colour, Dash::Absent, Marker::Dot)));
         }
-        let front = front(&points, cost, &Point::worst);
+        let front = front(&points, cost);
         let style = Style::run(palette::INK, Dash::Solid, Marker::Absent);
         let front = front.into_iter().map(place).collect::<Vec<_>>();
         chart.series.push(drawing::Series::new("Pareto front: none is cheaper and as exact", front, style));

@@ -17,8 +17,7 @@ use crate::named::named_enum;
 use crate::oracle::analytic::hertz::Hertz;
 use crate::oracle::cross_code::process::{Told, run};
 use crate::scene::{Grading, Scene};
-use crate::solve::run::Run;
-use crate::solve::{Discretisation, Fitted, Formulation, Iteration};
+use crate::solve::{Discretisation, Fitted, Formulation, Iteration, Run};
 use crate::study::differences::errors;
 use crate::study::seconds::Spread;
 
@@ -94,17 +93,13 @@ impl Series {
     /// The scene under the load of another half-width, with the outline, candidates and grading of the nominal one, and
     /// the Hertz solution.
     pub(super) fn loaded(self, half_width: f64) -> (Scene, Hertz) {
-        let ratio = half_width / nominal();
-        let base = TruncatedHertz::default();
-        let (size, stretch) = (base.size / ratio, base.stretch / ratio);
-        let numbers = TruncatedHertz { a_over_r: base.a_over_r * ratio, size, stretch, ..base };
+        let numbers = TruncatedHertz::default().under(half_width / nominal());
         let mut scene = numbers.scene();
         scene.grading.unit = nominal();
         if self.is_steep() {
             scene.grading = Grading { along: 2.0, depth: 1.8, coarsest: 0.5, ..scene.grading };
         }
-        let modulus = scene.contact_modulus();
-        (scene, Hertz { load: numbers.load(), radius: numbers.radius, modulus })
+        (scene, numbers.closed_form())
     }
 }
 
@@ -146,6 +141,23 @@ pub struct Point {
 }
 
 impl Point {
+    /// A mesh with its errors of p₀ and a, of which nothing else is known.
+    fn of(series: Series, mesh: usize, [peak, half_width]: [Spread; 2]) -> Self {
+        Self {
+            series,
+            mesh,
+            formulation: None,
+            dofs: 0,
+            operations: f64::NAN,
+            converged: 0,
+            seconds: f64::NAN,
+            peak: peak.median,
+            peak_worst: peak.most,
+            half_width: half_width.median,
+            half_width_worst: half_width.most,
+        }
+    }
+
     /// The larger median error of p₀ and a.
     pub fn error(&self) -> f64 {
         larger(self.peak, self.half_width)
@@ -180,20 +192,15 @@ pub fn measure(series: Series, mesh: usize) -> Result<Vec<Point>, Error> {
     }
     let point = |(formulation, loaded): (&Formulation, Vec<Loaded>)| {
         let over = |of: &dyn Fn(&Loaded) -> f64| Spread::of(&loaded.iter().map(of).collect::<Vec<_>>());
-        let [peak, half_width] = [0, 1].map(|k| over(&|(.., errors)| errors[k]));
+        let errors = [0, 1].map(|k| over(&|(.., errors)| errors[k]));
         let counted = loaded[0].0.sparse_operations + over(&|(run, ..)| run.solution.work.operations).median;
         Point {
-            series,
-            mesh,
             formulation: Some(Formulation::new(formulation.element, formulation.algorithm).name()),
             dofs: loaded.iter().map(|(run, ..)| run.dofs).max().unwrap_or(0),
             operations: if series == Series::Fitted { f64::NAN } else { counted },
             converged: loaded.iter().filter(|(run, ..)| run.solution.converged()).count(),
             seconds: over(&|(_, seconds, _)| *seconds).median,
-            peak: peak.median,
-            peak_worst: peak.most,
-            half_width: half_width.median,
-            half_width_worst: half_width.most,
+            ..Point::of(series, mesh, errors)
         }
     };
     Ok(formulations.iter().zip(loaded).map(point).collect())
@@ -268,19 +275,11 @@ pub fn precision(code: Series) -> Result<Told, Error> {
 /// What a code printed of one of its meshes.
 pub fn answered(code: Series, mesh: usize, line: &Value) -> Point {
     let [peak, half_width, seconds] = ["peak_error", "half_width_error", "seconds"].map(|key| spread(line, key));
-    let converged = if peak.most.is_finite() { LOADS } else { 0 };
     Point {
-        series: code,
-        mesh,
-        formulation: None,
         dofs: line["freedoms"].as_u64().unwrap_or(0) as usize,
-        operations: f64::NAN,
-        converged,
+        converged: if peak.most.is_finite() { LOADS } else { 0 },
         seconds: seconds.median,
-        peak: peak.median,
-        peak_worst: peak.most,
-        half_width: half_width.median,
-        half_width_worst: half_width.most,
+        ..Point::of(code, mesh, [peak, half_width])
     }
 }
 

@@ -129,28 +129,27 @@ pub fn sound(points: &[Point]) -> Vec<&Point> {
 }
 
 /// The points to which none is both as cheap and as exact, the cheapest first.
-pub fn front<'a>(points: &[&'a Point], cost: fn(&Point) -> f64, error: &dyn Fn(&Point) -> f64) -> Vec<&'a Point> {
-    let mut sorted: Vec<&Point> =
-        points.iter().copied().filter(|point| cost(point).is_finite() && error(point).is_finite()).collect();
-    sorted.sort_by(|a, b| cost(a).total_cmp(&cost(b)).then(error(a).total_cmp(&error(b))));
+pub fn front<'a>(points: &[&'a Point], cost: fn(&Point) -> f64) -> Vec<&'a Point> {
+    let known = points.iter().copied().filter(|point| cost(point).is_finite() && point.worst().is_finite());
+    let mut sorted: Vec<&Point> = known.collect();
+    sorted.sort_by(|a, b| cost(a).total_cmp(&cost(b)).then(a.worst().total_cmp(&b.worst())));
     let mut least = f64::INFINITY;
     sorted.retain(|point| {
-        let better = error(point) < least;
-        least = least.min(error(point));
+        let better = point.worst() < least;
+        least = least.min(point.worst());
         better
     });
     sorted
 }
 
-/// The point of least cost within an error.
+/// The fastest point within an error, the median or the worst one.
 pub fn cheapest<'a>(
     points: impl IntoIterator<Item = &'a Point>,
-    cost: fn(&Point) -> f64,
-    error: impl Fn(&Point) -> f64,
+    error: fn(&Point) -> f64,
     most: f64,
 ) -> Option<&'a Point> {
     let enough = points.into_iter().filter(|point| error(point) <= most);
-    enough.min_by(|a, b| cost(a).total_cmp(&cost(b)))
+    enough.min_by(|a, b| a.seconds.total_cmp(&b.seconds))
 }
 
 /// One row.
@@ -239,14 +238,14 @@ fn sixth_digit(record: &Record, Growth { counts, plain, .. }: &Growth) -> Target
         "time to {SIXTH:e} in p₀ and a under the worst load, truncated Hertz: fitted ÷ plain solve of {} dofs",
         counts.dofs
     );
-    let best = cheapest(record.of(Series::Fitted), |point| point.seconds, Point::worst, SIXTH);
+    let best = cheapest(record.of(Series::Fitted), Point::worst, SIXTH);
     at_most(what, PLAIN_SOLVES, best.map_or(f64::NAN, |point| point.seconds) / plain.median)
 }
 
 /// Our cheapest mesh within the compared accuracy: node elements with kinematic load on truncated Hertz.
 pub fn ours(points: &[Point]) -> Option<&Point> {
     let own = sound(points).into_iter().filter(|point| point.formulation == Some(fastest().name()));
-    cheapest(own, |point| point.seconds, Point::error, COMPARED)
+    cheapest(own, Point::error, COMPARED)
 }
 
 /// Seconds of that solve as they are now, several times under each load.
@@ -269,11 +268,11 @@ fn to_accuracy(record: &Record, code: Series, asked: f64) -> Target {
         100.0 * COMPARED,
         code.name()
     );
-    let best = |points: Vec<&Point>| cheapest(points, |point| point.seconds, Point::worst, COMPARED).cloned();
-    match (best(record.of(code).collect()), best(sound(&record.points))) {
+    let theirs = cheapest(record.of(code), Point::worst, COMPARED);
+    match (theirs, cheapest(sound(&record.points), Point::worst, COMPARED)) {
         (Some(theirs), Some(own)) => {
             let ratio = theirs.seconds / own.seconds;
-            let [longer, shorter] = [&theirs, &own].map(|point| 1e3 * point.seconds);
+            let [longer, shorter] = [theirs, own].map(|point| 1e3 * point.seconds);
             let measured = format!(
                 "{ratio:.1} ({longer:.1} ms with {} dofs against {shorter:.2} ms with {})",
                 theirs.dofs, own.dofs
