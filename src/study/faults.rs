@@ -108,8 +108,10 @@ impl Study for Numbers {
             all = faults.len(),
             faults = markdown::columns(&columns, &faults),
             rooms = markdown::columns(&ROOMS, &rooms),
-            caught = together(&rooms, |room| &room.by_claims),
-            of_truths = together(&rooms, |room| &room.by_truths),
+            caught = together(&rooms, "src", |room| &room.by_claims),
+            of_truths = together(&rooms, "src", |room| &room.by_truths),
+            of_solver = together(&rooms, SOLVER, |room| &room.by_claims),
+            of_solver_by_truths = together(&rooms, SOLVER, |room| &room.by_truths),
             untried = if untried.is_empty() { "no folder".into() } else { untried.join(", ") },
             stale = rooms.iter().map(|room| room.stale).sum::<usize>(),
             unviable = rooms.iter().map(|room| room.unviable).sum::<usize>(),
@@ -288,12 +290,15 @@ impl Share {
     }
 }
 
-/// What is caught of all mutants: the shares of the rooms, each by the number of its mutants, those of which none was tried left out.
+/// Folder of what computes, beside what reads and tells.
+const SOLVER: &str = "src/solver";
+
+/// What is caught of all mutants of a folder: the shares of its rooms, each by the number of its mutants, those of which none was tried left out.
 ///
 /// The interval of `Σ w p` reaches `√Σ w²(p − l)²` below it, and above it likewise (Zou & Donner 2008).
-pub fn together(rooms: &[Room], of: fn(&Room) -> &Share) -> String {
-    let tried: Vec<(f64, &Share, [f64; 2])> = rooms
-        .iter()
+pub fn together(rooms: &[Room], folder: &str, of: fn(&Room) -> &Share) -> String {
+    let within = rooms.iter().filter(|room| Path::new(&room.room).starts_with(folder));
+    let tried: Vec<(f64, &Share, [f64; 2])> = within
         .filter_map(|room| of(room).interval.map(|interval| (room.mutants as f64, of(room), interval)))
         .collect();
     let mutants: f64 = tried.iter().map(|(mutants, ..)| mutants).sum();
