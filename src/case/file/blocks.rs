@@ -45,7 +45,9 @@ fn block(table: Value) -> Result<BlockShape, Error> {
     for (corner, pair) in corners.iter_mut().zip(table.at("corners").exactly::<4>()?) {
         *corner = pair.point()?;
     }
-    let elements = elements(table.at("elements"))?;
+    // Along the bottom and the right side.
+    let [n, m] = table.at("elements").exactly()?.map(|given: Value| given.count(2000, " along each side"));
+    let elements = [n?, m?];
     let growth = growth(table, elements)?;
     let arcs = arcs(table, &corners)?;
     let turns = |k: usize| {
@@ -59,16 +61,6 @@ fn block(table: Value) -> Result<BlockShape, Error> {
     }
     let names = SIDES.map(|side| table.get(side).map(|name| name.text().to_owned().into()));
     Ok(BlockShape { corners, arcs, names, elements, growth })
-}
-
-/// Numbers of elements along the bottom and the right side.
-fn elements(list: Value) -> Result<[usize; 2], Error> {
-    let given = list.exactly::<2>()?;
-    let counts = given.map(Value::read::<usize>);
-    match (0..2).find(|&k| !(1..=2000).contains(&counts[k])) {
-        Some(k) => Err(given[k].refused(format!("`elements` is {}", counts[k]), "give 1 to 2000 along each side")),
-        None => Ok(counts),
-    }
 }
 
 /// Growth of the elements along both, from one to the next.

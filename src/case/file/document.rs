@@ -10,7 +10,7 @@ use crate::case::file::contact::CONTACTS;
 use crate::case::file::folder::nearest_to;
 use crate::case::file::form::Form::{List, Number, Table, Text, Word};
 use crate::case::file::form::{DESCRIBED, Form, Mistake, may, must, names};
-use crate::case::file::mesh::{MESH, MeshTable};
+use crate::case::file::mesh::MESH;
 use crate::case::file::places::Places;
 use crate::case::file::reference::REFERENCE;
 use crate::case::file::revolution::PLANES;
@@ -20,7 +20,7 @@ use crate::case::file::units::{FORCES, LENGTHS, STRESSES, Units};
 use crate::case::file::unsupported::Unsupported;
 use crate::case::file::value::Value;
 use crate::case::file::wanted::CHECK;
-use crate::case::file::{bodies, contact, hypotheses, oracle, reference, revolution, solve, wanted};
+use crate::case::file::{bodies, contact, hypotheses, mesh, oracle, reference, revolution, solve, wanted};
 use crate::error::Error;
 use crate::mesh::size::solvable;
 use crate::scene::{Body, ReferenceValues, Scene};
@@ -123,11 +123,11 @@ fn case(file: Value, name: String) -> Result<Case, Error> {
     if contacts.is_empty() {
         return Err(file.at("contact").refused("there is no contact", "add one as [contact]"));
     }
-    let mesh = MeshTable::of(file);
-    let accuracy = mesh.asked()?;
-    let (scene, resolution) = mesh.resolution(scene(file, &name, &bodies, &contacts)?)?;
+    let table = mesh::table(file);
+    let accuracy = mesh::asked(table)?;
+    let (scene, resolution) = mesh::resolution(table, scene(file, &name, &bodies, &contacts)?)?;
     if let Err((message, remedy)) = solvable(&scene, resolution) {
-        return Err(mesh.size().refused(message, remedy));
+        return Err(mesh::size(table).refused(message, remedy));
     }
     let formulation = solve::formulation(file.get("solve"))?;
     let given: Vec<Option<Value>> = contacts.iter().map(|contact| contact.get("oracle")).collect();
@@ -170,7 +170,7 @@ fn scene(file: Value, name: &str, tables: &[Value], contacts: &[Value]) -> Resul
         thickness,
         bodies,
         reference: ReferenceValues { length: 1.0, pressure: 1.0, gap: 1.0 },
-        grading: MeshTable::of(file).grading(contacts[0].at("stretch"))?,
+        grading: mesh::grading(mesh::table(file), contacts[0].at("stretch"))?,
     };
     scene.reference = reference::values(file.get("reference"), &scene)?;
     Ok(scene)

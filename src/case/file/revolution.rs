@@ -50,8 +50,7 @@ pub(super) fn refuse_other_contacts(plane: PlaneHypothesis, contacts: &[Value]) 
         }
         let (path, stretch) = way(contact)?;
         if let Some([message, remedy]) = beside(&path, radial, stretch) {
-            let keys = ["arc", "origin", "both-sides"];
-            let given = keys.iter().find_map(|key| contact.get(key)).unwrap_or(contact);
+            let given = contact.first(["arc", "origin", "both-sides"]).unwrap_or(contact);
             return Err(given.refused(message, remedy));
         }
     }

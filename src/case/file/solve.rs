@@ -60,10 +60,10 @@ pub(super) fn formulation(table: Option<Value>) -> Result<Formulation, Error> {
         settings.tolerance = tolerance.positive()?;
     }
     if let Some(increments) = get("increments") {
-        settings.increments = count("increments", increments, 1000)?;
+        settings.increments = increments.count(1000, "")?;
     }
-    if let Some(most) = get("max-iterations").or(get("max-steps")) {
-        settings.max_iterations = count("max-iterations", most, 1_000_000)?;
+    if let Some(most) = table.and_then(|table| table.first(["max-iterations", "max-steps"])) {
+        settings.max_iterations = most.called("max-iterations").count(1_000_000, "")?;
     }
     Ok(formulation)
 }
@@ -76,11 +76,4 @@ fn named<T: Copy, const N: usize>(
     name: impl Fn(T) -> &'static str,
 ) -> Result<Option<T>, Error> {
     given.map(|given| given.choice(what, &all.map(|one| (name(one), one)))).transpose()
-}
-
-fn count(key: &str, given: Value, most: usize) -> Result<usize, Error> {
-    match given.read() {
-        count if (1..=most).contains(&count) => Ok(count),
-        count => Err(given.refused(format!("`{key}` is {count}"), format!("give 1 to {most}"))),
-    }
 }

@@ -26,7 +26,7 @@ pub(super) struct Value<'a> {
     /// Its units.
     pub units: Units,
     /// Key, as messages give it; that of its list for an entry.
-    key: &'a str,
+    pub key: &'a str,
     held: &'a Spanned<DeValue<'a>>,
 }
 
@@ -50,6 +50,11 @@ impl<'a> Value<'a> {
     /// The value of a key that the table must have.
     pub fn at(self, key: &'a str) -> Self {
         self.get(key).expect(CHECKED)
+    }
+
+    /// The first of some keys that is given.
+    pub fn first<const N: usize>(self, keys: [&'a str; N]) -> Option<Self> {
+        keys.into_iter().find_map(|key| self.get(key))
     }
 
     /// The value of a key where it is `true`.
@@ -143,6 +148,14 @@ impl<'a> Value<'a> {
             return Ok(found);
         }
         Err(self.unlike(found, &format!("a number above 0, from {least:e} to {most:e}")))
+    }
+
+    /// A number of things, one of them to the most; what more is to say of that follows.
+    pub fn count(self, most: usize, more: &str) -> Result<usize, Error> {
+        match self.read() {
+            count if (1..=most).contains(&count) => Ok(count),
+            count => Err(self.refused(format!("`{}` is {count}", self.key), format!("give 1 to {most}{more}"))),
+        }
     }
 
     /// A length above zero \[mm\].
