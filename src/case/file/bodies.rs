@@ -137,9 +137,8 @@ fn shape(plane: PlaneHypothesis, across: bool, given: Value) -> Result<Shape, Er
 
 fn rectangle(given: Value, table: Value) -> Result<Shape, Error> {
     let (x, y) = (table.at("x").point()?, table.at("y").point()?);
-    if x[0] >= x[1] || y[0] >= y[1] {
-        return Err(given.refused("the rectangle has no area", "give `x` and `y` as [smaller, larger]"));
-    }
+    let is_empty = x[0] >= x[1] || y[0] >= y[1];
+    given.refuse_if(is_empty, "the rectangle has no area", "give `x` and `y` as [smaller, larger]")?;
     let faces = [("bottom", Face::Bottom), ("top", Face::Top)];
     Ok(Shape::Rectangle { x, y, contact: table.at("contact").choice("side of a rectangle", &faces)? })
 }

@@ -14,13 +14,12 @@ const PLACES: i32 = 64;
 /// Refuses a gap that differs from the drawn one, unless the contact says that the drawing tells none.
 pub(super) fn refuse_other(table: Value, pair: &ContactPair, drawn: &DrawnGap) -> Result<(), Error> {
     let length = table.units.length;
-    match (&pair.profile, table.asked("gap-only")) {
-        (Profile::Drawn | Profile::Bodies(_), Some(given)) => {
-            let message = "`gap-only` is true, and the gap is that of the drawn bodies";
-            return Err(given.refused(message, "leave it out, or give the gap as a function"));
-        }
-        (Profile::Drawn | Profile::Bodies(_), None) | (_, Some(_)) => return Ok(()),
-        _ => {}
+    let is_drawn = matches!(pair.profile, Profile::Drawn | Profile::Bodies(_));
+    let given = table.asked("gap-only");
+    let message = "`gap-only` is true, and the gap is that of the drawn bodies";
+    Value::refuse(given.filter(|_| is_drawn), message, "leave it out, or give the gap as a function")?;
+    if is_drawn || given.is_some() {
+        return Ok(());
     }
     let first = if pair.path.has_both_sides() { -PLACES } else { 0 };
     let places = (first..=PLACES).map(|k| pair.stretch * f64::from(k) / f64::from(PLACES));

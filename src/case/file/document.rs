@@ -116,13 +116,9 @@ fn units(table: Option<Value>) -> Result<Units, Error> {
 
 fn case(file: Value, name: String) -> Result<Case, Error> {
     let bodies = file.list("body");
-    if bodies.is_empty() {
-        return Err(file.at("body").refused("there is no body", "add one as [[body]]"));
-    }
+    file.at("body").refuse_if(bodies.is_empty(), "there is no body", "add one as [[body]]")?;
     let contacts = contact::tables(file.at("contact"));
-    if contacts.is_empty() {
-        return Err(file.at("contact").refused("there is no contact", "add one as [contact]"));
-    }
+    file.at("contact").refuse_if(contacts.is_empty(), "there is no contact", "add one as [contact]")?;
     let table = mesh::table(file);
     let accuracy = mesh::asked(table)?;
     let (scene, resolution) = mesh::resolution(table, scene(file, &name, &bodies, &contacts)?)?;

@@ -151,16 +151,11 @@ fn circles(pair: Value) -> Result<Profile, Error> {
     }
     let [first, second] = pair.pair()?;
     let curvature = 1.0 / first + 1.0 / second;
-    if curvature < 0.0 {
-        let message = format!("circles of the radii {first} and {second} overlap beside s = 0");
-        let remedy =
-            "give a hollow side, whose radius is negative, the larger radius, and the other side a positive one";
-        return Err(pair.refused(message, remedy));
-    }
-    if curvature <= 0.0 {
-        let message = format!("circles of the radii {first} and {second} lie on one another");
-        return Err(pair.refused(message, "give `gap = { uniform = 0 }`"));
-    }
+    let message = format!("circles of the radii {first} and {second} overlap beside s = 0");
+    let remedy = "give a hollow side, whose radius is negative, the larger radius, and the other side a positive one";
+    pair.refuse_if(curvature < 0.0, message, remedy)?;
+    let message = format!("circles of the radii {first} and {second} lie on one another");
+    pair.refuse_if(curvature <= 0.0, message, "give `gap = { uniform = 0 }`")?;
     Ok(Profile::Circles { radii: [first, second].map(|radius| pair.units.length * radius) })
 }
 
@@ -170,10 +165,8 @@ const MOST_POINTS: usize = 10_000;
 /// Points of a table: ascending from s = 0 on, or across it from below 0.
 fn points_of(gap: Value, table: Value, across: bool) -> Result<Arc<[[f64; 2]]>, Error> {
     let list = table.entries();
-    if !(2..=MOST_POINTS).contains(&list.len()) {
-        let message = format!("the table has {} points", list.len());
-        return Err(gap.refused(message, format!("give 2 to {MOST_POINTS} points [s, g]")));
-    }
+    let message = format!("the table has {} points", list.len());
+    gap.refuse_if(!(2..=MOST_POINTS).contains(&list.len()), message, format!("give 2 to {MOST_POINTS} points [s, g]"))?;
     let points = list.iter().map(|pair| pair.point()).collect::<Result<Vec<[f64; 2]>, Error>>()?;
     let begins = |s: f64| if across { s <= 0.0 } else { s == 0.0 };
     let wrong = |k: usize| if k == 0 { !begins(points[0][0]) } else { points[k][0] <= points[k - 1][0] };
@@ -193,10 +186,9 @@ const MOST_COEFFICIENTS: usize = 16;
 /// Even polynomial; the coefficient of s^n has the unit of length^(1−n).
 fn even(gap: Value, list: Value) -> Result<Profile, Error> {
     let list = list.entries();
-    if !(1..=MOST_COEFFICIENTS).contains(&list.len()) {
-        let message = format!("`even` has {} coefficients", list.len());
-        return Err(gap.refused(message, format!("give one to {MOST_COEFFICIENTS}: of s², s⁴, s⁶, and so on")));
-    }
+    let message = format!("`even` has {} coefficients", list.len());
+    let remedy = format!("give one to {MOST_COEFFICIENTS}: of s², s⁴, s⁶, and so on");
+    gap.refuse_if(!(1..=MOST_COEFFICIENTS).contains(&list.len()), message, remedy)?;
     let read = list.iter().zip(0..).map(|(given, k)| Ok(given.finite()? / gap.units.length.powi(1 + 2 * k)));
     Ok(Profile::Even { coefficients: read.collect::<Result<_, Error>>()? })
 }
@@ -210,10 +202,9 @@ const STEEPEST: f64 = 100.0;
 /// Such terms in mm; c has the unit of length^(1−n).
 pub(super) fn powers(list: Value) -> Result<Vec<[f64; 2]>, Error> {
     let terms = list.entries();
-    if !(1..=MOST_COEFFICIENTS).contains(&terms.len()) {
-        let message = format!("the gap has {} terms", terms.len());
-        return Err(list.refused(message, format!("give one to {MOST_COEFFICIENTS} pairs [c, n]")));
-    }
+    let message = format!("the gap has {} terms", terms.len());
+    let remedy = format!("give one to {MOST_COEFFICIENTS} pairs [c, n]");
+    list.refuse_if(!(1..=MOST_COEFFICIENTS).contains(&terms.len()), message, remedy)?;
     let read = terms.into_iter().map(|term| {
         let [c, n] = term.exactly::<2>()?;
         let expected = format!("a power above 1 and up to {STEEPEST}; a slope at s = 0 is a `wedge`, or a `cone`");

@@ -42,12 +42,10 @@ pub(super) fn table(file: Value) -> Value {
 
 /// What is asked; none where the mesh is given.
 pub(super) fn asked(mesh: Value) -> Result<Option<Asked>, Error> {
-    let (accuracy, list) = match (mesh.get("accuracy"), mesh.get("quantity")) {
-        (Some(accuracy), list) => (accuracy, list),
-        (None, None) => return Ok(None),
-        (None, Some(quantity)) => {
-            return Err(quantity.refused("`quantity` without `accuracy`", "leave it out, or give `accuracy`"));
-        }
+    let list = mesh.get("quantity");
+    let Some(accuracy) = mesh.get("accuracy") else {
+        Value::refuse(list, "`quantity` without `accuracy`", "leave it out, or give `accuracy`")?;
+        return Ok(None);
     };
     if let Some(given) = mesh.first(["elements", "per", "order", "growth"]) {
         let remedy = format!("leave `{}` out, or `accuracy`", given.key);
@@ -68,9 +66,7 @@ pub(super) fn asked(mesh: Value) -> Result<Option<Asked>, Error> {
         let names = list.entries().into_iter();
         let names = names.map(|name| name.choice("quantity with an accuracy", &known).cloned());
         asked.quantities = names.collect::<Result<_, _>>()?;
-        if asked.quantities.is_empty() {
-            return Err(list.refused("no `quantity` is named", "name one, or leave it out for both"));
-        }
+        list.refuse_if(asked.quantities.is_empty(), "no `quantity` is named", "name one, or leave it out for both")?;
     }
     Ok(Some(asked))
 }
@@ -98,9 +94,7 @@ pub(super) fn grading(mesh: Value, stretch: Value) -> Result<Grading, Error> {
 /// Scene and mesh: those given, or the first ones of the search for an accuracy.
 pub(super) fn resolution(mesh: Value, mut scene: Scene) -> Result<(Scene, Resolution), Error> {
     if let Some(accuracy) = mesh.get("accuracy") {
-        if scene.contacts.iter().any(|pair| !pair.profile.kinks().is_empty()) {
-            return Err(accuracy.refused(KINKED, UNKINKED));
-        }
+        accuracy.refuse_if(scene.contacts.iter().any(|pair| !pair.profile.kinks().is_empty()), KINKED, UNKINKED)?;
         // Refuses given meshes of several orders.
         order(mesh, &scene)?;
         return Ok(accuracy::first(&scene));

@@ -125,6 +125,16 @@ impl<'a> Value<'a> {
         self.source.refused(self.span(), message, remedy)
     }
 
+    /// Refuses it where something is wrong.
+    pub fn refuse_if(self, is_wrong: bool, message: impl Into<String>, remedy: impl Into<String>) -> Result<(), Error> {
+        Self::refuse(is_wrong.then_some(self), message, remedy)
+    }
+
+    /// Refuses a value where one is given.
+    pub fn refuse(given: Option<Self>, message: impl Into<String>, remedy: impl Into<String>) -> Result<(), Error> {
+        given.map_or(Ok(()), |given| Err(given.refused(message, remedy)))
+    }
+
     /// What is wrong with the number that it is, or that was made of it.
     fn unlike(self, found: f64, expected: &str) -> Error {
         self.refused(format!("`{}` is {found}", self.key), format!("give {expected}"))

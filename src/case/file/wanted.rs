@@ -176,19 +176,16 @@ fn refuse_unused(table: Value, asked: &Quantity) -> Result<(), Error> {
         ("of", matches!(asked, Quantity::Displacement(_)), "only a `displacement` is that of a place"),
         ("body", is_below, "only `shear` and `shear-depth` are taken in one body"),
     ];
-    match keys.into_iter().find_map(|(key, is_used, told)| Some((key, table.get(key).filter(|_| !is_used)?, told))) {
-        Some((key, given, told)) => Err(given.refused(told, format!("leave `{key}` out"))),
-        None => Ok(()),
-    }
+    keys.into_iter().try_for_each(|(key, is_used, told)| {
+        Value::refuse(table.get(key).filter(|_| !is_used), told, format!("leave `{key}` out"))
+    })
 }
 
 /// Refuses the approach of bodies that have none.
 fn refuse_no_approach(name: Value, scene: &Scene, contact: usize) -> Result<(), Error> {
-    if scene.pressed_sides(contact).is_some() {
-        return Ok(());
-    }
     let message = "the contact has no `approach`: not every body of it is pressed along y at one side only, or all of them are fixed";
-    Err(name.refused(message, "ask for the `displacement` of the sides that are meant"))
+    let has_none = scene.pressed_sides(contact).is_none();
+    name.refuse_if(has_none, message, "ask for the `displacement` of the sides that are meant")
 }
 
 /// The body below whose surface the shear stress is meant; one that is not named must be the only one.
@@ -218,9 +215,7 @@ fn read(
         let remedy = "give `value`, or the contact an `oracle`";
         return Err(name.refused("the check has nothing to be held against", remedy));
     };
-    if let Some(kind) = table.get("kind") {
-        return Err(kind.refused("the kind is that of the oracle", "leave `kind` out"));
-    }
+    Value::refuse(table.get("kind"), "the kind is that of the oracle", "leave `kind` out")?;
     let reading = quantity.number().map(|number| Reference::of(oracle.as_ref(), scene, contact, number));
     let reference = reading.map(|reading| reading.times(quantity.factor()));
     reference.filter(|reference| reference.value.is_finite()).ok_or_else(|| {
