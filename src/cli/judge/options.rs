@@ -96,7 +96,7 @@ impl Arguments {
                 "name three or more, coarse to fine",
             ));
         }
-        writable::refuse_ending("judge", "--junit", &self.junit, ["xml", "JUnit reports are XML"])?;
+        writable::refuse_ending("judge", "--junit", &self.junit, ["xml", "JUnit reports are XML", ""])?;
         let Some(path) = &self.plot else { return Ok(()) };
         if count > 1 {
             return Err(Error::value("judge", "--plot", path.display(), "one answer is drawn", "name one answer"));
