@@ -97,15 +97,14 @@ impl Case {
         DOCUMENT.check(&parsed).map_err(refused)?;
         let name = file.file_stem().map_or_else(|| "scene".into(), |stem| stem.to_string_lossy().into_owned());
         let file = Value::all(source, &parsed);
-        case(file.with(units(file.get("units"))?), name)
+        case(file.with(units(file.table("units"))?), name)
     }
 }
 
 /// Units by their names; those of the scene where none is given.
-fn units(table: Option<Value>) -> Result<Units, Error> {
-    let factor = |key: &str, known: &[(&str, f64)]| match table.and_then(|table| table.get(key)) {
-        Some(name) => name.choice(&format!("unit of {key}"), known),
-        None => Ok(1.0),
+fn units(table: Value) -> Result<Units, Error> {
+    let factor = |key, known: &[(&str, f64)]| {
+        table.get(key).map_or(Ok(1.0), |name| name.choice(&format!("unit of {key}"), known))
     };
     Ok(Units {
         length: factor("length", &LENGTHS)?,
@@ -119,13 +118,13 @@ fn case(file: Value, name: String) -> Result<Case, Error> {
     file.at("body").refuse_if(bodies.is_empty(), "there is no body", "add one as [[body]]")?;
     let contacts = contact::tables(file.at("contact"));
     file.at("contact").refuse_if(contacts.is_empty(), "there is no contact", "add one as [contact]")?;
-    let table = mesh::table(file);
+    let table = file.table("mesh");
     let accuracy = mesh::asked(table)?;
     let (scene, resolution) = mesh::resolution(table, scene(file, &name, &bodies, &contacts)?)?;
     if let Err((message, remedy)) = solvable(&scene, resolution) {
         return Err(mesh::size(table).refused(message, remedy));
     }
-    let formulation = solve::formulation(file.get("solve"))?;
+    let formulation = solve::formulation(file.table("solve"))?;
     let given: Vec<Option<Value>> = contacts.iter().map(|contact| contact.get("oracle")).collect();
     let read =
         |(contact, given): (usize, &Option<Value>)| given.map(|given| oracle::read(given, &scene, contact)).transpose();
@@ -166,8 +165,8 @@ fn scene(file: Value, name: &str, tables: &[Value], contacts: &[Value]) -> Resul
         thickness,
         bodies,
         reference: ReferenceValues { length: 1.0, pressure: 1.0, gap: 1.0 },
-        grading: mesh::grading(mesh::table(file), contacts[0].at("stretch"))?,
+        grading: mesh::grading(file.table("mesh"), contacts[0].at("stretch"))?,
     };
-    scene.reference = reference::values(file.get("reference"), &scene)?;
+    scene.reference = reference::values(file.table("reference"), &scene)?;
     Ok(scene)
 }

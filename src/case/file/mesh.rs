@@ -35,11 +35,6 @@ const USUAL: Grading = Grading { unit: 1.0, along: 1.7, depth: 1.6, first: 1.0, 
 /// Elements up to which it is as it is described; beyond, it follows them.
 const FEW: f64 = 16.0;
 
-/// `[mesh]`; where there is none the bodies, at which its mistakes are told then: their list has none of its keys.
-pub(super) fn table(file: Value) -> Value {
-    file.get("mesh").unwrap_or(file.at("body"))
-}
-
 /// What is asked; none where the mesh is given.
 pub(super) fn asked(mesh: Value) -> Result<Option<Asked>, Error> {
     let list = mesh.get("quantity");

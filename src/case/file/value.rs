@@ -52,6 +52,11 @@ impl<'a> Value<'a> {
         self.get(key).expect(CHECKED)
     }
 
+    /// A table of the file; where it is left out the bodies, at which its mistakes are told then: their list has none of its keys.
+    pub fn table(self, key: &'a str) -> Self {
+        self.get(key).unwrap_or(self.at("body"))
+    }
+
     /// The first of some keys that is given.
     pub fn first<const N: usize>(self, keys: [&'a str; N]) -> Option<Self> {
         keys.into_iter().find_map(|key| self.get(key))
