@@ -14,14 +14,14 @@ use crate::measure::display_factor;
 /// What came of an accuracy that was asked for; an estimate that is not known is null, and angles are in radians.
 #[derive(Serialize, JsonSchema)]
 #[schemars(rename = "Accuracy")]
-pub struct Document {
+pub struct Document<'a> {
     /// The relative error accepted.
     asked: f64,
     /// Whether it is met.
     met: bool,
     /// Why it is not.
     #[serde(skip_serializing_if = "Option::is_none")]
-    unmet: Option<String>,
+    unmet: Option<&'a str>,
     /// The largest estimate of the quantities asked for.
     estimate: f64,
     /// Most degrees of freedom that a mesh may have; left out where that is not bounded.
@@ -41,16 +41,16 @@ pub struct Document {
     /// Growth along the contact and into the depth.
     growth: [f64; 2],
     /// What is estimated of each quantity.
-    quantities: Vec<OneQuantity>,
+    quantities: Vec<OneQuantity<'a>>,
     /// Every mesh that was solved.
-    tried: Vec<OneMesh>,
+    tried: Vec<OneMesh<'a>>,
 }
 
 /// What is estimated of a quantity, relative to it.
 #[derive(Serialize, JsonSchema)]
-struct OneQuantity {
+struct OneQuantity<'a> {
     /// Name of the contact.
-    contact: String,
+    contact: &'a str,
     /// The quantity.
     quantity: Cow<'static, str>,
     /// Its error bar.
@@ -65,7 +65,7 @@ struct OneQuantity {
 
 /// A mesh that was solved.
 #[derive(Serialize, JsonSchema)]
-struct OneMesh {
+struct OneMesh<'a> {
     /// What it was solved for.
     purpose: &'static str,
     /// Order of its elements.
@@ -81,34 +81,34 @@ struct OneMesh {
     #[serde(rename = "steps")]
     iterations: usize,
     /// What it found of each contact.
-    contacts: Vec<TriedContact>,
+    contacts: &'a [TriedContact],
     /// Its estimate.
     estimate: f64,
 }
 
-impl Document {
+impl<'a> Document<'a> {
     /// What was asked and what came out.
-    pub fn of((asked, answer): &(Asked, Answer)) -> Self {
+    pub fn of((asked, answer): &'a (Asked, Answer)) -> Self {
         let quantity = |quoted: &Barred| {
             let [from_mesh, from_iteration, from_penalty] = parts(quoted);
-            let contact = answer.scene.contacts[quoted.contact].name.clone();
+            let contact = &answer.scene.contacts[quoted.contact].name;
             let (quantity, estimate) = (quoted.quantity.key(), quoted.relative());
             OneQuantity { contact, quantity, estimate, from_mesh, from_iteration, from_penalty }
         };
-        let mesh = |tried: &Tried| OneMesh {
+        let mesh = |tried: &'a Tried| OneMesh {
             purpose: tried.purpose,
             order: tried.order.number(),
             elements: tried.elements,
             growth: tried.growth,
             dofs: tried.dofs,
             iterations: tried.iterations,
-            contacts: tried.contacts.clone(),
+            contacts: &tried.contacts,
             estimate: tried.estimate,
         };
         Self {
             asked: asked.relative,
             met: answer.unmet.is_none(),
-            unmet: answer.unmet.clone(),
+            unmet: answer.unmet.as_deref(),
             most_dofs: asked.most_dofs,
             next: answer.next,
             estimate: answer.estimate(),

@@ -41,10 +41,8 @@ pub fn shape(given: Value, blocks: Value) -> Result<Shape, Error> {
 }
 
 fn block(table: Value) -> Result<BlockShape, Error> {
-    let mut corners = [[0.0; 2]; 4];
-    for (corner, pair) in corners.iter_mut().zip(table.at("corners").exactly::<4>()?) {
-        *corner = pair.point()?;
-    }
+    let [a, b, c, d] = table.at("corners").exactly()?.map(Value::point);
+    let corners = [a?, b?, c?, d?];
     // Along the bottom and the right side.
     let [n, m] = table.at("elements").exactly()?.map(|given: Value| given.count(2000, " along each side"));
     let elements = [n?, m?];

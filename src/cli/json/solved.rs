@@ -8,7 +8,7 @@ use serde::Serialize;
 use crate::cli::solve::found::{Found, ReactionReading};
 use crate::cli::{accuracy, bars};
 use crate::solution::IterationError;
-use crate::solve::VonMises;
+use crate::solve::{VonMises, WithoutLimit};
 
 use super::contact::Contact;
 use super::{Checked, OracleReading, oracle};
@@ -83,7 +83,7 @@ pub struct Solved<'a> {
     notes: Vec<String>,
     /// What came of an accuracy that was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
-    accuracy: Option<accuracy::Document>,
+    accuracy: Option<accuracy::Document<'a>>,
 }
 
 /// Units of all numbers; errors and the spring stiffness κ are pure.
@@ -158,28 +158,18 @@ struct Body<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     von_mises_at: Option<[f64; 2]>,
     /// Places at which the stress has no limit.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    without_limit: Vec<WithoutLimit>,
-}
-
-/// A place at which the stress of a body has no limit.
-#[derive(Serialize, JsonSchema)]
-struct WithoutLimit {
-    /// What makes it so.
-    because: &'static str,
-    /// Where: x and y.
-    at: [f64; 2],
+    #[serde(skip_serializing_if = "<[_]>::is_empty")]
+    without_limit: &'a [WithoutLimit],
 }
 
 impl<'a> Body<'a> {
     /// One of a solve.
-    fn of(found: &'a Found, VonMises { body, largest, without_limit }: &VonMises) -> Self {
-        let without_limit = without_limit.iter().map(|one| WithoutLimit { because: one.because, at: one.at });
+    fn of(found: &'a Found, VonMises { body, largest, without_limit }: &'a VonMises) -> Self {
         Self {
             name: &found.problem.scene.bodies[*body].name,
             von_mises: largest.map(|largest| largest.stress),
             von_mises_at: largest.map(|largest| largest.at),
-            without_limit: without_limit.collect(),
+            without_limit,
         }
     }
 }
