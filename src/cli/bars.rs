@@ -36,7 +36,7 @@ impl Document {
             let Barred { value, bar: parts, unknown, .. } = *one;
             Self { of, quantity, value, bar: parts.total(), parts, unknown }
         };
-        found.bars.iter().flat_map(|bars| bars.all.iter()).map(one).collect()
+        found.barred().iter().map(one).collect()
     }
 }
 
@@ -61,7 +61,7 @@ pub fn rows(found: &Found) -> Vec<[String; 7]> {
         };
         [of, quantity, value, unit.into(), part(mesh), part(iteration), part(penalty)]
     };
-    found.bars.iter().flat_map(|bars| &bars.all).map(row).collect()
+    found.barred().iter().map(row).collect()
 }
 
 /// Prints every number with its bar.
