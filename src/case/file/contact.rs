@@ -8,7 +8,7 @@ use crate::case::file::gap::GAP;
 use crate::case::file::oracle::ORACLE;
 use crate::case::file::side::Side;
 use crate::case::file::value::Value;
-use crate::case::file::{compared, gap, named};
+use crate::case::file::{gap, named};
 use crate::error::Error;
 use crate::scene::contact_pair::CONTACT;
 use crate::scene::{Body, BoundaryName, Circle, ContactPair, DrawnGap, Ends, Path, PlaneHypothesis, Profile};
@@ -131,7 +131,7 @@ fn pair(plane: PlaneHypothesis, bodies: &[Body], table: Value) -> Result<Contact
         ends: Ends::default(),
     };
     refuse_overlap(given, &pair, &sides)?;
-    compared::refuse_other(table, &pair, &drawn)?;
+    gap::refuse_other_than_drawn(table, &pair, &drawn)?;
     Ok(pair)
 }
 
