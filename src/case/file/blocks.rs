@@ -32,9 +32,8 @@ pub(super) const BLOCK: Form = Table(&[
 /// The blocks, each convex, meeting along whole sides with the same elements.
 pub fn shape(given: Value, blocks: Value) -> Result<Shape, Error> {
     let tables = blocks.entries();
-    if tables.is_empty() || tables.len() > MOST {
-        return Err(given.refused(format!("there are {} blocks", tables.len()), format!("give 1 to {MOST}")));
-    }
+    let is_other = !(1..=MOST).contains(&tables.len());
+    given.refuse_if(is_other, format!("there are {} blocks", tables.len()), format!("give 1 to {MOST}"))?;
     let blocks = tables.iter().map(|table| block(*table)).collect::<Result<Vec<_>, Error>>()?;
     refuse_unequal(&tables, &blocks)?;
     Ok(Shape::Blocks(blocks))

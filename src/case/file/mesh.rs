@@ -1,10 +1,10 @@
 //! `[mesh]`: elements on a length, or an accuracy that chooses them.
 
-use crate::accuracy::{self, Asked, KINKED, Quantity, UNKINKED};
+use crate::accuracy::{self, Asked, KINKED, UNKINKED};
 use crate::case::file::form::Form::{Byte, Count, List, Number, Table, Text};
 use crate::case::file::form::{Form, may};
 use crate::case::file::value::Value;
-use crate::case::file::wanted::{HALF_WIDTHS, SECOND_MOMENT_WIDTH};
+use crate::case::file::wanted::{OF_ACCURACY, QUANTITIES};
 use crate::error::Error;
 use crate::mesh::{Order, Resolution};
 use crate::scene::{Grading, Scene, Shape};
@@ -52,15 +52,9 @@ pub(super) fn asked(mesh: Value) -> Result<Option<Asked>, Error> {
     })?;
     let mut asked = Asked::new(relative);
     if let Some(list) = list {
-        let known = [
-            ("peak-pressure", &Quantity::PeakPressure),
-            (HALF_WIDTHS[0], &Quantity::HalfWidth),
-            (HALF_WIDTHS[1], &Quantity::HalfWidth),
-            (SECOND_MOMENT_WIDTH, &Quantity::SecondMomentWidth),
-        ];
-        let names = list.entries().into_iter();
-        let names = names.map(|name| name.choice("quantity with an accuracy", &known).cloned());
-        asked.quantities = names.collect::<Result<_, _>>()?;
+        let known = &QUANTITIES[..OF_ACCURACY];
+        let quantity = |name: Value| name.choice("quantity with an accuracy", known).cloned();
+        asked.quantities = list.entries().into_iter().map(quantity).collect::<Result<_, _>>()?;
         list.refuse_if(asked.quantities.is_empty(), "no `quantity` is named", "name one, or leave it out for both")?;
     }
     Ok(Some(asked))

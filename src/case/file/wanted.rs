@@ -26,12 +26,13 @@ pub(super) const CHECK: Form = Table(&[
     may("because", Text).told("why this tolerance"),
 ]);
 
-/// What a check may ask for, as files name it; its place, body, support or side is filled in from the other keys.
-const QUANTITIES: [(&str, &Quantity); 12] = [
+/// What a check may ask for, as files name it; its place, body, support or side is filled in from the other keys. The half-width lies between begin
+/// and end. What an accuracy may be of comes first.
+pub(super) const QUANTITIES: [(&str, &Quantity); 12] = [
     ("peak-pressure", &Quantity::PeakPressure),
-    (HALF_WIDTHS[0], &Quantity::HalfWidth),
-    (HALF_WIDTHS[1], &Quantity::HalfWidth),
-    (SECOND_MOMENT_WIDTH, &Quantity::SecondMomentWidth),
+    ("half-width", &Quantity::HalfWidth),
+    ("contact-half-width", &Quantity::HalfWidth),
+    ("second-moment-width", &Quantity::SecondMomentWidth),
     ("centre", &Quantity::Centre),
     ("resultant", &Quantity::Resultant),
     ("pressure", &Quantity::Pressure { at: f64::NAN }),
@@ -42,9 +43,8 @@ const QUANTITIES: [(&str, &Quantity); 12] = [
     ("shear-depth", &Quantity::ShearDepth { body: 0 }),
 ];
 const NOWHERE: Displaced = Displaced { body: 0, at: Place::Point([f64::NAN; 2]), component: Component::Y };
-/// Names of the half-width, half of what lies between begin and end, and of the second-moment width.
-pub(super) const HALF_WIDTHS: [&str; 2] = ["half-width", "contact-half-width"];
-pub(super) const SECOND_MOMENT_WIDTH: &str = "second-moment-width";
+/// How many of them an accuracy may be of.
+pub(super) const OF_ACCURACY: usize = 4;
 
 const KINDS: [(&str, ReferenceKind); 4] = [
     ("analytic", ReferenceKind::Analytic),
