@@ -71,6 +71,9 @@ const FORCE: &str = "name another file, or add --force to replace it";
 /// What stands for standard output in place of a file.
 pub const STDOUT: &str = "-";
 
+/// Tells whether bytes are an earlier output.
+pub type IsEarlier<'a> = dyn Fn(&[u8]) -> bool + 'a;
+
 /// A file that a command is to write.
 pub struct Output<'a> {
     /// What asks for it.
@@ -78,7 +81,7 @@ pub struct Output<'a> {
     /// Where.
     pub path: &'a Path,
     /// Whether what is there is an earlier output of this kind, which may be replaced.
-    pub is_earlier: Box<dyn Fn(&[u8]) -> bool + 'a>,
+    pub is_earlier: Box<IsEarlier<'a>>,
 }
 
 /// Refuses a drawing whose name would not tell its format.

@@ -112,6 +112,9 @@ pub struct Arguments {
     force: bool,
 }
 
+/// An option that asks for a file, where that goes, and whether a text is an earlier output of the same kind.
+type Asking<'a> = (&'static str, &'a Option<PathBuf>, fn(&str) -> bool);
+
 impl Arguments {
     /// The case of the library or of a file.
     pub fn named(&self) -> Result<Case, Error> {
@@ -242,8 +245,8 @@ impl Arguments {
         writable::refuse("solve", files, &case.read_files(), self.force)
     }
 
-    /// The options that ask for a file, where it goes, and whether a text is an earlier output of the same kind.
-    fn outputs(&self) -> [(&'static str, &Option<PathBuf>, fn(&str) -> bool); 6] {
+    /// The options that ask for a file.
+    fn outputs(&self) -> [Asking<'_>; 6] {
         [
             ("--json", &self.json, json::is_result),
             ("--csv", &self.csv, curve::is_profile),
