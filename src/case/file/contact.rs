@@ -3,7 +3,7 @@
 use toml::de::DeValue;
 
 use crate::case::file::form::Form::{Flag, List, Number, Own, Table, Text};
-use crate::case::file::form::{Form, PAIR, may, must, unexpected};
+use crate::case::file::form::{Form, PAIR, listed, may, must, unexpected};
 use crate::case::file::gap::GAP;
 use crate::case::file::oracle::ORACLE;
 use crate::case::file::side::Side;
@@ -183,10 +183,9 @@ fn named_side(body: &Body, (name, boundary): (Value, Option<Value>), path: &Path
     boundary.map_or(Ok(()), |boundary| named::refuse_half_told(&body.shape, boundary))?;
     Side::of(&body.shape, wanted, path, stretch).ok_or_else(|| {
         let names = body.shape.boundaries().into_iter();
-        let able = names.filter(|other| Side::of(&body.shape, other, path, stretch).is_some());
-        let able: Vec<String> = able.map(|name| format!("`{name}`")).collect();
+        let able: Vec<_> = names.filter(|other| Side::of(&body.shape, other, path, stretch).is_some()).collect();
         let message = format!("no contact can lie on a side `{wanted}` of `{}`", body.name);
-        boundary.unwrap_or(name).refused(message, format!("known: {}", able.join(", ")))
+        boundary.unwrap_or(name).refused(message, format!("known: {}", listed(able.iter().map(AsRef::as_ref))))
     })
 }
 

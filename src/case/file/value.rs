@@ -6,6 +6,7 @@ use serde::de::DeserializeOwned;
 use toml::Spanned;
 use toml::de::{DeValue, ValueDeserializer};
 
+use crate::case::file::form::listed;
 use crate::case::file::source::Source;
 use crate::case::file::units::Units;
 use crate::case::file::unsupported::Unsupported;
@@ -214,11 +215,10 @@ impl<'a> Value<'a> {
         let name = self.text();
         let found = known.iter().find(|(known, _)| *known == name);
         found.map(|(_, value)| *value).ok_or_else(|| {
-            let names: Vec<String> = known.iter().map(|(name, _)| format!("`{name}`")).collect();
             let asked = Unsupported::asked_by(name);
             let instead = asked.map_or_else(String::new, |asked| format!("; {}: {}", asked.holds, asked.instead));
             let meant = meant(name, known.iter().map(|(name, _)| *name));
-            let remedy = format!("{meant}known: {}{instead}", names.join(", "));
+            let remedy = format!("{meant}known: {}{instead}", listed(known.iter().map(|(name, _)| *name)));
             self.refused(format!("there is no {what} `{name}`"), remedy)
         })
     }

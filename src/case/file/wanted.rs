@@ -1,7 +1,7 @@
 //! `[[check]]`: the checks of a scene file.
 
 use crate::case::file::form::Form::{Number, Table, Text, Word};
-use crate::case::file::form::{Form, may, must, names};
+use crate::case::file::form::{Form, listed, may, must, names};
 use crate::case::file::named::{self, OF_BODY};
 use crate::case::file::value::Value;
 use crate::case::{self, Check, Reference, Relation};
@@ -133,17 +133,11 @@ fn contact(table: Value, asked: &Quantity, scene: &Scene) -> Result<usize, Error
         (Some(name), None) => name.choice("contact", &known),
         (None, None) if known.len() > 1 => {
             let message = "the scene has several contacts, and the check does not say which it means";
-            let remedy = format!("add `contact = \"…\"`, one of {}", listed(&known));
+            let remedy = format!("add `contact = \"…\"`, one of {}", listed(known.iter().map(|(name, _)| *name)));
             Err(table.at("quantity").refused(message, remedy))
         }
         (None, _) => Ok(0),
     }
-}
-
-/// Names as a remedy lists them.
-fn listed(known: &[(&str, usize)]) -> String {
-    let names: Vec<String> = known.iter().map(|(name, _)| format!("`{name}`")).collect();
-    names.join(", ")
 }
 
 /// Where a pressure is asked for \[mm, or rad on an arc\]; NaN for what has no place.
@@ -196,7 +190,7 @@ fn body(table: Value, scene: &Scene, pair: &ContactPair) -> Result<usize, Error>
         (None, [(_, only)]) => Ok(*only),
         (None, _) => {
             let message = "the contact has two elastic bodies, and the check does not say which it means";
-            let remedy = format!("add `body = \"…\"`, one of {}", listed(&known));
+            let remedy = format!("add `body = \"…\"`, one of {}", listed(known.iter().map(|(name, _)| *name)));
             Err(table.at("quantity").refused(message, remedy))
         }
     }
