@@ -47,8 +47,9 @@ pub fn doubts(discretisation: &Discretisation, run: &Run) -> Vec<Vec<String>> {
 
 /// Sizes of a meshed body \[mm\].
 struct Body {
-    /// Its extents along x and y.
-    extents: [f64; 2],
+    /// The smaller and the larger of its extents along x and y.
+    smallest: f64,
+    largest: f64,
     /// Its largest displacement.
     moved: f64,
 }
@@ -61,15 +62,7 @@ impl Body {
             along().fold(f64::NEG_INFINITY, f64::max) - along().fold(f64::INFINITY, f64::min)
         });
         let moved = nodes.map(|node| displacement[node][0].hypot(displacement[node][1])).fold(0.0, f64::max);
-        Self { extents, moved }
-    }
-
-    fn largest(&self) -> f64 {
-        self.extents[0].max(self.extents[1])
-    }
-
-    fn smallest(&self) -> f64 {
-        self.extents[0].min(self.extents[1])
+        Self { smallest: extents[0].min(extents[1]), largest: extents[0].max(extents[1]), moved }
     }
 }
 
@@ -111,7 +104,7 @@ fn mean(scene: &Scene, pair: &ContactPair, transmitted: f64, width: f64) -> f64 
 /// Two bodies of which one may be in another unit.
 fn apart(scene: &Scene, bodies: &[Body], pair: &ContactPair) -> Option<String> {
     let second = pair.second?;
-    let [first, second] = [pair.first, second].map(|body| (&scene.bodies[body].name, bodies[body].largest()));
+    let [first, second] = [pair.first, second].map(|body| (&scene.bodies[body].name, bodies[body].largest));
     let (large, small) = if first.1 > second.1 { (first, second) } else { (second, first) };
     let times = large.1 / small.1;
     (times >= APART * (1.0 - ROUNDING)).then(|| {
@@ -127,7 +120,7 @@ fn apart(scene: &Scene, bodies: &[Body], pair: &ContactPair) -> Option<String> {
 
 /// An interference that is deep for a body.
 fn interference(scene: &Scene, bodies: &[Body], body: usize, deepest: f64) -> Option<String> {
-    let part = deepest / bodies[body].smallest();
+    let part = deepest / bodies[body].smallest;
     (part > DEEP).then(|| {
         format!(
             "the bodies begin {} mm within one another, {:.0} % of the size of `{}`: strains are not small, as is assumed",
@@ -140,7 +133,7 @@ fn interference(scene: &Scene, bodies: &[Body], body: usize, deepest: f64) -> Op
 
 /// A displacement that is large for a body.
 fn moved(scene: &Scene, bodies: &[Body], body: usize) -> Option<String> {
-    let (Body { moved, .. }, size) = (&bodies[body], bodies[body].largest());
+    let (Body { moved, .. }, size) = (&bodies[body], bodies[body].largest);
     (*moved > SQUEEZED * size && moved.is_finite()).then(|| {
         format!(
             "`{}` moves by up to {} mm, {:.0} % of its size: displacements are not small, as is assumed; are `young` and the loads meant so?",

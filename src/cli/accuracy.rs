@@ -7,7 +7,6 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::accuracy::{Answer, Asked, Barred, Tried, TriedContact, in_percent};
-use crate::cli::json::Number;
 use crate::cli::terminal::{say, say_in_lines, table, whole};
 use crate::markdown;
 use crate::measure::display_factor;
@@ -15,16 +14,16 @@ use crate::measure::display_factor;
 /// What came of an accuracy that was asked for; an estimate that is not known is null, and angles are in radians.
 #[derive(Serialize, JsonSchema)]
 #[schemars(rename = "Accuracy")]
-pub struct Document {
+pub struct Document<'a> {
     /// The relative error accepted.
-    asked: Number,
+    asked: f64,
     /// Whether it is met.
     met: bool,
     /// Why it is not.
     #[serde(skip_serializing_if = "Option::is_none")]
-    unmet: Option<String>,
+    unmet: Option<&'a str>,
     /// The largest estimate of the quantities asked for.
-    estimate: Number,
+    estimate: f64,
     /// Most degrees of freedom that a mesh may have; left out where that is not bounded.
     #[serde(rename = "freedoms_at_most", skip_serializing_if = "Option::is_none")]
     most_dofs: Option<usize>,
@@ -38,35 +37,35 @@ pub struct Document {
     #[serde(rename = "freedoms_in_all")]
     dofs_in_all: usize,
     /// Candidate stretch of every contact.
-    stretches: Vec<Number>,
+    stretches: Vec<f64>,
     /// Growth along the contact and into the depth.
-    growth: [Number; 2],
+    growth: [f64; 2],
     /// What is estimated of each quantity.
-    quantities: Vec<OneQuantity>,
+    quantities: Vec<OneQuantity<'a>>,
     /// Every mesh that was solved.
-    tried: Vec<OneMesh>,
+    tried: Vec<OneMesh<'a>>,
 }
 
 /// What is estimated of a quantity, relative to it.
 #[derive(Serialize, JsonSchema)]
-struct OneQuantity {
+struct OneQuantity<'a> {
     /// Name of the contact.
-    contact: String,
+    contact: &'a str,
     /// The quantity.
     quantity: Cow<'static, str>,
     /// Its error bar.
-    estimate: Number,
+    estimate: f64,
     /// What the mesh leaves.
-    from_mesh: Number,
+    from_mesh: f64,
     /// What the iteration leaves.
-    from_iteration: Number,
+    from_iteration: f64,
     /// What the springs of a penalty leave.
-    from_penalty: Number,
+    from_penalty: f64,
 }
 
 /// A mesh that was solved.
 #[derive(Serialize, JsonSchema)]
-struct OneMesh {
+struct OneMesh<'a> {
     /// What it was solved for.
     purpose: &'static str,
     /// Order of its elements.
@@ -74,7 +73,7 @@ struct OneMesh {
     /// Its candidate elements.
     elements: usize,
     /// Its growth.
-    growth: Number,
+    growth: f64,
     /// Its degrees of freedom.
     #[serde(rename = "freedoms")]
     dofs: usize,
@@ -82,43 +81,41 @@ struct OneMesh {
     #[serde(rename = "steps")]
     iterations: usize,
     /// What it found of each contact.
-    contacts: Vec<TriedContact>,
+    contacts: &'a [TriedContact],
     /// Its estimate.
-    estimate: Number,
+    estimate: f64,
 }
 
-impl Document {
+impl<'a> Document<'a> {
     /// What was asked and what came out.
-    pub fn of((asked, answer): &(Asked, Answer)) -> Self {
-        let quantity = |quoted: &Barred| OneQuantity {
-            contact: answer.scene.contacts[quoted.contact].name.clone(),
-            quantity: quoted.quantity.key(),
-            estimate: quoted.relative().into(),
-            from_mesh: parts(quoted)[0].into(),
-            from_iteration: parts(quoted)[1].into(),
-            from_penalty: parts(quoted)[2].into(),
+    pub fn of((asked, answer): &'a (Asked, Answer)) -> Self {
+        let quantity = |quoted: &Barred| {
+            let [from_mesh, from_iteration, from_penalty] = parts(quoted);
+            let contact = &answer.scene.contacts[quoted.contact].name;
+            let (quantity, estimate) = (quoted.quantity.key(), quoted.relative());
+            OneQuantity { contact, quantity, estimate, from_mesh, from_iteration, from_penalty }
         };
-        let mesh = |tried: &Tried| OneMesh {
+        let mesh = |tried: &'a Tried| OneMesh {
             purpose: tried.purpose,
             order: tried.order.number(),
             elements: tried.elements,
-            growth: tried.growth.into(),
+            growth: tried.growth,
             dofs: tried.dofs,
             iterations: tried.iterations,
-            contacts: tried.contacts.clone(),
-            estimate: tried.estimate.into(),
+            contacts: &tried.contacts,
+            estimate: tried.estimate,
         };
         Self {
-            asked: asked.relative.into(),
+            asked: asked.relative,
             met: answer.unmet.is_none(),
-            unmet: answer.unmet.clone(),
+            unmet: answer.unmet.as_deref(),
             most_dofs: asked.most_dofs,
             next: answer.next,
-            estimate: answer.estimate().into(),
+            estimate: answer.estimate(),
             dofs: answer.run.dofs,
             dofs_in_all: answer.dofs_in_all(),
-            stretches: answer.scene.contacts.iter().map(|pair| pair.stretch.into()).collect(),
-            growth: [answer.scene.grading.along, answer.scene.grading.depth].map(Number::from),
+            stretches: answer.scene.contacts.iter().map(|pair| pair.stretch).collect(),
+            growth: [answer.scene.grading.along, answer.scene.grading.depth],
             quantities: answer.estimates.iter().map(quantity).collect(),
             tried: answer.tried.iter().map(mesh).collect(),
         }

@@ -4,7 +4,6 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::accuracy::{Bar, Barred, Bars, Told};
-use crate::cli::json::Number;
 use crate::cli::solve::found::Found;
 use crate::cli::terminal::{say, say_in_lines, table, whole};
 use crate::markdown::{self, EXACT, to_bound, unsigned};
@@ -19,9 +18,9 @@ pub struct Document {
     /// What it is.
     quantity: String,
     /// The number.
-    value: Number,
+    value: f64,
     /// How far it may be from the truth: the sum of the parts.
-    bar: Number,
+    bar: f64,
     #[serde(flatten)]
     parts: Bar,
     /// Why the bar is not known, where it is not.
@@ -34,10 +33,10 @@ impl Document {
     pub fn all(found: &Found) -> Vec<Self> {
         let one = |one: &Barred| {
             let Told { of, quantity, .. } = Told::of(&found.problem.scene, &found.run, one);
-            let (value, bar) = (one.value.into(), one.bar.total().into());
-            Self { of, quantity, value, bar, parts: one.bar, unknown: one.unknown }
+            let Barred { value, bar: parts, unknown, .. } = *one;
+            Self { of, quantity, value, bar: parts.total(), parts, unknown }
         };
-        found.bars.iter().flat_map(|bars| bars.all.iter()).map(one).collect()
+        found.barred().iter().map(one).collect()
     }
 }
 
@@ -62,7 +61,7 @@ pub fn rows(found: &Found) -> Vec<[String; 7]> {
         };
         [of, quantity, value, unit.into(), part(mesh), part(iteration), part(penalty)]
     };
-    found.bars.iter().flat_map(|bars| &bars.all).map(row).collect()
+    found.barred().iter().map(row).collect()
 }
 
 /// Prints every number with its bar.

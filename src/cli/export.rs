@@ -4,6 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use serde::Serialize;
 
 use crate::case::Case;
 use crate::cli::solve::curve;
@@ -108,8 +109,8 @@ fn sheet(case: &Case) -> Result<String, Error> {
     Ok(sheet::file(&references::sheet(case, &truth.discretisation, &truth.run, &truth.bars, &Default::default())?).1)
 }
 
-fn document(document: &Document) -> String {
-    serde_json::to_string_pretty(document).expect("numbers, strings and lists can be written as JSON") + "\n"
+fn document(content: &impl Serialize) -> String {
+    serde_json::to_string_pretty(content).expect("numbers, strings and lists can be written as JSON") + "\n"
 }
 
 /// With empty lists of pressures and gaps.
@@ -118,7 +119,7 @@ fn to_fill_in(template: &Document) -> String {
     for contact in value["contacts"].as_array_mut().into_iter().flatten() {
         ["pressure", "gap"].into_iter().for_each(|list| contact[list] = serde_json::Value::Array(vec![]));
     }
-    serde_json::to_string_pretty(&value).expect("numbers, strings and lists can be written as JSON") + "\n"
+    document(&value)
 }
 
 /// A name for files, of letters that every code takes; `case` where it has none of them.

@@ -101,8 +101,5 @@ pub fn progress(pieces: usize) -> ProgressBar {
 
 /// A bar by a template.
 pub fn styled(bar: ProgressBar, template: &str) -> ProgressBar {
-    match ProgressStyle::with_template(template) {
-        Ok(style) => bar.with_style(style),
-        Err(_) => bar,
-    }
+    bar.with_style(ProgressStyle::with_template(template).expect("templates are those of this program"))
 }

@@ -86,19 +86,19 @@ pub struct Output<'a> {
 
 /// Refuses a drawing whose name would not tell its format.
 pub fn refuse_plot(command: &str, plot: &Option<PathBuf>) -> Result<(), Error> {
-    refuse_ending(command, "--plot", plot, ["svg", "plots are SVG"])
+    refuse_ending(command, "--plot", plot, ["svg", "plots are SVG", ""])
 }
 
-/// Refuses a file whose name does not end as its format does, and says which that is.
+/// Refuses a file whose name does not end as its format does, and says which that is, and what more there is to say.
 pub fn refuse_ending(
     command: &str,
     option: &str,
     path: &Option<PathBuf>,
-    [ending, format]: [&str; 2],
+    [ending, format, more]: [&str; 3],
 ) -> Result<(), Error> {
     match path.as_ref().filter(|path| path.extension().is_none_or(|end| end != ending)) {
         Some(path) => {
-            Err(Error::value(command, option, path.display(), format, format!("end the file name in .{ending}")))
+            Err(Error::value(command, option, path.display(), format, format!("end the file name in .{ending}{more}")))
         }
         None => Ok(()),
     }

@@ -32,20 +32,19 @@ pub(super) const BLOCK: Form = Table(&[
 /// The blocks, each convex, meeting along whole sides with the same elements.
 pub fn shape(given: Value, blocks: Value) -> Result<Shape, Error> {
     let tables = blocks.entries();
-    if tables.is_empty() || tables.len() > MOST {
-        return Err(given.refused(format!("there are {} blocks", tables.len()), format!("give 1 to {MOST}")));
-    }
+    let is_other = !(1..=MOST).contains(&tables.len());
+    given.refuse_if(is_other, format!("there are {} blocks", tables.len()), format!("give 1 to {MOST}"))?;
     let blocks = tables.iter().map(|table| block(*table)).collect::<Result<Vec<_>, Error>>()?;
     refuse_unequal(&tables, &blocks)?;
     Ok(Shape::Blocks(blocks))
 }
 
 fn block(table: Value) -> Result<BlockShape, Error> {
-    let mut corners = [[0.0; 2]; 4];
-    for (corner, pair) in corners.iter_mut().zip(table.at("corners").exactly::<4>()?) {
-        *corner = pair.point()?;
-    }
-    let elements = elements(table.at("elements"))?;
+    let [a, b, c, d] = table.at("corners").exactly()?.map(Value::point);
+    let corners = [a?, b?, c?, d?];
+    // Along the bottom and the right side.
+    let [n, m] = table.at("elements").exactly()?.map(|given: Value| given.count(2000, " along each side"));
+    let elements = [n?, m?];
     let growth = growth(table, elements)?;
     let arcs = arcs(table, &corners)?;
     let turns = |k: usize| {
@@ -59,16 +58,6 @@ fn block(table: Value) -> Result<BlockShape, Error> {
     }
     let names = SIDES.map(|side| table.get(side).map(|name| name.text().to_owned().into()));
     Ok(BlockShape { corners, arcs, names, elements, growth })
-}
-
-/// Numbers of elements along the bottom and the right side.
-fn elements(list: Value) -> Result<[usize; 2], Error> {
-    let given = list.exactly::<2>()?;
-    let counts = given.map(Value::read::<usize>);
-    match (0..2).find(|&k| !(1..=2000).contains(&counts[k])) {
-        Some(k) => Err(given[k].refused(format!("`elements` is {}", counts[k]), "give 1 to 2000 along each side")),
-        None => Ok(counts),
-    }
 }
 
 /// Growth of the elements along both, from one to the next.

@@ -135,23 +135,23 @@ fn shape(plane: PlaneHypothesis, across: bool, given: Value) -> Result<Shape, Er
     }
 }
 
+/// The sides of a rectangle and of a disc that may carry the contact.
+const FACES: [(&str, Face); 2] = [("bottom", Face::Bottom), ("top", Face::Top)];
+
 fn rectangle(given: Value, table: Value) -> Result<Shape, Error> {
     let (x, y) = (table.at("x").point()?, table.at("y").point()?);
-    if x[0] >= x[1] || y[0] >= y[1] {
-        return Err(given.refused("the rectangle has no area", "give `x` and `y` as [smaller, larger]"));
-    }
-    let faces = [("bottom", Face::Bottom), ("top", Face::Top)];
-    Ok(Shape::Rectangle { x, y, contact: table.at("contact").choice("side of a rectangle", &faces)? })
+    let is_empty = x[0] >= x[1] || y[0] >= y[1];
+    given.refuse_if(is_empty, "the rectangle has no area", "give `x` and `y` as [smaller, larger]")?;
+    Ok(Shape::Rectangle { x, y, contact: table.at("contact").choice("side of a rectangle", &FACES)? })
 }
 
 /// A disc, in a contact on one side of x = 0 or across it.
 fn disc(across: bool, table: Value) -> Result<Shape, Error> {
-    let faces = [("bottom", Face::Bottom), ("top", Face::Top)];
     Ok(Shape::Disc {
         centre: table.at("centre").point()?,
         radius: table.at("radius").length()?,
         sector: sector(across, table)?,
-        contact: table.get("contact").map_or(Ok(Face::Bottom), |side| side.choice("side of a disc", &faces))?,
+        contact: table.get("contact").map_or(Ok(Face::Bottom), |side| side.choice("side of a disc", &FACES))?,
     })
 }
 

@@ -3,12 +3,12 @@
 use toml::de::DeValue;
 
 use crate::case::file::form::Form::{Flag, List, Number, Own, Table, Text};
-use crate::case::file::form::{Form, PAIR, may, must, unexpected};
+use crate::case::file::form::{Form, PAIR, listed, may, must, unexpected};
 use crate::case::file::gap::GAP;
 use crate::case::file::oracle::ORACLE;
 use crate::case::file::side::Side;
 use crate::case::file::value::Value;
-use crate::case::file::{compared, gap, named};
+use crate::case::file::{gap, named};
 use crate::error::Error;
 use crate::scene::contact_pair::CONTACT;
 use crate::scene::{Body, BoundaryName, Circle, ContactPair, DrawnGap, Ends, Path, PlaneHypothesis, Profile};
@@ -70,19 +70,17 @@ pub(super) fn pairs(
     for &table in contacts {
         refuse_blank(table)?;
         let pair = pair(plane, bodies, table)?;
-        if pairs.iter().any(|other| other.name == pair.name) {
-            let place = table.get("name").unwrap_or(table.at("first"));
-            let message = format!("a second contact is called `{}`", pair.name);
-            return Err(place.refused(message, "give every contact a `name` of its own"));
-        }
+        let is_second = pairs.iter().any(|other| other.name == pair.name);
+        let message = format!("a second contact is called `{}`", pair.name);
+        let place = table.get("name").unwrap_or(table.at("first"));
+        place.refuse_if(is_second, message, "give every contact a `name` of its own")?;
         pairs.push(pair);
     }
     for (index, table) in tables.iter().enumerate() {
-        if !pairs.iter().flat_map(ContactPair::bodies).any(|body| body == index) {
-            let name = table.at("name");
-            let message = format!("body `{}` takes no part in the contact", name.text());
-            return Err(name.refused(message, "leave it out, or name it in a contact"));
-        }
+        let name = table.at("name");
+        let takes_part = pairs.iter().flat_map(ContactPair::bodies).any(|body| body == index);
+        let message = format!("body `{}` takes no part in the contact", name.text());
+        name.refuse_if(!takes_part, message, "leave it out, or name it in a contact")?;
     }
     Ok(pairs)
 }
@@ -90,10 +88,8 @@ pub(super) fn pairs(
 /// Refuses a name that no line of a table could show.
 fn refuse_blank(table: Value) -> Result<(), Error> {
     let is_blank = |name: &Value| name.text().trim().is_empty() || name.text().contains(char::is_control);
-    match table.get("name").filter(is_blank) {
-        Some(name) => Err(name.refused("the contact's `name` is blank, or not one line", "give it words")),
-        None => Ok(()),
-    }
+    let blank = table.get("name").filter(is_blank);
+    Value::refuse(blank, "the contact's `name` is blank, or not one line", "give it words")
 }
 
 /// One contact, its path and its gap.
@@ -135,7 +131,7 @@ fn pair(plane: PlaneHypothesis, bodies: &[Body], table: Value) -> Result<Contact
         ends: Ends::default(),
     };
     refuse_overlap(given, &pair, &sides)?;
-    compared::refuse_other(table, &pair, &drawn)?;
+    gap::refuse_other_than_drawn(table, &pair, &drawn)?;
     Ok(pair)
 }
 
@@ -163,10 +159,8 @@ fn touching(bodies: &[Body], table: Value) -> Result<(usize, Option<usize>), Err
         let message = format!("`{}` would touch itself", name.text());
         return Err(name.refused(message, "name another body, or leave `second` out for a rigid one"));
     }
-    if let (None, Some(side)) = (second, table.get("second-side")) {
-        let remedy = "leave it out, or name the primary body as `second`";
-        return Err(side.refused("`second-side` without `second`", remedy));
-    }
+    let side = table.get("second-side").filter(|_| second.is_none());
+    Value::refuse(side, "`second-side` without `second`", "leave it out, or name the primary body as `second`")?;
     Ok((first, second))
 }
 
@@ -189,10 +183,9 @@ fn named_side(body: &Body, (name, boundary): (Value, Option<Value>), path: &Path
     boundary.map_or(Ok(()), |boundary| named::refuse_half_told(&body.shape, boundary))?;
     Side::of(&body.shape, wanted, path, stretch).ok_or_else(|| {
         let names = body.shape.boundaries().into_iter();
-        let able = names.filter(|other| Side::of(&body.shape, other, path, stretch).is_some());
-        let able: Vec<String> = able.map(|name| format!("`{name}`")).collect();
+        let able: Vec<_> = names.filter(|other| Side::of(&body.shape, other, path, stretch).is_some()).collect();
         let message = format!("no contact can lie on a side `{wanted}` of `{}`", body.name);
-        boundary.unwrap_or(name).refused(message, format!("known: {}", able.join(", ")))
+        boundary.unwrap_or(name).refused(message, format!("known: {}", listed(able.iter().map(AsRef::as_ref))))
     })
 }
 
@@ -205,25 +198,18 @@ fn name_of(table: Value) -> String {
 
 /// Refuses a contact on both sides that would be mirrored there, or runs along an arc.
 fn refuse_mirrored(table: Value) -> Result<(), Error> {
-    if let (Some(origin), Some(_)) = (table.get("origin"), table.get("arc")) {
-        let remedy = "leave `origin` out: s = 0 lies below the centre of `arc`";
-        return Err(origin.refused("`origin` is for straight paths", remedy));
-    }
+    let is_arc = table.get("arc").is_some();
+    let remedy = "leave `origin` out: s = 0 lies below the centre of `arc`";
+    Value::refuse(table.get("origin").filter(|_| is_arc), "`origin` is for straight paths", remedy)?;
     let Some(given) = table.asked("both-sides") else { return Ok(()) };
-    if table.get("arc").is_some() {
-        let remedy = "leave `both-sides` out and model one half, or leave `arc` out and give the gap along y = 0";
-        return Err(given.refused("`both-sides` is for contact along y = 0, not along an arc", remedy));
-    }
+    let remedy = "leave `both-sides` out and model one half, or leave `arc` out and give the gap along y = 0";
+    given.refuse_if(is_arc, "`both-sides` is for contact along y = 0, not along an arc", remedy)?;
     // Off the symmetry line of a half scene a contact has both its sides, and an image.
     let at_0 = |origin: Value| origin.entries().first().is_none_or(|x| x.number() == 0.0);
     let on_line = table.get("origin").is_none_or(at_0);
-    match table.asked("symmetric").filter(|_| on_line) {
-        Some(symmetric) => {
-            let message = "the contact lies on both sides of x = 0 and is not half of a symmetric one";
-            Err(symmetric.refused(message, "leave `symmetric` or `both-sides` out"))
-        }
-        None => Ok(()),
-    }
+    let message = "the contact lies on both sides of x = 0 and is not half of a symmetric one";
+    let symmetric = table.asked("symmetric").filter(|_| on_line);
+    Value::refuse(symmetric, message, "leave `symmetric` or `both-sides` out")
 }
 
 /// Refuses two sides that look the same way.
@@ -247,9 +233,7 @@ fn refuse_overlap(gap: Value, pair: &ContactPair, sides: &[Side]) -> Result<(), 
     }
     let depth = |k: usize| sides.get(k).map_or(pair.path.own_depth(), |side| side.depth(&pair.path));
     let drawn = pair.drawn(depth(0), depth(1));
-    if drawn < -DEEPEST * pair.stretch * pair.path.metric() {
-        let message = format!("the bodies overlap by {} at s = 0", -drawn / gap.units.length);
-        return Err(gap.refused(message, "move them apart; a small interference may be drawn"));
-    }
-    Ok(())
+    let is_deep = drawn < -DEEPEST * pair.stretch * pair.path.metric();
+    let message = format!("the bodies overlap by {} at s = 0", -drawn / gap.units.length);
+    gap.refuse_if(is_deep, message, "move them apart; a small interference may be drawn")
 }

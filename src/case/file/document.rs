@@ -10,7 +10,7 @@ use crate::case::file::contact::CONTACTS;
 use crate::case::file::folder::nearest_to;
 use crate::case::file::form::Form::{List, Number, Table, Text, Word};
 use crate::case::file::form::{DESCRIBED, Form, Mistake, may, must, names};
-use crate::case::file::mesh::{MESH, MeshTable};
+use crate::case::file::mesh::MESH;
 use crate::case::file::places::Places;
 use crate::case::file::reference::REFERENCE;
 use crate::case::file::revolution::PLANES;
@@ -20,7 +20,7 @@ use crate::case::file::units::{FORCES, LENGTHS, STRESSES, Units};
 use crate::case::file::unsupported::Unsupported;
 use crate::case::file::value::Value;
 use crate::case::file::wanted::CHECK;
-use crate::case::file::{bodies, contact, hypotheses, oracle, reference, revolution, solve, wanted};
+use crate::case::file::{bodies, contact, hypotheses, mesh, oracle, reference, revolution, solve, wanted};
 use crate::error::Error;
 use crate::mesh::size::solvable;
 use crate::scene::{Body, ReferenceValues, Scene};
@@ -97,15 +97,14 @@ impl Case {
         DOCUMENT.check(&parsed).map_err(refused)?;
         let name = file.file_stem().map_or_else(|| "scene".into(), |stem| stem.to_string_lossy().into_owned());
         let file = Value::all(source, &parsed);
-        case(file.with(units(file.get("units"))?), name)
+        case(file.with(units(file.table("units"))?), name)
     }
 }
 
 /// Units by their names; those of the scene where none is given.
-fn units(table: Option<Value>) -> Result<Units, Error> {
-    let factor = |key: &str, known: &[(&str, f64)]| match table.and_then(|table| table.get(key)) {
-        Some(name) => name.choice(&format!("unit of {key}"), known),
-        None => Ok(1.0),
+fn units(table: Value) -> Result<Units, Error> {
+    let factor = |key, known: &[(&str, f64)]| {
+        table.get(key).map_or(Ok(1.0), |name| name.choice(&format!("unit of {key}"), known))
     };
     Ok(Units {
         length: factor("length", &LENGTHS)?,
@@ -116,20 +115,16 @@ fn units(table: Option<Value>) -> Result<Units, Error> {
 
 fn case(file: Value, name: String) -> Result<Case, Error> {
     let bodies = file.list("body");
-    if bodies.is_empty() {
-        return Err(file.at("body").refused("there is no body", "add one as [[body]]"));
-    }
+    file.at("body").refuse_if(bodies.is_empty(), "there is no body", "add one as [[body]]")?;
     let contacts = contact::tables(file.at("contact"));
-    if contacts.is_empty() {
-        return Err(file.at("contact").refused("there is no contact", "add one as [contact]"));
-    }
-    let mesh = MeshTable::of(file);
-    let accuracy = mesh.asked()?;
-    let (scene, resolution) = mesh.resolution(scene(file, &name, &bodies, &contacts)?)?;
+    file.at("contact").refuse_if(contacts.is_empty(), "there is no contact", "add one as [contact]")?;
+    let table = file.table("mesh");
+    let accuracy = mesh::asked(table)?;
+    let (scene, resolution) = mesh::resolution(table, scene(file, &name, &bodies, &contacts)?)?;
     if let Err((message, remedy)) = solvable(&scene, resolution) {
-        return Err(mesh.size().refused(message, remedy));
+        return Err(mesh::size(table).refused(message, remedy));
     }
-    let formulation = solve::formulation(file.get("solve"))?;
+    let formulation = solve::formulation(file.table("solve"))?;
     let given: Vec<Option<Value>> = contacts.iter().map(|contact| contact.get("oracle")).collect();
     let read =
         |(contact, given): (usize, &Option<Value>)| given.map(|given| oracle::read(given, &scene, contact)).transpose();
@@ -170,8 +165,8 @@ fn scene(file: Value, name: &str, tables: &[Value], contacts: &[Value]) -> Resul
         thickness,
         bodies,
         reference: ReferenceValues { length: 1.0, pressure: 1.0, gap: 1.0 },
-        grading: MeshTable::of(file).grading(contacts[0].at("stretch"))?,
+        grading: mesh::grading(file.table("mesh"), contacts[0].at("stretch"))?,
     };
-    scene.reference = reference::values(file.get("reference"), &scene)?;
+    scene.reference = reference::values(file.table("reference"), &scene)?;
     Ok(scene)
 }

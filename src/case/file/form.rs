@@ -184,13 +184,18 @@ fn mistake(value: &Spanned<DeValue>, error: &toml::de::Error) -> Mistake {
     (error.span().unwrap_or(value.span()), error.message().into())
 }
 
+/// Names as a message lists them.
+pub(super) fn listed<'a>(names: impl IntoIterator<Item = &'a str>) -> String {
+    names.into_iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ")
+}
+
 /// A name that is none of those known.
 pub(super) fn unknown<'a>(what: &str, name: &str, known: impl Iterator<Item = &'a str>) -> String {
-    let known: Vec<String> = known.map(|name| format!("`{name}`")).collect();
-    let expected = match known.as_slice() {
-        [one] => one.clone(),
-        [one, other] => format!("{one} or {other}"),
-        all => format!("one of {}", all.join(", ")),
+    let known: Vec<&str> = known.collect();
+    let expected = match known[..] {
+        [one] => format!("`{one}`"),
+        [one, other] => format!("`{one}` or `{other}`"),
+        _ => format!("one of {}", listed(known)),
     };
     format!("unknown {what} `{name}`, expected {expected}")
 }

@@ -1,4 +1,4 @@
-//! `gap` of a contact, as a function of the contact coordinate s.
+//! `gap` of a contact, as a function of the contact coordinate s; against the gap between the bodies as they are drawn.
 
 use std::sync::Arc;
 
@@ -8,7 +8,7 @@ use crate::case::file::form::Form::{Flag, List, Number, Own, Table, Text};
 use crate::case::file::form::{Form, PAIR, may, must, unexpected, unknown};
 use crate::case::file::value::Value;
 use crate::error::Error;
-use crate::scene::{DrawnGap, MonotoneCubic, Path, Profile, ROUNDING};
+use crate::scene::{ContactPair, DrawnGap, MonotoneCubic, Path, Profile, ROUNDING};
 
 /// `"drawn"`, as the meshes of the bodies are drawn, or one of [`KEYS`].
 pub(super) const GAP: Form = Own(&[Text, KEYS], |value| match value.get_ref() {
@@ -151,16 +151,11 @@ fn circles(pair: Value) -> Result<Profile, Error> {
     }
     let [first, second] = pair.pair()?;
     let curvature = 1.0 / first + 1.0 / second;
-    if curvature < 0.0 {
-        let message = format!("circles of the radii {first} and {second} overlap beside s = 0");
-        let remedy =
-            "give a hollow side, whose radius is negative, the larger radius, and the other side a positive one";
-        return Err(pair.refused(message, remedy));
-    }
-    if curvature <= 0.0 {
-        let message = format!("circles of the radii {first} and {second} lie on one another");
-        return Err(pair.refused(message, "give `gap = { uniform = 0 }`"));
-    }
+    let message = format!("circles of the radii {first} and {second} overlap beside s = 0");
+    let remedy = "give a hollow side, whose radius is negative, the larger radius, and the other side a positive one";
+    pair.refuse_if(curvature < 0.0, message, remedy)?;
+    let message = format!("circles of the radii {first} and {second} lie on one another");
+    pair.refuse_if(curvature <= 0.0, message, "give `gap = { uniform = 0 }`")?;
     Ok(Profile::Circles { radii: [first, second].map(|radius| pair.units.length * radius) })
 }
 
@@ -170,10 +165,8 @@ const MOST_POINTS: usize = 10_000;
 /// Points of a table: ascending from s = 0 on, or across it from below 0.
 fn points_of(gap: Value, table: Value, across: bool) -> Result<Arc<[[f64; 2]]>, Error> {
     let list = table.entries();
-    if !(2..=MOST_POINTS).contains(&list.len()) {
-        let message = format!("the table has {} points", list.len());
-        return Err(gap.refused(message, format!("give 2 to {MOST_POINTS} points [s, g]")));
-    }
+    let message = format!("the table has {} points", list.len());
+    gap.refuse_if(!(2..=MOST_POINTS).contains(&list.len()), message, format!("give 2 to {MOST_POINTS} points [s, g]"))?;
     let points = list.iter().map(|pair| pair.point()).collect::<Result<Vec<[f64; 2]>, Error>>()?;
     let begins = |s: f64| if across { s <= 0.0 } else { s == 0.0 };
     let wrong = |k: usize| if k == 0 { !begins(points[0][0]) } else { points[k][0] <= points[k - 1][0] };
@@ -193,10 +186,9 @@ const MOST_COEFFICIENTS: usize = 16;
 /// Even polynomial; the coefficient of s^n has the unit of length^(1−n).
 fn even(gap: Value, list: Value) -> Result<Profile, Error> {
     let list = list.entries();
-    if !(1..=MOST_COEFFICIENTS).contains(&list.len()) {
-        let message = format!("`even` has {} coefficients", list.len());
-        return Err(gap.refused(message, format!("give one to {MOST_COEFFICIENTS}: of s², s⁴, s⁶, and so on")));
-    }
+    let message = format!("`even` has {} coefficients", list.len());
+    let remedy = format!("give one to {MOST_COEFFICIENTS}: of s², s⁴, s⁶, and so on");
+    gap.refuse_if(!(1..=MOST_COEFFICIENTS).contains(&list.len()), message, remedy)?;
     let read = list.iter().zip(0..).map(|(given, k)| Ok(given.finite()? / gap.units.length.powi(1 + 2 * k)));
     Ok(Profile::Even { coefficients: read.collect::<Result<_, Error>>()? })
 }
@@ -210,10 +202,9 @@ const STEEPEST: f64 = 100.0;
 /// Such terms in mm; c has the unit of length^(1−n).
 pub(super) fn powers(list: Value) -> Result<Vec<[f64; 2]>, Error> {
     let terms = list.entries();
-    if !(1..=MOST_COEFFICIENTS).contains(&terms.len()) {
-        let message = format!("the gap has {} terms", terms.len());
-        return Err(list.refused(message, format!("give one to {MOST_COEFFICIENTS} pairs [c, n]")));
-    }
+    let message = format!("the gap has {} terms", terms.len());
+    let remedy = format!("give one to {MOST_COEFFICIENTS} pairs [c, n]");
+    list.refuse_if(!(1..=MOST_COEFFICIENTS).contains(&terms.len()), message, remedy)?;
     let read = terms.into_iter().map(|term| {
         let [c, n] = term.exactly::<2>()?;
         let expected = format!("a power above 1 and up to {STEEPEST}; a slope at s = 0 is a `wedge`, or a `cone`");
@@ -245,4 +236,51 @@ pub(super) fn refuse_ended(profile: &Profile, stretch: f64, gap: Value) -> Resul
         return Err(gap.refused(format!("the {what} ends before the candidates do"), remedy));
     }
     Ok(())
+}
+
+/// Difference, over the largest gap given on the stretch, up to which both are one.
+const ALIKE: f64 = 0.02;
+/// Gap, over the length of the stretch, up to which sides are drawn on one another: such a drawing tells no gap.
+const FLAT: f64 = 1e-6;
+/// Places along one side of s = 0 at which gaps are compared.
+const PLACES: i32 = 64;
+
+/// Refuses a gap that differs from the drawn one, unless the contact says that the drawing tells none.
+pub(super) fn refuse_other_than_drawn(table: Value, pair: &ContactPair, drawn: &DrawnGap) -> Result<(), Error> {
+    let length = table.units.length;
+    let is_drawn = matches!(pair.profile, Profile::Drawn | Profile::Bodies(_));
+    let given = table.asked("gap-only");
+    let message = "`gap-only` is true, and the gap is that of the drawn bodies";
+    Value::refuse(given.filter(|_| is_drawn), message, "leave it out, or give the gap as a function")?;
+    if is_drawn || given.is_some() {
+        return Ok(());
+    }
+    let first = if pair.path.has_both_sides() { -PLACES } else { 0 };
+    let places = (first..=PLACES).map(|k| pair.stretch * f64::from(k) / f64::from(PLACES));
+    // Bodies may be drawn with the clearance between them, or touching.
+    let is_touching = (drawn.gap(0.0) - pair.profile.gap(0.0)).abs() <= ALIKE * pair.clearance;
+    let clearance = if is_touching { 0.0 } else { pair.clearance };
+    let gaps: Vec<[f64; 3]> = places.map(|s| [s, pair.profile.gap(s) + clearance, drawn.gap(s)]).collect();
+    let told: Vec<&[f64; 3]> = gaps.iter().filter(|[_, given, drawn]| given.is_finite() && drawn.is_finite()).collect();
+    let largest = |k: usize| told.iter().map(|gap| gap[k].abs()).fold(0.0, f64::max);
+    let flat = FLAT * pair.stretch * pair.path.metric();
+    let apart = |gap: &[f64; 3]| (gap[1] - gap[2]).abs();
+    let Some([s, given, drawn]) = told.iter().max_by(|a, b| apart(a).total_cmp(&apart(b))) else { return Ok(()) };
+    if largest(2) <= flat || (given - drawn).abs() <= ALIKE * (largest(1) - clearance).max(0.0) + flat {
+        return Ok(());
+    }
+    let [given, drawn] = [given, drawn].map(|gap| rounded(gap / length));
+    let place = if pair.path.is_straight() { rounded(s / length) } else { rounded(s.to_degrees()) };
+    let (between, other) = match pair.second {
+        Some(_) => ("between the drawn bodies", "where the drawing shall not tell it"),
+        None => ("between the drawn body and a flat rigid side", "where the rigid side is not flat"),
+    };
+    let message = format!("at s = {place} the gap is {given} as given, and {drawn} {between}");
+    let remedy = format!("correct it, give `gap = {{ from = \"bodies\" }}`, or add `gap-only = true` {other}");
+    Err(table.at("gap").refused(message, remedy))
+}
+
+/// Five significant digits.
+pub(super) fn rounded(x: f64) -> f64 {
+    format!("{x:.4e}").parse().unwrap_or(x)
 }

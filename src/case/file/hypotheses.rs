@@ -5,8 +5,7 @@
 
 use std::sync::Arc;
 
-use crate::case::file::compared::rounded;
-use crate::case::file::gap::powers;
+use crate::case::file::gap::{powers, rounded};
 use crate::case::file::oracle::rings;
 use crate::case::file::side::Side;
 use crate::case::file::units::Units;

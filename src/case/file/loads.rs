@@ -119,18 +119,14 @@ fn traction(shape: &Shape, table: Value) -> Result<Load, Error> {
 fn part(load: Value) -> Result<Option<SidePart>, Error> {
     let Some(table) = load.get("part") else { return Ok(None) };
     let [from, to] = [table.at("from").finite()?, table.at("to").finite()?];
-    if from >= to {
-        let message = format!("the part goes from {from} to {to}, and has no length");
-        return Err(table.refused(message, "give `from` below `to`"));
-    }
+    let message = format!("the part goes from {from} to {to}, and has no length");
+    table.refuse_if(from >= to, message, "give `from` below `to`")?;
     let (along, unit) = match (table.get("along"), table.get("centre")) {
         (Some(name), None) => (Along::Axis(component(name)?), table.units.length),
         (None, Some(centre)) => {
             let centre = centre.point()?;
-            if to - from > FULL_TURN {
-                let message = format!("the part goes from {from} to {to} degrees, more than once around");
-                return Err(table.refused(message, format!("let it end {FULL_TURN} on at most")));
-            }
+            let message = format!("the part goes from {from} to {to} degrees, more than once around");
+            table.refuse_if(to - from > FULL_TURN, message, format!("let it end {FULL_TURN} on at most"))?;
             (Along::Angle { centre }, 1f64.to_radians())
         }
         _ => {
@@ -158,10 +154,9 @@ fn hertz((plane, material): (PlaneHypothesis, Material), table: Value) -> Result
     let a = table.at("half-width").length()?;
     let [x0, y0] = table.get("centre").map_or(Ok([0.0; 2]), Value::point)?;
     if plane.is_of_revolution() {
-        if x0.abs() > 0.0 || plane.radial() == Some(1) {
-            let message = "these stresses are those below a circle around the axis x = 0";
-            return Err(table.refused(message, "give a `centre` at x = 0, of bodies that are turned about x = 0"));
-        }
+        let is_elsewhere = x0.abs() > 0.0 || plane.radial() == Some(1);
+        let message = "these stresses are those below a circle around the axis x = 0";
+        table.refuse_if(is_elsewhere, message, "give a `centre` at x = 0, of bodies that are turned about x = 0")?;
         return Ok(VectorField::of(move |[r, y]| {
             let below = Potential::hertz(a, r, (y - y0).abs()).times(peak / a).stress(material.poisson);
             let [radial, axial, shear] = below.in_plane();
@@ -186,10 +181,8 @@ fn law(given: Value) -> Result<Law, Error> {
     let (name, table) = given.only();
     let coefficients = |per: f64| -> Result<Vec<f64>, Error> {
         let list = table.list("coefficients");
-        if list.is_empty() || list.len() > MOST_TERMS {
-            let message = format!("the law has {} coefficients", list.len());
-            return Err(given.refused(message, format!("give 1 to {MOST_TERMS}")));
-        }
+        let message = format!("the law has {} coefficients", list.len());
+        given.refuse_if(list.is_empty() || list.len() > MOST_TERMS, message, format!("give 1 to {MOST_TERMS}"))?;
         list.iter().zip(0..).map(|(value, k)| Ok(units.stress * value.finite()? / per.powi(k))).collect()
     };
     Ok(match name {

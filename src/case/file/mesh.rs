@@ -1,10 +1,10 @@
 //! `[mesh]`: elements on a length, or an accuracy that chooses them.
 
-use crate::accuracy::{self, Asked, KINKED, Quantity, UNKINKED};
+use crate::accuracy::{self, Asked, KINKED, UNKINKED};
 use crate::case::file::form::Form::{Byte, Count, List, Number, Table, Text};
 use crate::case::file::form::{Form, may};
 use crate::case::file::value::Value;
-use crate::case::file::wanted::{HALF_WIDTHS, SECOND_MOMENT_WIDTH};
+use crate::case::file::wanted::{OF_ACCURACY, QUANTITIES};
 use crate::error::Error;
 use crate::mesh::{Order, Resolution};
 use crate::scene::{Grading, Scene, Shape};
@@ -35,146 +35,106 @@ const USUAL: Grading = Grading { unit: 1.0, along: 1.7, depth: 1.6, first: 1.0, 
 /// Elements up to which it is as it is described; beyond, it follows them.
 const FEW: f64 = 16.0;
 
-/// What `[mesh]` says.
-#[derive(Clone, Copy)]
-pub(super) struct MeshTable<'a> {
-    /// The table; none where there is none.
-    table: Option<Value<'a>>,
-    /// Where its mistakes are told: there, else at the bodies.
-    pub place: Value<'a>,
+/// What is asked; none where the mesh is given.
+pub(super) fn asked(mesh: Value) -> Result<Option<Asked>, Error> {
+    let list = mesh.get("quantity");
+    let Some(accuracy) = mesh.get("accuracy") else {
+        Value::refuse(list, "`quantity` without `accuracy`", "leave it out, or give `accuracy`")?;
+        return Ok(None);
+    };
+    if let Some(given) = mesh.first(["elements", "per", "order", "growth"]) {
+        let remedy = format!("leave `{}` out, or `accuracy`", given.key);
+        return Err(given.refused(format!("`{}` cannot be used: `accuracy` chooses the mesh", given.key), remedy));
+    }
+    let relative = accuracy::percentage(accuracy.text()).map_err(|expected| {
+        let message = format!("`accuracy` is \"{}\", but {expected}", accuracy.text());
+        accuracy.refused(message, accuracy::remedy())
+    })?;
+    let mut asked = Asked::new(relative);
+    if let Some(list) = list {
+        let known = &QUANTITIES[..OF_ACCURACY];
+        let quantity = |name: Value| name.choice("quantity with an accuracy", known).cloned();
+        asked.quantities = list.entries().into_iter().map(quantity).collect::<Result<_, _>>()?;
+        list.refuse_if(asked.quantities.is_empty(), "no `quantity` is named", "name one, or leave it out for both")?;
+    }
+    Ok(Some(asked))
 }
 
-impl<'a> MeshTable<'a> {
-    /// That of a file.
-    pub(super) fn of(file: Value<'a>) -> Self {
-        let table = file.get("mesh");
-        Self { table, place: table.unwrap_or(file.at("body")) }
-    }
+/// How the mesh grows, on the length that holds the elements; where an accuracy chooses the mesh, on the stretch as it is written.
+pub(super) fn grading(mesh: Value, stretch: Value) -> Result<Grading, Error> {
+    let per = if mesh.get("accuracy").is_some() { Some(stretch.called("per")) } else { mesh.get("per") };
+    let unit = per.map_or(Ok(mesh.units.length), Value::length)?;
+    let growth = |key, default: f64, expected: &str, [least, most]: [f64; 2]| {
+        let given = mesh.get("growth").and_then(|growth| growth.get(key));
+        given.map_or(Ok(default), |given| given.within(expected, |x| (least..=most).contains(&x)))
+    };
+    let ratio = |key, default| growth(key, default, "a ratio between 1 and 5", [1.0, 5.0]);
+    let share = |key, default| growth(key, default, "a number between 0.01 and 5", [0.01, 5.0]);
+    Ok(Grading {
+        unit,
+        along: ratio("along", USUAL.along)?,
+        depth: ratio("depth", USUAL.depth)?,
+        coarsest: share("coarsest", USUAL.coarsest)?,
+        first: share("first", USUAL.first)?,
+        end: share("end", USUAL.end)?,
+    })
+}
 
-    fn get(self, key: &'a str) -> Option<Value<'a>> {
-        self.table?.get(key)
+/// Scene and mesh: those given, or the first ones of the search for an accuracy.
+pub(super) fn resolution(mesh: Value, mut scene: Scene) -> Result<(Scene, Resolution), Error> {
+    if let Some(accuracy) = mesh.get("accuracy") {
+        accuracy.refuse_if(scene.contacts.iter().any(|pair| !pair.profile.kinks().is_empty()), KINKED, UNKINKED)?;
+        // Refuses given meshes of several orders.
+        order(mesh, &scene)?;
+        return Ok(accuracy::first(&scene));
     }
+    let needed = scene.bodies.iter().any(|body| !body.shape.has_given_mesh());
+    if let Some(given) = mesh.first(["elements", "per", "growth"]).filter(|_| !needed) {
+        let message = format!("`{}` cannot be used: the meshes of all bodies are given", given.key);
+        return Err(given.refused(message, "leave it out, and refine those meshes"));
+    }
+    let missing = |key: &str| {
+        let remedy =
+            "give `elements` and `per` in [mesh], or an `accuracy` that chooses the mesh; `--accuracy` takes its place";
+        Err(mesh.refused(format!("missing field `{key}`"), remedy))
+    };
+    let elements = match mesh.get("elements") {
+        Some(given) => given.count(4096, "; 8 to 32 are usual")?,
+        None if needed => return missing("elements"),
+        None => 1,
+    };
+    if needed && mesh.get("per").is_none() {
+        return missing("per");
+    }
+    let order = order(mesh, &scene)?;
+    if mesh.get("growth").is_none() {
+        scene.grading = order.refined(&scene.grading, elements as f64 / FEW);
+    }
+    Ok((scene, Resolution { elements, refinement: 0, order }))
+}
 
-    /// The first of some keys that is given.
-    fn first<const N: usize>(self, keys: [&'a str; N]) -> Option<(&'a str, Value<'a>)> {
-        keys.into_iter().find_map(|key| Some((key, self.get(key)?)))
-    }
+/// The order asked for, else that of a mesh that is given; refuses meshes of another one.
+fn order(mesh: Value, scene: &Scene) -> Result<Order, Error> {
+    let given = scene.bodies.iter().filter_map(|body| match &body.shape {
+        Shape::Given(mesh) => Some(mesh.order()),
+        _ => None,
+    });
+    let given: Vec<Order> = given.collect();
+    let order = match mesh.get("order").map(|asked| (asked, asked.read::<u8>())) {
+        None => given.first().copied().unwrap_or(Order::Quadratic),
+        Some((asked, number)) => Order::numbered(number.into()).ok_or_else(|| {
+            let remedy = "give 1 for 4-node or 2 for 8-node cells, or 4 to 8 for cells of high order";
+            asked.refused(format!("`order` is {number}"), remedy)
+        })?,
+    };
+    let Some(other) = given.iter().find(|given| **given != order) else { return Ok(order) };
+    let [own, others] = [other, &order].map(|order| order.nodes_per_cell());
+    let message = format!("a mesh has cells of {own} nodes, others have {others}");
+    let place = mesh.get("order").unwrap_or(mesh);
+    Err(place.refused(message, "mesh all bodies with one order, and leave `order` out or give the same"))
+}
 
-    /// What is asked; none where the mesh is given.
-    pub(super) fn asked(self) -> Result<Option<Asked>, Error> {
-        let (accuracy, list) = match (self.get("accuracy"), self.get("quantity")) {
-            (Some(accuracy), list) => (accuracy, list),
-            (None, None) => return Ok(None),
-            (None, Some(quantity)) => {
-                return Err(quantity.refused("`quantity` without `accuracy`", "leave it out, or give `accuracy`"));
-            }
-        };
-        if let Some((key, given)) = self.first(["elements", "per", "order", "growth"]) {
-            let remedy = format!("leave `{key}` out, or `accuracy`");
-            return Err(given.refused(format!("`{key}` cannot be used: `accuracy` chooses the mesh"), remedy));
-        }
-        let relative = accuracy::percentage(accuracy.text()).map_err(|expected| {
-            let message = format!("`accuracy` is \"{}\", but {expected}", accuracy.text());
-            accuracy.refused(message, accuracy::remedy())
-        })?;
-        let mut asked = Asked::new(relative);
-        if let Some(list) = list {
-            let known = [
-                ("peak-pressure", &Quantity::PeakPressure),
-                (HALF_WIDTHS[0], &Quantity::HalfWidth),
-                (HALF_WIDTHS[1], &Quantity::HalfWidth),
-                (SECOND_MOMENT_WIDTH, &Quantity::SecondMomentWidth),
-            ];
-            let names = list.entries().into_iter();
-            let names = names.map(|name| name.choice("quantity with an accuracy", &known).cloned());
-            asked.quantities = names.collect::<Result<_, _>>()?;
-            if asked.quantities.is_empty() {
-                return Err(list.refused("no `quantity` is named", "name one, or leave it out for both"));
-            }
-        }
-        Ok(Some(asked))
-    }
-
-    /// How the mesh grows, on the length that holds the elements; where an accuracy chooses the mesh, on the stretch as it is written.
-    pub(super) fn grading(self, stretch: Value<'a>) -> Result<Grading, Error> {
-        let per = if self.get("accuracy").is_some() { Some(stretch.called("per")) } else { self.get("per") };
-        let unit = per.map_or(Ok(self.place.units.length), Value::length)?;
-        let growth = |key, default: f64, expected: &str, [least, most]: [f64; 2]| {
-            let given = self.get("growth").and_then(|growth| growth.get(key));
-            given.map_or(Ok(default), |given| given.within(expected, |x| (least..=most).contains(&x)))
-        };
-        let ratio = |key, default| growth(key, default, "a ratio between 1 and 5", [1.0, 5.0]);
-        let share = |key, default| growth(key, default, "a number between 0.01 and 5", [0.01, 5.0]);
-        Ok(Grading {
-            unit,
-            along: ratio("along", USUAL.along)?,
-            depth: ratio("depth", USUAL.depth)?,
-            coarsest: share("coarsest", USUAL.coarsest)?,
-            first: share("first", USUAL.first)?,
-            end: share("end", USUAL.end)?,
-        })
-    }
-
-    /// Scene and mesh: those given, or the first ones of the search for an accuracy.
-    pub(super) fn resolution(self, mut scene: Scene) -> Result<(Scene, Resolution), Error> {
-        if let Some(accuracy) = self.get("accuracy") {
-            if scene.contacts.iter().any(|pair| !pair.profile.kinks().is_empty()) {
-                return Err(accuracy.refused(KINKED, UNKINKED));
-            }
-            // Refuses given meshes of several orders.
-            self.order(&scene)?;
-            return Ok(accuracy::first(&scene));
-        }
-        let needed = scene.bodies.iter().any(|body| !body.shape.has_given_mesh());
-        if let Some((key, given)) = self.first(["elements", "per", "growth"]).filter(|_| !needed) {
-            let message = format!("`{key}` cannot be used: the meshes of all bodies are given");
-            return Err(given.refused(message, "leave it out, and refine those meshes"));
-        }
-        let missing = |key: &str| {
-            let remedy = "give `elements` and `per` in [mesh], or an `accuracy` that chooses the mesh; `--accuracy` takes its place";
-            Err(self.place.refused(format!("missing field `{key}`"), remedy))
-        };
-        let elements = match self.get("elements").map(|given| (given, given.read::<usize>())) {
-            Some((given, count)) if !(1..=4096).contains(&count) => {
-                return Err(given.refused(format!("`elements` is {count}"), "give 1 to 4096; 8 to 32 are usual"));
-            }
-            Some((_, count)) => count,
-            None if needed => return missing("elements"),
-            None => 1,
-        };
-        if needed && self.get("per").is_none() {
-            return missing("per");
-        }
-        let order = self.order(&scene)?;
-        if self.get("growth").is_none() {
-            scene.grading = order.refined(&scene.grading, elements as f64 / FEW);
-        }
-        Ok((scene, Resolution { elements, refinement: 0, order }))
-    }
-
-    /// The order asked for, else that of a mesh that is given; refuses meshes of another one.
-    fn order(self, scene: &Scene) -> Result<Order, Error> {
-        let given = scene.bodies.iter().filter_map(|body| match &body.shape {
-            Shape::Given(mesh) => Some(mesh.order()),
-            _ => None,
-        });
-        let given: Vec<Order> = given.collect();
-        let order = match self.get("order").map(|asked| (asked, asked.read::<u8>())) {
-            None => given.first().copied().unwrap_or(Order::Quadratic),
-            Some((asked, number)) => Order::numbered(number.into()).ok_or_else(|| {
-                let remedy = "give 1 for 4-node or 2 for 8-node cells, or 4 to 8 for cells of high order";
-                asked.refused(format!("`order` is {number}"), remedy)
-            })?,
-        };
-        let Some(other) = given.iter().find(|given| **given != order) else { return Ok(order) };
-        let [own, others] = [other, &order].map(|order| order.nodes_per_cell());
-        let message = format!("a mesh has cells of {own} nodes, others have {others}");
-        let place = self.get("order").unwrap_or(self.place);
-        Err(place.refused(message, "mesh all bodies with one order, and leave `order` out or give the same"))
-    }
-
-    /// Where a mesh that is too large was asked for.
-    pub(super) fn size(self) -> Value<'a> {
-        self.first(["elements", "accuracy"]).map_or(self.place, |(_, given)| given)
-    }
+/// Where a mesh that is too large was asked for.
+pub(super) fn size(mesh: Value) -> Value {
+    mesh.first(["elements", "accuracy"]).unwrap_or(mesh)
 }

@@ -6,8 +6,8 @@
 //! * `source` — the text, `units` — names of units, `named` — bodies, boundaries, points and supports by their names.
 //! * `document` — the whole file.
 //! * `bodies` — `[[body]]`, with `blocks` and `mesh_file` (meshes of other programs) for its shape, `loads`.
-//! * `contact` — `[contact]`: its bodies, their sides (`side`, `curves`) and the path; `gap` — its gap, `compared` — against the
-//!   drawn one; `oracle` — its closed form, `hypotheses` — what that takes for granted.
+//! * `contact` — `[contact]`: its bodies, their sides (`side`, `curves`) and the path; `gap` — its gap, also against the drawn one;
+//!   `oracle` — its closed form, `hypotheses` — what that takes for granted.
 //! * `revolution` — what bodies of revolution have otherwise.
 //! * `mesh`, `reference`, `solve`, `wanted` — `[mesh]`, `[reference]`, `[solve]`, `[[check]]`.
 //! * `places` — where things are in the file, for mistakes that show later.
@@ -18,7 +18,6 @@
 
 mod blocks;
 mod bodies;
-mod compared;
 mod contact;
 mod curves;
 mod document;

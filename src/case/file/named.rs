@@ -84,16 +84,13 @@ fn refuse_axis(shape: &Shape, name: Value) -> Result<(), Error> {
 
 /// Refuses a pressure on a line inside the body, which has no outer side.
 pub(super) fn refuse_inside(shape: &Shape, name: Value) -> Result<(), Error> {
-    let inside = match shape {
+    let is_inside = match shape {
         Shape::Given(mesh) => mesh.inner.contains(name.text()),
         Shape::Disc { sector, .. } if sector.has_upper_part() => name.text() == "middle",
         _ => false,
     };
-    if !inside {
-        return Ok(());
-    }
     let message = format!("`{}` runs inside the body, where a pressure has no side to act on", name.text());
-    Err(name.refused(message, "give a traction there, or a pressure on the outline"))
+    name.refuse_if(is_inside, message, "give a traction there, or a pressure on the outline")
 }
 
 /// The displacement of a side or a point; what does not exist is told with its line and what there is.

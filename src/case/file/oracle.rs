@@ -67,12 +67,8 @@ pub(super) fn read(given: Value, scene: &Scene, contact: usize) -> Result<Shared
     let load = || Ok::<f64, Error>(units.force * t.at("load").positive()? / scene.thickness);
     let modulus = scene.modulus_of(pair);
     let coefficients = || -> Result<[f64; 3], Error> {
-        let given = t.at("coefficients").exactly::<3>()?;
-        let mut coefficients = [0.0; 3];
-        for ((coefficient, given), power) in coefficients.iter_mut().zip(given).zip([2, 4, 6]) {
-            *coefficient = given.finite()? * units.length.powi(1 - power);
-        }
-        Ok(coefficients)
+        let [second, fourth, sixth] = t.at("coefficients").exactly()?.map(Value::finite);
+        Ok([second? * units.length.powi(-1), fourth? * units.length.powi(-3), sixth? * units.length.powi(-5)])
     };
     if let Some(radial) = scene.plane.radial() {
         if name == "lame" {

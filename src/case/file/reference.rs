@@ -16,19 +16,19 @@ const SLOPE: f64 = 1e-3;
 /// `p_ref = E* g_ref/ℓ`, which on Hertz scenes is p₀ for a = ℓ.
 ///
 /// With several contacts the first one tells them. Where the gap vanishes at ℓ it is taken as a thousandth of ℓ.
-pub(super) fn values(table: Option<Value>, scene: &Scene) -> Result<ReferenceValues, Error> {
-    let get = |key| table.and_then(|table| table.get(key));
+pub(super) fn values(table: Value, scene: &Scene) -> Result<ReferenceValues, Error> {
     let pair = scene.contact();
     let modulus = scene.modulus_of(pair);
     let half = 0.5 * pair.stretch;
-    let length = get("length").map(Value::length).transpose()?.unwrap_or(half * pair.path.metric());
-    let pressure = get("pressure").map(|given| Ok::<f64, Error>(given.units.stress * given.positive()?)).transpose()?;
+    let length = table.get("length").map(Value::length).transpose()?.unwrap_or(half * pair.path.metric());
+    let pressure =
+        table.get("pressure").map(|given| Ok::<f64, Error>(given.units.stress * given.positive()?)).transpose()?;
     let widest = (0..=8).map(|k| pair.profile.gap(0.125 * f64::from(k) * pair.stretch).abs()).fold(0.0, f64::max);
     let ends: &[f64] = if pair.path.has_both_sides() { &[half, -half] } else { &[half] };
     // Waves may return to zero there, but for round-off.
     let own = Some(ends.iter().map(|s| pair.profile.gap(*s).abs()).fold(0.0, f64::max))
         .filter(|own| own.is_finite() && *own > 1e-6 * widest);
-    let given = get("gap").map(Value::length).transpose()?;
+    let given = table.get("gap").map(Value::length).transpose()?;
     let told = given.or_else(|| pressure.map(|p| p * length / modulus)).or(own);
     let opening = told.unwrap_or(SLOPE * length);
     Ok(ReferenceValues { length, pressure: pressure.unwrap_or(modulus * opening / length), gap: opening })

@@ -44,14 +44,11 @@ pub(super) fn thickness(file: Value, plane: PlaneHypothesis) -> Result<f64, Erro
 pub(super) fn refuse_other_contacts(plane: PlaneHypothesis, contacts: &[Value]) -> Result<(), Error> {
     let Some(radial) = plane.radial() else { return Ok(()) };
     for &contact in contacts {
-        if let Some(given) = contact.asked("symmetric").filter(|_| radial == 0) {
-            let [message, remedy] = NO_HALF;
-            return Err(given.refused(message, remedy));
-        }
+        let [message, remedy] = NO_HALF;
+        Value::refuse(contact.asked("symmetric").filter(|_| radial == 0), message, remedy)?;
         let (path, stretch) = way(contact)?;
         if let Some([message, remedy]) = beside(&path, radial, stretch) {
-            let keys = ["arc", "origin", "both-sides"];
-            let given = keys.iter().find_map(|key| contact.get(key)).unwrap_or(contact);
+            let given = contact.first(["arc", "origin", "both-sides"]).unwrap_or(contact);
             return Err(given.refused(message, remedy));
         }
     }

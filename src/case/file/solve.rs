@@ -33,37 +33,36 @@ const KEYS: Form = Table(&[
 ]);
 
 /// What a table says; what it leaves out is the program's own.
-pub(super) fn formulation(table: Option<Value>) -> Result<Formulation, Error> {
-    let get = |key| table.and_then(|table| table.get(key));
-    let element = named(get("element"), "contact element", Element::ALL, Element::name)?.unwrap_or(Element::Node);
-    let algorithm = named(get("algorithm"), "algorithm", Iteration::ALL, Iteration::name)?;
-    let rule = named(get("rule"), "rule", StiffnessRule::ALL, StiffnessRule::name)?;
-    let acceleration = named(get("acceleration"), "acceleration", Acceleration::ALL, Acceleration::name)?;
+pub(super) fn formulation(table: Value) -> Result<Formulation, Error> {
+    let element = named(table.get("element"), "contact element", Element::ALL, Element::name)?.unwrap_or(Element::Node);
+    let algorithm = named(table.get("algorithm"), "algorithm", Iteration::ALL, Iteration::name)?;
+    let rule = named(table.get("rule"), "rule", StiffnessRule::ALL, StiffnessRule::name)?;
+    let acceleration = named(table.get("acceleration"), "acceleration", Acceleration::ALL, Acceleration::name)?;
     let mut formulation = Formulation::with(element, algorithm.unwrap_or(Iteration::Kinematic), rule, acceleration);
-    if let Some(spring) = named(get("spring"), "spring", Spring::ALL, Spring::name)? {
+    if let Some(spring) = named(table.get("spring"), "spring", Spring::ALL, Spring::name)? {
         formulation = formulation.with_springs(spring, acceleration);
     }
-    if let Some(bound) = get("bound") {
+    if let Some(bound) = table.get("bound") {
         formulation.leeway.bound = bound.factor()?;
     }
-    if let Some(thickness) = get("layer-thickness") {
+    if let Some(thickness) = table.get("layer-thickness") {
         formulation.layer_thickness = thickness.positive()?;
     }
-    if let Some(stiffness) = get("stiffness") {
+    if let Some(stiffness) = table.get("stiffness") {
         formulation.stiffness = stiffness.positive()?;
         formulation.stiffness_unit = StiffnessUnit::Reference;
     }
     let settings = &mut formulation.settings;
     settings.criterion =
-        named(get("criterion"), "criterion", Criterion::ALL, Criterion::name)?.unwrap_or(Criterion::Error);
-    if let Some(tolerance) = get("tolerance") {
+        named(table.get("criterion"), "criterion", Criterion::ALL, Criterion::name)?.unwrap_or(Criterion::Error);
+    if let Some(tolerance) = table.get("tolerance") {
         settings.tolerance = tolerance.positive()?;
     }
-    if let Some(increments) = get("increments") {
-        settings.increments = count("increments", increments, 1000)?;
+    if let Some(increments) = table.get("increments") {
+        settings.increments = increments.count(1000, "")?;
     }
-    if let Some(most) = get("max-iterations").or(get("max-steps")) {
-        settings.max_iterations = count("max-iterations", most, 1_000_000)?;
+    if let Some(most) = table.first(["max-iterations", "max-steps"]) {
+        settings.max_iterations = most.called("max-iterations").count(1_000_000, "")?;
     }
     Ok(formulation)
 }
@@ -76,11 +75,4 @@ fn named<T: Copy, const N: usize>(
     name: impl Fn(T) -> &'static str,
 ) -> Result<Option<T>, Error> {
     given.map(|given| given.choice(what, &all.map(|one| (name(one), one)))).transpose()
-}
-
-fn count(key: &str, given: Value, most: usize) -> Result<usize, Error> {
-    match given.read() {
-        count if (1..=most).contains(&count) => Ok(count),
-        count => Err(given.refused(format!("`{key}` is {count}"), format!("give 1 to {most}"))),
-    }
 }

@@ -6,6 +6,7 @@ use serde::de::DeserializeOwned;
 use toml::Spanned;
 use toml::de::{DeValue, ValueDeserializer};
 
+use crate::case::file::form::listed;
 use crate::case::file::source::Source;
 use crate::case::file::units::Units;
 use crate::case::file::unsupported::Unsupported;
@@ -26,7 +27,7 @@ pub(super) struct Value<'a> {
     /// Its units.
     pub units: Units,
     /// Key, as messages give it; that of its list for an entry.
-    key: &'a str,
+    pub key: &'a str,
     held: &'a Spanned<DeValue<'a>>,
 }
 
@@ -50,6 +51,16 @@ impl<'a> Value<'a> {
     /// The value of a key that the table must have.
     pub fn at(self, key: &'a str) -> Self {
         self.get(key).expect(CHECKED)
+    }
+
+    /// A table of the file; where it is left out the bodies, at which its mistakes are told then: their list has none of its keys.
+    pub fn table(self, key: &'a str) -> Self {
+        self.get(key).unwrap_or(self.at("body"))
+    }
+
+    /// The first of some keys that is given.
+    pub fn first<const N: usize>(self, keys: [&'a str; N]) -> Option<Self> {
+        keys.into_iter().find_map(|key| self.get(key))
     }
 
     /// The value of a key where it is `true`.
@@ -120,6 +131,16 @@ impl<'a> Value<'a> {
         self.source.refused(self.span(), message, remedy)
     }
 
+    /// Refuses it where something is wrong.
+    pub fn refuse_if(self, is_wrong: bool, message: impl Into<String>, remedy: impl Into<String>) -> Result<(), Error> {
+        Self::refuse(is_wrong.then_some(self), message, remedy)
+    }
+
+    /// Refuses a value where one is given.
+    pub fn refuse(given: Option<Self>, message: impl Into<String>, remedy: impl Into<String>) -> Result<(), Error> {
+        given.map_or(Ok(()), |given| Err(given.refused(message, remedy)))
+    }
+
     /// What is wrong with the number that it is, or that was made of it.
     fn unlike(self, found: f64, expected: &str) -> Error {
         self.refused(format!("`{}` is {found}", self.key), format!("give {expected}"))
@@ -143,6 +164,14 @@ impl<'a> Value<'a> {
             return Ok(found);
         }
         Err(self.unlike(found, &format!("a number above 0, from {least:e} to {most:e}")))
+    }
+
+    /// A number of things, one of them to the most; what more is to say of that follows.
+    pub fn count(self, most: usize, more: &str) -> Result<usize, Error> {
+        match self.read() {
+            count if (1..=most).contains(&count) => Ok(count),
+            count => Err(self.refused(format!("`{}` is {count}", self.key), format!("give 1 to {most}{more}"))),
+        }
     }
 
     /// A length above zero \[mm\].
@@ -186,11 +215,10 @@ impl<'a> Value<'a> {
         let name = self.text();
         let found = known.iter().find(|(known, _)| *known == name);
         found.map(|(_, value)| *value).ok_or_else(|| {
-            let names: Vec<String> = known.iter().map(|(name, _)| format!("`{name}`")).collect();
             let asked = Unsupported::asked_by(name);
             let instead = asked.map_or_else(String::new, |asked| format!("; {}: {}", asked.holds, asked.instead));
             let meant = meant(name, known.iter().map(|(name, _)| *name));
-            let remedy = format!("{meant}known: {}{instead}", names.join(", "));
+            let remedy = format!("{meant}known: {}{instead}", listed(known.iter().map(|(name, _)| *name)));
             self.refused(format!("there is no {what} `{name}`"), remedy)
         })
     }

@@ -1,7 +1,7 @@
 //! `[[check]]`: the checks of a scene file.
 
 use crate::case::file::form::Form::{Number, Table, Text, Word};
-use crate::case::file::form::{Form, may, must, names};
+use crate::case::file::form::{Form, listed, may, must, names};
 use crate::case::file::named::{self, OF_BODY};
 use crate::case::file::value::Value;
 use crate::case::{self, Check, Reference, Relation};
@@ -26,12 +26,13 @@ pub(super) const CHECK: Form = Table(&[
     may("because", Text).told("why this tolerance"),
 ]);
 
-/// What a check may ask for, as files name it; its place, body, support or side is filled in from the other keys.
-const QUANTITIES: [(&str, &Quantity); 12] = [
+/// What a check may ask for, as files name it; its place, body, support or side is filled in from the other keys. The half-width lies between begin
+/// and end. What an accuracy may be of comes first.
+pub(super) const QUANTITIES: [(&str, &Quantity); 12] = [
     ("peak-pressure", &Quantity::PeakPressure),
-    (HALF_WIDTHS[0], &Quantity::HalfWidth),
-    (HALF_WIDTHS[1], &Quantity::HalfWidth),
-    (SECOND_MOMENT_WIDTH, &Quantity::SecondMomentWidth),
+    ("half-width", &Quantity::HalfWidth),
+    ("contact-half-width", &Quantity::HalfWidth),
+    ("second-moment-width", &Quantity::SecondMomentWidth),
     ("centre", &Quantity::Centre),
     ("resultant", &Quantity::Resultant),
     ("pressure", &Quantity::Pressure { at: f64::NAN }),
@@ -42,9 +43,8 @@ const QUANTITIES: [(&str, &Quantity); 12] = [
     ("shear-depth", &Quantity::ShearDepth { body: 0 }),
 ];
 const NOWHERE: Displaced = Displaced { body: 0, at: Place::Point([f64::NAN; 2]), component: Component::Y };
-/// Names of the half-width, half of what lies between begin and end, and of the second-moment width.
-pub(super) const HALF_WIDTHS: [&str; 2] = ["half-width", "contact-half-width"];
-pub(super) const SECOND_MOMENT_WIDTH: &str = "second-moment-width";
+/// How many of them an accuracy may be of.
+pub(super) const OF_ACCURACY: usize = 4;
 
 const KINDS: [(&str, ReferenceKind); 4] = [
     ("analytic", ReferenceKind::Analytic),
@@ -133,17 +133,11 @@ fn contact(table: Value, asked: &Quantity, scene: &Scene) -> Result<usize, Error
         (Some(name), None) => name.choice("contact", &known),
         (None, None) if known.len() > 1 => {
             let message = "the scene has several contacts, and the check does not say which it means";
-            let remedy = format!("add `contact = \"…\"`, one of {}", listed(&known));
+            let remedy = format!("add `contact = \"…\"`, one of {}", listed(known.iter().map(|(name, _)| *name)));
             Err(table.at("quantity").refused(message, remedy))
         }
         (None, _) => Ok(0),
     }
-}
-
-/// Names as a remedy lists them.
-fn listed(known: &[(&str, usize)]) -> String {
-    let names: Vec<String> = known.iter().map(|(name, _)| format!("`{name}`")).collect();
-    names.join(", ")
 }
 
 /// Where a pressure is asked for \[mm, or rad on an arc\]; NaN for what has no place.
@@ -176,19 +170,16 @@ fn refuse_unused(table: Value, asked: &Quantity) -> Result<(), Error> {
         ("of", matches!(asked, Quantity::Displacement(_)), "only a `displacement` is that of a place"),
         ("body", is_below, "only `shear` and `shear-depth` are taken in one body"),
     ];
-    match keys.into_iter().find_map(|(key, is_used, told)| Some((key, table.get(key).filter(|_| !is_used)?, told))) {
-        Some((key, given, told)) => Err(given.refused(told, format!("leave `{key}` out"))),
-        None => Ok(()),
-    }
+    keys.into_iter().try_for_each(|(key, is_used, told)| {
+        Value::refuse(table.get(key).filter(|_| !is_used), told, format!("leave `{key}` out"))
+    })
 }
 
 /// Refuses the approach of bodies that have none.
 fn refuse_no_approach(name: Value, scene: &Scene, contact: usize) -> Result<(), Error> {
-    if scene.pressed_sides(contact).is_some() {
-        return Ok(());
-    }
     let message = "the contact has no `approach`: not every body of it is pressed along y at one side only, or all of them are fixed";
-    Err(name.refused(message, "ask for the `displacement` of the sides that are meant"))
+    let has_none = scene.pressed_sides(contact).is_none();
+    name.refuse_if(has_none, message, "ask for the `displacement` of the sides that are meant")
 }
 
 /// The body below whose surface the shear stress is meant; one that is not named must be the only one.
@@ -199,7 +190,7 @@ fn body(table: Value, scene: &Scene, pair: &ContactPair) -> Result<usize, Error>
         (None, [(_, only)]) => Ok(*only),
         (None, _) => {
             let message = "the contact has two elastic bodies, and the check does not say which it means";
-            let remedy = format!("add `body = \"…\"`, one of {}", listed(&known));
+            let remedy = format!("add `body = \"…\"`, one of {}", listed(known.iter().map(|(name, _)| *name)));
             Err(table.at("quantity").refused(message, remedy))
         }
     }
@@ -218,9 +209,7 @@ fn read(
         let remedy = "give `value`, or the contact an `oracle`";
         return Err(name.refused("the check has nothing to be held against", remedy));
     };
-    if let Some(kind) = table.get("kind") {
-        return Err(kind.refused("the kind is that of the oracle", "leave `kind` out"));
-    }
+    Value::refuse(table.get("kind"), "the kind is that of the oracle", "leave `kind` out")?;
     let reading = quantity.number().map(|number| Reference::of(oracle.as_ref(), scene, contact, number));
     let reference = reading.map(|reading| reading.times(quantity.factor()));
     reference.filter(|reference| reference.value.is_finite()).ok_or_else(|| {

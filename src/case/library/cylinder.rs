@@ -87,7 +87,8 @@ impl Cylinder {
     pub fn case(&self) -> Case {
         let scene = self.scene();
         let oracle = Hertz { load: self.load(), radius: self.radius, modulus: scene.contact_modulus() };
-        let model = model_error(self.a_over_r);
+        // What Hertz's half-plane may be off a cylinder: of the order of (a/R)².
+        let model = self.a_over_r * self.a_over_r;
         Case { source: SOURCE.into(), model, ..Case::of("cylinder", TITLE, scene, 12).against(oracle) }
     }
 }
@@ -115,9 +116,4 @@ pub(super) fn cases() -> Vec<Case> {
         Case { resolution, ..small.named("cylinder, a/R = 0.005").held_to(small_checks) },
         Case { formulations: Formulation::compared(), ..verified.named(NINE).held_to(all) },
     ]
-}
-
-/// What Hertz's half-plane may be off a cylinder: of the order of (a/R)².
-fn model_error(a_over_r: f64) -> f64 {
-    a_over_r * a_over_r
 }

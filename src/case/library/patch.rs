@@ -29,22 +29,15 @@ impl Patch {
     pub fn scene(&self) -> Scene {
         let modulus = 0.5 * self.material.plane_modulus(PlaneHypothesis::Strain);
         let gap = self.pressure * self.side / modulus;
+        let width = [0.0, self.side];
         let load = Load::on("far", Action::Uniform([0.0, -self.pressure]));
         Scene {
             name: "patch".into(),
             plane: PlaneHypothesis::Strain,
             thickness: 1.0,
             bodies: vec![
-                block(
-                    "upper",
-                    [0.0, self.side],
-                    [gap, gap + self.side],
-                    Face::Bottom,
-                    self.material,
-                    vec![],
-                    vec![load],
-                ),
-                block("lower", [0.0, self.side], [-self.side, 0.0], Face::Top, self.material, vec![moved(0.0)], vec![]),
+                block("upper", width, [gap, gap + self.side], Face::Bottom, self.material, vec![], vec![load]),
+                block("lower", width, [-self.side, 0.0], Face::Top, self.material, vec![moved(0.0)], vec![]),
             ],
             contacts: vec![flat_contact(Some(1), gap, self.side)],
             reference: ReferenceValues { length: self.side, pressure: self.pressure, gap },

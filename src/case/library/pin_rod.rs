@@ -57,7 +57,7 @@ impl Default for PinRod {
 impl PinRod {
     /// The scene: half by symmetry, pin fixed on its horizontal diameter, rod pulled upwards by a rigid end face.
     pub fn scene(&self) -> Scene {
-        let (centre, radius) = ([0.0, 0.0], self.pin_radius);
+        let (centre, radius, load) = ([0.0, 0.0], self.pin_radius, self.force / self.thickness);
         let disc = Shape::Disc { centre, radius, sector: Sector::Quarter, contact: Face::Bottom };
         let eye = Shape::Eye {
             pole: centre,
@@ -77,12 +77,7 @@ impl PinRod {
                 body("rod", eye, self.rod, vec![symmetry("axis")], vec![pull]),
             ],
             contacts: vec![hole_contact(self.pin_radius, self.clearance, self.stretch)],
-            reference: pin_reference(
-                self.force / self.thickness,
-                self.pin_radius,
-                self.clearance,
-                [self.pin, self.rod],
-            ),
+            reference: pin_reference(load, self.pin_radius, self.clearance, [self.pin, self.rod]),
             grading: Grading { unit: self.unit, along: 1.7, depth: 1.6, first: 1.0, coarsest: 0.3, end: 1.0 },
         }
     }

@@ -48,7 +48,7 @@ impl PressFit {
             let shape = Shape::Ring { pole: [0.0, 0.0], inner, outer, sweep: FRAC_PI_2, both_sides: false, contact };
             body(name, shape, material, vec![symmetry("start"), fixed("end", Component::Y, 0.0)], vec![])
         };
-        let [inner, outer] = self.materials;
+        let ([inner, outer], path) = (self.materials, Path::Arc(circle(self.interface)));
         let compliance: f64 = self.materials.iter().map(|m| 1.0 / m.plane_modulus(self.plane)).sum();
         let pressure = self.interference / (self.interface * compliance);
         Scene {
@@ -59,12 +59,7 @@ impl PressFit {
                 ring("inner ring", self.inner, self.interface, Face::Top, inner),
                 ring("outer ring", self.interface, self.outer, Face::Bottom, outer),
             ],
-            contacts: vec![ContactPair::new(
-                Some(1),
-                Path::Arc(circle(self.interface)),
-                Profile::Uniform(-self.interference),
-                FRAC_PI_2,
-            )],
+            contacts: vec![ContactPair::new(Some(1), path, Profile::Uniform(-self.interference), FRAC_PI_2)],
             reference: ReferenceValues { length: self.interface, pressure, gap: self.interference },
             grading: even(self.interface * FRAC_PI_2),
         }

@@ -67,6 +67,7 @@ impl TruncatedHertz {
     pub fn scene_under(&self, half_space: VectorField<3>) -> Scene {
         let a = self.half_width();
         let side = self.size * a;
+        let profile = Profile::Parabola { radius: self.radius };
         let field = |boundary: &'static str| Load::on(boundary, Action::Stress(half_space.clone()));
         let loads = vec![field("right"), field("far")];
         Scene {
@@ -74,12 +75,7 @@ impl TruncatedHertz {
             plane: PlaneHypothesis::Strain,
             thickness: 1.0,
             bodies: vec![block("block", [0.0, side], [0.0, side], Face::Bottom, self.material(), vec![], loads)],
-            contacts: vec![ContactPair::new(
-                None,
-                Path::HORIZONTAL,
-                Profile::Parabola { radius: self.radius },
-                self.stretch * a,
-            )],
+            contacts: vec![ContactPair::new(None, Path::HORIZONTAL, profile, self.stretch * a)],
             reference: ReferenceValues::hertz(a, self.load(), self.radius),
             grading: Grading { unit: a, along: 1.5, depth: 1.4, first: 1.0, coarsest: 0.2, end: 1.0 },
         }

@@ -8,8 +8,6 @@ use crate::error::Error;
 use crate::oracle::ReferenceKind;
 use crate::uncertainty::COVERAGE;
 
-use super::Number;
-
 /// A check of a trial, or of a scene file: a line of `verdicts` and of `verify --json`.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct Line {
@@ -36,25 +34,25 @@ pub struct Checked {
     /// Of what it is asked.
     scope: Option<Scope>,
     /// The value found.
-    value: Number,
+    value: Option<f64>,
     /// Standard uncertainty of the value; null where it is not known.
-    uncertainty: Number,
+    uncertainty: Option<f64>,
     /// How far the value may be from the truth of the scene; null where it is not known.
-    bar: Number,
+    bar: Option<f64>,
     /// What it is held against; 0 where the value is itself an error.
-    reference: Number,
+    reference: Option<f64>,
     /// Standard uncertainty of the reference; null where it is not known.
-    reference_uncertainty: Number,
+    reference_uncertainty: Option<f64>,
     /// How far the reference may be off; null where that is not known.
-    reference_bar: Number,
+    reference_bar: Option<f64>,
     /// Name of the reference.
     source: Option<String>,
     /// What kind of truth the reference is.
     kind: Option<ReferenceKind>,
     /// The error, relative to the reference or to the scale that the quantity names; absolute where the reference is 0.
-    error: Number,
+    error: Option<f64>,
     /// The largest error accepted.
-    tolerance: Number,
+    tolerance: Option<f64>,
     /// Why this tolerance.
     because: Option<String>,
     /// Whether it passed, failed or was not run.

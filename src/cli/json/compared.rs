@@ -3,8 +3,6 @@
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use super::Number;
-
 /// Formulations of one scene, the recommended one first: the result of `compare`.
 #[derive(Serialize, JsonSchema)]
 pub struct Compared {
@@ -32,11 +30,11 @@ pub struct Compares {
     /// Factorisations of the condensed stiffness.
     pub factorisations: Option<usize>,
     /// Operations of its factorisations and back-substitutions.
-    pub operations: Number,
+    pub operations: Option<f64>,
     /// Largest error of peak, force, width and approach against the discrete solution.
-    pub error: Number,
+    pub error: Option<f64>,
     /// Seconds of its iteration.
-    pub seconds: Number,
+    pub seconds: Option<f64>,
     /// Why it gives no answer; null where it does.
     pub reason: Option<String>,
     /// The command that solves the scene by it.

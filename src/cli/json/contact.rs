@@ -8,8 +8,6 @@ use crate::solution::PointState;
 use crate::solve::Run;
 use crate::solve::run::Errors;
 
-use super::Number;
-
 /// What a contact coordinate is, on a straight path and on an arc.
 const COORDINATES: [&str; 2] = ["length", "angle"];
 
@@ -22,36 +20,36 @@ pub struct Contact<'a> {
     #[schemars(extend("enum" = COORDINATES))]
     coordinate: &'static str,
     /// Half-width: half of what lies between where the contact begins and ends.
-    half_width: Number,
+    half_width: f64,
     /// Second-moment width.
-    second_moment_width: Number,
+    second_moment_width: f64,
     /// Half-width by counting pressed points.
-    half_width_nodes: Number,
+    half_width_nodes: f64,
     /// Centre of pressure, of a contact on both sides of s = 0.
     #[serde(skip_serializing_if = "Option::is_none")]
-    centre: Option<Number>,
+    centre: Option<f64>,
     /// Pressed points.
     active_points: usize,
     /// Where every closed stretch begins and ends.
-    closed: Vec<[Number; 2]>,
+    closed: Vec<[f64; 2]>,
     /// What to know before quoting it.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     notes: Vec<String>,
     /// Largest pressure; null where it has no limit.
-    peak_pressure: Number,
+    peak_pressure: Option<f64>,
     /// Where it is.
-    peak_position: Number,
+    peak_position: f64,
     /// Growth of a peak without a limit at the last halving of the elements.
     #[serde(skip_serializing_if = "Option::is_none")]
-    peak_growth: Option<Number>,
+    peak_growth: Option<f64>,
     /// Pressure at s = 0.
-    pressure_at_zero: Number,
+    pressure_at_zero: f64,
     /// Largest pressure of a contact point.
-    largest_point_pressure: Number,
+    largest_point_pressure: f64,
     /// Where that is.
-    largest_point_position: Number,
+    largest_point_position: f64,
     /// Force on the whole contact, both halves.
-    resultant: Number,
+    resultant: f64,
     /// Against the solution of the same discrete problem; null where that was not found.
     iteration_error: Option<Errors>,
     /// What the springs of a penalty change of the discrete solution.
@@ -65,18 +63,18 @@ pub struct Contact<'a> {
 #[derive(Serialize, JsonSchema)]
 struct Point {
     /// Contact coordinate.
-    position: Number,
+    position: f64,
     /// Contact pressure.
-    pressure: Number,
+    pressure: f64,
     /// Remaining gap.
-    gap: Number,
+    gap: f64,
     /// Area that its pressure acts on.
-    area: Number,
+    area: f64,
 }
 
 impl From<&PointState> for Point {
     fn from(p: &PointState) -> Self {
-        Self { position: p.position.into(), pressure: p.pressure.into(), gap: p.gap.into(), area: p.weight.into() }
+        Self { position: p.position, pressure: p.pressure, gap: p.gap, area: p.weight }
     }
 }
 
@@ -88,20 +86,20 @@ impl<'a> Contact<'a> {
         Self {
             name: &pair.name,
             coordinate: COORDINATES[usize::from(!pair.path.is_straight())],
-            half_width: measures.half_width().into(),
-            second_moment_width: measures.second_moment_width.into(),
-            half_width_nodes: measures.half_width_nodes.into(),
-            centre: pair.path.has_both_sides().then_some(measures.centre.into()),
+            half_width: measures.half_width(),
+            second_moment_width: measures.second_moment_width,
+            half_width_nodes: measures.half_width_nodes,
+            centre: pair.path.has_both_sides().then_some(measures.centre),
             active_points: measures.active,
-            closed: measures.stretches.iter().map(|one| [one.begin, one.end].map(Number::from)).collect(),
+            closed: measures.stretches.iter().map(|one| [one.begin, one.end]).collect(),
             notes,
             peak_pressure: found.unbounded.is_none().then_some(measures.peak.pressure),
-            peak_position: measures.peak.position.into(),
-            peak_growth: found.unbounded.map(|unbounded| unbounded.growth.into()),
-            pressure_at_zero: measures.pressure_at_origin.into(),
-            largest_point_pressure: measures.largest.pressure.into(),
-            largest_point_position: measures.largest.position.into(),
-            resultant: found.transmitted.into(),
+            peak_position: measures.peak.position,
+            peak_growth: found.unbounded.map(|unbounded| unbounded.growth),
+            pressure_at_zero: measures.pressure_at_origin,
+            largest_point_pressure: measures.largest.pressure,
+            largest_point_position: measures.largest.position,
+            resultant: found.transmitted,
             iteration_error: found.iteration,
             penalty_error: found.penalty,
             profile: run.solution.points_of(contact).iter().map(Point::from).collect(),

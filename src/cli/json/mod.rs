@@ -4,24 +4,21 @@
 //! * [`checked`] — a check with its numbers and its verdict, of `solve`, `verify` and `verdicts` alike.
 //! * [`refereed`] — the verdicts on the answer of another code.
 //! * [`compared`] — formulations of one scene side by side.
-//! * [`number`] — a number, which may be unknown.
 
 pub mod checked;
 pub mod compared;
 pub mod contact;
-pub mod number;
 pub mod oracle;
 pub mod refereed;
 pub mod solved;
 
-use schemars::JsonSchema;
 use schemars::generate::SchemaSettings;
 use schemars::transform::RecursiveTransform;
+use schemars::{JsonSchema, Schema};
 use serde::Serialize;
 
 pub use checked::{Checked, Line};
 pub use compared::{Compared, Compares};
-pub use number::Number;
 pub use oracle::OracleReading;
 pub use refereed::Refereed;
 pub use solved::Solved;
@@ -80,7 +77,14 @@ fn has(text: &str, keys: &[&str]) -> bool {
 
 /// The schema of all that is printed as JSON (JSON Schema, draft 7).
 pub fn schema() -> String {
-    let settings = SchemaSettings::draft07().for_serialize().with_transform(RecursiveTransform(number::or_null));
+    let settings = SchemaSettings::draft07().for_serialize().with_transform(RecursiveTransform(or_null));
     let schema = settings.into_generator().into_root_schema_for::<Answer>();
     serde_json::to_string_pretty(&schema).expect("a schema can be written as JSON")
+}
+
+/// Says that null may stand where a number may: JSON has neither NaN nor infinity, so that null is a number that is not known, or has no limit.
+fn or_null(schema: &mut Schema) {
+    if schema.get("type").is_some_and(|kind| kind == "number") {
+        schema.insert("type".into(), ["number", "null"].into());
+    }
 }

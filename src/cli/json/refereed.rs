@@ -7,7 +7,7 @@ use crate::measure::display_factor;
 use crate::referee::{Handed, Profile, Ruled, Truth, Verdicts};
 use crate::solution::PointState;
 
-use super::{Checked, Number};
+use super::Checked;
 
 /// The verdicts on an answer: a line of `judge --json`.
 #[derive(Serialize, JsonSchema)]
@@ -51,11 +51,11 @@ struct Held {
 #[schemars(rename = "HeldPoint")]
 struct Point {
     /// Contact coordinate.
-    position: Number,
+    position: f64,
     /// Contact pressure that was handed in, or follows from the forces; in MPa.
-    pressure: Number,
+    pressure: f64,
     /// That of the reference there in MPa; null where it has no limit.
-    reference: Number,
+    reference: f64,
 }
 
 /// Something that could not be judged.
@@ -99,9 +99,9 @@ impl Held {
         let profile = Profile::of(&truth.case.scene, handed);
         let pair = profile.pair();
         let point = |point: &PointState| Point {
-            position: (display_factor(&pair.path) * point.position).into(),
-            pressure: point.pressure.into(),
-            reference: truth.pressure(handed.contact, point.position).into(),
+            position: display_factor(&pair.path) * point.position,
+            pressure: point.pressure,
+            reference: truth.pressure(handed.contact, point.position),
         };
         let unit = if pair.path.is_straight() { "mm" } else { "°" };
         Self { name: pair.name.clone(), unit, profile: profile.points.iter().map(point).collect() }

@@ -8,10 +8,10 @@ use serde::Serialize;
 use crate::cli::solve::found::{Found, ReactionReading};
 use crate::cli::{accuracy, bars};
 use crate::solution::IterationError;
-use crate::solve::VonMises;
+use crate::solve::{VonMises, WithoutLimit};
 
 use super::contact::Contact;
-use super::{Checked, Number, OracleReading, oracle};
+use super::{Checked, OracleReading, oracle};
 
 /// The result of a solve.
 #[derive(Serialize, JsonSchema)]
@@ -27,7 +27,7 @@ pub struct Solved<'a> {
     /// Its rule.
     rule: &'a str,
     /// Largest factor on a stiffness in an iteration; null where changes are not bounded.
-    bound: Number,
+    bound: f64,
     /// What has a stiffness of its own.
     spring: &'a str,
     /// What shall fall below the tolerance.
@@ -35,7 +35,7 @@ pub struct Solved<'a> {
     /// Acceleration of the iteration.
     acceleration: &'a str,
     /// Initial stiffness κ₀, in `stiffness_unit`.
-    stiffness: Number,
+    stiffness: f64,
     /// What the initial stiffness is a multiple of: `reference`, E*/ℓ, or `bodies`, √(E*/L · s).
     stiffness_unit: &'a str,
     /// Order of the elements: 1 or 2.
@@ -67,7 +67,7 @@ pub struct Solved<'a> {
     /// The bodies, in the order of the scene.
     bodies: Vec<Body<'a>>,
     /// What is left over of loads, contact and reactions of a body, over the largest of them, at the worst body.
-    imbalance: Number,
+    imbalance: f64,
     /// What the supports exert.
     reactions: &'a [ReactionReading],
     /// How far each number may be from the truth; left out where that was not asked for.
@@ -83,7 +83,7 @@ pub struct Solved<'a> {
     notes: Vec<String>,
     /// What came of an accuracy that was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
-    accuracy: Option<accuracy::Document>,
+    accuracy: Option<accuracy::Document<'a>>,
 }
 
 /// Units of all numbers; errors and the spring stiffness κ are pure.
@@ -114,11 +114,11 @@ impl<'a> Solved<'a> {
             element: formulation.element.name(),
             algorithm: formulation.algorithm.name(),
             rule: formulation.rule.name(),
-            bound: formulation.leeway.bound.into(),
+            bound: formulation.leeway.bound,
             spring: formulation.leeway.spring.name(),
             criterion: formulation.settings.criterion.name(),
             acceleration: formulation.acceleration.name(),
-            stiffness: formulation.stiffness.into(),
+            stiffness: formulation.stiffness,
             stiffness_unit: formulation.stiffness_unit.name(),
             order: problem.resolution.order.number(),
             resolution: problem.resolution.elements,
@@ -135,7 +135,7 @@ impl<'a> Solved<'a> {
                 .map(|contact| Contact::of(problem, run, contact, found.notes_of(contact)))
                 .collect(),
             bodies: found.stresses.iter().map(|stress| Body::of(found, stress)).collect(),
-            imbalance: run.imbalance().into(),
+            imbalance: run.imbalance(),
             reactions,
             error_bars: bars::Document::all(found),
             checks: checks.iter().map(Checked::of).collect(),
@@ -153,34 +153,23 @@ struct Body<'a> {
     name: &'a str,
     /// Largest von Mises stress, with the stress across the plane; null where it lies beside a place at which stresses have no limit. Its bar
     /// is among `error_bars`.
-    von_mises: Number,
+    von_mises: Option<f64>,
     /// Where that is: x and y.
     #[serde(skip_serializing_if = "Option::is_none")]
-    von_mises_at: Option<[Number; 2]>,
+    von_mises_at: Option<[f64; 2]>,
     /// Places at which the stress has no limit.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    without_limit: Vec<WithoutLimit>,
-}
-
-/// A place at which the stress of a body has no limit.
-#[derive(Serialize, JsonSchema)]
-struct WithoutLimit {
-    /// What makes it so.
-    because: &'static str,
-    /// Where: x and y.
-    at: [Number; 2],
+    #[serde(skip_serializing_if = "<[_]>::is_empty")]
+    without_limit: &'a [WithoutLimit],
 }
 
 impl<'a> Body<'a> {
     /// One of a solve.
-    fn of(found: &'a Found, VonMises { body, largest, without_limit }: &VonMises) -> Self {
-        let place = |at: [f64; 2]| at.map(Number::from);
-        let without_limit = without_limit.iter().map(|one| WithoutLimit { because: one.because, at: place(one.at) });
+    fn of(found: &'a Found, VonMises { body, largest, without_limit }: &'a VonMises) -> Self {
         Self {
             name: &found.problem.scene.bodies[*body].name,
             von_mises: largest.map(|largest| largest.stress),
-            von_mises_at: largest.map(|largest| place(largest.at)),
-            without_limit: without_limit.collect(),
+            von_mises_at: largest.map(|largest| largest.at),
+            without_limit,
         }
     }
 }

@@ -88,15 +88,10 @@ impl Arguments {
     pub fn refuse(&self) -> Result<(), Error> {
         let count = self.answers.len();
         if self.series && count < 3 {
-            return Err(Error::value(
-                "judge",
-                "--series",
-                count,
-                "three answers are needed",
-                "name three or more, coarse to fine",
-            ));
+            let remedy = "name three or more, coarse to fine";
+            return Err(Error::value("judge", "--series", count, "three answers are needed", remedy));
         }
-        writable::refuse_ending("judge", "--junit", &self.junit, ["xml", "JUnit reports are XML"])?;
+        writable::refuse_ending("judge", "--junit", &self.junit, ["xml", "JUnit reports are XML", ""])?;
         let Some(path) = &self.plot else { return Ok(()) };
         if count > 1 {
             return Err(Error::value("judge", "--plot", path.display(), "one answer is drawn", "name one answer"));

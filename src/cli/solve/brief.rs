@@ -124,18 +124,9 @@ fn of_body(found: &Found, VonMises { body, largest, without_limit }: &VonMises) 
         (None, None) => format!("`{name}` unknown"),
         (None, Some(nowhere)) => format!("`{name}` without limit: {nowhere}"),
         (Some(largest), nowhere) => {
-            let contact = found
-                .bars
-                .iter()
-                .flat_map(|bars| &bars.all)
-                .find(|one| one.quantity == Quantity::VonMises { body: *body });
-            let told = Number::valued(
-                found,
-                contact.map_or(0, |one| one.contact),
-                &Quantity::VonMises { body: *body },
-                largest.stress,
-            )
-            .told();
+            let quantity = Quantity::VonMises { body: *body };
+            let contact = found.barred().iter().find(|one| one.quantity == quantity).map_or(0, |one| one.contact);
+            let told = Number::valued(found, contact, &quantity, largest.stress).told();
             let beside = nowhere.map_or(String::new(), |nowhere| format!(", but without limit beside {nowhere}"));
             format!("`{name}` {told} at {}{beside}", place(largest.at, largest.within))
         }

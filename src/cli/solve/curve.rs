@@ -63,7 +63,9 @@ fn is_json(path: &Path) -> bool {
 /// The curve as text: a row for each contact at each load, the increment that did not converge included.
 pub fn text(discretisation: &Discretisation, run: &Run, path: &Path) -> Result<String, Error> {
     let curve = discretisation.curve(run)?;
-    let rows: Vec<Row> = curve.iter().flat_map(|point| rows(&discretisation.scene, point)).collect();
+    let pairs = &discretisation.scene.contacts;
+    let contacts = curve.iter().flat_map(|point| pairs.iter().zip(&point.contacts).map(move |two| (point, two)));
+    let rows: Vec<Row> = contacts.map(|(point, (pair, contact))| Row::of(point, pair, contact)).collect();
     if is_json(path) {
         return Ok(serde_json::to_string_pretty(&rows).expect("numbers, strings and lists can be written as JSON"));
     }
@@ -78,10 +80,6 @@ pub fn is_curve(text: &str) -> bool {
     }
     let rows = serde_json::from_str::<Vec<serde_json::Value>>(text);
     rows.is_ok_and(|rows| rows.iter().all(|row| row.get("load_factor").is_some()))
-}
-
-fn rows<'a>(scene: &'a Scene, point: &'a CurvePoint) -> impl Iterator<Item = Row<'a>> {
-    scene.contacts.iter().zip(&point.contacts).map(move |(pair, contact)| Row::of(point, pair, contact))
 }
 
 /// Columns of the position, and whether that is along a straight path.

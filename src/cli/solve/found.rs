@@ -102,8 +102,12 @@ impl Found {
 
     /// What closed forms say that the run contradicts.
     pub fn notes(&self) -> Vec<String> {
-        let bars: &[Barred] = self.bars.as_ref().map_or(&[], |bars| &bars.all);
-        self.problem.notes(&self.run, bars)
+        self.problem.notes(&self.run, self.barred())
+    }
+
+    /// Every number with its bar; none where bars were not asked for.
+    pub fn barred(&self) -> &[Barred] {
+        self.bars.as_ref().map_or(&[], |bars| &bars.all)
     }
 }
 

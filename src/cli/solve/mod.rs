@@ -17,7 +17,7 @@ mod remedy;
 mod stages;
 mod table;
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use crate::case::{Case, Verdict};
 use crate::cli::exit::Exit;
@@ -101,26 +101,18 @@ fn shown(arguments: &Arguments, document: String, found: &Found) -> Result<Exit,
 /// Writes the files that were asked for, once all of them are made.
 fn write_files(arguments: &Arguments, document: &str, found: &Found) -> Result<(), Error> {
     let Found { problem, discretisation, run, .. } = found;
-    let mut files = Vec::new();
-    if let Some(path) = arguments.json.as_ref().filter(|path| path.as_os_str() != STDOUT) {
-        files.push((path, document.to_owned()));
-    }
-    if let Some(path) = &arguments.csv {
-        files.push((path, curve::profile(&problem.scene, run, path)?));
-    }
-    if let Some(path) = &arguments.curve {
-        files.push((path, curve::text(discretisation, run, path)?));
-    }
-    if let Some(path) = &arguments.vtu {
-        files.push((path, vtu::text(discretisation, run)?));
-    }
-    if let Some(path) = &arguments.html {
-        files.push((path, html::text(found)?));
-    }
-    if let Some(path) = &arguments.plot {
-        let sheet = pictures::solve::sheet(problem, discretisation, run)?;
-        files.push((path, drawn::svg(&sheet.drawing())?));
-    }
-    let mut written = files.into_iter();
-    written.try_for_each(|(path, text)| std::fs::write(path, text).map_err(|error| Error::unwritable(path, error)))
+    let made = |path: &Option<PathBuf>, text: &dyn Fn(&Path) -> Result<String, Error>| {
+        let path = path.clone().filter(|path| path.as_os_str() != STDOUT);
+        path.map(|path| Ok::<_, Error>((text(&path)?, path))).transpose()
+    };
+    let files = [
+        made(&arguments.json, &|_| Ok(document.into()))?,
+        made(&arguments.csv, &|path| curve::profile(&problem.scene, run, path))?,
+        made(&arguments.curve, &|path| curve::text(discretisation, run, path))?,
+        made(&arguments.vtu, &|_| vtu::text(discretisation, run))?,
+        made(&arguments.html, &|_| html::text(found))?,
+        made(&arguments.plot, &|_| drawn::svg(&pictures::solve::sheet(problem, discretisation, run)?.drawing()))?,
+    ];
+    let mut files = files.into_iter().flatten();
+    files.try_for_each(|(text, path)| std::fs::write(&path, text).map_err(|error| Error::unwritable(&path, error)))
 }

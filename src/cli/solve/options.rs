@@ -112,6 +112,9 @@ pub struct Arguments {
     force: bool,
 }
 
+/// An option that asks for a file, where that goes, and whether a text is an earlier output of the same kind.
+type Asking<'a> = (&'static str, &'a Option<PathBuf>, fn(&str) -> bool);
+
 impl Arguments {
     /// The case of the library or of a file.
     pub fn named(&self) -> Result<Case, Error> {
@@ -238,38 +241,34 @@ impl Arguments {
 
     /// Refuses outputs that cannot be written, or by which something would be lost, before anything is solved.
     pub fn refuse_unwritable(&self, case: &Case) -> Result<(), Error> {
-        let files = [
-            Output::of("--json", &self.json, json::is_result),
-            Output::of("--csv", &self.csv, curve::is_profile),
-            Output::of("--curve", &self.curve, curve::is_curve),
-            Output::of("--vtu", &self.vtu, vtu::is_ours),
-            Output::of("--plot", &self.plot, drawing::is_drawing),
-            Output::of("--html", &self.html, html::is_ours),
-        ];
+        let files = self.outputs().map(|(option, path, is_earlier)| Output::of(option, path, is_earlier));
         writable::refuse("solve", files, &case.read_files(), self.force)
+    }
+
+    /// The options that ask for a file.
+    fn outputs(&self) -> [Asking<'_>; 6] {
+        [
+            ("--json", &self.json, json::is_result),
+            ("--csv", &self.csv, curve::is_profile),
+            ("--curve", &self.curve, curve::is_curve),
+            ("--vtu", &self.vtu, vtu::is_ours),
+            ("--plot", &self.plot, drawing::is_drawing),
+            ("--html", &self.html, html::is_ours),
+        ]
     }
 
     /// Refuses names of outputs that would not tell their format.
     pub fn refuse_endings(&self) -> Result<(), Error> {
-        let outputs = [
-            ("--csv", &self.csv),
-            ("--curve", &self.curve),
-            ("--vtu", &self.vtu),
-            ("--plot", &self.plot),
-            ("--html", &self.html),
-        ];
+        let [_, others @ ..] = self.outputs();
         let to_stdout = |path: &Option<PathBuf>| path.as_deref() == Some(Path::new(STDOUT));
-        if let Some((option, _)) = outputs.into_iter().find(|(_, path)| to_stdout(path)) {
+        if let Some((option, ..)) = others.into_iter().find(|(_, path, _)| to_stdout(path)) {
             let remedy = "name a file; `--json -` writes to standard output";
             return Err(Error::value("solve", option, STDOUT, "this output goes to a file", remedy));
         }
         writable::refuse_plot("solve", &self.plot)?;
-        writable::refuse_ending("solve", "--html", &self.html, ["html", "pages are HTML"])?;
-        if let Some(path) = self.vtu.as_ref().filter(|path| path.extension().is_none_or(|end| end != "vtu")) {
-            let remedy = "end the file name in .vtu, by which ParaView knows the format";
-            return Err(Error::value("solve", "--vtu", path.display(), "fields are VTK unstructured grids", remedy));
-        }
-        Ok(())
+        writable::refuse_ending("solve", "--html", &self.html, ["html", "pages are HTML", ""])?;
+        let told = ["vtu", "fields are VTK unstructured grids", ", by which ParaView knows the format"];
+        writable::refuse_ending("solve", "--vtu", &self.vtu, told)
     }
 }
 

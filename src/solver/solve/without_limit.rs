@@ -30,15 +30,18 @@ const TURN: f64 = 1e-3;
 /// Cosine of the angle between the direction in which a side is fixed and its normal, from which on they are one.
 const NORMAL: f64 = 1.0 - 1e-6;
 
-/// A place at which the stress of its body has no limit.
-#[derive(Clone, Debug, PartialEq)]
+/// A place at which the stress of a body has no limit.
+#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct WithoutLimit {
-    /// The place \[mm\].
-    pub at: [f64; 2],
-    /// The node of the mesh that stands there, or those of the cell around it.
-    pub nodes: Vec<usize>,
     /// What makes it so.
     pub because: &'static str,
+    /// The place \[mm\].
+    #[cfg_attr(feature = "schema", schemars(description = "Where: x and y."))]
+    pub at: [f64; 2],
+    /// The node of the mesh that stands there, or those of the cell around it.
+    #[serde(skip)]
+    pub nodes: Vec<usize>,
 }
 
 const FORCE: &str = "a force at a point";

@@ -64,7 +64,6 @@ pub fn shape(revolves: bool, table: Value) -> Result<Shape, Error> {
     let mut boundaries: BTreeMap<BoundaryName, Vec<Vec<usize>>> = BTreeMap::new();
     let mut inner = BTreeSet::new();
     let (curves_of, half_told) = curves(&mesh, &sides);
-    let half_told = half_told.into_iter().map(|(name, how)| (name.to_owned().into(), how)).collect();
     for (name, own) in curves_of {
         let name: BoundaryName = name.to_owned().into();
         if own.iter().any(|(_, cells)| *cells > 1) {
@@ -74,20 +73,17 @@ pub fn shape(revolves: bool, table: Value) -> Result<Shape, Error> {
         boundaries.insert(name, edges.collect());
     }
     let [surfaces, curves] = mesh.called;
-    if side.text() != CONTACT && boundaries.contains_key(CONTACT) {
-        let remedy = "rename that group: the boundary given as `contact` takes this name";
-        return Err(side.refused(format!("another {curves} is called `contact`"), remedy));
-    }
+    let is_taken = side.text() != CONTACT && boundaries.contains_key(CONTACT);
+    let remedy = "rename that group: the boundary given as `contact` takes this name";
+    side.refuse_if(is_taken, format!("another {curves} is called `contact`"), remedy)?;
     let known: Vec<&str> = boundaries.keys().map(AsRef::as_ref).collect();
     let Some(contact) = boundaries.get(side.text()) else {
         refuse_half_told(&half_told, side)?;
         let message = format!("no {curves} `{}` bounds `{}`", side.text(), group.text());
         return Err(side.refused(message, known_names(&mesh, &known)));
     };
-    if inner.contains(side.text()) {
-        let message = format!("the {curves} `{}` runs inside the {surfaces} `{}`", side.text(), group.text());
-        return Err(side.refused(message, "name a curve on the outline of the body"));
-    }
+    let message = format!("the {curves} `{}` runs inside the {surfaces} `{}`", side.text(), group.text());
+    side.refuse_if(inner.contains(side.text()), message, "name a curve on the outline of the body")?;
     let contact = contact.clone();
     boundaries.insert(CONTACT.into(), contact);
     Ok(Shape::Given(Arc::new(GivenMesh { points, cells: own, boundaries, half_told, inner, turned })))
@@ -220,12 +216,9 @@ fn key(a: u64, b: u64) -> SideKey {
 /// Curves by their names.
 type Curves<'a> = BTreeMap<&'a str, Vec<&'a Side>>;
 
-/// Sets of nodes that leave a side half told, by their names.
-type HalfToldSets<'a> = BTreeMap<&'a str, HalfTold>;
-
 /// The sides of cells of every curve by its name: those of its lines, or of its nodes where no lines are called so. Apart, sets of
 /// nodes that leave a side half told.
-fn curves<'a>(mesh: &'a Elements, sides: &'a HashMap<SideKey, Side>) -> (Curves<'a>, HalfToldSets<'a>) {
+fn curves<'a>(mesh: &'a Elements, sides: &'a HashMap<SideKey, Side>) -> (Curves<'a>, BTreeMap<BoundaryName, HalfTold>) {
     let mut curves: BTreeMap<&str, Vec<&Side>> = BTreeMap::new();
     for (name, lines) in &mesh.curves {
         // The middle node of a line stands last or between its ends.
@@ -244,7 +237,7 @@ fn curves<'a>(mesh: &'a Elements, sides: &'a HashMap<SideKey, Side>) -> (Curves<
         for (name, nodes) in mesh.sets.iter().filter(|(name, _)| !mesh.curves.contains_key(*name)) {
             let all = known.sides_of(nodes);
             match known.half_told(nodes, &all) {
-                Some(how) => drop(half_told.insert(name.as_str(), how)),
+                Some(how) => drop(half_told.insert(name.clone().into(), how)),
                 None => drop(curves.insert(name, all)),
             }
         }
