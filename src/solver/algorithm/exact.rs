@@ -65,18 +65,13 @@ fn holding(problem: &ContactProblem, law: Law) -> Vec<f64> {
     if law == Law::Springs {
         return problem.initial.clone();
     }
-    let mut sums = vec![[0.0; 2]; contacts(problem)];
+    let mut sums = vec![[0.0; 2]; problem.compliance.len()];
     for point in problem.points {
         let [stiffness, area] = &mut sums[point.contact];
         *stiffness += problem.resistance(point);
         *area += point.weight;
     }
     problem.points.iter().map(|point| HOLDING * sums[point.contact][0] / sums[point.contact][1]).collect()
-}
-
-/// Number of contacts that have points.
-fn contacts(problem: &ContactProblem) -> usize {
-    problem.points.iter().map(|point| point.contact + 1).max().unwrap_or(0)
 }
 
 struct Search<'a> {
@@ -140,7 +135,7 @@ impl Search<'_> {
     /// where numbers are none.
     fn violations(&self, closed: &[bool], iterate: &Iterate) -> Option<Vec<f64>> {
         let points = self.problem.points;
-        let mut largest = vec![0.0_f64; contacts(self.problem)];
+        let mut largest = vec![0.0_f64; self.problem.compliance.len()];
         points.iter().zip(&iterate.pressure).for_each(|(at, p)| largest[at.contact] = largest[at.contact].max(p.abs()));
         let overall = largest.iter().copied().fold(0.0, f64::max);
         let round_off = self.problem.round_off(&iterate.displacement);
