@@ -45,7 +45,7 @@ pub mod stress;
 
 use std::ops::Range;
 
-use faer::sparse::SparseColMat;
+use faer::sparse::{SparseColMat, SparseColMatRef};
 
 use crate::error::{Error, Place};
 use crate::mesh::Mesh;
@@ -159,27 +159,26 @@ impl BodySystem {
 
     /// `|K| |u|` for a vector of unknowns: the size of the terms in `K u` \[N\].
     pub fn terms_of_product(&self, u: &[f64]) -> Vec<f64> {
-        self.summed(u, f64::abs)
+        summed(self.stiffness.as_ref(), u, f64::abs)
     }
 
     /// `K u` for a vector of unknowns \[N\].
     pub fn product(&self, u: &[f64]) -> Vec<f64> {
-        self.summed(u, |term| term)
+        summed(self.stiffness.as_ref(), u, |term| term)
     }
+}
 
-    /// `Σ_j of(K_ij u_j)` of every row.
-    fn summed(&self, u: &[f64], of: impl Fn(f64) -> f64) -> Vec<f64> {
-        let mut sums = vec![0.0; u.len()];
-        let matrix = self.stiffness.as_ref();
-        for (column, &u_column) in u.iter().enumerate() {
-            let rows = matrix.row_idx_of_col(column);
-            for (row, &value) in rows.zip(matrix.val_of_col(column)) {
-                sums[row] += of(value * u_column);
-                if row != column {
-                    sums[column] += of(value * u[row]);
-                }
+/// `Σ_j of(K_ij u_j)` of every row of a symmetric matrix, by its lower triangle.
+pub(crate) fn summed(matrix: SparseColMatRef<Index, f64>, u: &[f64], of: impl Fn(f64) -> f64) -> Vec<f64> {
+    let mut sums = vec![0.0; u.len()];
+    for (column, &u_column) in u.iter().enumerate() {
+        let rows = matrix.row_idx_of_col(column);
+        for (row, &value) in rows.zip(matrix.val_of_col(column)) {
+            sums[row] += of(value * u_column);
+            if row != column {
+                sums[column] += of(value * u[row]);
             }
         }
-        sums
     }
+    sums
 }
