@@ -192,19 +192,14 @@ impl<'a> Run<'a> {
     }
 
     fn record(&mut self, increment: usize, iterate: &Iterate, stiffness: f64) {
-        let mut active = 0;
-        for own in parts::points(self.problem.points) {
-            let pressures = || own.clone().map(|i| iterate.pressure[i]);
-            let floor = self.settings.tolerance * pressures().fold(0.0, f64::max);
-            active += pressures().filter(|p| *p > floor).count();
-        }
+        let active = parts::pressed(self.problem.points, &iterate.pressure, self.settings.tolerance);
         // The load of another increment moves what no iteration does.
         let again = self.history.last().is_some_and(|earlier| earlier.increment == increment);
         self.history.push(Iterated {
             increment,
             error: IterationError::UNKNOWN,
             seen: criterion::seen(self.problem, self.last.as_ref().filter(|_| again), iterate),
-            active,
+            active: active.into_iter().filter(|presses| *presses).count(),
             first_point: [iterate.approach[0], iterate.pressure[0], stiffness],
         });
     }

@@ -190,10 +190,5 @@ const PRESSED: f64 = 1e-3;
 
 /// The points that an iterate presses, by the largest pressure of their contact.
 pub(super) fn pressed(problem: &ContactProblem, iterate: &Iterate) -> Vec<bool> {
-    let mut pressed = vec![false; problem.points.len()];
-    for own in parts::points(problem.points) {
-        let largest = own.clone().map(|i| iterate.pressure[i]).fold(0.0, f64::max);
-        own.for_each(|i| pressed[i] = largest > 0.0 && iterate.pressure[i] > PRESSED * largest);
-    }
-    pressed
+    parts::pressed(problem.points, &iterate.pressure, PRESSED)
 }

@@ -33,9 +33,7 @@ pub(super) fn blocks(layout: &Layout, centre: Point, radius: f64, sector: Sector
     if !sector.has_both_sides() {
         return right;
     }
-    let right: Vec<Block> = right.into_iter().map(|block| block.without("axis")).collect();
-    let left: Vec<Block> = right.iter().map(|block| block.seen_in_mirror(centre[0])).collect();
-    right.into_iter().chain(left).collect()
+    Block::with_images(right.into_iter().map(|block| block.without("axis")).collect(), centre[0])
 }
 
 /// Frames around the contacts at the lowest and at the highest point; none where either has no room for them, or other columns.
@@ -53,22 +51,19 @@ fn framed_at_both_ends<'a>(
 
 /// A lower part and another one, turned over, that meet in the horizontal diameter.
 fn joined(centre: Point, parts: [Vec<Block>; 2]) -> Vec<Block> {
-    let [lower, upper] = parts.map(|blocks| {
-        let blocks = blocks.into_iter();
-        blocks.map(|block| block.instead_of("cut", |points| Side::line("middle", points))).collect::<Vec<_>>()
-    });
-    let image = |block: &Block| {
-        let turned = block.turned_over(centre[1]).without("middle");
+    let [lower, upper] = parts.map(Vec::into_iter);
+    let lower = lower.map(|block| block.instead_of("cut", |points| Side::line("middle", points)));
+    let image = |block: Block| {
+        let turned = block.turned_over(centre[1]).without("cut");
         turned.instead_of("contact", |points| Side::named("top", points))
     };
-    let upper: Vec<Block> = upper.iter().map(image).collect();
-    lower.into_iter().chain(upper).collect()
+    lower.chain(upper.map(image)).collect()
 }
 
 /// The points of a lower part on its upper end.
 fn cut(blocks: &[Block]) -> Vec<Point> {
-    let sides = blocks.iter().flat_map(|block| [&block.bottom, &block.right, &block.top, &block.left]);
-    sides.filter(|side| side.names.iter().any(|name| name == "cut")).flat_map(|side| side.points.clone()).collect()
+    let sides = blocks.iter().flat_map(Block::sides).filter(|side| side.is_on("cut"));
+    sides.flat_map(|side| side.points.clone()).collect()
 }
 
 /// Largest half-width of a contact over the radius that frames are laid around.

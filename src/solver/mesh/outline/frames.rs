@@ -56,7 +56,7 @@ pub(super) fn blocks(layout: &Layout, x: [f64; 2], y: [f64; 2], contact: Face) -
     let blocks = frames.blocks(layout, &|x, depth| [x, height(depth)], None);
     Some(match contact {
         Face::Bottom => blocks,
-        Face::Top => blocks.into_iter().map(counter_clockwise).collect(),
+        Face::Top => blocks.into_iter().map(Block::upside_down).collect(),
     })
 }
 
@@ -283,9 +283,4 @@ impl Draft<'_> {
     fn parts(&self) -> Vec<f64> {
         spacing::uniform(0.0, 1.0, self.layout.parts())
     }
-}
-
-/// A block that was drawn as seen in a mirror on the horizontal, listed so that it is counter-clockwise.
-fn counter_clockwise(block: Block) -> Block {
-    Block { bottom: block.top, right: block.right.backwards(), top: block.bottom, left: block.left.backwards() }
 }
