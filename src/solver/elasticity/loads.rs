@@ -186,28 +186,15 @@ impl<'a> LoadedSide<'a> {
         self.pieces.iter().flat_map(move |&(edge, [begin, end])| {
             let [middle, half] = [0.5 * (begin + end), 0.5 * (end - begin)];
             self.rule.iter().map(move |&(at, weight)| {
-                let (shapes, point, slope) = self.at(edge, middle + half * at);
+                let (shapes, point, slope) = shape_functions::on_edge(self.mesh, edge, middle + half * at);
                 Sample { edge, shapes, point, slope, weight: half * weight }
             })
         })
     }
 
-    /// Shape functions, place and slope `dx/dξ` at a natural coordinate of an edge.
-    fn at(&self, edge: &Edge, xi: f64) -> (Vec<(f64, f64)>, [f64; 2], [f64; 2]) {
-        let shapes = shape_functions::edge(edge.len(), xi);
-        let (mut point, mut slope) = ([0.0; 2], [0.0; 2]);
-        for (&node, (value, derivative)) in edge.iter().zip(&shapes) {
-            for k in 0..2 {
-                point[k] += value * self.mesh.points[node][k];
-                slope[k] += derivative * self.mesh.points[node][k];
-            }
-        }
-        (shapes, point, slope)
-    }
-
     /// The stretches of an edge that lie within a part.
     fn within(&self, edge: &'a Edge, part: &SidePart) -> Vec<(&'a Edge, [f64; 2])> {
-        let of = |xi: f64| part.coordinate(self.at(edge, xi).1);
+        let of = |xi: f64| part.coordinate(shape_functions::on_edge(self.mesh, edge, xi).1);
         let mut cuts = vec![-1.0, 1.0];
         cuts.extend(self.turning(edge, part));
         cuts.sort_by(f64::total_cmp);
@@ -226,7 +213,7 @@ impl<'a> LoadedSide<'a> {
     /// Where the coordinate of a part turns back within an edge: its slope along x or y is linear in ξ.
     fn turning(&self, edge: &Edge, part: &SidePart) -> Option<f64> {
         let slope = |xi: f64| {
-            let (_, point, direction) = self.at(edge, xi);
+            let (_, point, direction) = shape_functions::on_edge(self.mesh, edge, xi);
             part.slope(point, direction)
         };
         let [a, b] = [slope(-1.0), slope(1.0)];
