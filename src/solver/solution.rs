@@ -139,6 +139,13 @@ pub struct PointState {
     pub gap: f64,
 }
 
+impl PointState {
+    /// Its mirror image on s = 0.
+    pub fn mirrored(&self) -> Self {
+        Self { position: -self.position, ..*self }
+    }
+}
+
 /// Means over one edge at the end.
 #[derive(Clone, Copy, Debug, serde::Serialize)]
 pub struct EdgeState {
