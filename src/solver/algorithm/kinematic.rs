@@ -41,15 +41,9 @@ impl Kinematic {
 }
 
 impl Algorithm for Kinematic {
-    fn next(
-        &mut self,
-        problem: &ContactProblem,
-        load: &[f64],
-        springs: &mut Springs,
-        work: &mut Work,
-    ) -> Option<Iterate> {
+    fn next(&mut self, problem: &ContactProblem, springs: &mut Springs, work: &mut Work) -> Option<Iterate> {
         let factor = self.kept.renew(problem, &springs.stiffness, work)?;
-        let iterate = problem.equilibrium(factor, load, springs, |point| point.gap, work);
+        let iterate = problem.equilibrium(factor, springs, |point| point.gap, work);
         let depth = |i: usize| iterate.approach[i] - problem.points[i].gap;
         if self.rule == StiffnessRule::Penalty {
             for (i, k) in springs.stiffness.iter_mut().enumerate() {
