@@ -113,8 +113,12 @@ impl Block {
     /// The block seen in a mirror on the vertical at an abscissa; left and right change places, so that it stays
     /// counter-clockwise.
     pub fn seen_in_mirror(&self, abscissa: f64) -> Self {
-        let Self { bottom, right, top, left } = self.clone().map(|side| side.imaged(|p| [2.0 * abscissa - p[0], p[1]]));
-        Self { bottom: bottom.backwards(), right: left, top: top.backwards(), left: right }
+        self.clone().map(|side| side.imaged(|p| [2.0 * abscissa - p[0], p[1]])).the_other_way()
+    }
+
+    /// A block that was drawn as seen in a mirror on the vertical, right and left in each other's place, so that it is counter-clockwise.
+    pub fn the_other_way(self) -> Self {
+        Self { bottom: self.bottom.backwards(), right: self.left, top: self.top.backwards(), left: self.right }
     }
 
     /// Blocks on the right of a vertical, and their images in it.
