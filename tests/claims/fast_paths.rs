@@ -122,7 +122,7 @@ fn elimination_and_recovery_solve_what_the_library_solves_by_itself() {
             .map(|body| Plain::of(body).and_then(|plain| plain.solve()).expect("definite"))
             .collect();
         let retained: Vec<f64> =
-            (system.bodies.iter().zip(&plain)).flat_map(|(body, u)| u[body.retained.clone()].to_vec()).collect();
+            (system.bodies.iter().zip(&plain)).flat_map(|(body, u)| u[body.dofs.retained.clone()].to_vec()).collect();
         for (found, wanted) in condensed.recover(1.0, &retained).iter().zip(&plain) {
             let size = wanted.iter().fold(1e-30, |a: f64, u| a.max(u.abs()));
             assert!(distance(found, wanted) <= 1e-9 * size, "{name}: {:e}", distance(found, wanted) / size);

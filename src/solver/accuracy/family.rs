@@ -403,7 +403,9 @@ impl Family {
         }
         let [hidden, missed] = match self.on_ends {
             // What statics give is the same wherever the contact ends.
-            true if row.kind == Kind::Force && known.iter().all(|apart| *apart <= ROUND_OFF * reading.scale.abs()) => [0.0; 2],
+            true if row.kind == Kind::Force && known.iter().all(|apart| *apart <= ROUND_OFF * reading.scale.abs()) => {
+                [0.0; 2]
+            }
             true => [0.0, Fitted::misfit(self.order)],
             false => {
                 let [own, other] = [&self.sizes, &self.others].map(|all| all[contact] / width_of(quantity, measures));

@@ -114,7 +114,7 @@ impl<'a> Run<'a> {
         let fraction = increment as f64 / self.settings.increments as f64;
         let load: Vec<f64> = self.problem.load.iter().map(|f| f * fraction).collect();
         let problem = &ContactProblem { load: &load, ..self.problem.clone() };
-        let law = if algorithm.is_elastic() { Law::Springs } else { Law::Rigid };
+        let law = algorithm.law();
         let mut course = Course { first: self.history.len(), ..Course::default() };
         let mut outcome = Outcome::Capped;
         algorithm.reload(problem, springs);

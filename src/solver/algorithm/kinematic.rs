@@ -2,7 +2,7 @@
 
 use crate::algorithm::kept::KeptFactor;
 use crate::algorithm::rule::StiffnessRule;
-use crate::algorithm::{Algorithm, ContactProblem, Iterate, Springs};
+use crate::algorithm::{Algorithm, ContactProblem, Iterate, Law, Springs};
 use crate::solution::Work;
 
 /// Part of the tolerance that penetrations may take: where pressures alternate, they feel a penetration several times over.
@@ -78,7 +78,7 @@ impl Algorithm for Kinematic {
         Some(iterate)
     }
 
-    fn is_elastic(&self) -> bool {
-        self.rule == StiffnessRule::Penalty
+    fn law(&self) -> Law {
+        if self.rule == StiffnessRule::Penalty { Law::Springs } else { Law::Rigid }
     }
 }

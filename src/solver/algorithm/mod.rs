@@ -69,8 +69,8 @@ pub trait Algorithm {
     /// Told before the first iteration of each load increment: the load is no longer what it was. It may change the springs.
     fn reload(&mut self, _problem: &ContactProblem, _springs: &mut Springs) {}
 
-    /// Whether penetration is the springs' own law (penalty) instead of an error to be iterated away.
-    fn is_elastic(&self) -> bool {
-        false
+    /// What closed points do where it ends: penetration may be the springs' own law (penalty) instead of an error to be iterated away.
+    fn law(&self) -> Law {
+        Law::Rigid
     }
 }

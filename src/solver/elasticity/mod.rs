@@ -43,8 +43,6 @@ pub mod rigid_motion;
 pub mod shape_functions;
 pub mod stress;
 
-use std::ops::Range;
-
 use faer::sparse::{SparseColMat, SparseColMatRef};
 
 use crate::error::{Error, Place};
@@ -74,8 +72,6 @@ pub struct BodySystem {
     pub force: Vec<f64>,
     /// Numbering.
     pub dofs: Dofs,
-    /// Equations of the outward normal displacements of the candidate nodes: the last ones.
-    pub retained: Range<usize>,
 }
 
 /// The unknowns of every body, numbered in the order in which they are eliminated; refuses bodies that could move as a whole.
@@ -132,8 +128,7 @@ impl BodySystem {
         let applied = loads::at_nodes(scene, mesh, body)?;
         let mut force = loads::vector(scene, mesh, body, &dofs, &applied)?;
         let stiffness = assembly::stiffness(scene, mesh, body, (graph, &dofs), factor, &mut force)?;
-        let retained = dofs.retained.clone();
-        Ok(Self { place: scene.place_of_body(body), stiffness, applied, force, dofs, retained })
+        Ok(Self { place: scene.place_of_body(body), stiffness, applied, force, dofs })
     }
 
     /// Applied load along y: its work on a unit motion along y \[N\].

@@ -63,7 +63,9 @@ impl Discretisation {
         let [direction, stopped_by] = [motion.name(), STOPPED_BY[motion.kind()]];
         let (cause, remedy) = match work > round_off {
             true => (format!("the load moves `{name}` out of its contact, which cannot pull"), "reverse the load, or"),
-            false => (format!("nothing presses `{name}` into its contact, which pushes one way only"), "apply a load or"),
+            false => {
+                (format!("nothing presses `{name}` into its contact, which pushes one way only"), "apply a load or")
+            }
         };
         let message = format!("{cause}: it is free to {direction}, and no support holds it that way");
         let remedy = format!("{remedy} add {stopped_by}");
