@@ -85,8 +85,11 @@ pub fn edge(n: usize, x: f64) -> Vec<(f64, f64)> {
     }
 }
 
-/// At a natural coordinate of an edge of a mesh: its shape functions with their slopes, the place, and the slope `dx/dξ` \[mm\].
-pub fn on_edge(mesh: &Mesh, edge: &[usize], xi: f64) -> (Vec<(f64, f64)>, [f64; 2], [f64; 2]) {
+/// Shape functions with their slopes, place, and slope `dx/dξ` at a natural coordinate of an edge \[mm\].
+pub type OnEdge = (Vec<(f64, f64)>, [f64; 2], [f64; 2]);
+
+/// Those of an edge of a mesh.
+pub fn on_edge(mesh: &Mesh, edge: &[usize], xi: f64) -> OnEdge {
     let shapes = self::edge(edge.len(), xi);
     let (mut point, mut slope) = ([0.0; 2], [0.0; 2]);
     for (&node, (value, derivative)) in edge.iter().zip(&shapes) {
