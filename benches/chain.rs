@@ -77,7 +77,7 @@ fn next(bencher: Bencher, refinement: u32, algorithm: impl Fn() -> Box<dyn Algor
     let problem: ContactProblem = discretisation.problem(&formulation, &points);
     bencher.bench_local(|| {
         let mut springs = problem.initial_springs();
-        algorithm().next(&problem, problem.load, &mut springs, &mut Work::default()).expect("held")
+        algorithm().next(&problem, &mut springs, &mut Work::default()).expect("held")
     });
 }
 

@@ -126,17 +126,6 @@ impl Work {
     }
 }
 
-impl std::ops::AddAssign for Work {
-    fn add_assign(&mut self, other: Self) {
-        self.iterations += other.iterations;
-        self.factorisations += other.factorisations;
-        self.updates += other.updates;
-        self.back_substitutions += other.back_substitutions;
-        self.operations += other.operations;
-        self.rejected += other.rejected;
-    }
-}
-
 /// The state of one contact point at the end.
 #[derive(Clone, Copy, Debug, serde::Serialize)]
 pub struct PointState {
@@ -148,6 +137,13 @@ pub struct PointState {
     pub pressure: f64,
     /// Remaining gap `h = g − w` \[mm\].
     pub gap: f64,
+}
+
+impl PointState {
+    /// Its mirror image on s = 0.
+    pub fn mirrored(&self) -> Self {
+        Self { position: -self.position, ..*self }
+    }
 }
 
 /// Means over one edge at the end.

@@ -213,7 +213,7 @@ fn interference_is_resolved_by_kinematic_load_and_by_correction() {
 
 /// One step from given springs.
 pub fn next(algorithm: &mut dyn Algorithm, sample: &Sample, springs: &mut Springs) -> Iterate {
-    algorithm.next(&sample.problem(), &sample.load, springs, &mut Work::default()).expect("definite")
+    algorithm.next(&sample.problem(), springs, &mut Work::default()).expect("definite")
 }
 
 #[test]
@@ -294,7 +294,7 @@ fn points_of_an_element_change_by_their_mean_approach_over_their_mean_gap() {
         sample.edges = vec![edge(0), edge(1)];
         let problem = ContactProblem { compliance: vec![COMPLIANCE; 2], ..sample.problem() };
         let mut springs = problem.initial_springs();
-        per(Spring::Element).next(&problem, &sample.load, &mut springs, &mut Work::default()).expect("definite");
+        per(Spring::Element).next(&problem, &mut springs, &mut Work::default()).expect("definite");
         assert_relative_eq!(springs.stiffness[0] / sample.initial[0], own[0], max_relative = 1e-13);
     }
 }

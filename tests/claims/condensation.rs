@@ -24,8 +24,8 @@ fn system(scene: &Scene, elements: usize, order: Order) -> ElasticSystem {
 /// `S = K_cc − K_ci K_ii⁻¹ K_ic` and `f̂ = f_c − K_ci K_ii⁻¹ f_i`, densely.
 fn eliminated(body: &BodySystem) -> (DMatrix<f64>, DVector<f64>) {
     let k = dense(body);
-    let inner: Vec<usize> = (0..k.nrows()).filter(|e| !body.retained.contains(e)).collect();
-    let retained: Vec<usize> = body.retained.clone().collect();
+    let inner: Vec<usize> = (0..k.nrows()).filter(|e| !body.dofs.retained.contains(e)).collect();
+    let retained: Vec<usize> = body.dofs.retained.clone().collect();
     let pick = |rows: &[usize], columns: &[usize]| {
         DMatrix::from_fn(rows.len(), columns.len(), |i, j| k[(rows[i], columns[j])])
     };
@@ -56,7 +56,7 @@ fn condensed_stiffness_and_load_are_those_of_dense_elimination() {
         assert_eq!(condensed.offsets.len(), system.bodies.len() + 1);
         for (body, &at) in system.bodies.iter().zip(&condensed.offsets) {
             let (schur, load) = eliminated(body);
-            let m = body.retained.len();
+            let m = body.dofs.retained.len();
             let found = DMatrix::from_fn(m, m, |i, j| condensed.stiffness[(at + i, at + j)]);
             // No body is coupled with another.
             let others = (0..condensed.retained()).filter(|j| !(at..at + m).contains(j));

@@ -148,8 +148,8 @@ fn retained_freedoms_are_displacements_along_the_outward_normals() {
     let mesh = Mesh::of(&scene, resolution(6, 0, Order::Quadratic)).expect("mesh");
     let system = ElasticSystem::assemble(&scene, &mesh).expect("system");
     for (body, part) in system.bodies.iter().zip(&mesh.bodies) {
-        assert_eq!(body.retained.len(), part.candidates.len());
-        for (candidate, equation) in part.candidates.iter().zip(body.retained.clone()) {
+        assert_eq!(body.dofs.retained.len(), part.candidates.len());
+        for (candidate, equation) in part.candidates.iter().zip(body.dofs.retained.clone()) {
             let mut unit = vec![0.0; body.dofs.equations];
             unit[equation] = 1.0;
             let u = body.dofs.displacements(1.0, &unit);

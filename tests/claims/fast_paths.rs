@@ -122,7 +122,7 @@ fn elimination_and_recovery_solve_what_the_library_solves_by_itself() {
             .map(|body| Plain::of(body).and_then(|plain| plain.solve()).expect("definite"))
             .collect();
         let retained: Vec<f64> =
-            (system.bodies.iter().zip(&plain)).flat_map(|(body, u)| u[body.retained.clone()].to_vec()).collect();
+            (system.bodies.iter().zip(&plain)).flat_map(|(body, u)| u[body.dofs.retained.clone()].to_vec()).collect();
         for (found, wanted) in condensed.recover(1.0, &retained).iter().zip(&plain) {
             let size = wanted.iter().fold(1e-30, |a: f64, u| a.max(u.abs()));
             assert!(distance(found, wanted) <= 1e-9 * size, "{name}: {:e}", distance(found, wanted) / size);
@@ -199,9 +199,9 @@ fn springs_that_come_to_rest_are_eliminated_once_and_solved_as_if_factorised_ane
                 *springs.stiffness.last_mut().expect("points") *= 0.5;
             }
             let fresh = problem.factorise(&springs.stiffness, &mut Work::default()).expect("held");
-            let wanted = problem.equilibrium(&fresh, problem.load, &springs, |_| 0.0, &mut Work::default());
+            let wanted = problem.equilibrium(&fresh, &springs, |_| 0.0, &mut Work::default());
             let factor = kept.renew(&problem, &springs.stiffness, &mut work).expect("held");
-            let found = problem.equilibrium(factor, problem.load, &springs, |_| 0.0, &mut Work::default());
+            let found = problem.equilibrium(factor, &springs, |_| 0.0, &mut Work::default());
             let largest = wanted.pressure.iter().fold(0.0, |a: f64, p| a.max(p.abs()));
             let apart = distance(&found.pressure, &wanted.pressure);
             assert!(apart <= 1e-10 * largest, "{element:?}, step {step}: {:e}", apart / largest);
@@ -251,9 +251,9 @@ fn springs_that_open_and_close_a_few_at_a_time_are_solved_as_if_factorised_anew(
             *k = if *k > 0.0 { 0.0 } else { problem.scale.hard() };
         }
         let fresh = problem.factorise(&springs.stiffness, &mut Work::default()).expect("held");
-        let wanted = problem.equilibrium(&fresh, problem.load, &springs, |p| p.gap, &mut Work::default());
+        let wanted = problem.equilibrium(&fresh, &springs, |p| p.gap, &mut Work::default());
         let factor = kept.renew(&problem, &springs.stiffness, &mut work).expect("held");
-        let found = problem.equilibrium(factor, problem.load, &springs, |p| p.gap, &mut Work::default());
+        let found = problem.equilibrium(factor, &springs, |p| p.gap, &mut Work::default());
         let largest = wanted.pressure.iter().fold(0.0, |a: f64, p| a.max(p.abs()));
         let apart = distance(&found.pressure, &wanted.pressure);
         assert!(apart <= 1e-7 * largest, "step {step}: {:e}", apart / largest);

@@ -27,10 +27,10 @@ impl Playback {
 }
 
 impl Algorithm for Playback {
-    fn next(&mut self, problem: &ContactProblem, load: &[f64], _: &mut Springs, _: &mut Work) -> Option<Iterate> {
+    fn next(&mut self, problem: &ContactProblem, _: &mut Springs, _: &mut Work) -> Option<Iterate> {
         let pressure = self.pressures[self.at % self.pressures.len()];
         self.at += 1;
-        self.loads.push(load[0]);
+        self.loads.push(problem.load[0]);
         let displacement = vec![self.approach];
         let internal = problem.stiffness.times(&displacement);
         Some(Iterate { approach: displacement.clone(), displacement, pressure: vec![pressure], internal })
@@ -136,7 +136,7 @@ fn divergence_is_a_number_that_is_none_or_a_trend_and_not_one_large_error() {
 fn springs_that_are_not_numbers_are_divergence_and_not_an_error() {
     struct Broken;
     impl Algorithm for Broken {
-        fn next(&mut self, _: &ContactProblem, _: &[f64], springs: &mut Springs, _: &mut Work) -> Option<Iterate> {
+        fn next(&mut self, _: &ContactProblem, springs: &mut Springs, _: &mut Work) -> Option<Iterate> {
             springs.stiffness[0] = f64::NAN;
             None
         }
@@ -196,7 +196,7 @@ fn error_of_an_iterate_is_told_part_by_part_and_at_the_worst_contact() {
     sample.edges.push(ContactEdge { contact: 1, ..edge(1) });
     sample.points[1].shares = vec![(0, 3.0)];
     let problem = ContactProblem { compliance: vec![COMPLIANCE; 2], ..sample.problem() };
-    let target = Target::of(&problem, &sample.load, Law::Rigid, &[true; 2]).expect("a solution");
+    let target = Target::of(&problem, Law::Rigid, &[true; 2]).expect("a solution");
     let right = &target.exact.iterate;
     assert!(distance(&right.pressure, &wanted) <= 1e-9 && target.error(&problem, right).largest() <= 1e-12);
     for (contact, pressure) in wanted.iter().enumerate() {
@@ -217,7 +217,7 @@ fn error_of_an_iterate_is_told_part_by_part_and_at_the_worst_contact() {
 fn nan_anywhere_in_an_iterate_reaches_its_error() {
     let sample = two([200.0, 300.0], [0.1, 0.1]);
     let problem = sample.problem();
-    let target = Target::of(&problem, &sample.load, Law::Rigid, &[true; 2]).expect("a solution");
+    let target = Target::of(&problem, Law::Rigid, &[true; 2]).expect("a solution");
     for at in 0..2 {
         let pressure = spoiled(&target.exact.iterate, |iterate| iterate.pressure[at] = f64::NAN);
         let approach = spoiled(&target.exact.iterate, |iterate| iterate.approach[at] = f64::NAN);
@@ -253,7 +253,7 @@ fn error_in_the_energy_norm_is_below_its_bound_with_and_without_tension() {
         let problem = sample.problem();
         let w = [0, 1].map(|i: usize| sample.points[i].approach(&u));
         let iterate = iterate_of(&problem, u, w, pressures);
-        let target = Target::of(&problem, &sample.load, Law::Rigid, &[true; 2]).expect("a solution");
+        let target = Target::of(&problem, Law::Rigid, &[true; 2]).expect("a solution");
         let energy = bound::of(&problem, &target.exact, &iterate).expect("it presses");
         // By hand: (u − u*)ᵀ S (u − u*) over Σ F* · Σ F*/(E* t).
         let d: Vec<f64> = u.iter().zip(&target.exact.iterate.displacement).map(|(u, v)| u - v).collect();
@@ -318,7 +318,7 @@ fn increments_apply_the_load_in_equal_parts_and_stop_where_one_fails() {
 fn solution_reports_pressures_gaps_forces_and_edge_means() {
     struct Fixed;
     impl Algorithm for Fixed {
-        fn next(&mut self, problem: &ContactProblem, _: &[f64], _: &mut Springs, _: &mut Work) -> Option<Iterate> {
+        fn next(&mut self, problem: &ContactProblem, _: &mut Springs, _: &mut Work) -> Option<Iterate> {
             Some(iterate_of(problem, [0.12, 0.2], [0.12, 0.18], [4.0, -3.0]))
         }
     }
@@ -372,7 +372,7 @@ fn equilibrium_balances_to_round_off_even_with_stiff_springs() {
     let springs = Springs { stiffness: vec![1e8, 1e8], force: vec![3.0, -1.0] };
     let mut work = Work::default();
     let factor = problem.factorise(&springs.stiffness, &mut work).expect("definite");
-    let iterate = problem.equilibrium(&factor, &sample.load, &springs, |p| p.gap, &mut work);
+    let iterate = problem.equilibrium(&factor, &springs, |p| p.gap, &mut work);
     for i in 0..2 {
         let inner: f64 = (0..2).map(|j| sample.stiffness[(i, j)] * iterate.displacement[j]).sum();
         let contact = 2.0 * iterate.pressure[0] * [1.0, 0.0][i] + 3.0 * iterate.pressure[1] * [0.25, 0.75][i];
@@ -392,7 +392,7 @@ fn spring_force_of_an_iterate_is_the_carried_force_plus_stiffness_times_strain()
     let springs = Springs { stiffness: vec![40.0, 70.0], force: vec![3.0, -1.0] };
     let mut work = Work::default();
     let factor = problem.factorise(&springs.stiffness, &mut work).expect("definite");
-    let iterate = problem.equilibrium(&factor, &sample.load, &springs, |p| p.gap, &mut work);
+    let iterate = problem.equilibrium(&factor, &springs, |p| p.gap, &mut work);
     for i in 0..2 {
         let wanted = springs.force[i] + springs.stiffness[i] * (iterate.approach[i] - sample.points[i].gap);
         assert_relative_eq!(iterate.pressure[i], wanted, max_relative = 1e-11);

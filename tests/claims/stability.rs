@@ -234,7 +234,7 @@ fn predicted_rates_are_the_derivatives_of_the_iterations() {
                     Fixed => Box::new(Constant::new(rule)),
                     _ => Box::new(Varying::new(rule)),
                 };
-                one.next(&problem, problem.load, springs, &mut Work::default()).expect("springs hold");
+                one.next(&problem, springs, &mut Work::default()).expect("springs hold");
             };
             let (at, predicted) = match (algorithm, rule) {
                 (Fixed, Correction) => (carried(&problem, &limit), rate::correction(&problem, &limit.closed)),

@@ -258,8 +258,7 @@ impl Family {
 
     /// Why they do not tell the mesh's part of a number.
     pub(super) fn why_unknown(&self, quantity: &Quantity, measures: &Measures, run: &Run) -> &'static str {
-        let is_largest =
-            matches!(quantity, Quantity::PeakPressure | Quantity::Shear { .. } | Quantity::VonMises { .. });
+        let is_largest = matches!(Kind::of(quantity), Kind::Peak | Kind::Shear);
         match () {
             _ if is_largest && self.rises_to_end(measures) => {
                 "the pressure rises up to the last element of the contact"
@@ -378,64 +377,56 @@ impl Family {
             few if few < fewest => alone,
             _ => 1.0,
         };
-        let cusp = if *quantity == Quantity::PeakPressure { self.cusps[contact] } else { 0.0 };
+        let cusp = if row.kind == Kind::Peak { self.cusps[contact] } else { 0.0 };
         if let Some(next) = self.next.as_ref().filter(|_| quantity.is_of_pressures()) {
             let is_rough = !self.profiles[contact].is_smooth(measures.half_width());
             let of_next = |quantity: &Quantity| value_of(&next.readings, contact, quantity);
             let apart = (discrete - of_next(quantity)).abs();
-            let factor = BY_NEXT[usize::from(*quantity != Quantity::PeakPressure)][usize::from(is_rough)];
+            let factor = BY_NEXT[usize::from(row.kind != Kind::Peak)][usize::from(is_rough)];
             let [of_top, of_end] = READ;
-            let read = match quantity {
-                Quantity::PeakPressure => of_top * self.missed_by_reading(quantity, measures),
-                Quantity::HalfWidth | Quantity::Begin(_) | Quantity::End(_) => {
-                    larger(of_end * measures.ends_apart - factor * apart, 0.0)
-                }
+            let read = match row.kind {
+                Kind::Peak => of_top * self.missed_by_reading(row.kind, measures),
+                Kind::End => larger(of_end * measures.ends_apart - factor * apart, 0.0),
                 _ => 0.0,
             };
             let half_width = measures.half_width();
-            let of_other = match quantity {
-                Quantity::PeakPressure if is_rough => {
+            let of_other = match row.kind {
+                Kind::Peak if is_rough => {
                     ROUGH[0] * measures.peak.pressure * relative_error(of_next(&Quantity::HalfWidth), half_width)
                 }
-                Quantity::HalfWidth | Quantity::Begin(_) | Quantity::End(_) if is_rough => {
+                Kind::End if is_rough => {
                     ROUGH[1] * half_width * relative_error(of_next(&Quantity::PeakPressure), measures.peak.pressure)
                 }
                 _ => 0.0,
             };
             let scale = quantity.scale(measures).abs();
             let misfit = if *quantity == Quantity::Resultant { 0.0 } else { self.misfit };
-            let is_top = *quantity == Quantity::PeakPressure && self.circles[contact] && self.smoothed[contact];
+            let is_top = row.kind == Kind::Peak && self.circles[contact] && self.smoothed[contact];
             let [factor, read] = [factor, read].map(|told| if is_top { SMOOTHED * told } else { told });
             let rest = factor * apart + (misfit + ROUND_OFF) * scale + read + cusp + of_other;
             return Evidence { row, apart: 0.0, hidden: 0.0, rest };
         }
-        let is_force = matches!(quantity, Quantity::Resultant | Quantity::Reaction { .. });
         let [hidden, missed] = match self.on_ends {
             // What statics give is the same wherever the contact ends.
-            true if is_force && known.iter().all(|apart| *apart <= ROUND_OFF * reading.scale.abs()) => [0.0; 2],
+            true if row.kind == Kind::Force && known.iter().all(|apart| *apart <= ROUND_OFF * reading.scale.abs()) => {
+                [0.0; 2]
+            }
             true => [0.0, Fitted::misfit(self.order)],
             false => {
                 let [own, other] = [&self.sizes, &self.others].map(|all| all[contact] / width_of(quantity, measures));
                 let of_other = if other > UNEVEN * own { other.powf(UNSEEN * row.power()) } else { 0.0 };
-                let swings = if of_other > 0.0 && !ends_at_candidates { self.swings(quantity) * other } else { 0.0 };
+                let swings = if of_other > 0.0 && !ends_at_candidates { self.swings(row.kind) * other } else { 0.0 };
                 [own.powf(row.power()) + of_other, swings]
             }
         };
-        let [scale, read] = match quantity {
-            Quantity::HalfWidth | Quantity::Begin(_) | Quantity::End(_) => {
-                [width_of(quantity, measures), self.missed_by_end(measures)]
-            }
+        let [scale, read] = match row.kind {
+            Kind::End => [width_of(quantity, measures), self.missed_by_end(measures)],
             // Below a sharp top the shear stress is missed as its pressure is.
-            Quantity::Shear { .. } | Quantity::VonMises { .. } => {
-                let peak = measures.peak.pressure;
-                [reading.scale, reading.value.abs() * self.above(measures) / peak]
-            }
-            of_pressures if of_pressures.is_of_pressures() => {
-                [quantity.scale(measures), self.missed_by_reading(quantity, measures)]
-            }
+            Kind::Shear => [reading.scale, reading.value.abs() * self.above(measures) / measures.peak.pressure],
+            kind if quantity.is_of_pressures() => [quantity.scale(measures), self.missed_by_reading(kind, measures)],
             _ => [reading.scale, 0.0],
         };
-        let read = read + self.undrawn(quantity, reading.value, contact, measures) + cusp;
+        let read = read + self.undrawn(reading, measures) + cusp;
         let surface = match quantity {
             Quantity::VonMises { .. } => SURFACE[usize::from(self.order != Order::Linear)],
             Quantity::PeakPressure if self.stands_on_axis(contact) => ON_AXIS,
@@ -455,11 +446,11 @@ impl Family {
 
     /// Error over the elements of a much coarser second body, on the half-width: pressures swing from one of its nodes to the next.
     /// That is of a disc on a block of a tenth of its modulus, of 0.1 to 0.35 of its elements; of equal moduli far less is left.
-    fn swings(&self, quantity: &Quantity) -> f64 {
-        match quantity {
-            Quantity::PeakPressure if self.order == Order::Linear => 2.5,
-            Quantity::PeakPressure => 0.3,
-            Quantity::HalfWidth | Quantity::Begin(_) | Quantity::End(_) => 1.0,
+    fn swings(&self, kind: Kind) -> f64 {
+        match kind {
+            Kind::Peak if self.order == Order::Linear => 2.5,
+            Kind::Peak => 0.3,
+            Kind::End => 1.0,
             _ => 0.0,
         }
     }
@@ -467,12 +458,10 @@ impl Family {
     /// What the reading of a number may miss, on this mesh and on all coarser ones alike: of a peak how far two readings of it are apart,
     /// and a point that stands above it, as under a sharp top; of an end that a mesh line tells how far two series are apart. Points of
     /// line and layer elements oscillate and say nothing of a top.
-    fn missed_by_reading(&self, quantity: &Quantity, measures: &Measures) -> f64 {
-        match quantity {
-            Quantity::PeakPressure => {
-                READINGS * (measures.peak_by_parabola - measures.peak.pressure).abs() + self.above(measures)
-            }
-            Quantity::HalfWidth | Quantity::Begin(_) | Quantity::End(_) => self.missed_by_end(measures),
+    fn missed_by_reading(&self, kind: Kind, measures: &Measures) -> f64 {
+        match kind {
+            Kind::Peak => READINGS * (measures.peak_by_parabola - measures.peak.pressure).abs() + self.above(measures),
+            Kind::End => self.missed_by_end(measures),
             _ => 0.0,
         }
     }
@@ -486,23 +475,23 @@ impl Family {
 
     /// What elements too wide to draw the top hide in a number, on this mesh and on all coarser ones alike; NaN where the pressure rises up
     /// to the end, so that its largest value lies in the last element.
-    fn undrawn(&self, quantity: &Quantity, value: f64, contact: usize, measures: &Measures) -> f64 {
-        use Quantity::{Begin, End, HalfWidth, PeakPressure, SecondMomentWidth};
+    fn undrawn(&self, &Reading { contact, ref quantity, value, .. }: &Reading, measures: &Measures) -> f64 {
+        let kind = Kind::of(quantity);
         if self.on_ends || fills_candidates(measures) {
             return 0.0;
         }
         if self.order > Order::Quadratic {
-            return if matches!(quantity, HalfWidth | Begin(_) | End(_)) { WITHIN * self.sizes[contact] } else { 0.0 };
+            return if kind == Kind::End { WITHIN * self.sizes[contact] } else { 0.0 };
         }
         let smooth = if self.profiles[contact].is_by_points() { 0.0 } else { SMOOTH };
         let rough = larger(measures.drawn.rough - smooth, 0.0);
         let [peak, shear, end, width] = UNDRAWN.map(|part| part * rough);
         let rises = if self.rises_to_end(measures) { f64::NAN } else { 0.0 };
-        match quantity {
-            PeakPressure => peak * measures.peak.pressure + rises,
-            Quantity::Shear { .. } | Quantity::VonMises { .. } => shear * value.abs() + rises,
-            HalfWidth | Begin(_) | End(_) => end * self.sizes[contact],
-            SecondMomentWidth => width * self.sizes[contact],
+        match kind {
+            Kind::Peak => peak * measures.peak.pressure + rises,
+            Kind::Shear => shear * value.abs() + rises,
+            Kind::End => end * self.sizes[contact],
+            _ if *quantity == Quantity::SecondMomentWidth => width * self.sizes[contact],
             _ => 0.0,
         }
     }

@@ -52,19 +52,15 @@ pub fn longest(scene: &Scene, pair: &ContactPair) -> f64 {
 
 /// How far a gap goes \[mm, or rad\].
 fn of_gap(pair: &ContactPair) -> f64 {
-    let length = |points: &[[f64; 2]]| match points {
-        [[first, _], .., [last, _]] if *first < 0.0 => last.min(-first),
-        [.., [last, _]] => *last,
-        [] => 0.0,
-    };
-    match &pair.profile {
-        Profile::Punch { half_width } => *half_width,
-        Profile::Table(points) => length(points),
-        Profile::Smooth(cubic) => length(&cubic.points),
-        Profile::Circle { radius } => radius * FRAC_1_SQRT_2,
-        Profile::Circles { radii: [a, b] } => a.abs().min(b.abs()) * FRAC_1_SQRT_2,
+    let profile = &pair.profile;
+    match *profile {
+        Profile::Punch { half_width } => half_width,
         // Beyond the trough the next crest comes near, unless the candidates shall hold it too.
         Profile::Cosine { wavelength, .. } => (0.5 * wavelength).max(pair.stretch),
-        _ => f64::INFINITY,
+        _ if profile.is_by_points() => {
+            let towards = |side: f64| profile.places().iter().map(|s| side * s).fold(0.0, f64::max);
+            towards(1.0).min(towards(-1.0))
+        }
+        _ => profile.reach().map_or(f64::INFINITY, |radius| radius * FRAC_1_SQRT_2),
     }
 }

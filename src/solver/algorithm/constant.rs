@@ -32,13 +32,7 @@ impl Constant {
 }
 
 impl Algorithm for Constant {
-    fn next(
-        &mut self,
-        problem: &ContactProblem,
-        load: &[f64],
-        springs: &mut Springs,
-        work: &mut Work,
-    ) -> Option<Iterate> {
+    fn next(&mut self, problem: &ContactProblem, springs: &mut Springs, work: &mut Work) -> Option<Iterate> {
         if self.factor.is_none() {
             self.factor = Some(problem.factorise(&problem.initial, work)?);
             self.stored = problem.initial.clone();
@@ -47,7 +41,7 @@ impl Algorithm for Constant {
             self.forces = self.factor.as_ref().map(|factor| Forces::of(problem, factor, work));
         }
         let factor = self.factor.as_ref()?;
-        let iterate = problem.equilibrium(factor, load, springs, |_| 0.0, work);
+        let iterate = problem.equilibrium(factor, springs, |_| 0.0, work);
         if let Some(step) = self.forces.as_ref().and_then(|forces| forces.step(problem, &iterate, work)) {
             springs.force.iter_mut().zip(step).for_each(|(force, change)| *force += change);
             return Some(iterate);

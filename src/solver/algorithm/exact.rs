@@ -46,17 +46,16 @@ const PENETRATES: f64 = 1e-13;
 const SETS: usize = 1000;
 
 impl Exact {
-    /// The solution under a load, looked for from a set of closed points; none where there is none, or it was not found.
-    pub fn of(problem: &ContactProblem, load: &[f64], law: Law, start: &[bool]) -> Option<Self> {
-        let mut search = Search { problem, load, law, holding: holding(problem, law), seen: Vec::new() };
+    /// The solution, looked for from a set of closed points; none where there is none, or it was not found.
+    pub fn of(problem: &ContactProblem, law: Law, start: &[bool]) -> Option<Self> {
+        let mut search = Search::of(problem, law);
         let all = vec![true; problem.points.len()];
         search.from(start.to_vec()).or_else(|| search.from(all))
     }
 
     /// Equilibrium with a set of points closed, whatever sign their pressures have; none where it leaves a body free.
     pub fn bilateral(problem: &ContactProblem, closed: &[bool]) -> Option<Iterate> {
-        let holding = holding(problem, Law::Rigid);
-        Search { problem, load: problem.load, law: Law::Rigid, holding, seen: Vec::new() }.solved(closed)
+        Search::of(problem, Law::Rigid).solved(closed)
     }
 }
 
@@ -65,7 +64,7 @@ fn holding(problem: &ContactProblem, law: Law) -> Vec<f64> {
     if law == Law::Springs {
         return problem.initial.clone();
     }
-    let mut sums = vec![[0.0; 2]; contacts(problem)];
+    let mut sums = vec![[0.0; 2]; problem.compliance.len()];
     for point in problem.points {
         let [stiffness, area] = &mut sums[point.contact];
         *stiffness += problem.resistance(point);
@@ -74,20 +73,18 @@ fn holding(problem: &ContactProblem, law: Law) -> Vec<f64> {
     problem.points.iter().map(|point| HOLDING * sums[point.contact][0] / sums[point.contact][1]).collect()
 }
 
-/// Number of contacts that have points.
-fn contacts(problem: &ContactProblem) -> usize {
-    problem.points.iter().map(|point| point.contact + 1).max().unwrap_or(0)
-}
-
 struct Search<'a> {
     problem: &'a ContactProblem<'a>,
-    load: &'a [f64],
     law: Law,
     holding: Vec<f64>,
     seen: Vec<Vec<bool>>,
 }
 
-impl Search<'_> {
+impl<'a> Search<'a> {
+    fn of(problem: &'a ContactProblem, law: Law) -> Self {
+        Self { problem, law, holding: holding(problem, law), seen: Vec::new() }
+    }
+
     /// Changes a set until it stands.
     fn from(&mut self, mut closed: Vec<bool>) -> Option<Exact> {
         self.seen.clear();
@@ -131,16 +128,16 @@ impl Search<'_> {
         let mut springs = Springs { force: vec![0.0; stiffness.len()], stiffness };
         let handed = if self.law == Law::Rigid { HANDED } else { 0 };
         for _ in 0..handed {
-            springs.force = self.problem.equilibrium(&factor, self.load, &springs, |point| point.gap, work).pressure;
+            springs.force = self.problem.equilibrium(&factor, &springs, |point| point.gap, work).pressure;
         }
-        Some(self.problem.equilibrium(&factor, self.load, &springs, |point| point.gap, work))
+        Some(self.problem.equilibrium(&factor, &springs, |point| point.gap, work))
     }
 
     /// By how much each point is in the wrong state, over the largest pressure of its contact; 0 where it is right, none
     /// where numbers are none.
     fn violations(&self, closed: &[bool], iterate: &Iterate) -> Option<Vec<f64>> {
         let points = self.problem.points;
-        let mut largest = vec![0.0_f64; contacts(self.problem)];
+        let mut largest = vec![0.0_f64; self.problem.compliance.len()];
         points.iter().zip(&iterate.pressure).for_each(|(at, p)| largest[at.contact] = largest[at.contact].max(p.abs()));
         let overall = largest.iter().copied().fold(0.0, f64::max);
         let round_off = self.problem.round_off(&iterate.displacement);

@@ -113,18 +113,19 @@ impl<'a> Run<'a> {
     ) -> Result<Outcome, Error> {
         let fraction = increment as f64 / self.settings.increments as f64;
         let load: Vec<f64> = self.problem.load.iter().map(|f| f * fraction).collect();
-        let law = if algorithm.is_elastic() { Law::Springs } else { Law::Rigid };
+        let problem = &ContactProblem { load: &load, ..self.problem.clone() };
+        let law = algorithm.law();
         let mut course = Course { first: self.history.len(), ..Course::default() };
         let mut outcome = Outcome::Capped;
-        algorithm.reload(self.problem, springs);
+        algorithm.reload(problem, springs);
         while self.work.iterations < self.settings.max_iterations {
             let stiffness = springs.stiffness[0];
-            let Some(iterate) = algorithm.next(self.problem, &load, springs, &mut self.work) else {
+            let Some(iterate) = algorithm.next(problem, springs, &mut self.work) else {
                 if springs.stiffness.iter().any(|k| !k.is_finite()) {
                     outcome = Outcome::Diverged;
                     break;
                 }
-                return Err(unsolved(self.problem, springs, self.work.iterations));
+                return Err(unsolved(problem, springs, self.work.iterations));
             };
             self.work.iterations += 1;
             self.record(increment, &iterate, stiffness);
@@ -134,7 +135,7 @@ impl<'a> Run<'a> {
                 outcome = Outcome::Diverged;
                 break;
             }
-            self.judge(&mut course, &load, law, &iterate, is_met);
+            self.judge(&mut course, problem, law, &iterate, is_met);
             let state = State::of(&iterate);
             self.last = Some(iterate);
             if let Some(ended) = self.ended(&mut course, state) {
@@ -143,7 +144,7 @@ impl<'a> Run<'a> {
             }
         }
         if let (Law::Springs, Some(last)) = (law, &self.last) {
-            self.rigid = Target::of(self.problem, &load, Law::Rigid, &target::pressed(self.problem, last));
+            self.rigid = Target::of(problem, Law::Rigid, &target::pressed(problem, last));
         }
         self.target = course.target;
         Ok(outcome)
@@ -168,43 +169,38 @@ impl<'a> Run<'a> {
     }
 
     /// Looks for the discrete solution once it is near, and tells the error of every iteration since.
-    fn judge(&mut self, course: &mut Course, load: &[f64], law: Law, iterate: &Iterate, is_last: bool) {
+    fn judge(&mut self, course: &mut Course, problem: &ContactProblem, law: Law, iterate: &Iterate, is_last: bool) {
         if course.target.is_none() && course.looked {
             return;
         }
         course.waiting.push(iterate.clone());
         if !course.looked {
-            let pressed = target::pressed(self.problem, iterate);
+            let pressed = target::pressed(problem, iterate);
             let is_last = is_last || self.work.iterations >= self.settings.max_iterations;
             course.looked = course.waiting.len() >= LOOK || pressed == course.pressed || is_last;
             course.pressed = pressed;
             if course.looked {
-                course.target = Target::of(self.problem, load, law, &course.pressed);
+                course.target = Target::of(problem, law, &course.pressed);
             }
         }
         if let Some(target) = &course.target {
             let first = self.history.len() - course.waiting.len();
             for (iteration, iterate) in self.history[first..].iter_mut().zip(&course.waiting) {
-                iteration.error = target.error(self.problem, iterate);
+                iteration.error = target.error(problem, iterate);
             }
             course.waiting.clear();
         }
     }
 
     fn record(&mut self, increment: usize, iterate: &Iterate, stiffness: f64) {
-        let mut active = 0;
-        for own in parts::points(self.problem.points) {
-            let pressures = || own.clone().map(|i| iterate.pressure[i]);
-            let floor = self.settings.tolerance * pressures().fold(0.0, f64::max);
-            active += pressures().filter(|p| *p > floor).count();
-        }
+        let active = parts::pressed(self.problem.points, &iterate.pressure, self.settings.tolerance);
         // The load of another increment moves what no iteration does.
         let again = self.history.last().is_some_and(|earlier| earlier.increment == increment);
         self.history.push(Iterated {
             increment,
             error: IterationError::UNKNOWN,
             seen: criterion::seen(self.problem, self.last.as_ref().filter(|_| again), iterate),
-            active,
+            active: active.into_iter().filter(|presses| *presses).count(),
             first_point: [iterate.approach[0], iterate.pressure[0], stiffness],
         });
     }

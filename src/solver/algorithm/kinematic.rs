@@ -2,7 +2,7 @@
 
 use crate::algorithm::kept::KeptFactor;
 use crate::algorithm::rule::StiffnessRule;
-use crate::algorithm::{Algorithm, ContactProblem, Iterate, Springs};
+use crate::algorithm::{Algorithm, ContactProblem, Iterate, Law, Springs};
 use crate::solution::Work;
 
 /// Part of the tolerance that penetrations may take: where pressures alternate, they feel a penetration several times over.
@@ -41,15 +41,9 @@ impl Kinematic {
 }
 
 impl Algorithm for Kinematic {
-    fn next(
-        &mut self,
-        problem: &ContactProblem,
-        load: &[f64],
-        springs: &mut Springs,
-        work: &mut Work,
-    ) -> Option<Iterate> {
+    fn next(&mut self, problem: &ContactProblem, springs: &mut Springs, work: &mut Work) -> Option<Iterate> {
         let factor = self.kept.renew(problem, &springs.stiffness, work)?;
-        let iterate = problem.equilibrium(factor, load, springs, |point| point.gap, work);
+        let iterate = problem.equilibrium(factor, springs, |point| point.gap, work);
         let depth = |i: usize| iterate.approach[i] - problem.points[i].gap;
         if self.rule == StiffnessRule::Penalty {
             for (i, k) in springs.stiffness.iter_mut().enumerate() {
@@ -84,7 +78,7 @@ impl Algorithm for Kinematic {
         Some(iterate)
     }
 
-    fn is_elastic(&self) -> bool {
-        self.rule == StiffnessRule::Penalty
+    fn law(&self) -> Law {
+        if self.rule == StiffnessRule::Penalty { Law::Springs } else { Law::Rigid }
     }
 }

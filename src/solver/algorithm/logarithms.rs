@@ -117,12 +117,7 @@ fn damped(
 
 /// The points that take part.
 fn pressing(problem: &ContactProblem, iterate: &Iterate) -> Vec<bool> {
-    let mut pressing = vec![false; problem.points.len()];
-    for own in parts::points(problem.points) {
-        let largest = own.clone().map(|i| iterate.pressure[i]).fold(0.0, f64::max);
-        own.for_each(|i| {
-            pressing[i] = iterate.pressure[i] > PRESSES * largest && iterate.approach[i] > NEAR * problem.points[i].gap;
-        });
-    }
-    pressing
+    let near = problem.points.iter().zip(&iterate.approach).map(|(point, w)| *w > NEAR * point.gap);
+    let pressed = parts::pressed(problem.points, &iterate.pressure, PRESSES);
+    pressed.into_iter().zip(near).map(|(presses, near)| presses && near).collect()
 }

@@ -61,22 +61,16 @@ pub use varying::Varying;
 
 /// An iteration algorithm: one iteration from springs to an iterate and to the next springs.
 pub trait Algorithm {
-    /// Solves with the present springs under `load`, then lets the rule change them.
+    /// Solves with the present springs, then lets the rule change them.
     ///
     /// None where `S + K_c` is not positive definite: no spring is left to hold a body.
-    fn next(
-        &mut self,
-        problem: &ContactProblem,
-        load: &[f64],
-        springs: &mut Springs,
-        work: &mut Work,
-    ) -> Option<Iterate>;
+    fn next(&mut self, problem: &ContactProblem, springs: &mut Springs, work: &mut Work) -> Option<Iterate>;
 
     /// Told before the first iteration of each load increment: the load is no longer what it was. It may change the springs.
     fn reload(&mut self, _problem: &ContactProblem, _springs: &mut Springs) {}
 
-    /// Whether penetration is the springs' own law (penalty) instead of an error to be iterated away.
-    fn is_elastic(&self) -> bool {
-        false
+    /// What closed points do where it ends: penetration may be the springs' own law (penalty) instead of an error to be iterated away.
+    fn law(&self) -> Law {
+        Law::Rigid
     }
 }

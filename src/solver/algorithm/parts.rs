@@ -23,6 +23,15 @@ fn ranges(lengths: impl Iterator<Item = usize>) -> impl Iterator<Item = Range<us
     })
 }
 
+/// Which points carry more pressure than a share of the largest of their contact.
+pub fn pressed(points: &[ContactPoint], pressure: &[f64], share: f64) -> Vec<bool> {
+    let of_contact = |own: Range<usize>| {
+        let floor = share * pressure[own.clone()].iter().copied().fold(0.0, f64::max);
+        pressure[own].iter().map(move |p| *p > floor)
+    };
+    self::points(points).flat_map(of_contact).collect()
+}
+
 /// `Σ A p b` at every retained dof from the pressures as reported \[N\].
 pub fn forces(points: &[ContactPoint], states: &[PointState], dofs: usize) -> Vec<f64> {
     let mut forces = vec![0.0; dofs];

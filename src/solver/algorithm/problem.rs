@@ -7,7 +7,7 @@ use crate::contact::{ContactEdge, ContactPoint};
 use crate::solution::Work;
 
 /// `S u + Σ A p b = f̂` with the contact conditions at every point.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct ContactProblem<'a> {
     /// Condensed stiffness `S` [N/mm].
     pub stiffness: &'a Stiffness,
@@ -130,20 +130,19 @@ impl ContactProblem<'_> {
         self.stiffness.factorise(terms, memory)
     }
 
-    /// Equilibrium of `S u + Σ A p b = load` with springs `p = r + k (w − γ)`, refined once where these nearly cancel.
+    /// Equilibrium of `S u + Σ A p b = f̂` with springs `p = r + k (w − γ)`, refined once where these nearly cancel.
     ///
-    /// The refinement `S δu + Σ A k (b·δu) b = load − S u − Σ A p b` updates u and p together, so that the pressures
+    /// The refinement `S δu + Σ A k (b·δu) b = f̂ − S u − Σ A p b` updates u and p together, so that the pressures
     /// balance the load to round-off even where `k (w − γ)` is the difference of nearly equal lengths.
     pub fn equilibrium(
         &self,
         factor: &SystemFactor,
-        load: &[f64],
         springs: &Springs,
         unstrained: impl Fn(&ContactPoint) -> f64,
         work: &mut Work,
     ) -> Iterate {
         let stiffness = &springs.stiffness;
-        let mut rhs = load.to_vec();
+        let mut rhs = self.load.to_vec();
         for ((point, k), r) in self.points.iter().zip(stiffness).zip(&springs.force) {
             point.add_row(point.weight * (k * unstrained(point) - r), &mut rhs);
         }
@@ -158,8 +157,8 @@ impl ContactProblem<'_> {
         }
         let mut internal = self.stiffness.times(&u);
         let mut solves = 1;
-        if summands > CANCELLING * (sums + absolute(load)) {
-            let change = factor.solve(&self.imbalance(load, &internal, &pressure));
+        if summands > CANCELLING * (sums + absolute(self.load)) {
+            let change = factor.solve(&self.imbalance(&internal, &pressure));
             u.iter_mut().zip(&change).for_each(|(u, du)| *u += du);
             for ((p, point), k) in pressure.iter_mut().zip(self.points).zip(stiffness) {
                 *p += k * point.approach(&change);
@@ -210,15 +209,15 @@ impl ContactProblem<'_> {
         let springs = self.initial_springs();
         let work = &mut Work::default();
         let Some(factor) = self.factorise(&springs.stiffness, work) else { return false };
-        let iterate = self.equilibrium(&factor, self.load, &springs, |point| point.gap, work);
+        let iterate = self.equilibrium(&factor, &springs, |point| point.gap, work);
         let squeezed = |(point, k): (&ContactPoint, &f64)| k * (-point.gap).max(0.0);
         let largest = self.points.iter().zip(&springs.stiffness).map(squeezed).fold(0.0, f64::max);
         largest > 0.0 && iterate.pressure.iter().any(|p| *p > PRESSED * largest)
     }
 
-    /// `load − S u − Σ A p b` from the internal force `S u` \[N\].
-    fn imbalance(&self, load: &[f64], internal: &[f64], pressure: &[f64]) -> Vec<f64> {
-        let mut residual: Vec<f64> = load.iter().zip(internal).map(|(f, s)| f - s).collect();
+    /// `f̂ − S u − Σ A p b` from the internal force `S u` \[N\].
+    fn imbalance(&self, internal: &[f64], pressure: &[f64]) -> Vec<f64> {
+        let mut residual: Vec<f64> = self.load.iter().zip(internal).map(|(f, s)| f - s).collect();
         for (point, p) in self.points.iter().zip(pressure) {
             point.add_row(-point.weight * p, &mut residual);
         }

@@ -18,7 +18,7 @@ use crate::contact::ContactPoint;
 use crate::measure::{peak, profile};
 use crate::solution::{EdgeState, IterationError, PointState, States};
 
-/// The discrete solution of a problem under a load, with what errors are measured by.
+/// The discrete solution of a problem, with what errors are measured by.
 #[derive(Clone, Debug)]
 pub struct Target {
     /// The solution.
@@ -79,8 +79,8 @@ impl OfContact {
 
 impl Target {
     /// Looks for the discrete solution from a set of closed points.
-    pub fn of(problem: &ContactProblem, load: &[f64], law: Law, start: &[bool]) -> Option<Self> {
-        let mut exact = Exact::of(problem, load, law, start)?;
+    pub fn of(problem: &ContactProblem, law: Law, start: &[bool]) -> Option<Self> {
+        let mut exact = Exact::of(problem, law, start)?;
         let states = told_states(problem, &exact.iterate);
         // What is round-off of a contact's force is none, wherever the solution is asked.
         let told = exact.iterate.pressure.iter_mut().zip(&states);
@@ -90,7 +90,7 @@ impl Target {
             contacts.iter().zip(&problem.compliance).map(|(contact, compliance)| contact.force * compliance);
         let approaches = approaches.collect();
         let largest = contacts.iter().map(|contact| contact.force).fold(0.0, f64::max);
-        let applied: f64 = load.iter().map(|f| f.abs()).sum();
+        let applied: f64 = problem.load.iter().map(|f| f.abs()).sum();
         let largest_force = if largest > 0.0 { largest } else { applied };
         Some(Self { exact, contacts, approaches, largest_force })
     }
@@ -190,10 +190,5 @@ const PRESSED: f64 = 1e-3;
 
 /// The points that an iterate presses, by the largest pressure of their contact.
 pub(super) fn pressed(problem: &ContactProblem, iterate: &Iterate) -> Vec<bool> {
-    let mut pressed = vec![false; problem.points.len()];
-    for own in parts::points(problem.points) {
-        let largest = own.clone().map(|i| iterate.pressure[i]).fold(0.0, f64::max);
-        own.for_each(|i| pressed[i] = largest > 0.0 && iterate.pressure[i] > PRESSED * largest);
-    }
-    pressed
+    parts::pressed(problem.points, &iterate.pressure, PRESSED)
 }

@@ -61,15 +61,9 @@ fn in_one_element(a: &ContactPoint, b: &ContactPoint) -> bool {
 }
 
 impl Algorithm for Varying {
-    fn next(
-        &mut self,
-        problem: &ContactProblem,
-        load: &[f64],
-        springs: &mut Springs,
-        work: &mut Work,
-    ) -> Option<Iterate> {
+    fn next(&mut self, problem: &ContactProblem, springs: &mut Springs, work: &mut Work) -> Option<Iterate> {
         let factor = self.kept.renew(problem, &springs.stiffness, work)?;
-        let iterate = problem.equilibrium(factor, load, springs, |_| 0.0, work);
+        let iterate = problem.equilibrium(factor, springs, |_| 0.0, work);
         let scale = &problem.scale;
         if self.rule != StiffnessRule::Correction {
             let factors = factors(self.rule, self.leeway, problem, &iterate.approach);

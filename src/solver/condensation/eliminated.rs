@@ -30,15 +30,12 @@ impl Eliminated {
             let (values, shift) = shifted(body);
             Factor::new(symbolic, pattern, &values, &body.place).map(|factor| (factor, shift))
         })?;
-        Ok(clock.time(Stage::ForwardElimination, || Self::with_load(factor, shift, body)))
-    }
-
-    /// The factor with the load of its body eliminated.
-    fn with_load(factor: Factor, shift: f64, body: &BodySystem) -> Self {
-        let trailing = factor.trailing_block(body.retained.len());
-        let mut forward = body.force.clone();
-        factor.solve_lower(&mut forward);
-        Self { factor, trailing, forward, shift }
+        Ok(clock.time(Stage::ForwardElimination, || {
+            let trailing = factor.trailing_block(body.dofs.retained.len());
+            let mut forward = body.force.clone();
+            factor.solve_lower(&mut forward);
+            Self { factor, trailing, forward, shift }
+        }))
     }
 
     /// `S = L_cc L_ccᵀ − σ I`.
@@ -94,8 +91,8 @@ impl Eliminated {
 pub(super) fn shifted(body: &BodySystem) -> (Vec<f64>, f64) {
     let (starts, mut values) = (body.stiffness.symbolic().col_ptr(), body.stiffness.val().to_vec());
     // The rows of a column ascend from the diagonal on.
-    let diagonal = || body.retained.clone().map(|column| starts[column] as usize);
-    let shift = diagonal().map(|at| values[at]).sum::<f64>() / body.retained.len().max(1) as f64;
+    let diagonal = || body.dofs.retained.clone().map(|column| starts[column] as usize);
+    let shift = diagonal().map(|at| values[at]).sum::<f64>() / body.dofs.retained.len().max(1) as f64;
     diagonal().for_each(|at| values[at] += shift);
     (values, shift)
 }

@@ -5,7 +5,7 @@ use std::ops::Range;
 use faer::dyn_stack::{MemBuffer, MemStack, StackReq};
 use faer::linalg::solvers::LltError;
 use faer::sparse::linalg::cholesky::{simplicial, supernodal};
-use faer::sparse::{SparseColMatRef, SymbolicSparseColMat, SymbolicSparseColMatRef};
+use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
 use faer::{Mat, Par, Spec};
 use pulp::Arch;
 
@@ -155,7 +155,7 @@ pub(super) fn singular(body: &Place, pivot: usize) -> Error {
 /// Where L has entries: elimination tree, column counts, supernodes.
 pub fn analyse(lower: SymbolicSparseColMatRef<Index>, body: &Place) -> Result<Symbolic, Error> {
     let n = lower.nrows();
-    let upper = transposed(lower);
+    let upper = lower.to_row_major().map_err(|_| singular(body, 0))?.into_transpose();
     let (mut tree, mut counts) = (vec![0; n], vec![0; n]);
     let scratch = StackReq::any_of(&[
         simplicial::prefactorize_symbolic_cholesky_scratch::<Index>(n, upper.row_idx().len()),
@@ -166,23 +166,6 @@ pub fn analyse(lower: SymbolicSparseColMatRef<Index>, body: &Place) -> Result<Sy
     let tree = simplicial::prefactorize_symbolic_cholesky(&mut tree, &mut counts, upper.as_ref(), stack);
     supernodal::factorize_supernodal_symbolic_cholesky(upper.as_ref(), tree, &counts, stack, Default::default())
         .map_err(|_| singular(body, 0))
-}
-
-/// The pattern of the transposed matrix.
-fn transposed(matrix: SymbolicSparseColMatRef<Index>) -> SymbolicSparseColMat<Index> {
-    let n = matrix.nrows();
-    let mut starts = vec![0; n + 1];
-    matrix.row_idx().iter().for_each(|&row| starts[row as usize + 1] += 1);
-    (0..n).for_each(|row| starts[row + 1] += starts[row]);
-    let mut filled = starts.clone();
-    let mut rows = vec![0; matrix.row_idx().len()];
-    for column in 0..n {
-        for row in matrix.row_idx_of_col(column) {
-            rows[filled[row] as usize] = column as Index;
-            filled[row] += 1;
-        }
-    }
-    SymbolicSparseColMat::new_checked(n, n, starts, None, rows)
 }
 
 /// [`Factor::solve_lower`] on registers as wide as the processor's own; a closure's call would be a function of its own,

@@ -70,10 +70,10 @@ impl ElasticSystem {
     fn gathered(&self, bodies: Vec<Eliminated>, contacts: Option<&[Coupled]>) -> Result<Condensed, Error> {
         let mut offsets = vec![0];
         for body in &self.bodies {
-            offsets.push(offsets[offsets.len() - 1] + body.retained.len());
+            offsets.push(offsets[offsets.len() - 1] + body.dofs.retained.len());
         }
         let load = bodies.iter().flat_map(Eliminated::load).collect();
-        let sizes = || self.bodies.iter().map(|body| body.retained.len() as f64);
+        let sizes = || self.bodies.iter().map(|body| body.dofs.retained.len() as f64);
         if let Some(contacts) = contacts.filter(|_| is_sparse(sizes)) {
             let of_body = |(body, dofs): &(usize, Range<usize>)| offsets[*body] + dofs.start..offsets[*body] + dofs.end;
             let coupled: Vec<_> = contacts.iter().map(|sides| sides.each_ref().map(of_body)).collect();

@@ -65,7 +65,7 @@ pub fn solve_uncondensed(system: &ElasticSystem, springs: &[(RankOne, f64)]) -> 
             let entries = matrix.row_idx_of_col(column).zip(matrix.val_of_col(column));
             triplets.extend(entries.map(|(row, &value)| Triplet::new(offset + row, offset + column, value)));
         }
-        retained.extend(body.retained.clone().map(|equation| offset + equation));
+        retained.extend(body.dofs.retained.clone().map(|equation| offset + equation));
         rhs.extend_from_slice(&body.force);
         offsets.push(rhs.len());
     }

@@ -18,7 +18,7 @@ use faer::{ColRef, Conj, Mat, MatMut, Par, Side, Spec};
 use crate::condensation::dense::{DenseFactor, Padded, RankOne, VANISHED};
 use crate::condensation::factor::singular;
 use crate::condensation::trailing::Trailing;
-use crate::elasticity;
+use crate::elasticity::{self, summed};
 use crate::error::Error;
 
 /// Condensed stiffness `S` [N/mm] of all bodies.
@@ -114,7 +114,7 @@ impl Stiffness {
     pub fn times(&self, u: &[f64]) -> Vec<f64> {
         match self {
             Self::Dense(matrix) => (matrix * ColRef::from_slice(u)).iter().copied().collect(),
-            Self::Sparse(blocks) => blocks.summed(u, |term| term),
+            Self::Sparse(blocks) => summed(blocks.matrix(), u, |term| term),
         }
     }
 
@@ -125,7 +125,7 @@ impl Stiffness {
                 let of = |i: usize| (0..u.len()).map(|j| (matrix[(i, j)] * u[j]).abs()).sum();
                 (0..u.len()).map(of).collect()
             }
-            Self::Sparse(blocks) => blocks.summed(u, f64::abs),
+            Self::Sparse(blocks) => summed(blocks.matrix(), u, f64::abs),
         }
     }
 
@@ -179,6 +179,10 @@ impl Blocks {
         Ok(Self { pattern, values, symbolic: Arc::new(symbolic), pivots: Arc::new(pivots), operations })
     }
 
+    fn matrix(&self) -> SparseColMatRef<'_, elasticity::Index, f64> {
+        SparseColMatRef::new(self.pattern.as_ref(), &self.values)
+    }
+
     /// Place of an entry of the lower triangle among the values; none where that is always zero.
     fn place(&self, row: usize, column: usize) -> Option<usize> {
         let [first, end] = [column, column + 1].map(|k| self.pattern.col_ptr()[k] as usize);
@@ -212,22 +216,6 @@ impl Blocks {
             l[*at].powi(2) > VANISHED * diagonal
         };
         self.pivots.iter().all(holds).then(|| SystemFactor::Sparse(self.symbolic.clone(), l))
-    }
-
-    /// `Σ_j of(S_ij u_j)` of every row.
-    fn summed(&self, u: &[f64], of: impl Fn(f64) -> f64) -> Vec<f64> {
-        let mut sums = vec![0.0; u.len()];
-        for column in 0..u.len() {
-            let [first, end] = [column, column + 1].map(|k| self.pattern.col_ptr()[k] as usize);
-            for (&row, value) in self.pattern.row_idx()[first..end].iter().zip(&self.values[first..end]) {
-                let row = row as usize;
-                sums[row] += of(value * u[column]);
-                if row != column {
-                    sums[column] += of(value * u[row]);
-                }
-            }
-        }
-        sums
     }
 }
 

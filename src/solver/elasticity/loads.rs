@@ -1,6 +1,7 @@
 //! Consistent nodal forces of what acts on a side, or on a part of it, of body forces and concentrated forces.
 
 use crate::elasticity::dofs::Dofs;
+use crate::elasticity::shape_functions::{OnEdge, on_edge};
 use crate::elasticity::{element, point, quadrature, shape_functions};
 use crate::error::{Error, Place};
 use crate::mesh::{Edge, Mesh};
@@ -101,15 +102,6 @@ struct LoadedSide<'a> {
     rule: Vec<(f64, f64)>,
 }
 
-/// A Gauss point of a loaded side.
-struct Sample<'a> {
-    edge: &'a Edge,
-    shapes: Vec<(f64, f64)>,
-    point: [f64; 2],
-    slope: [f64; 2],
-    weight: f64,
-}
-
 impl<'a> LoadedSide<'a> {
     /// All of a side, or the part of it that is named; a part that goes on where the side has ended is refused.
     fn of(
@@ -158,7 +150,7 @@ impl<'a> LoadedSide<'a> {
 
     /// `traction(point, n ds/dξ, ds/dξ)` returns `t ds/dξ`, with `n ds = (dy, −dx)`.
     fn integrate(&self, traction: &dyn Fn([f64; 2], [f64; 2], f64) -> [f64; 2], take: Taker) {
-        for Sample { edge, shapes, point, slope, weight } in self.samples() {
+        for (edge, (shapes, point, slope), weight) in self.samples() {
             let t = traction(point, [slope[1], -slope[0]], slope[0].hypot(slope[1]));
             let depth = self.scene.depth(point);
             for (&node, (value, _)) in edge.iter().zip(&shapes) {
@@ -177,37 +169,22 @@ impl<'a> LoadedSide<'a> {
 
     /// `∫ f ds`.
     fn integral(&self, of: impl Fn([f64; 2]) -> f64) -> f64 {
-        let each =
-            self.samples().map(|sample| of(sample.point) * sample.slope[0].hypot(sample.slope[1]) * sample.weight);
-        each.sum()
+        self.samples().map(|(_, (_, point, slope), weight)| of(point) * slope[0].hypot(slope[1]) * weight).sum()
     }
 
-    fn samples(&self) -> impl Iterator<Item = Sample<'_>> {
+    /// The Gauss points, each with its edge and its weight.
+    fn samples(&self) -> impl Iterator<Item = (&Edge, OnEdge, f64)> {
         self.pieces.iter().flat_map(move |&(edge, [begin, end])| {
             let [middle, half] = [0.5 * (begin + end), 0.5 * (end - begin)];
-            self.rule.iter().map(move |&(at, weight)| {
-                let (shapes, point, slope) = self.at(edge, middle + half * at);
-                Sample { edge, shapes, point, slope, weight: half * weight }
-            })
+            self.rule
+                .iter()
+                .map(move |&(at, weight)| (edge, on_edge(self.mesh, edge, middle + half * at), half * weight))
         })
-    }
-
-    /// Shape functions, place and slope `dx/dξ` at a natural coordinate of an edge.
-    fn at(&self, edge: &Edge, xi: f64) -> (Vec<(f64, f64)>, [f64; 2], [f64; 2]) {
-        let shapes = shape_functions::edge(edge.len(), xi);
-        let (mut point, mut slope) = ([0.0; 2], [0.0; 2]);
-        for (&node, (value, derivative)) in edge.iter().zip(&shapes) {
-            for k in 0..2 {
-                point[k] += value * self.mesh.points[node][k];
-                slope[k] += derivative * self.mesh.points[node][k];
-            }
-        }
-        (shapes, point, slope)
     }
 
     /// The stretches of an edge that lie within a part.
     fn within(&self, edge: &'a Edge, part: &SidePart) -> Vec<(&'a Edge, [f64; 2])> {
-        let of = |xi: f64| part.coordinate(self.at(edge, xi).1);
+        let of = |xi: f64| part.coordinate(on_edge(self.mesh, edge, xi).1);
         let mut cuts = vec![-1.0, 1.0];
         cuts.extend(self.turning(edge, part));
         cuts.sort_by(f64::total_cmp);
@@ -226,7 +203,7 @@ impl<'a> LoadedSide<'a> {
     /// Where the coordinate of a part turns back within an edge: its slope along x or y is linear in ξ.
     fn turning(&self, edge: &Edge, part: &SidePart) -> Option<f64> {
         let slope = |xi: f64| {
-            let (_, point, direction) = self.at(edge, xi);
+            let (_, point, direction) = on_edge(self.mesh, edge, xi);
             part.slope(point, direction)
         };
         let [a, b] = [slope(-1.0), slope(1.0)];

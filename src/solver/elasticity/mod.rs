@@ -43,9 +43,7 @@ pub mod rigid_motion;
 pub mod shape_functions;
 pub mod stress;
 
-use std::ops::Range;
-
-use faer::sparse::SparseColMat;
+use faer::sparse::{SparseColMat, SparseColMatRef};
 
 use crate::error::{Error, Place};
 use crate::mesh::Mesh;
@@ -74,8 +72,6 @@ pub struct BodySystem {
     pub force: Vec<f64>,
     /// Numbering.
     pub dofs: Dofs,
-    /// Equations of the outward normal displacements of the candidate nodes: the last ones.
-    pub retained: Range<usize>,
 }
 
 /// The unknowns of every body, numbered in the order in which they are eliminated; refuses bodies that could move as a whole.
@@ -132,8 +128,7 @@ impl BodySystem {
         let applied = loads::at_nodes(scene, mesh, body)?;
         let mut force = loads::vector(scene, mesh, body, &dofs, &applied)?;
         let stiffness = assembly::stiffness(scene, mesh, body, (graph, &dofs), factor, &mut force)?;
-        let retained = dofs.retained.clone();
-        Ok(Self { place: scene.place_of_body(body), stiffness, applied, force, dofs, retained })
+        Ok(Self { place: scene.place_of_body(body), stiffness, applied, force, dofs })
     }
 
     /// Applied load along y: its work on a unit motion along y \[N\].
@@ -159,27 +154,26 @@ impl BodySystem {
 
     /// `|K| |u|` for a vector of unknowns: the size of the terms in `K u` \[N\].
     pub fn terms_of_product(&self, u: &[f64]) -> Vec<f64> {
-        self.summed(u, f64::abs)
+        summed(self.stiffness.as_ref(), u, f64::abs)
     }
 
     /// `K u` for a vector of unknowns \[N\].
     pub fn product(&self, u: &[f64]) -> Vec<f64> {
-        self.summed(u, |term| term)
+        summed(self.stiffness.as_ref(), u, |term| term)
     }
+}
 
-    /// `Σ_j of(K_ij u_j)` of every row.
-    fn summed(&self, u: &[f64], of: impl Fn(f64) -> f64) -> Vec<f64> {
-        let mut sums = vec![0.0; u.len()];
-        let matrix = self.stiffness.as_ref();
-        for (column, &u_column) in u.iter().enumerate() {
-            let rows = matrix.row_idx_of_col(column);
-            for (row, &value) in rows.zip(matrix.val_of_col(column)) {
-                sums[row] += of(value * u_column);
-                if row != column {
-                    sums[column] += of(value * u[row]);
-                }
+/// `Σ_j of(K_ij u_j)` of every row of a symmetric matrix, by its lower triangle.
+pub(crate) fn summed(matrix: SparseColMatRef<Index, f64>, u: &[f64], of: impl Fn(f64) -> f64) -> Vec<f64> {
+    let mut sums = vec![0.0; u.len()];
+    for (column, &u_column) in u.iter().enumerate() {
+        let rows = matrix.row_idx_of_col(column);
+        for (row, &value) in rows.zip(matrix.val_of_col(column)) {
+            sums[row] += of(value * u_column);
+            if row != column {
+                sums[column] += of(value * u[row]);
             }
         }
-        sums
     }
+    sums
 }

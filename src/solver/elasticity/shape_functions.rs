@@ -3,7 +3,7 @@
 //! Corners counter-clockwise from (−1, −1), then mid-sides from the bottom edge on (Bathe, Finite Element Procedures, §5.3);
 //! nodes of tensor products as [`Order::places`] numbers them, on Gauss–Lobatto–Legendre points (Karniadakis & Sherwin 2005).
 
-use crate::mesh::{Order, lobatto};
+use crate::mesh::{Mesh, Order, lobatto};
 
 /// Natural coordinates of the eight nodes.
 pub const NODES: [[f64; 2]; 8] =
@@ -83,4 +83,20 @@ pub fn edge(n: usize, x: f64) -> Vec<(f64, f64)> {
             shapes
         }
     }
+}
+
+/// Shape functions with their slopes, place, and slope `dx/dξ` at a natural coordinate of an edge \[mm\].
+pub type OnEdge = (Vec<(f64, f64)>, [f64; 2], [f64; 2]);
+
+/// Those of an edge of a mesh.
+pub fn on_edge(mesh: &Mesh, edge: &[usize], xi: f64) -> OnEdge {
+    let shapes = self::edge(edge.len(), xi);
+    let (mut point, mut slope) = ([0.0; 2], [0.0; 2]);
+    for (&node, (value, derivative)) in edge.iter().zip(&shapes) {
+        for k in 0..2 {
+            point[k] += value * mesh.points[node][k];
+            slope[k] += derivative * mesh.points[node][k];
+        }
+    }
+    (shapes, point, slope)
 }

@@ -173,8 +173,7 @@ fn with_images(part: Part) -> Vec<PointState> {
     let (first, last) = (part.edges[0].ends[0], part.edges[part.edges.len() - 1].ends[1]);
     let near = ROUNDING * last;
     let images = part.points.iter().rev().filter(|point| first.abs() <= near && point.position > near);
-    let images = images.map(|point| PointState { position: -point.position, ..*point });
-    images.chain(part.points.iter().copied()).collect()
+    images.map(PointState::mirrored).chain(part.points.iter().copied()).collect()
 }
 
 fn nearest_to(points: &[PointState], away: impl Fn(&PointState) -> f64) -> Option<usize> {

@@ -65,9 +65,7 @@ fn one(pair: &ContactPair, part: Part, floor: f64, [from, to]: [usize; 2]) -> St
     let [low, high] = [edges[from].ends[0], edges[to - 1].ends[1]];
     let within = |point: &&PointState| point.pressure > floor && (low..=high).contains(&point.position);
     let pressed: Vec<PointState> = points.iter().filter(within).copied().collect();
-    let images = || -> Vec<PointState> {
-        pressed.iter().rev().map(|point| PointState { position: -point.position, ..*point }).collect()
-    };
+    let images = || pressed.iter().rev().map(PointState::mirrored).collect::<Vec<_>>();
     // The edge in which a contact ends may press by less.
     let presses = |k: usize| edges.get(k).is_some_and(|edge| edge.pressure > LEAST * floor);
     let before = if from > 0 && presses(from - 1) { from - 1 } else { from };

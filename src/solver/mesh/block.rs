@@ -65,6 +65,11 @@ impl Side {
         Self { points, names: vec![name.into()], inside: true }
     }
 
+    /// Whether it lies on a boundary, or on a line inside.
+    pub fn is_on(&self, name: &str) -> bool {
+        self.names.iter().any(|own| own == name)
+    }
+
     /// The side with every point moved to its image.
     fn imaged(&self, image: impl Fn(&Point) -> Point) -> Self {
         Self { points: self.points.iter().map(image).collect(), ..self.clone() }
@@ -78,28 +83,48 @@ impl Side {
 }
 
 impl Block {
-    /// The block seen in a mirror on the horizontal at a height; bottom and top change places, so that it stays
-    /// counter-clockwise.
-    pub fn turned_over(&self, height: f64) -> Self {
-        let image = |p: &Point| [p[0], 2.0 * height - p[1]];
-        Self {
-            bottom: self.top.imaged(image),
-            right: self.right.imaged(image).backwards(),
-            top: self.bottom.imaged(image),
-            left: self.left.imaged(image).backwards(),
-        }
+    /// Its sides, counter-clockwise from the bottom.
+    pub fn sides(&self) -> [&Side; 4] {
+        [&self.bottom, &self.right, &self.top, &self.left]
+    }
+
+    /// Its corners, counter-clockwise from the lower left one.
+    pub fn corners(&self) -> [Point; 4] {
+        let last = |side: &Side| side.points[side.points.len() - 1];
+        [self.bottom.points[0], last(&self.bottom), last(&self.top), self.top.points[0]]
+    }
+
+    /// The block with every side made into another one.
+    fn map(self, made: impl Fn(Side) -> Side) -> Self {
+        let [bottom, right, top, left] = [self.bottom, self.right, self.top, self.left].map(made);
+        Self { bottom, right, top, left }
+    }
+
+    /// The block seen in a mirror on the horizontal at a height.
+    pub fn turned_over(self, height: f64) -> Self {
+        self.map(|side| side.imaged(|p| [p[0], 2.0 * height - p[1]])).upside_down()
+    }
+
+    /// A block that was drawn as seen in a mirror on the horizontal, bottom and top in each other's place, so that it is counter-clockwise.
+    pub fn upside_down(self) -> Self {
+        Self { bottom: self.top, right: self.right.backwards(), top: self.bottom, left: self.left.backwards() }
     }
 
     /// The block seen in a mirror on the vertical at an abscissa; left and right change places, so that it stays
     /// counter-clockwise.
     pub fn seen_in_mirror(&self, abscissa: f64) -> Self {
-        let image = |p: &Point| [2.0 * abscissa - p[0], p[1]];
-        Self {
-            bottom: self.bottom.imaged(image).backwards(),
-            right: self.left.imaged(image),
-            top: self.top.imaged(image).backwards(),
-            left: self.right.imaged(image),
-        }
+        self.clone().map(|side| side.imaged(|p| [2.0 * abscissa - p[0], p[1]])).the_other_way()
+    }
+
+    /// A block that was drawn as seen in a mirror on the vertical, right and left in each other's place, so that it is counter-clockwise.
+    pub fn the_other_way(self) -> Self {
+        Self { bottom: self.bottom.backwards(), right: self.left, top: self.top.backwards(), left: self.right }
+    }
+
+    /// Blocks on the right of a vertical, and their images in it.
+    pub fn with_images(right: Vec<Self>, abscissa: f64) -> Vec<Self> {
+        let left: Vec<Self> = right.iter().map(|block| block.seen_in_mirror(abscissa)).collect();
+        right.into_iter().chain(left).collect()
     }
 
     /// The block with the sides of a boundary inside the body.
@@ -109,8 +134,7 @@ impl Block {
 
     /// The block with the sides of a boundary, or of a line inside, made again from their points.
     pub fn instead_of(self, boundary: &str, made: impl Fn(Vec<Point>) -> Side) -> Self {
-        let anew = |side: Side| if side.names.iter().any(|name| name == boundary) { made(side.points) } else { side };
-        Self { bottom: anew(self.bottom), right: anew(self.right), top: anew(self.top), left: anew(self.left) }
+        self.map(|side| if side.is_on(boundary) { made(side.points) } else { side })
     }
 
     /// Lattice size along ξ and η.
@@ -123,8 +147,7 @@ impl Block {
     ///
     /// (ξ, η) is where the straight lines between equal positions of opposite sides meet.
     pub fn lattice(&self, order: Order) -> Vec<Vec<Point>> {
-        let [bottom, right, top, left] =
-            [&self.bottom, &self.right, &self.top, &self.left].map(|side| fractions(&side.points, order));
+        let [bottom, right, top, left] = self.sides().map(|side| fractions(&side.points, order));
         let [columns, rows] = self.size();
         (0..rows)
             .map(|j| {

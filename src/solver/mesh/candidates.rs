@@ -1,5 +1,6 @@
 //! The candidate contact nodes of each body, with the outward normals that make their normal dofs.
 
+use std::collections::BTreeSet;
 use std::f64::consts::FRAC_PI_2;
 use std::ops::Range;
 
@@ -42,9 +43,7 @@ pub(super) fn find(mesh: &mut Mesh, scene: &Scene) -> Result<(), Error> {
 fn of_body(mesh: &Mesh, scene: &Scene, contact: usize, body: usize) -> Result<Vec<Candidate>, Error> {
     let pair = &scene.contacts[contact];
     let outward = |normal: [f64; 2]| if body == pair.first { normal } else { normal.map(|n| 0.0 - n) };
-    let mut nodes: Vec<usize> = candidate_edges(mesh, scene, pair, body)?.iter().flatten().copied().collect();
-    nodes.sort_unstable();
-    nodes.dedup();
+    let nodes: BTreeSet<usize> = candidate_edges(mesh, scene, pair, body)?.into_iter().flatten().collect();
     let candidate = |node| {
         let point = mesh.points[node];
         Candidate { node, normal: outward(pair.normal(point)), coordinate: pair.path.coordinate(point), contact }

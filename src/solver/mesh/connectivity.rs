@@ -1,6 +1,6 @@
 //! Nodes, cells and boundaries of all bodies.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::ops::Range;
 
 use crate::error::Error;
@@ -83,10 +83,8 @@ impl Mesh {
     pub fn nodes_at(&self, scene: &Scene, body: usize, at: &Place) -> Result<Vec<usize>, Error> {
         match at {
             Place::Boundary(name) => {
-                let mut nodes: Vec<usize> = self.boundary(scene, body, name)?.iter().flatten().copied().collect();
-                nodes.sort_unstable();
-                nodes.dedup();
-                Ok(nodes)
+                let nodes: BTreeSet<usize> = self.boundary(scene, body, name)?.iter().flatten().copied().collect();
+                Ok(nodes.into_iter().collect())
             }
             Place::Point(point) => Ok(vec![self.node_at(scene, body, *point)?]),
         }

@@ -30,8 +30,7 @@ pub(super) fn towards_ends(mut blocks: Vec<Block>, scene: &Scene, body: usize, o
         let at_cusp = pair.power_at_cusp().map(|power| (0.0, layers_at_cusp(power, pair.ends.layers, order)));
         for (s, layers) in at_ends.chain(at_cusp) {
             let is_here = |point: &Point| (pair.path.coordinate(*point) - s).abs() <= SAME * pair.stretch;
-            let sides = blocks.iter().flat_map(|block| [&block.bottom, &block.right, &block.top, &block.left]);
-            let own = sides.filter(|side| side.names.iter().any(|name| name == pair.side(body)));
+            let own = blocks.iter().flat_map(Block::sides).filter(|side| side.is_on(pair.side(body)));
             let place = own.flat_map(|side| side.points.iter().step_by(order.intervals())).copied().find(is_here);
             blocks = layered(blocks, scene, place, layers, order);
         }
@@ -64,14 +63,9 @@ fn held_corners(blocks: &[Block], body: &Body) -> Vec<Point> {
         let held = [one, other].map(components);
         (is_outer && (held == [0, 2] || held == [2, 0])).then_some(at)
     };
-    let of_block = |Block { bottom, right, top, left }: &Block| {
-        let last = |side: &Side| side.points[side.points.len() - 1];
-        [
-            corner([bottom, left], bottom.points[0]),
-            corner([bottom, right], last(bottom)),
-            corner([top, right], last(top)),
-            corner([top, left], top.points[0]),
-        ]
+    let of_block = |block: &Block| {
+        let (sides, corners) = (block.sides(), block.corners());
+        [0, 1, 2, 3].map(|k| corner([sides[k], sides[(k + 3) % 4]], corners[k]))
     };
     blocks.iter().flat_map(of_block).flatten().collect()
 }
@@ -118,7 +112,7 @@ impl Singular {
     /// A block, cut into its cells where one of them has its corner at the place.
     fn layered(&self, block: Block, order: Order) -> Vec<Block> {
         let touches = |side: &&Side| side.points.iter().step_by(order.intervals()).any(|corner| self.is_here(*corner));
-        if ![&block.bottom, &block.right, &block.top, &block.left].iter().any(touches) {
+        if !block.sides().iter().any(touches) {
             return vec![block];
         }
         let cells = cells(&block, order).into_iter();
@@ -137,9 +131,8 @@ impl Singular {
     }
 
     /// The corner of a cell at the place, counter-clockwise from the lower left one.
-    fn corner(&self, Block { bottom, top, .. }: &Block) -> Option<usize> {
-        let last = |side: &Side| side.points[side.points.len() - 1];
-        let corners = [bottom.points[0], last(bottom), last(top), top.points[0]];
+    fn corner(&self, cell: &Block) -> Option<usize> {
+        let corners = cell.corners();
         corners.iter().position(|corner| self.is_here(*corner))
     }
 }

@@ -88,7 +88,7 @@ impl Register {
             .iter()
             .flat_map(|b| b.bottom.points.iter().chain(&b.top.points))
             .fold(0.0_f64, |size, p| size.max(p[0].abs()).max(p[1].abs()));
-        let sides = blocks.iter().flat_map(|b| [&b.bottom, &b.right, &b.top, &b.left]);
+        let sides = blocks.iter().flat_map(Block::sides);
         let apart = |two: &[[f64; 2]]| (two[1][0] - two[0][0]).hypot(two[1][1] - two[0][1]);
         let all = sides.flat_map(|side| side.points.windows(2).map(apart));
         let shortest = all.filter(|length| *length > ROUNDING * size).fold(f64::INFINITY, f64::min);

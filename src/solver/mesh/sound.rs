@@ -23,10 +23,13 @@ pub(super) fn refuse_loose(mesh: &Mesh, scene: &Scene) -> Result<(), Error> {
             Err(Error::at(scene.place_of_body(index), message, JOINED))
         };
         let outline = mesh.outline(index);
-        if let Some(node) = doubled(mesh, &outline) {
+        let at_end = |along: f64| along.abs() <= SAME || (along - 1.0).abs() <= SAME;
+        if let Some(node) = on_side(mesh, &outline, &by_x(mesh, &outline, usize::MAX), at_end) {
             return refused("two nodes stand at", node);
         }
-        if let Some(node) = hanging(mesh, &outline) {
+        // A corner inside another side.
+        let inside = |along: f64| along > SAME && along < 1.0 - SAME;
+        if let Some(node) = on_side(mesh, &outline, &by_x(mesh, &outline, 2), inside) {
             return refused("a node hangs inside a side of another cell at", node);
         }
         if let Some(node) = apart(mesh, index) {
@@ -36,9 +39,8 @@ pub(super) fn refuse_loose(mesh: &Mesh, scene: &Scene) -> Result<(), Error> {
     Ok(())
 }
 
-/// Nodes of the outline by ascending x.
-fn by_x(mesh: &Mesh, outline: &[Edge], corners_only: bool) -> Vec<usize> {
-    let taken = if corners_only { 2 } else { usize::MAX };
+/// Nodes of the outline by ascending x: of every edge so many.
+fn by_x(mesh: &Mesh, outline: &[Edge], taken: usize) -> Vec<usize> {
     let mut nodes: Vec<usize> = outline.iter().flat_map(|edge| edge.iter().take(taken).copied()).collect();
     nodes.sort_unstable();
     nodes.dedup();
@@ -46,27 +48,9 @@ fn by_x(mesh: &Mesh, outline: &[Edge], corners_only: bool) -> Vec<usize> {
     nodes
 }
 
-/// A node of the outline with another one at its place.
-fn doubled(mesh: &Mesh, outline: &[Edge]) -> Option<usize> {
-    near(mesh, outline, &by_x(mesh, outline, false), |node, edge, along, across| {
-        !edge.contains(&node) && across <= SAME && (along.abs() <= SAME || (along - 1.0).abs() <= SAME)
-    })
-}
-
-/// A corner of the outline inside another side of it.
-fn hanging(mesh: &Mesh, outline: &[Edge]) -> Option<usize> {
-    near(mesh, outline, &by_x(mesh, outline, true), |node, edge, along, across| {
-        !edge.contains(&node) && across <= SAME && along > SAME && along < 1.0 - SAME
-    })
-}
-
-/// The first node near a side, by its place along and across it over the side's length, that passes a test.
-fn near(
-    mesh: &Mesh,
-    outline: &[Edge],
-    nodes: &[usize],
-    is_it: impl Fn(usize, &Edge, f64, f64) -> bool,
-) -> Option<usize> {
+/// The first of some nodes by ascending x that lies on a side without being one of its own, where its place along that, over the side's
+/// length, passes a test.
+fn on_side(mesh: &Mesh, outline: &[Edge], nodes: &[usize], is_it: impl Fn(f64) -> bool) -> Option<usize> {
     for edge in outline {
         let [a, b] = [mesh.points[edge[0]], mesh.points[edge[1]]];
         let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
@@ -75,10 +59,10 @@ fn near(
         let (low, high) = (a[0].min(b[0]) - room, a[0].max(b[0]) + room);
         let from = nodes.partition_point(|&node| mesh.points[node][0] < low);
         let beside = nodes[from..].iter().take_while(|&&node| mesh.points[node][0] <= high);
-        for &node in beside {
+        for &node in beside.filter(|node| !edge.contains(node)) {
             let (x, y) = (mesh.points[node][0] - a[0], mesh.points[node][1] - a[1]);
             let (along, across) = ((x * dx + y * dy) / square, (x * dy - y * dx).abs() / square);
-            if is_it(node, edge, along, across) {
+            if across <= SAME && is_it(along) {
                 return Some(node);
             }
         }

@@ -264,26 +264,18 @@ impl Profile {
             Self::Smooth(cubic) => &cubic.points,
             _ => return Vec::new(),
         };
-        let images = points.iter().filter(|_| is_even(points)).map(|point| -point[0]);
-        images.chain(points.iter().map(|point| point[0])).collect()
+        on_both_sides(points, points.iter().map(|point| point[0]))
     }
 
     /// Contact coordinates at which its curvature leaps, on either side of s = 0; none of a formula \[mm, or rad on an arc\].
     pub fn leaps(&self) -> Vec<f64> {
         let Self::Smooth(cubic) = self else { return Vec::new() };
-        let leaps = cubic.leaps();
-        let images = leaps.iter().filter(|_| is_even(&cubic.points)).map(|s| -s);
-        images.chain(leaps.iter().copied()).collect()
+        on_both_sides(&cubic.points, cubic.leaps().into_iter())
     }
 
     /// Contact coordinates at which the slope of the gap leaps upwards, and by how much, so that a tip is pressed: the pressure has no limit
     /// there. None where only the bodies' meshes tell the gap \[mm, or rad on an arc; 1, or mm/rad\].
     pub fn tips(&self) -> Option<Vec<[f64; 2]>> {
-        let slope = |a: [f64; 2], b: [f64; 2]| (b[1] - a[1]) / (b[0] - a[0]);
-        let leap = |at: [[f64; 2]; 3]| {
-            let [before, after] = [slope(at[0], at[1]), slope(at[1], at[2])];
-            (after - before > STRAIGHT * (after.abs() + before.abs())).then_some([at[1][0], after - before])
-        };
         Some(match self {
             Self::Drawn => return None,
             Self::Wedge { slope } => vec![[0.0, 2.0 * slope]],
@@ -291,7 +283,7 @@ impl Profile {
                 let even = is_even(points);
                 let images = points.iter().rev().filter(|point| even && point[0] > 0.0).map(|[s, gap]| [-s, *gap]);
                 let all: Vec<[f64; 2]> = images.chain(points.iter().copied()).collect();
-                all.windows(3).filter_map(|at| leap([at[0], at[1], at[2]])).collect()
+                corners(&all).filter(|[_, leap]| *leap > 0.0).collect()
             }
             Self::Bodies(drawn) => drawn.tips(),
             _ => Vec::new(),
@@ -347,12 +339,7 @@ impl Profile {
     /// Distances from s = 0, ascending, at which the slope of the gap leaps on either side of it.
     pub fn kinks(&self) -> Vec<f64> {
         let Self::Table(points) = self else { return Vec::new() };
-        let slope = |a: [f64; 2], b: [f64; 2]| (b[1] - a[1]) / (b[0] - a[0]);
-        let leaps = points.windows(3).filter(|three| {
-            let [before, after] = [slope(three[0], three[1]), slope(three[1], three[2])];
-            (after - before).abs() > STRAIGHT * (after.abs() + before.abs())
-        });
-        let mut places: Vec<f64> = leaps.map(|three| three[1][0].abs()).filter(|s| *s > 0.0).collect();
+        let mut places: Vec<f64> = corners(points).map(|[s, _]| s.abs()).filter(|s| *s > 0.0).collect();
         places.sort_by(f64::total_cmp);
         places
     }
@@ -366,9 +353,23 @@ const MANY: usize = 4;
 /// Difference of slopes, over their sum, up to which three points lie in line.
 const STRAIGHT: f64 = 1e-9;
 
+/// Points between others at which the line through them turns, and by how much its slope leaps there.
+fn corners(points: &[[f64; 2]]) -> impl Iterator<Item = [f64; 2]> {
+    points.windows(3).filter_map(|three| {
+        let [before, after] = [0, 1].map(|k| (three[k + 1][1] - three[k][1]) / (three[k + 1][0] - three[k][0]));
+        let leap = after - before;
+        (leap.abs() > STRAIGHT * (after.abs() + before.abs())).then_some([three[1][0], leap])
+    })
+}
+
 /// Whether a table tells one side of an even gap.
 fn is_even(points: &[[f64; 2]]) -> bool {
     points.first().is_none_or(|[s, _]| *s >= 0.0)
+}
+
+/// Contact coordinates on the side that points tell, and their images where these tell one side of an even gap.
+fn on_both_sides(points: &[[f64; 2]], places: impl Iterator<Item = f64> + Clone) -> Vec<f64> {
+    places.clone().filter(|_| is_even(points)).map(|s| -s).chain(places).collect()
 }
 
 /// Gap of a table at `s`; no other side before its first point and beyond its last.

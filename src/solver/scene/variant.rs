@@ -3,8 +3,7 @@
 use std::sync::Arc;
 
 use crate::scene::{
-    Action, Along, BlockShape, Circle, GivenMesh, Load, MonotoneCubic, Path, Place, Profile, Scene, Shape, SidePart,
-    VectorField,
+    Action, Along, Circle, Load, MonotoneCubic, Path, Place, Profile, Scene, Shape, SidePart, VectorField,
 };
 
 /// Metres per millimetre.
@@ -33,10 +32,10 @@ impl Scene {
         for pair in &mut scene.contacts {
             if pair.path.is_straight() {
                 pair.stretch *= length;
-                pair.ends.places.iter_mut().for_each(|place| *place *= length);
+                scale(&mut pair.ends.places, length);
             }
             pair.path = told_path(&pair.path, factors);
-            pair.profile = scaled_profile(&pair.profile, length);
+            scale_profile(&mut pair.profile, length);
             pair.clearance *= length;
             if factors[0] < 0.0 && pair.path.has_both_sides() {
                 pair.profile = mirrored_profile(&pair.profile);
@@ -44,7 +43,7 @@ impl Scene {
             }
         }
         for body in &mut scene.bodies {
-            body.shape = scaled_shape(&body.shape, length);
+            scale_shape(&mut body.shape, length);
             body.material.young *= pressure;
             for support in &mut body.supports {
                 support.value *= factors[support.component.index()];
@@ -145,76 +144,58 @@ fn told_path(path: &Path, factors: [f64; 2]) -> Path {
     }
 }
 
-fn scaled_circle(circle: Circle, length: f64) -> Circle {
-    Circle { centre: circle.centre.map(|x| x * length), radius: circle.radius * length }
-}
-
-fn scaled_profile(profile: &Profile, length: f64) -> Profile {
-    match *profile {
-        Profile::Uniform(gap) => Profile::Uniform(gap * length),
-        Profile::Drawn => Profile::Drawn,
-        Profile::Table(ref points) => Profile::Table(points.iter().map(|point| point.map(|x| x * length)).collect()),
-        Profile::Smooth(ref cubic) => {
-            let points = cubic.points.iter().map(|point| point.map(|x| x * length)).collect();
-            Profile::Smooth(Arc::new(MonotoneCubic { points, slopes: cubic.slopes.clone() }))
-        }
-        Profile::Bodies(ref drawn) => {
+fn scale_profile(profile: &mut Profile, length: f64) {
+    match profile {
+        Profile::Drawn | Profile::Wedge { .. } => {}
+        Profile::Uniform(one)
+        | Profile::Punch { half_width: one }
+        | Profile::Circle { radius: one }
+        | Profile::Parabola { radius: one } => *one *= length,
+        Profile::Circles { radii: [one, other] }
+        | Profile::Cosine { amplitude: one, wavelength: other }
+        | Profile::Hole { radius: one, clearance: other }
+        | Profile::Pin { radius: one, clearance: other } => scale([one, other], length),
+        Profile::Table(points) => *points = points.iter().map(|point| point.map(|x| x * length)).collect(),
+        Profile::Smooth(cubic) => scale(Arc::make_mut(cubic).points.as_flattened_mut(), length),
+        Profile::Bodies(drawn) => {
             let path = told_path(&drawn.path, [length; 2]);
-            Profile::Bodies(Arc::new(drawn.moved(path, |point| point.map(|x| x * length))))
+            *drawn = Arc::new(drawn.moved(path, |point| point.map(|x| x * length)));
         }
-        Profile::Punch { half_width } => Profile::Punch { half_width: half_width * length },
-        Profile::Circle { radius } => Profile::Circle { radius: radius * length },
-        Profile::Circles { radii } => Profile::Circles { radii: radii.map(|radius| radius * length) },
-        Profile::Parabola { radius } => Profile::Parabola { radius: radius * length },
-        Profile::Even { ref coefficients } => {
-            let scaled = coefficients.iter().zip(0..).map(|(c, k)| c / length.powi(1 + 2 * k));
-            Profile::Even { coefficients: scaled.collect() }
+        Profile::Even { coefficients } => {
+            *coefficients = coefficients.iter().zip(0..).map(|(c, k)| c / length.powi(1 + 2 * k)).collect();
         }
-        Profile::Powers { ref terms } => {
-            Profile::Powers { terms: terms.iter().map(|&[c, n]| [c * length.powf(1.0 - n), n]).collect() }
+        Profile::Powers { terms } => {
+            *terms = terms.iter().map(|&[c, n]| [c * length.powf(1.0 - n), n]).collect();
         }
-        Profile::Wedge { slope } => Profile::Wedge { slope },
-        Profile::Cosine { amplitude, wavelength } => {
-            Profile::Cosine { amplitude: amplitude * length, wavelength: wavelength * length }
-        }
-        Profile::Hole { radius, clearance } => Profile::Hole { radius: radius * length, clearance: clearance * length },
-        Profile::Pin { radius, clearance } => Profile::Pin { radius: radius * length, clearance: clearance * length },
     }
 }
 
-fn scaled_shape(shape: &Shape, length: f64) -> Shape {
-    let scaled = |values: [f64; 2]| values.map(|x| x * length);
-    match *shape {
-        Shape::Rectangle { x, y, contact } => Shape::Rectangle { x: scaled(x), y: scaled(y), contact },
-        Shape::Disc { centre, radius, sector, contact } => {
-            Shape::Disc { centre: scaled(centre), radius: radius * length, sector, contact }
+fn scale_shape(shape: &mut Shape, length: f64) {
+    match shape {
+        Shape::Rectangle { x, y, .. } => scale([x, y].into_iter().flatten(), length),
+        Shape::Disc { centre, radius, .. } => scale(centre.iter_mut().chain([radius]), length),
+        Shape::Ring { pole, inner, outer, .. } => {
+            let circles = [inner, outer].into_iter().flat_map(lengths_of);
+            scale(pole.iter_mut().chain(circles), length);
         }
-        Shape::Ring { pole, inner, outer, sweep, both_sides, contact } => Shape::Ring {
-            pole: scaled(pole),
-            inner: scaled_circle(inner, length),
-            outer: scaled_circle(outer, length),
-            sweep,
-            both_sides,
-            contact,
-        },
-        Shape::Eye { pole, hole, outer_radius, shank_half_width, shank_end } => Shape::Eye {
-            pole: scaled(pole),
-            hole: scaled_circle(hole, length),
-            outer_radius: outer_radius * length,
-            shank_half_width: shank_half_width * length,
-            shank_end: shank_end * length,
-        },
-        Shape::Blocks(ref blocks) => {
-            let each = blocks.iter().map(|block| BlockShape {
-                corners: block.corners.map(scaled),
-                arcs: block.arcs.map(|centre| centre.map(scaled)),
-                ..block.clone()
-            });
-            Shape::Blocks(each.collect())
+        Shape::Eye { pole, hole, outer_radius, shank_half_width, shank_end } => {
+            let own = [outer_radius, shank_half_width, shank_end];
+            scale(pole.iter_mut().chain(lengths_of(hole)).chain(own), length);
         }
-        Shape::Given(ref mesh) => {
-            let points = mesh.points.iter().copied().map(scaled).collect();
-            Shape::Given(Arc::new(GivenMesh { points, ..GivenMesh::clone(mesh) }))
+        Shape::Blocks(blocks) => {
+            for block in blocks {
+                let centres = block.arcs.iter_mut().flatten();
+                scale(block.corners.iter_mut().chain(centres).flatten(), length);
+            }
         }
+        Shape::Given(mesh) => scale(Arc::make_mut(mesh).points.as_flattened_mut(), length),
     }
+}
+
+fn lengths_of(Circle { centre, radius }: &mut Circle) -> impl Iterator<Item = &mut f64> {
+    centre.iter_mut().chain([radius])
+}
+
+fn scale<'a>(lengths: impl IntoIterator<Item = &'a mut f64>, factor: f64) {
+    lengths.into_iter().for_each(|length| *length *= factor);
 }

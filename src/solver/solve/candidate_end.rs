@@ -28,30 +28,14 @@ const BETWEEN: f64 = 2e-2;
 /// Penetration over the displacements that it is the difference of, which rounding explains.
 const ROUNDING: f64 = 1e-9;
 
-/// An end of the candidates that the surfaces may go on beyond.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum End {
-    /// The first candidate, on paths with both sides.
-    First,
-    /// The last candidate.
-    Last,
+/// The ends of the candidates that the surfaces may go on beyond: 1 at the last candidate, −1 at the first one on paths with both sides.
+fn ends(pair: &ContactPair) -> &'static [f64] {
+    if pair.path.has_both_sides() { &[-1.0, 1.0] } else { &[1.0] }
 }
 
-impl End {
-    /// Those of a contact: where it begins at 0 only the last one.
-    fn of(pair: &ContactPair) -> &'static [Self] {
-        if pair.path.has_both_sides() { &[Self::First, Self::Last] } else { &[Self::Last] }
-    }
-
-    /// The outermost of a list by contact coordinate.
-    fn outermost<T>(self, list: &[T]) -> Option<&T> {
-        if self == Self::First { list.first() } else { list.last() }
-    }
-
-    /// How far a contact coordinate lies outwards \[mm, or rad on an arc\].
-    fn outwards(self, coordinate: f64) -> f64 {
-        if self == Self::First { -coordinate } else { coordinate }
-    }
+/// The outermost of a list by contact coordinate.
+fn outermost<T>(list: &[T], at: f64) -> Option<&T> {
+    if at < 0.0 { list.first() } else { list.last() }
 }
 
 /// The sides of a contact as a solution displaces them.
@@ -106,17 +90,17 @@ impl<'a> Sides<'a> {
 
     /// The deepest penetration beyond an end of the candidates: contact coordinates of that end and of the place, and `w − g` there \[mm\];
     /// none where the surface of either body ends with them: a patch, a ring, a punch.
-    fn deepest_beyond(&self, at: End) -> Option<[f64; 3]> {
-        let end = at.outermost(&self.interface.nodes)?.coordinate;
+    fn deepest_beyond(&self, at: f64) -> Option<[f64; 3]> {
+        let end = outermost(&self.interface.nodes, at)?.coordinate;
         let is_beyond = |strip: &&Strip| {
             let [low, high] = strip.ends();
-            at.outwards(0.5 * (low + high)) > at.outwards(end) * (1.0 + SAME)
+            at * (0.5 * (low + high)) > at * end * (1.0 + SAME)
         };
         if self.edges.iter().any(|edges| !edges.iter().any(|strip| is_beyond(&strip))) {
             return None;
         }
         // The candidate itself is no place beyond: the other side may end with it.
-        let away = |[s, _]: &[f64; 2]| at.outwards(*s) - at.outwards(end) > SAME * end.abs();
+        let away = |[s, _]: &[f64; 2]| at * s - at * end > SAME * end.abs();
         let places = self.edges[0].iter().filter(is_beyond).flat_map(|strip| self.inside(strip)).filter(away);
         let [position, penetration] = places.max_by(|a, b| a[1].total_cmp(&b[1]))?;
         Some([end, position, penetration])
@@ -211,10 +195,10 @@ fn beside(sides: &Sides, solution: &Solution, tolerance: f64) -> Result<Vec<Unse
     let accepted = tolerance * approach;
     let (points, edges) = (solution.points_of(interface.contact), solution.edges_of(interface.contact));
     let mut unseen = Vec::new();
-    for &at in End::of(&interface.pair) {
+    for &at in ends(&interface.pair) {
         let Some([end, position, penetration]) = sides.deepest_beyond(at) else { continue };
         let largest = points.iter().map(|point| point.pressure).fold(0.0, f64::max);
-        let last = at.outermost(points);
+        let last = outermost(points, at);
         let pressed = last.filter(|point| point.pressure > ACTIVE * largest);
         let touches = pressed.is_some() || last.is_some_and(|point| point.gap <= accepted);
         // An iterate may hold off a point that it presses: the surfaces go on from there.
@@ -265,26 +249,22 @@ fn too_short(discretisation: &Discretisation, interface: &Interface, end: f64, d
 }
 
 /// Share of the contact's force on the stretch that goes on to an end of the candidates.
-fn share_at(edges: &[EdgeState], at: End) -> f64 {
+fn share_at(edges: &[EdgeState], at: f64) -> f64 {
     let force = |edge: &EdgeState| edge.weight * edge.pressure;
-    let outer: f64 = match at {
-        End::First => edges.iter().take_while(|edge| edge.pressure > 0.0).map(force).sum(),
-        End::Last => edges.iter().rev().take_while(|edge| edge.pressure > 0.0).map(force).sum(),
+    let presses = |edge: &&EdgeState| edge.pressure > 0.0;
+    let outer: f64 = match at < 0.0 {
+        true => edges.iter().take_while(presses).map(force).sum(),
+        false => edges.iter().rev().take_while(presses).map(force).sum(),
     };
     outer / edges.iter().map(force).sum::<f64>()
 }
 
 /// Whether the mean pressure of the outermost edge is above that of its neighbour by more than the tolerance explains.
-fn rises(edges: &[EdgeState], tolerance: f64, at: End) -> bool {
-    let outer = match (at, edges) {
-        (End::Last, [.., before, last]) => Some((before, last)),
-        (End::First, [first, after, ..]) => Some((after, first)),
-        _ => None,
-    };
-    match outer {
-        Some((before, last)) => last.pressure > before.pressure * (1.0 + tolerance.sqrt()),
-        None => false,
-    }
+fn rises(edges: &[EdgeState], tolerance: f64, at: f64) -> bool {
+    let [first, after, ..] = edges else { return false };
+    let [.., before, last] = edges else { return false };
+    let [inner, outer] = if at < 0.0 { [after, first] } else { [before, last] };
+    outer.pressure > inner.pressure * (1.0 + tolerance.sqrt())
 }
 
 /// Edges of the contact boundary of a body; those between candidates of another contact are left to it.

@@ -32,16 +32,12 @@ impl Discretisation {
         let revolves = edges.iter().flatten().any(|&node| radius(node) > 0.0);
         for edge in edges {
             for &(xi, weight) in &rule {
-                let shapes = shape_functions::edge(edge.len(), xi);
-                let slope = |k: usize| {
-                    let slopes = edge.iter().zip(&shapes);
-                    slopes.map(|(&node, (_, derivative))| derivative * self.mesh.points[node][k]).sum::<f64>()
-                };
+                let (shapes, _, [dx, dy]) = shape_functions::on_edge(&self.mesh, edge, xi);
                 let around = match revolves {
                     true => edge.iter().zip(&shapes).map(|(&node, (value, _))| value * radius(node)).sum(),
                     false => 1.0,
                 };
-                let length = weight * slope(0).hypot(slope(1)) * around;
+                let length = weight * dx.hypot(dy) * around;
                 weights.extend(edge.iter().zip(&shapes).map(|(&node, (value, _))| (node, value * length)));
             }
         }

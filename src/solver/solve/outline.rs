@@ -4,13 +4,13 @@ use std::collections::HashMap;
 use std::f64::consts::PI;
 
 use crate::elasticity::{axis, shape_functions};
-use crate::mesh::Edge;
+use crate::mesh::{Edge, Mesh};
 use crate::scene::{Load, Place};
 use crate::solve::Discretisation;
 
 /// The outline of a body, itself to the left of every edge.
 pub(super) struct Outline<'a> {
-    points: &'a [[f64; 2]],
+    mesh: &'a Mesh,
     /// Edges by the node that they begin at.
     pub(super) leaving: HashMap<usize, Edge>,
     /// The same by that they end at.
@@ -44,7 +44,7 @@ impl<'a> Outline<'a> {
         for edge in leaving.values().filter(|edge| edge[..2].iter().all(|node| on_axis(*node))) {
             fixed.entry([edge[0], edge[1]]).or_default()[axis::radial(scene).index()] = true;
         }
-        Self { points: &mesh.points, leaving, arriving, fixed }
+        Self { mesh, leaving, arriving, fixed }
     }
 
     /// The edges that end and begin at a node.
@@ -66,9 +66,7 @@ impl<'a> Outline<'a> {
 
     /// Unit direction of an edge, from its first node to its last, at a natural coordinate of it.
     pub(super) fn tangent(&self, edge: &Edge, xi: f64) -> [f64; 2] {
-        let shapes = shape_functions::edge(edge.len(), xi);
-        let nodes = || shapes.iter().zip(edge);
-        let [dx, dy] = [0, 1].map(|k| nodes().map(|((_, slope), &node)| slope * self.points[node][k]).sum::<f64>());
+        let (_, _, [dx, dy]) = shape_functions::on_edge(self.mesh, edge, xi);
         let length = dx.hypot(dy);
         [dx / length, dy / length]
     }

@@ -63,7 +63,18 @@ impl Formulation {
             let message = "points at the nodes of edges have no area on the axis of revolution";
             return Err(Error::at(place, message, "use the Gauss points of line and layer elements, or node elements"));
         }
-        self.validate_options(place)?;
+        let has_fixed_point = match self.algorithm {
+            Iteration::Varying => self.rule == StiffnessRule::Secant && self.leeway.spring == Spring::Point,
+            Iteration::Constant => self.rule == StiffnessRule::Correction,
+            Iteration::Kinematic => false,
+        };
+        if self.acceleration != Acceleration::None && !has_fixed_point {
+            let (algorithm, rule, acceleration) = (self.algorithm.name(), self.rule.name(), self.acceleration.name());
+            let message =
+                format!("the {algorithm} algorithm with rule `{rule}` has no fixed point for `{acceleration}`");
+            let remedy = "choose newton for constant with the rule correction, or for varying with the rule secant and springs of points; else `none`";
+            return Err(Error::at(place, message, remedy));
+        }
         let tightest = scene.contacts.iter().map(|pair| pair.gap(0.0)).fold(f64::INFINITY, f64::min);
         self.refuse_interference(scene, tightest)
     }
@@ -79,29 +90,6 @@ impl Formulation {
                 format!("the scene starts with an interference of {} mm, which this formulation cannot take", -gap);
             let remedy = "use the kinematic algorithm, or constant with the rule correction";
             return Err(Error::at(self.place(scene), message, remedy));
-        }
-        Ok(())
-    }
-
-    /// Refuses an acceleration that the algorithm does not have.
-    fn validate_options(&self, place: Place) -> Result<(), Error> {
-        let refused = |message: String, remedy: &str| Err(Error::at(place, message, remedy));
-        let algorithm = self.algorithm.name();
-        let is_point = self.leeway.spring == Spring::Point;
-        let has_fixed_point = match self.algorithm {
-            Iteration::Varying => self.rule == StiffnessRule::Secant && is_point,
-            Iteration::Constant => self.rule == StiffnessRule::Correction,
-            Iteration::Kinematic => false,
-        };
-        if self.acceleration != Acceleration::None && !has_fixed_point {
-            let rule = self.rule.name();
-            return refused(
-                format!(
-                    "the {algorithm} algorithm with rule `{rule}` has no fixed point for `{}`",
-                    self.acceleration.name()
-                ),
-                "choose newton for constant with the rule correction, or for varying with the rule secant and springs of points; else `none`",
-            );
         }
         Ok(())
     }

@@ -25,7 +25,7 @@ impl Discretisation {
             .collect();
         let unknowns = condensation::solve_uncondensed(&self.system, &springs)?;
         let retained: Vec<f64> = (self.system.bodies.iter().zip(&unknowns))
-            .flat_map(|(body, u)| u[body.retained.clone()].iter().copied())
+            .flat_map(|(body, u)| u[body.dofs.retained.clone()].iter().copied())
             .collect();
         Ok((points.iter().zip(states)).map(|(point, (w, p, k))| p + k * (point.approach(&retained) - w)).collect())
     }

@@ -61,21 +61,14 @@ impl Discretisation {
         }
         let name = &self.scene.bodies[body].name;
         let [direction, stopped_by] = [motion.name(), STOPPED_BY[motion.kind()]];
-        let [message, remedy] = if work > round_off {
-            [
-                format!(
-                    "the load moves `{name}` out of its contact, which cannot pull: it is free to {direction}, and no support holds it that way"
-                ),
-                format!("reverse the load, or add {stopped_by}"),
-            ]
-        } else {
-            [
-                format!(
-                    "nothing presses `{name}` into its contact, which pushes one way only: it is free to {direction}, and no support holds it that way"
-                ),
-                format!("apply a load or add {stopped_by}"),
-            ]
+        let (cause, remedy) = match work > round_off {
+            true => (format!("the load moves `{name}` out of its contact, which cannot pull"), "reverse the load, or"),
+            false => {
+                (format!("nothing presses `{name}` into its contact, which pushes one way only"), "apply a load or")
+            }
         };
+        let message = format!("{cause}: it is free to {direction}, and no support holds it that way");
+        let remedy = format!("{remedy} add {stopped_by}");
         Some(Error::at(self.scene.place_of_body(body), message, remedy))
     }
 }

@@ -33,7 +33,7 @@ pub fn of(problem: &ContactProblem, stiffness: &[f64]) -> Option<Conditioning> {
     };
     let exact = mixed(problem, stiffness);
     let springs = Springs { stiffness: stiffness.to_vec(), force: vec![0.0; stiffness.len()] };
-    let refined = problem.equilibrium(&factor, problem.load, &springs, |point| point.gap, work).pressure;
+    let refined = problem.equilibrium(&factor, &springs, |point| point.gap, work).pressure;
     let mut rhs = problem.load.to_vec();
     for (point, k) in problem.points.iter().zip(stiffness) {
         point.add_row(point.weight * k * point.gap, &mut rhs);

@@ -18,7 +18,7 @@ pub struct Limit {
 impl Limit {
     /// The limit of a problem; none where it has no discrete solution.
     pub fn of(problem: &ContactProblem) -> Option<Self> {
-        let target = Target::of(problem, problem.load, Law::Rigid, &vec![true; problem.points.len()])?;
+        let target = Target::of(problem, Law::Rigid, &vec![true; problem.points.len()])?;
         let exact = &target.exact;
         Some(Self {
             closed: exact.closed.clone(),

@@ -105,13 +105,13 @@ fn end(rate: f64) -> Outcome {
 /// Without a load the solution is zero: however small the error, it has all its digits.
 fn observed_rate(problem: &ContactProblem, initial: &[f64], target: &[f64]) -> f64 {
     let Some(factor) = problem.factorise(initial, &mut Work::default()) else { return f64::NAN };
-    let unloaded = vec![0.0; problem.load.len()];
+    let problem = ContactProblem { load: &vec![0.0; problem.load.len()], ..problem.clone() };
     let mut springs = Springs { stiffness: initial.to_vec(), force: (0..initial.len()).map(irregular).collect() };
     let mut last = f64::NAN;
     for window in 0..WINDOWS {
         let mut grown = 0.0;
         for _ in 0..WINDOW {
-            let found = problem.equilibrium(&factor, &unloaded, &springs, |_| 0.0, &mut Work::default());
+            let found = problem.equilibrium(&factor, &springs, |_| 0.0, &mut Work::default());
             let force: Vec<f64> = (0..initial.len()).map(|i| (target[i] - initial[i]) * found.approach[i]).collect();
             let [before, after] = [&springs.force, &force].map(|v| v.iter().map(|r| r * r).sum::<f64>().sqrt());
             grown += (after / before).ln() / WINDOW as f64;
@@ -213,9 +213,7 @@ fn stays(problem: &ContactProblem, limit: &Limit) -> bool {
     let mut algorithm = Varying::new(StiffnessRule::Correction);
     let mut error = f64::NAN;
     for _ in 0..STEPS {
-        let Some(iterate) = algorithm.next(problem, problem.load, &mut springs, &mut Work::default()) else {
-            return false;
-        };
+        let Some(iterate) = algorithm.next(problem, &mut springs, &mut Work::default()) else { return false };
         error = limit.error(problem, iterate.pressure, iterate.approach).largest();
     }
     error < LEFT * NUDGE

@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
 use super::frames::{Frames, Rim};
 use super::known_ends::KnownEnds;
-use super::layout::{Layout, Rays};
+use super::layout::{Layout, Rays, last_two};
 use crate::mesh::block::{Block, Point, Side, between, polar};
 use crate::mesh::spacing;
 use crate::scene::{ContactPair, Sector};
@@ -33,9 +33,7 @@ pub(super) fn blocks(layout: &Layout, centre: Point, radius: f64, sector: Sector
     if !sector.has_both_sides() {
         return right;
     }
-    let right: Vec<Block> = right.into_iter().map(|block| block.without("axis")).collect();
-    let left: Vec<Block> = right.iter().map(|block| block.seen_in_mirror(centre[0])).collect();
-    right.into_iter().chain(left).collect()
+    Block::with_images(right.into_iter().map(|block| block.without("axis")).collect(), centre[0])
 }
 
 /// Frames around the contacts at the lowest and at the highest point; none where either has no room for them, or other columns.
@@ -53,22 +51,19 @@ fn framed_at_both_ends<'a>(
 
 /// A lower part and another one, turned over, that meet in the horizontal diameter.
 fn joined(centre: Point, parts: [Vec<Block>; 2]) -> Vec<Block> {
-    let [lower, upper] = parts.map(|blocks| {
-        let blocks = blocks.into_iter();
-        blocks.map(|block| block.instead_of("cut", |points| Side::line("middle", points))).collect::<Vec<_>>()
-    });
-    let image = |block: &Block| {
-        let turned = block.turned_over(centre[1]).without("middle");
+    let [lower, upper] = parts.map(Vec::into_iter);
+    let lower = lower.map(|block| block.instead_of("cut", |points| Side::line("middle", points)));
+    let image = |block: Block| {
+        let turned = block.turned_over(centre[1]).without("cut");
         turned.instead_of("contact", |points| Side::named("top", points))
     };
-    let upper: Vec<Block> = upper.iter().map(image).collect();
-    lower.into_iter().chain(upper).collect()
+    lower.chain(upper.map(image)).collect()
 }
 
 /// The points of a lower part on its upper end.
 fn cut(blocks: &[Block]) -> Vec<Point> {
-    let sides = blocks.iter().flat_map(|block| [&block.bottom, &block.right, &block.top, &block.left]);
-    sides.filter(|side| side.names.iter().any(|name| name == "cut")).flat_map(|side| side.points.clone()).collect()
+    let sides = blocks.iter().flat_map(Block::sides).filter(|side| side.is_on("cut"));
+    sides.flat_map(|side| side.points.clone()).collect()
 }
 
 /// Largest half-width of a contact over the radius that frames are laid around.
@@ -162,12 +157,12 @@ fn coarse(layout: &Layout, centre: Point, radius: f64, columns: usize) -> Vec<Bl
 /// Blocks of so many rows between the pieces of an arc and a polygon, then those of the core.
 fn wheel(layout: &Layout, centre: Point, radius: f64, arcs: &[Vec<f64>], rows: usize, half: bool) -> Vec<Block> {
     let corner = |k: usize| {
-        let angle = if half || k != 1 { k as f64 * FRAC_PI_4 } else { first_angle(arcs) };
+        let angle = if half || k != 1 { k as f64 * FRAC_PI_4 } else { last(&arcs[0]) };
         polar(centre, radius * CORE[k % 2], angle)
     };
     let spokes: Vec<Vec<Point>> = (0..=arcs.len())
         .map(|k| {
-            let angle = if k == 0 { 0.0 } else { arcs[k - 1][arcs[k - 1].len() - 1] };
+            let angle = if k == 0 { 0.0 } else { last(&arcs[k - 1]) };
             spoke(layout, polar(centre, radius, angle), corner(k), rows, local_size(arcs, k, radius))
         })
         .collect();
@@ -199,17 +194,15 @@ fn arcs(layout: &Layout, on: Rays, half: bool) -> Vec<Vec<f64>> {
     let split = nearest(&quarter, FRAC_PI_4).clamp(1, quarter.len() - 2);
     let mut arcs = vec![quarter[..=split].to_vec(), quarter[split..].to_vec()];
     if half {
-        let count = arcs.iter().map(Vec::len).collect::<Vec<_>>();
-        let [last, before] = [arcs[1][count[1] - 1], arcs[1][count[1] - 2]];
-        let upper = spacing::fitted(last, 3.0 * FRAC_PI_4, count[1].min(9) - 1, last - before);
-        arcs.push(upper);
-        arcs.push(spacing::uniform(3.0 * FRAC_PI_4, PI, count[0] - 1));
+        let [before, last] = last_two(&arcs[1]);
+        arcs.push(spacing::fitted(last, 3.0 * FRAC_PI_4, arcs[1].len().min(9) - 1, last - before));
+        arcs.push(spacing::uniform(3.0 * FRAC_PI_4, PI, arcs[0].len() - 1));
     }
     arcs
 }
 
-fn first_angle(arcs: &[Vec<f64>]) -> f64 {
-    arcs[0][arcs[0].len() - 1]
+fn last<T: Copy>(list: &[T]) -> T {
+    list[list.len() - 1]
 }
 
 fn nearest(positions: &[f64], target: f64) -> usize {
@@ -222,8 +215,8 @@ fn local_size(arcs: &[Vec<f64>], k: usize, radius: f64) -> f64 {
     match k {
         0 => radius * (arcs[0][1] - arcs[0][0]),
         _ => {
-            let arc = &arcs[k - 1];
-            radius * (arc[arc.len() - 1] - arc[arc.len() - 2])
+            let [before, last] = last_two(&arcs[k - 1]);
+            radius * (last - before)
         }
     }
 }
@@ -259,8 +252,7 @@ fn core(layout: &Layout, arcs: &[Vec<f64>], polygon: &[Vec<Point>], centre: Poin
     let count = |k: usize| arcs[k].len() - 1;
     let straight =
         |from: Point, to: Point, n: usize| layout.along(&spacing::uniform(0.0, 1.0, n), |t| between(from, to, t));
-    let end = |points: &[Point]| points[points.len() - 1];
-    let (low, cut) = (polygon[0][0], end(&polygon[1]));
+    let (low, cut) = (polygon[0][0], last(&polygon[1]));
     let diameter = straight(centre, cut, count(0));
     let lower = Block {
         bottom: Side::inner(polygon[0].clone()),
@@ -271,7 +263,7 @@ fn core(layout: &Layout, arcs: &[Vec<f64>], polygon: &[Vec<Point>], centre: Poin
     if !half {
         return vec![lower];
     }
-    let high = end(&polygon[3]);
+    let high = last(&polygon[3]);
     let upper = Block {
         bottom: Side::inner(diameter),
         right: Side::inner(polygon[2].clone()),

@@ -56,7 +56,7 @@ pub(super) fn blocks(layout: &Layout, x: [f64; 2], y: [f64; 2], contact: Face) -
     let blocks = frames.blocks(layout, &|x, depth| [x, height(depth)], None);
     Some(match contact {
         Face::Bottom => blocks,
-        Face::Top => blocks.into_iter().map(counter_clockwise).collect(),
+        Face::Top => blocks.into_iter().map(Block::upside_down).collect(),
     })
 }
 
@@ -147,8 +147,8 @@ impl Frames {
     pub(super) fn blocks(&self, layout: &Layout, place: &dyn Fn(f64, f64) -> Point, rim: Option<&Rim>) -> Vec<Block> {
         let draft = Draft { frames: self, layout, place, rim };
         let around = (1..self.ends.len()).flat_map(|k| {
-            let left = self.has_left.then(|| draft.left(k));
-            [draft.below(k), draft.right(k)].into_iter().chain(left)
+            let left = self.has_left.then(|| draft.beside(k, "left", &self.begins).the_other_way());
+            [draft.below(k), draft.beside(k, "right", &self.ends)].into_iter().chain(left)
         });
         [draft.within()].into_iter().chain(around).collect()
     }
@@ -199,25 +199,13 @@ impl Draft<'_> {
         }
     }
 
-    /// The part of a frame on the right of the one inside it.
-    fn right(&self, k: usize) -> Block {
-        let ends = &self.frames.ends;
+    /// The part of a frame beside the one inside it, as on its right: on the side of a name, where the frames reach so far.
+    fn beside(&self, k: usize, name: &'static str, x: &[f64]) -> Block {
         Block {
-            bottom: Side::named(CONTACT, self.outwards(k, ends, &self.surface())),
-            right: self.outer(k, "right", self.downwards(k, ends[k])),
-            top: Side::inner(self.diagonal(k, ends)),
-            left: Side::inner(self.downwards(k - 1, ends[k - 1])),
-        }
-    }
-
-    /// The part of a frame on the left of the one inside it.
-    fn left(&self, k: usize) -> Block {
-        let begins = &self.frames.begins;
-        Block {
-            bottom: Side::named(CONTACT, self.outwards(k, begins, &self.surface())).backwards(),
-            right: Side::inner(self.downwards(k - 1, begins[k - 1])),
-            top: Side::inner(self.diagonal(k, begins)).backwards(),
-            left: self.outer(k, "left", self.downwards(k, begins[k])),
+            bottom: Side::named(CONTACT, self.outwards(k, x, &vec![0.0; x.len()])),
+            right: self.outer(k, name, self.downwards(k, x[k])),
+            top: Side::inner(self.diagonal(k, x)),
+            left: Side::inner(self.downwards(k - 1, x[k - 1])),
         }
     }
 
@@ -234,11 +222,6 @@ impl Draft<'_> {
     /// What the last frame ends on.
     fn rim(&self, k: usize) -> Option<&Rim> {
         self.rim.filter(|_| k == self.last())
-    }
-
-    /// Depths of all frames on the side that touches.
-    fn surface(&self) -> Vec<f64> {
-        vec![0.0; self.frames.depths.len()]
     }
 
     /// Below the box or a frame, from its left end to its right end, in its columns.
@@ -283,9 +266,4 @@ impl Draft<'_> {
     fn parts(&self) -> Vec<f64> {
         spacing::uniform(0.0, 1.0, self.layout.parts())
     }
-}
-
-/// A block that was drawn as seen in a mirror on the horizontal, listed so that it is counter-clockwise.
-fn counter_clockwise(block: Block) -> Block {
-    Block { bottom: block.top, right: block.right.backwards(), top: block.bottom, left: block.left.backwards() }
 }

@@ -276,8 +276,5 @@ fn elements_on(length: f64, per_length: f64) -> usize {
 
 /// The last two positions of a list.
 pub(super) fn last_two(positions: &[f64]) -> [f64; 2] {
-    match positions {
-        [.., before, last] => [*before, *last],
-        _ => [0.0, 0.0],
-    }
+    positions.last_chunk().copied().unwrap_or_default()
 }

@@ -32,7 +32,7 @@ impl Layout<'_> {
             }
             Shape::Disc { centre, radius, sector, contact: Face::Top } => {
                 let blocks = disc::blocks(self, *centre, *radius, *sector);
-                blocks.iter().map(|block| block.turned_over(centre[1])).collect()
+                blocks.into_iter().map(|block| block.turned_over(centre[1])).collect()
             }
             Shape::Ring { .. } => ring::blocks(self, shape),
             Shape::Eye { .. } => eye::blocks(self, shape),

@@ -65,25 +65,24 @@ fn columns_of_one(layout: &Layout, [left, right]: [f64; 2]) -> Vec<f64> {
         return outwards(layout, right - left).iter().map(|s| left + s).collect();
     }
     let origin = layout.path.origin()[0];
-    if let Some(ends) = layout.same_ends() {
-        let candidates: Vec<f64> = ends.across().iter().map(|s| origin + s).collect();
-        let grading = layout.grading;
-        let beyond = |from: f64, to: f64, first: f64| {
-            let coarsest = grading.coarsest * (right - left);
-            spacing::growing(from, to, first * grading.along, grading.along, coarsest)
-        };
-        let [begin, second] = [candidates[0], candidates[1]];
-        let [before, end] = last_two(&candidates);
-        let leftwards: Vec<f64> = beyond(begin, left, second - begin).into_iter().rev().collect();
-        let mut positions = spacing::joined(&[leftwards, candidates, beyond(end, right, end - before)]);
-        if let [from, .., to] = &mut positions[..] {
-            (*from, *to) = (left, right);
+    let mut positions = match layout.same_ends() {
+        Some(ends) => {
+            let candidates: Vec<f64> = ends.across().iter().map(|s| origin + s).collect();
+            let grading = layout.grading;
+            let beyond = |from: f64, to: f64, first: f64| {
+                let coarsest = grading.coarsest * (right - left);
+                spacing::growing(from, to, first * grading.along, grading.along, coarsest)
+            };
+            let [begin, second] = [candidates[0], candidates[1]];
+            let [before, end] = last_two(&candidates);
+            let leftwards: Vec<f64> = beyond(begin, left, second - begin).into_iter().rev().collect();
+            spacing::joined(&[leftwards, candidates, beyond(end, right, end - before)])
         }
-        return positions;
-    }
-    let leftwards = outwards(layout, origin - left).iter().rev().map(|s| origin - s).collect();
-    let rightwards = outwards(layout, right - origin).iter().map(|s| origin + s).collect();
-    let mut positions = spacing::joined(&[leftwards, rightwards]);
+        None => {
+            let leftwards = outwards(layout, origin - left).iter().rev().map(|s| origin - s).collect();
+            spacing::joined(&[leftwards, outwards(layout, right - origin).iter().map(|s| origin + s).collect()])
+        }
+    };
     // To the last bit, as supports and other bodies know them.
     if let [from, .., to] = &mut positions[..] {
         (*from, *to) = (left, right);

@@ -17,9 +17,8 @@ pub(super) fn blocks(layout: &Layout, shape: &Shape) -> Vec<Block> {
         return right;
     }
     let closed = |block: Block| if sweep < PI { block } else { block.without("end") };
-    let right: Vec<Block> = right.into_iter().map(|block| closed(block.without("start"))).collect();
-    let left: Vec<Block> = right.iter().map(|block| block.seen_in_mirror(pole[0])).collect();
-    right.into_iter().chain(left).collect()
+    let right = right.into_iter().map(|block| closed(block.without("start"))).collect();
+    Block::with_images(right, pole[0])
 }
 
 /// The part to the right of the downward vertical.

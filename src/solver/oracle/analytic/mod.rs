@@ -28,7 +28,7 @@ pub use crate::scene::PlaneHypothesis as Plane;
 
 /// Places of the coarse search for a largest value.
 const PLACES: usize = 720;
-/// Iterations of the golden section that follows.
+/// Iterations of a golden section.
 const SECTIONS: usize = 60;
 /// Halvings that leave nothing of an interval of any width.
 const HALVINGS: usize = 200;
@@ -79,14 +79,18 @@ fn answer(mut parameters: Vec<Parameter>, quantity: &Quantity, value: f64) -> Re
 fn largest([from, to]: [f64; 2], of: impl Fn(f64) -> f64) -> f64 {
     let place = |k: usize| from + (to - from) * k as f64 / PLACES as f64;
     let best = (1..=PLACES).max_by(|&k, &l| of(place(k)).total_cmp(&of(place(l)))).unwrap_or(PLACES);
-    let (mut low, mut high) = (place(best - 1), place(best + 1));
+    let inside = top([place(best - 1), place(best + 1)], &of);
+    if of(inside) > of(to) { inside } else { to }
+}
+
+/// Where a function with one top between two places has it, by golden sections.
+pub(super) fn top([mut low, mut high]: [f64; 2], of: impl Fn(f64) -> f64) -> f64 {
     let golden = 0.5 * (5_f64.sqrt() - 1.0);
     for _ in 0..SECTIONS {
         let [left, right] = [high - golden * (high - low), low + golden * (high - low)];
-        *if of(left) < of(right) { &mut low } else { &mut high } = if of(left) < of(right) { left } else { right };
+        if of(left) < of(right) { low = left } else { high = right }
     }
-    let inside = 0.5 * (low + high);
-    if of(inside) > of(to) { inside } else { to }
+    0.5 * (low + high)
 }
 
 /// The positive place between `low` and `high` where a function that grows has a value; by bisection in the logarithm.

@@ -46,15 +46,7 @@ fn secant(points: &[[f64; 2]], s: f64) -> f64 {
 
 /// Places at which some derivative of the gap leaps, ascending \[mm\].
 pub fn breaks(profile: &Profile) -> Vec<f64> {
-    let points: &[[f64; 2]] = match profile {
-        Profile::Table(points) => points,
-        Profile::Smooth(cubic) => &cubic.points,
-        Profile::Wedge { .. } => return vec![0.0],
-        _ => return Vec::new(),
-    };
-    let own = points.iter().map(|[s, _]| *s);
-    let even = points.first().is_some_and(|[first, _]| *first >= 0.0);
-    let mut places: Vec<f64> = if even { own.clone().chain(own.map(|s| -s)).collect() } else { own.collect() };
+    let mut places = if let Profile::Wedge { .. } = profile { vec![0.0] } else { profile.places() };
     places.sort_by(f64::total_cmp);
     places.dedup();
     places

@@ -13,12 +13,11 @@ use std::f64::consts::{FRAC_2_PI, PI};
 use nalgebra::Complex;
 
 use super::{gap, quadrature};
+use crate::oracle::analytic::top;
 use crate::scene::Profile;
 
 /// A search for the largest pressure looks at so many places on 0.2 rad of a stretch, and at least on a part between two breaks.
 const PLACES: [f64; 2] = [8.0, 2.0];
-/// Iterations of the golden section that follows.
-const SECTIONS: usize = 60;
 /// Angle within which a place is that of a break \[rad\].
 const SAME: f64 = 1e-9;
 
@@ -172,13 +171,8 @@ impl HalfPlane {
         let places = self.places();
         let found: Vec<f64> = places.iter().map(|x| self.pressure(*x)).collect();
         let Some(best) = (0..found.len()).max_by(|&a, &b| found[a].total_cmp(&found[b])) else { return [f64::NAN; 2] };
-        let (mut low, mut high) = (places[best.saturating_sub(1)], places[(best + 1).min(places.len() - 1)]);
-        let golden = 0.5 * (5_f64.sqrt() - 1.0);
-        for _ in 0..SECTIONS {
-            let [left, right] = [high - golden * (high - low), low + golden * (high - low)];
-            if self.pressure(left) < self.pressure(right) { low = left } else { high = right }
-        }
-        let inside = 0.5 * (low + high);
+        let around = [places[best.saturating_sub(1)], places[(best + 1).min(places.len() - 1)]];
+        let inside = top(around, |x| self.pressure(x));
         let value = self.pressure(inside);
         // Where it has a kink itself, or is as high all along.
         if value > found[best] { [value, inside] } else { [found[best], places[best]] }
