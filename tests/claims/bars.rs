@@ -318,8 +318,8 @@ fn accuracy_that_is_met_and_the_bar_are_one_number() {
 }
 
 /// That numbers on a coarse mesh are off those on a fine one by more than a share of them, and within their bars.
-fn assert_barred([coarse, fine]: [&str; 2], numbers: [(Quantity, f64); 2]) {
-    let [coarse, fine] = [coarse, fine].map(|text| barred(&parsed(text), &[]));
+fn assert_barred(cases: [Case; 2], numbers: [(Quantity, f64); 2]) {
+    let [coarse, fine] = cases.map(|case| barred(&case, &[]));
     for (quantity, least) in numbers {
         let [error, bar] = off(&coarse, &fine, &quantity);
         let least = least * of(&fine, &quantity).value;
@@ -331,22 +331,14 @@ fn assert_barred([coarse, fine]: [&str; 2], numbers: [(Quantity, f64); 2]) {
 fn what_one_cell_over_half_a_ring_leaves_is_in_the_bars() {
     let text = include_str!("../../src/cli/new/pin-in-hole.toml");
     let growth = "growth = { along = 4.0, depth = 3.5, coarsest = 1.0 }\nelements = 8";
-    let [coarse, fine] = [growth, "elements = 24"].map(|mesh| text.replace("elements = 8", mesh));
-    assert_barred([&coarse, &fine], [(Quantity::PeakPressure, 0.005), (Quantity::HalfWidth, 0.005)]);
+    let of = |mesh| parsed(&text.replace("elements = 8", mesh));
+    assert_barred([growth, "elements = 24"].map(of), [(Quantity::PeakPressure, 0.005), (Quantity::HalfWidth, 0.005)]);
 }
 
 #[test]
 fn a_rim_that_ends_with_its_candidates_is_as_wide_as_it_is_known_where_it_begins() {
-    let text = r#"title = "disc on its rim"
-plane = "axisymmetric"
-body = [{ name = "disc", young = 210e3, poisson = 0.3, shape = { rectangle = { x = [0, 3], y = [0, 2], contact = "bottom" } },
-    loads = [{ traction = { at = "far", force = [0, -500] } }] }]
-contact = { first = "disc", gap = { table = [[0, 0.003], [3, 0]] }, stretch = 3 }
-reference = { gap = 0.003 }
-mesh = { elements = 32, per = 3, growth = { along = 1.0, depth = 1.0 } }
-"#;
-    let fine = text.replace("elements = 32", "elements = 96");
-    assert_barred([text, &fine], [(Quantity::HalfWidth, 6e-3), (Quantity::Begin(0), 1e-3)]);
+    let of = |elements| scene("disc-on-its-rim", &[["elements = 32", elements]]);
+    assert_barred(["elements = 32", "elements = 96"].map(of), [(Quantity::HalfWidth, 6e-3), (Quantity::Begin(0), 1e-3)]);
 }
 
 #[test]
