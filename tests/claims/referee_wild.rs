@@ -144,6 +144,9 @@ fn tables_say_the_same_whatever_their_marks_numbers_and_names() {
         let answer = parsed("theirs.rpt", text, &Asked::default()).unwrap_or_else(|error| panic!("{text}: {error}"));
         ellipse::assert(&answer, 1e-5);
     }
+    // Single rows that are set apart are rows of the same table.
+    let apart = format!("# x [mm] p [MPa]\n{}", row(" ", plain).replace('\n', "\n\n"));
+    ellipse::assert(&parsed("theirs.csv", apart, &Asked::default()).expect("read"), 1e-5);
     // Columns without a head by their numbers; a .dat that is no file of CalculiX.
     let numbered = naming(&[(Role::Position, "1"), (Role::Pressure, "2")]);
     ellipse::assert(&parsed("savetxt.dat", row(" ", plain), &numbered).expect("read"), 1e-5);
@@ -180,45 +183,6 @@ fn gaps_of_0_beyond_the_contact_are_counted() {
     let found = parsed("gaps.csv", format!("position [mm],pressure [MPa],gap [mm]\n{rows}"), &usual()).and_then(judged);
     let missing = &found.expect("judged").ruled[0].missing;
     assert!(missing.iter().any(|[what, _]| what.starts_with("gaps of 0 at 28 points beyond")), "{missing:?}");
-}
-
-#[test]
-fn what_is_no_number_in_a_table_is_named_with_its_line_and_what_to_change() {
-    for (text, parts) in [
-        ("position [mm];pressure [MPa]\n0,5;3\n1.5;2\n2,5;1\n", ["theirs.csv:3", "`1.5`, which is no number"]),
-        ("position [mm];pressure [MPa]\n0;3\n1.234,5;2\n2;1\n", ["theirs.csv:3", "all with a comma"]),
-        ("# x [mm] p [MPa]\n0 3\n1 2x\n2 1\n", ["theirs.csv:3", "`2x`, which is no number"]),
-        ("x [mm],p [torr]\n0,3\n1,2\n2,1\n", ["the unit `torr`", "bar, psi, ksi"]),
-        ("position,pressure\n[m],[torr]\n0,3\n1,2\n2,1\n", ["theirs.csv:2", "`[torr]`"]),
-        // Pages of a list, data sets of gnuplot, and what a comment parts.
-        (
-            "x [mm]  p [MPa]\n0  3\n1  2\n2  1\n\nx [mm]  p [MPa]\n3  1\n4  1\n5  0\n",
-            ["theirs.csv:6", "printed in pages"],
-        ),
-        ("x [mm],p [MPa]\n0,3\n1,2\nx [mm],p [MPa]\n3,1\n4,0\n", ["theirs.csv:4", "begins another table"]),
-        ("# x [mm] p [MPa]\n0 3\n1 2\n2 1\n\n\n0.5 3\n1.5 2\n2.5 1\n", ["theirs.csv:7", "begins another table"]),
-        ("x [mm],p [MPa]\n0,3\n1,2\n2,1\n# second\n0.5,3\n1.5,2\n2.5,1\n", ["theirs.csv:6", "begins another table"]),
-        (
-            "NODE  STAT  PRES [MPa]\n1  3.0  5\n2  3.0  4\n3  1.0  0\n",
-            ["no column is called `position`", "lists nodes by their numbers"],
-        ),
-        (
-            "x [mm]  p [MPa]\n0  3\n1  2\nMinimum  1  2\n At Node  3\nx [mm]  p [MPa]\n0  6\n1  5\n",
-            ["theirs.csv:7", "begins another table"],
-        ),
-        ("0 3\n1 2\n2 1\n", ["holds no names", "--column position=1"]),
-        ("t [mm] q [MPa]\n0 3\n1 2\n", ["no column is called `position` or `x`, but `t [mm]`, `q [MPa]`", "--column"]),
-    ] {
-        refused("theirs.csv", text, &Asked::default(), &parts);
-    }
-    // Single rows that are set apart are rows of the same table.
-    let apart = format!("# x [mm] p [MPa]\n{}", ellipse::rows(" ", |x| x.to_string()).replace('\n', "\n\n"));
-    ellipse::assert(&parsed("theirs.csv", apart, &Asked::default()).expect("read"), 1e-5);
-    // A unit that is written is not replaced by the one that is named, known or not.
-    let named = Asked { units: vec![(Role::Pressure, "MPa".into())], ..Asked::default() };
-    for unit in ["(kN/cm^2)", "[mPa]", "/ kN / cm^2", "[torr]"] {
-        refused("theirs.csv", format!("x [mm],p {unit}\n0,3\n1,2\n2,1\n"), &named, &["the unit"]);
-    }
 }
 
 #[test]
