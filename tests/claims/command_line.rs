@@ -135,17 +135,6 @@ fn what_cannot_be_written_is_refused_by_its_name() {
 }
 
 #[test]
-fn units_that_no_role_has_are_refused_before_a_file_is_read() {
-    for (unit, parts) in [
-        ("pressure=furlong", ["`--unit pressure=furlong` names no unit of pressure", "MPa, N/mm2"]),
-        ("position=MPa", ["names no unit of position", "mm, m, um"]),
-        ("contact=mm", ["names no unit of contact", "it has none"]),
-    ] {
-        refuses(&["judge", "patch", "missing.csv", "--unit", unit], &parts);
-    }
-}
-
-#[test]
 fn output_that_a_full_disk_cuts_is_an_error() {
     // A device that is always full.
     #[cfg(target_os = "linux")]
