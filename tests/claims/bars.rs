@@ -338,7 +338,10 @@ fn what_one_cell_over_half_a_ring_leaves_is_in_the_bars() {
 #[test]
 fn a_rim_that_ends_with_its_candidates_is_as_wide_as_it_is_known_where_it_begins() {
     let of = |elements| scene("disc-on-its-rim", &[["elements = 32", elements]]);
-    assert_barred(["elements = 32", "elements = 96"].map(of), [(Quantity::HalfWidth, 6e-3), (Quantity::Begin(0), 1e-3)]);
+    assert_barred(
+        ["elements = 32", "elements = 96"].map(of),
+        [(Quantity::HalfWidth, 6e-3), (Quantity::Begin(0), 1e-3)],
+    );
 }
 
 #[test]

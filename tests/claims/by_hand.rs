@@ -27,9 +27,9 @@ use serde_json::Value;
 use vtkio::IOBuffer;
 
 use crate::balance;
+use crate::foreign::{self, Frd, fixed, record};
 use crate::outputs::{contact_vv, json, piece, scene};
 use crate::program::Folder;
-use crate::referee_readers::Frd;
 use crate::scene_file::{self, text_of};
 use crate::workbench::parsed;
 
@@ -202,10 +202,7 @@ fn forces_of_a_deck_press_with_either_sign_and_tension_positive_alone_turns_them
     let set = "GAPS_CONTACT";
     let deck =
         format!("** truncated-hertz: mm, N, MPa.\n*NODE\n1, 0, 0\n2, 2, 0\n3, 4, 0\n*NSET, NSET={set}\n1, 2, 3\n");
-    let table = |force: f64| {
-        let rows: String = (1..=3).map(|node| format!(" {node} {force:e} 0.0 0.0\n")).collect();
-        format!(" forces (fx,fy,fz) for set {set} and time  0.1000000E+01\n\n{rows}")
-    };
+    let table = |force: f64| foreign::forces(set, "0.1000000E+01", (1..=3).map(|node| (node, force)));
     for (tension_positive, printed, force) in
         [(false, -100.0, 100.0), (true, 100.0, 100.0), (true, -100.0, -100.0), (false, 100.0, -100.0)]
     {
@@ -277,10 +274,8 @@ fn displacements_of_a_frd_are_those_of_its_last_state() {
     let numbers: Vec<&str> = nodes.take_while(|line| line.starts_with(" -1")).map(|line| line[3..13].trim()).collect();
     let block = |state: usize| {
         let names = ["D1", "D2", "D3"].map(|name| format!(" -5  {name:<12}1    2    1    0\n")).concat();
-        let row = |node: &&str| {
-            let moved = [1.0, 2.0, 0.0].map(|x| format!("{:>12.5E}", x + 2.0 * (state as f64 - 1.0))).concat();
-            format!(" -1{node:>10}{moved}\n")
-        };
+        let moved = fixed([1.0, 2.0, 0.0].map(|x| x + 2.0 * (state as f64 - 1.0)));
+        let row = |node: &&str| record(node.parse().expect("a number"), &moved);
         let head = format!("    1PSTEP{state:>26}{:>12}{state:>12}\n  100CL  101{state:>12.5E}\n", 1);
         format!("{head} -4  DISP        3    1\n{names}{} -3\n", numbers.iter().map(row).collect::<String>())
     };

@@ -2,6 +2,8 @@
 
 mod cells;
 mod checks;
+mod ellipse;
+mod foreign;
 mod iterate;
 mod primary;
 mod spacing;

@@ -7,6 +7,7 @@ use contact_vv::mesh::Order;
 use contact_vv::referee::judge::ENGINEERING;
 use contact_vv::referee::{Asked, Truth, verdicts};
 
+use crate::ellipse::{Hertz, RIGHT};
 use crate::handed::{PRESSURES, judged_as, read, table};
 use crate::workbench;
 
@@ -19,33 +20,13 @@ fn scene(plane: &str, thickness: f64) -> Truth {
     Truth::of(Case::parse(&path, &text).expect("a case")).expect("solved")
 }
 
-/// Hertz's contact of cylinders as somebody computed it: force \[N\], radius \[mm\], E* \[MPa\], thickness \[mm\].
-#[derive(Clone, Copy)]
-struct Hertz {
-    force: f64,
-    radius: f64,
-    modulus: f64,
-    thickness: f64,
-}
-
-/// That of `tiny`, which is in plane strain.
-const RIGHT: Hertz = Hertz { force: 314.1593, radius: 1000.0, modulus: 91000.0 / 0.91, thickness: 1.0 };
 /// E of the same material.
 const STRESS: Hertz = Hertz { modulus: 91000.0, ..RIGHT };
 
-impl Hertz {
-    /// `a = √(4FR/πE*t)` \[mm\].
-    fn half_width(&self) -> f64 {
-        (4.0 * self.force * self.radius / (std::f64::consts::PI * self.modulus * self.thickness)).sqrt()
-    }
-
-    /// Places up to 1.3 a and the pressures there, `2F/πat √(1 − s²/a²)`, times a factor each.
-    fn profile(&self, [place, pressure]: [f64; 2]) -> Vec<[f64; 2]> {
-        let a = self.half_width();
-        let peak = 2.0 * self.force / (std::f64::consts::PI * a * self.thickness);
-        let at = |x: f64| [place * a * x, pressure * peak * (1.0 - x * x).max(0.0).sqrt()];
-        (0..=52).map(|k| at(0.025 * f64::from(k))).collect()
-    }
+/// Places up to 1.3 a and the pressures there, times a factor each.
+fn profile(of: &Hertz, [place, pressure]: [f64; 2]) -> Vec<[f64; 2]> {
+    let at = |x: f64| [place * of.half_width() * x, pressure * of.peak() * (1.0 - x * x).max(0.0).sqrt()];
+    (0..=52).map(|k| at(0.025 * f64::from(k))).collect()
 }
 
 fn named(truth: &Truth, column: &str, rows: &[[f64; 2]], asked: &Asked) -> Vec<String> {
@@ -124,7 +105,7 @@ fn every_wrong_input_of_hertz_is_named_by_what_it_does_to_width_and_pressure() {
         table.push((&strain, RIGHT, factors, vec![wanted.into()]));
     }
     for (k, (truth, wrong, factors, wanted)) in table.iter().enumerate() {
-        let found = named(truth, "pressure [MPa]", &wrong.profile(*factors), &Asked::default());
+        let found = named(truth, "pressure [MPa]", &profile(wrong, *factors), &Asked::default());
         let wanted: Vec<&str> = wanted.iter().map(String::as_str).collect();
         assert_named(&found, &wanted, &format!("row {k}"));
     }
@@ -150,7 +131,7 @@ fn forces_of_another_thickness_are_named_and_those_of_every_order_are_right() {
     let [of_two, of_three] =
         [Order::Linear, Order::Quadratic].map(|order| Asked { order: Some(order), ..Asked::default() });
     let thicker = Hertz { thickness: 2.0, ..RIGHT };
-    let [one, two] = [RIGHT, thicker].map(|own| own.profile([1.0, 1.0]));
+    let [one, two] = [RIGHT, thicker].map(|own| profile(&own, [1.0, 1.0]));
     for (truth, rows, asked, wanted) in [
         (&thin, forces(&one, linear, 1.0), &of_two, vec![]),
         (&thin, forces(&one, quadratic, 1.0), &of_three, vec![]),
@@ -177,7 +158,7 @@ fn forces_of_another_thickness_are_named_and_those_of_every_order_are_right() {
 fn forces_are_what_they_are_where_their_positions_are_others() {
     // Of a half-width of 2 mm positions over it would be halved as well: this one is 2/√3.
     let (truth, thicker) = (scene("strain", 3.0), Hertz { thickness: 3.0, ..RIGHT });
-    let right = forces(&thicker.profile([1.0, 1.0]), &[0.5, 0.5], 3.0);
+    let right = forces(&profile(&thicker, [1.0, 1.0]), &[0.5, 0.5], 3.0);
     let scaled = |[place, force]: [f64; 2]| right.iter().map(|[s, f]| [place * s, force * f]).collect::<Vec<_>>();
     for (factors, wanted) in [
         ([2.0, 1.0], vec!["positions are doubled"]),
@@ -214,7 +195,7 @@ fn mistakes_are_found_in_a_great_many_points() {
     let (truth, a) = (scene("strain", 1.0), RIGHT.half_width());
     let row = |k: u32| {
         let x = 1.3 * f64::from(k) / 70_000.0;
-        [2.0 * a * x, RIGHT.profile([1.0, 1.0])[0][1] * (1.0 - x * x).max(0.0).sqrt()]
+        [2.0 * a * x, profile(&RIGHT, [1.0, 1.0])[0][1] * (1.0 - x * x).max(0.0).sqrt()]
     };
     let found = named(&truth, "pressure [MPa]", &(0..70_000).map(row).collect::<Vec<_>>(), &Asked::default());
     assert_named(&found, &["positions are doubled"], "many");
@@ -223,7 +204,7 @@ fn mistakes_are_found_in_a_great_many_points() {
 #[test]
 fn profiles_that_are_moved_or_of_which_half_is_missing_are_named_with_the_way() {
     let truth = scene("strain", 1.0);
-    let right = RIGHT.profile([1.0, 1.0]);
+    let right = profile(&RIGHT, [1.0, 1.0]);
     let whole: Vec<[f64; 2]> = right.iter().skip(1).rev().map(|[s, p]| [-s, *p]).chain(right.iter().copied()).collect();
     let shifted = |rows: &[[f64; 2]], by: usize| -> Vec<[f64; 2]> {
         let coarse: Vec<[f64; 2]> = rows.iter().step_by(2).copied().collect();
@@ -280,7 +261,7 @@ fn every_number_that_is_judged_has_the_value_of_its_closed_form() {
     let thicker = Hertz { thickness: 2.0, ..RIGHT };
     let (a, force) = (RIGHT.half_width(), RIGHT.force);
     let sides = |own: &Hertz, sides: [bool; 2]| -> Vec<[f64; 2]> {
-        let half = own.profile([1.0, 1.0]);
+        let half = profile(&own, [1.0, 1.0]);
         let on = |side: bool, p: f64| if side { p } else { 0.0 };
         let left = half.iter().skip(1).rev().map(|[s, p]| [-s, on(sides[0], *p)]);
         left.chain(half.iter().map(|[s, p]| [*s, on(sides[1], *p)])).collect()
@@ -292,7 +273,7 @@ fn every_number_that_is_judged_has_the_value_of_its_closed_form() {
         let own = sides(&RIGHT, [true; 2]);
         own.iter()
             .enumerate()
-            .map(|(k, [s, p])| [*s, if k == 2 { -by * RIGHT.profile([1.0, 1.0])[0][1] } else { *p }])
+            .map(|(k, [s, p])| [*s, if k == 2 { -by * profile(&RIGHT, [1.0, 1.0])[0][1] } else { *p }])
             .collect()
     };
     // What a force of its own makes of the approach, F/E*t.
@@ -369,7 +350,7 @@ fn every_number_that_is_judged_has_the_value_of_its_closed_form() {
         (
             "one half, deep",
             &thin,
-            RIGHT.profile([1.0, 1.0]),
+            profile(&RIGHT, [1.0, 1.0]),
             deep,
             vec![("largest penetration", 1e-3 / approach(&RIGHT, 0.5 * force)), ("resultant", force)],
         ),

@@ -8,8 +8,9 @@ use contact_vv::referee::{Asked, Truth};
 use contact_vv::solve::{Discretisation, Formulation, Run};
 use serde_json::{Value, json};
 
+use crate::ellipse;
+use crate::foreign::{Frd, vtk};
 use crate::handed::{PRESSURES, document, failed, in_units, judged_as, read, table};
-use crate::referee_readers::{Frd, ellipse, vtk};
 use crate::referee_wild::{judged, parsed, refused, usual};
 use crate::workbench::{self, truth};
 

@@ -15,10 +15,11 @@ use contact_vv::referee::judge::ENGINEERING;
 use contact_vv::referee::units::Role;
 use contact_vv::referee::{Answer, Asked, Truth, Verdicts, read, verdicts};
 
+use crate::ellipse::{self, Hertz, RIGHT};
+use crate::foreign::{Frd, vtk};
 use crate::handed::{PRESSURES, failed, in_units, judged_as, read, table};
 use crate::outputs::{UNITS, contact_vv};
 use crate::program::Folder;
-use crate::referee_readers::{Frd, ellipse, half_width, peak, vtk};
 use crate::scene_file::text_of;
 use crate::workbench;
 
@@ -257,11 +258,11 @@ fn the_state_that_is_judged_is_printed_named_and_chosen() {
         assert!(last.answer.read.contains(&format!("block CONTACT of {state}")), "{:?}", last.answer.read);
     }
     for first in [at(Asked { time: Some(1.0), ..usual() }), at(Asked { step: Some(1), ..usual() })] {
-        assert_relative_eq!(first.ruled[0].measures.peak.pressure, 0.5 * peak(), max_relative = 2e-3);
+        assert_relative_eq!(first.ruled[0].measures.peak.pressure, 0.5 * RIGHT.peak(), max_relative = 2e-3);
         assert!(!first.met() && says(&first, "its file goes on to time 2"), "{:?}", first.notes);
     }
     let within = at(Asked { time: Some(1.7), step: Some(2), ..usual() });
-    assert_relative_eq!(within.ruled[0].measures.peak.pressure, 0.8 * peak(), max_relative = 2e-3);
+    assert_relative_eq!(within.ruled[0].measures.peak.pressure, 0.8 * RIGHT.peak(), max_relative = 2e-3);
     assert!(says(&within, "time 1.7, which is not the end of a step"));
     refused("theirs.frd", two.text(), &Asked { time: Some(3.0), ..usual() }, &["--time or --step", "time 1.7"]);
     for asked in [Asked { step: Some(1), ..usual() }, Asked { time: Some(1.0), ..usual() }] {
@@ -561,8 +562,7 @@ fn a_stated_model_error_counts_for_every_quantity_it_is_stated_for() {
 #[test]
 fn declared_check_asks_no_more_than_its_model_error_leaves() {
     // 1 % off Hertz everywhere.
-    let p = |x: f64| 1.01 * 100.0 * (1.0 - (x / half_width()).powi(2)).max(0.0).sqrt();
-    let text = table(PRESSURES, (0..=44).map(|k| 0.05 * f64::from(k)).map(|x| [x, p(x)]));
+    let text = table(PRESSURES, (0..=44).map(|k| 0.05 * f64::from(k)).map(|x| [x, 1.01 * RIGHT.pressure(x)]));
     for (model, met) in [("", false), ("model-error = 0.02\n", true)] {
         let truth = with_check(&format!("quantity = \"peak-pressure\"\ntolerance = 1e-3\n{model}"));
         let found = judged_as(&truth, "a.csv", &text, &Asked::default());
@@ -575,11 +575,10 @@ fn declared_check_asks_no_more_than_its_model_error_leaves() {
 #[test]
 fn the_formula_of_a_sphere_used_for_a_cylinder_is_a_usual_mistake() {
     // a₃ = ∛(3FR/4E*) and 3F/2πa²: 314.1593 N on R = 1000 mm, E* = 100 GPa.
-    let (force, radius, modulus) = (314.1593_f64, 1000.0, 91000.0 / 0.91);
-    let sphere = (0.75 * force * radius / modulus).cbrt();
-    for (a, width) in [(sphere, sphere), (half_width(), half_width())] {
+    let Hertz { force, radius, modulus, .. } = RIGHT;
+    for a in [(0.75 * force * radius / modulus).cbrt(), RIGHT.half_width()] {
         let p = 1.5 * force / (std::f64::consts::PI * a * a);
-        let at = |k: u32| [0.05 * f64::from(k) * width, p * (1.0 - (0.05 * f64::from(k)).powi(2)).max(0.0).sqrt()];
+        let at = |k: u32| [0.05 * f64::from(k) * a, p * (1.0 - (0.05 * f64::from(k)).powi(2)).max(0.0).sqrt()];
         let text = table(PRESSURES, (0..=26).map(at));
         let found = judged(parsed("a.csv", text, &Asked::default()).expect("read")).expect("judged");
         assert!(
@@ -741,5 +740,5 @@ fn a_check_of_a_scene_that_names_no_kind_is_asked_of_answers_too() {
         let truth = with_check(&format!("quantity = \"peak-pressure\"\nvalue = {peak}\ntolerance = 0.01\n"));
         judged_as(&truth, "theirs.csv", &ellipse::text(), &usual()).met()
     };
-    assert!(with(peak()) && !with(1.02 * peak()));
+    assert!(with(RIGHT.peak()) && !with(1.02 * RIGHT.peak()));
 }
