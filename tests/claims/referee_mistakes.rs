@@ -8,7 +8,7 @@ use contact_vv::referee::judge::ENGINEERING;
 use contact_vv::referee::{Asked, Truth, verdicts};
 
 use crate::ellipse::{Hertz, RIGHT};
-use crate::handed::{PRESSURES, judged_as, read, table};
+use crate::handed::{PRESSURES, judged_as, judged_rows, read, table};
 use crate::workbench;
 
 /// The scene `tiny`, in another plane hypothesis and thickness.
@@ -171,8 +171,7 @@ fn forces_are_what_they_are_where_their_positions_are_others() {
     }
     // Twice the force over twice the width is no mistake of positions.
     for factors in [[2.0, 2.0], [0.5, 0.5]] {
-        let text = table("position [mm],force [N]", scaled(factors));
-        let found = judged_as(&truth, "theirs.csv", &text, &Asked::default());
+        let found = judged_rows(&truth, "position [mm],force [N]", scaled(factors));
         assert!(!found.met() && found.mistakes.is_empty(), "{factors:?}: {:?}", found.mistakes);
     }
 }
@@ -195,7 +194,7 @@ fn mistakes_are_found_in_a_great_many_points() {
     let (truth, a) = (scene("strain", 1.0), RIGHT.half_width());
     let row = |k: u32| {
         let x = 1.3 * f64::from(k) / 70_000.0;
-        [2.0 * a * x, profile(&RIGHT, [1.0, 1.0])[0][1] * (1.0 - x * x).max(0.0).sqrt()]
+        [2.0 * a * x, RIGHT.pressure(a * x)]
     };
     let found = named(&truth, "pressure [MPa]", &(0..70_000).map(row).collect::<Vec<_>>(), &Asked::default());
     assert_named(&found, &["positions are doubled"], "many");
@@ -271,23 +270,21 @@ fn every_number_that_is_judged_has_the_value_of_its_closed_form() {
     };
     let pulled = |by: f64| -> Vec<[f64; 2]> {
         let own = sides(&RIGHT, [true; 2]);
-        own.iter()
-            .enumerate()
-            .map(|(k, [s, p])| [*s, if k == 2 { -by * profile(&RIGHT, [1.0, 1.0])[0][1] } else { *p }])
-            .collect()
+        own.iter().enumerate().map(|(k, [s, p])| [*s, if k == 2 { -by * RIGHT.peak() } else { *p }]).collect()
     };
     // What a force of its own makes of the approach, F/E*t.
     let approach = |own: &Hertz, force: f64| force / (own.modulus * own.thickness);
     let (none, deep, open) = (0.0, -1e-3, 1e-3);
+    let (right, depth) = (scaled([0.0, 1.0]), 1e-3 / approach(&RIGHT, force));
     let rows = [
         (
             "right",
             &thin,
-            scaled([0.0, 1.0]),
+            right.clone(),
             none,
             vec![
                 ("second-moment width", a),
-                ("peak pressure", 2.0 * force / (std::f64::consts::PI * a)),
+                ("peak pressure", RIGHT.peak()),
                 ("error of the mean pressures", 0.0),
                 ("begin of the contact", -a),
                 ("end of the contact", a),
@@ -319,23 +316,8 @@ fn every_number_that_is_judged_has_the_value_of_its_closed_form() {
             ],
         ),
         ("pulled", &thin, pulled(0.05), none, vec![("largest tension", 0.05)]),
-        (
-            "deep",
-            &thin,
-            scaled([0.0, 1.0]),
-            deep,
-            vec![
-                ("largest penetration", 1e-3 / approach(&RIGHT, force)),
-                ("gap under", 1e-3 / approach(&RIGHT, force)),
-            ],
-        ),
-        (
-            "open",
-            &thin,
-            scaled([0.0, 1.0]),
-            open,
-            vec![("largest penetration", 0.0), ("gap under", 1e-3 / approach(&RIGHT, force))],
-        ),
+        ("deep", &thin, right.clone(), deep, vec![("largest penetration", depth), ("gap under", depth)]),
+        ("open", &thin, right.clone(), open, vec![("largest penetration", 0.0), ("gap under", depth)]),
         (
             "deep and thick",
             &thick,
@@ -357,9 +339,8 @@ fn every_number_that_is_judged_has_the_value_of_its_closed_form() {
     ];
     let mut wrong = Vec::new();
     for (of, truth, rows, gap, wanted) in rows {
-        let rows: String = rows.iter().map(|[s, p]| format!("{s:e},{p:e},{:e}\n", gap)).collect();
-        let text = format!("position [mm],pressure [MPa],gap [mm]\n{rows}");
-        let found = judged_as(truth, "theirs.csv", &text, &Asked::default());
+        let found =
+            judged_rows(truth, "position [mm],pressure [MPa],gap [mm]", rows.iter().map(|[s, p]| [*s, *p, gap]));
         for (name, value) in wanted {
             let judged = &found.ruled[0].judged;
             let own = judged.iter().find(|one| one.check.quantity.to_string().contains(name));
@@ -377,13 +358,11 @@ fn every_number_that_is_judged_has_the_value_of_its_closed_form() {
 #[test]
 fn an_end_is_that_of_the_closed_form_to_one_edge_of_the_mesh_around_it() {
     let (truth, a) = (scene("strain", 1.0), RIGHT.half_width());
-    let peak = 2.0 * RIGHT.force / (std::f64::consts::PI * a);
     // Edges of 0.2 a, and from 0.8 a on those of 0.02 a, or the other way round.
     for (end, inner, outer) in [(0.02, 10, 100), (0.1, 100, 10)] {
         let inside = (0..inner).map(|k| 0.8 * f64::from(k) / f64::from(inner));
         let places = inside.chain((0..=outer).map(|k| 0.8 + f64::from(k) * end)).take_while(|x| *x <= 1.5);
-        let text = table(PRESSURES, places.map(|x| [a * x, peak * (1.0 - x * x).max(0.0).sqrt()]));
-        let found = judged_as(&truth, "a.csv", &text, &Asked::default());
+        let found = judged_rows(&truth, PRESSURES, places.map(|x| [a * x, RIGHT.pressure(a * x)]));
         let all = &found.ruled[0].judged;
         let own = all.iter().find(|one| one.check.quantity.to_string().contains("end of the contact")).expect("judged");
         assert_eq!(own.reference.name, truth.closed(&Quantity::HalfWidth).expect("Hertz").name);
