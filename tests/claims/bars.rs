@@ -16,7 +16,7 @@ use contact_vv::study::promised::bars::{Record, SURVEY, beyond, narrow, setup, t
 use contact_vv::study::random::{Family, Site};
 use contact_vv::study::records::Millionths;
 
-use crate::balance::{scene, solved};
+use crate::balance::{scene, solved, told_of};
 use crate::scene_file::{self, text_of};
 use crate::workbench::{kinematic, meshed, parsed, spoiled};
 
@@ -27,15 +27,10 @@ fn run_on(discretisation: &Discretisation, formulation: &Formulation) -> (Run, B
     (run, bars)
 }
 
-/// What is told of a number.
-fn of<'a>(all: &'a [Barred], quantity: &Quantity) -> &'a Barred {
-    all.iter().find(|one| (one.contact, &one.quantity) == (0, quantity)).expect("told")
-}
-
 /// How far a number is off its truth, and its bar.
 fn off(all: &[Barred], truth: &[Barred], quantity: &Quantity) -> [f64; 2] {
-    let own = of(all, quantity);
-    [(own.value - of(truth, quantity).value).abs(), own.bar.total()]
+    let own = told_of(all, quantity);
+    [(own.value - told_of(truth, quantity).value).abs(), own.bar.total()]
 }
 
 /// A record with its bars so many times as wide.
@@ -103,11 +98,11 @@ fn peak_that_rises_up_to_the_last_element_is_unknown_for_that_reason() {
         let sample = site.sample().expect("a scene");
         let (scene, resolution, formulation) = setup(&site, &sample);
         let (run, bars) = run_on(&Discretisation::of(scene, resolution).expect("a mesh"), &formulation);
-        let peak = of(&bars.all, &Quantity::PeakPressure);
+        let peak = told_of(&bars.all, &Quantity::PeakPressure);
         let reason = (!told).then_some("the pressure rises up to the last element of the contact");
         assert_eq!((peak.unknown, peak.bar.total().is_finite()), (reason, told), "{peak:?}");
         // Where it lies is known within the last two elements.
-        let place = of(&bars.all, &Quantity::PeakPlace).bar.mesh;
+        let place = told_of(&bars.all, &Quantity::PeakPlace).bar.mesh;
         let element = run.solution.edges_of(0).last().expect("edges").length();
         assert!(place.is_finite() && (told || place >= 1.9 * element), "{number}: {place} of {element}");
     }
@@ -210,11 +205,11 @@ fn approach_and_displacement_that_are_prescribed_are_exact() {
     let pushed = [["loads = [{ traction = { at = \"far\", value = [60, -100] } }]", ""], ["supports = [", PUSHED]];
     let all = barred(&scene("pressed-corner", &pushed), &[far(Component::X), far(Component::Y)]);
     for (quantity, value) in [(Quantity::Approach, 0.01), (Quantity::Displacement(far(Component::Y)), -0.01)] {
-        let one = of(&all, &quantity);
+        let one = told_of(&all, &quantity);
         assert!((one.value - value).abs() <= 1e-15 && one.bar.total() <= 0.0, "{one:?}");
     }
     // What nothing prescribes is known within a bar.
-    assert!(of(&all, &Quantity::Displacement(far(Component::X))).bar.total() > 0.0);
+    assert!(told_of(&all, &Quantity::Displacement(far(Component::X))).bar.total() > 0.0);
 }
 
 const PUSHED: &str = "supports = [{ at = \"far\", component = \"y\", value = -0.01 }, ";
@@ -265,7 +260,10 @@ fn a_thin_ring_whose_forces_round_off_takes_has_bars_that_hold() {
     assert!(coarse.1.imbalance() > 1e-6, "{:e}", coarse.1.imbalance());
     for quantity in [Quantity::PeakPressure, Quantity::HalfWidth, Quantity::Resultant, Quantity::Approach] {
         let [error, bar] = off(&coarse.0, &fine.0, &quantity);
-        assert!(error <= bar && bar <= 0.06 * of(&coarse.0, &quantity).value, "{quantity:?}: {error:.2e} of {bar:.2e}");
+        assert!(
+            error <= bar && bar <= 0.06 * told_of(&coarse.0, &quantity).value,
+            "{quantity:?}: {error:.2e} of {bar:.2e}"
+        );
     }
 }
 
@@ -322,7 +320,7 @@ fn assert_barred(cases: [Case; 2], numbers: [(Quantity, f64); 2]) {
     let [coarse, fine] = cases.map(|case| barred(&case, &[]));
     for (quantity, least) in numbers {
         let [error, bar] = off(&coarse, &fine, &quantity);
-        let least = least * of(&fine, &quantity).value;
+        let least = least * told_of(&fine, &quantity).value;
         assert!(error > least && error <= bar, "{}: {error} beyond {bar}", quantity.key());
     }
 }
@@ -394,7 +392,7 @@ fn elements_of_the_second_body_as_wide_as_the_contact_are_in_the_bars() {
         for quantity in [Quantity::PeakPressure, Quantity::HalfWidth, Quantity::SecondMomentWidth] {
             let [error, bar] = off(&coarse, &fine, &quantity);
             assert!(
-                error <= bar && bar <= of(&coarse, &quantity).value || bar.is_nan(),
+                error <= bar && bar <= told_of(&coarse, &quantity).value || bar.is_nan(),
                 "{density}, {quantity:?}: {error:.2e} of {bar:.2e}"
             );
         }
@@ -429,7 +427,8 @@ fn thin_ring_between_plates_is_pushed_together_as_a_curved_beam_is() {
     for order in [Order::Linear, Order::Quadratic] {
         let case = Case { resolution: Resolution { order, ..case.resolution }, ..case.clone() };
         let (_, bars) = crate::balance::barred(&case, &Formulation::verification());
-        let (value, bar) = (of(&bars.all, &Quantity::Approach).value, of(&bars.all, &Quantity::Approach).bar.total());
+        let (value, bar) =
+            (told_of(&bars.all, &Quantity::Approach).value, told_of(&bars.all, &Quantity::Approach).bar.total());
         assert!(
             (value - pushed).abs() <= bar + 2e-3 * pushed && bar <= 0.3 * pushed,
             "{order:?}: {value} ± {bar}, {pushed}"
@@ -521,7 +520,7 @@ fn a_contact_cut_short_is_refused_or_its_end_is_within_a_bar_or_unknown() {
             };
             let all = bars(&discretisation, &run, &[]).expect("bars").all;
             for quantity in [Quantity::HalfWidth, Quantity::End(0)] {
-                let Barred { value, bar, unknown, .. } = of(&all, &quantity);
+                let Barred { value, bar, unknown, .. } = told_of(&all, &quantity);
                 let within = unknown.is_some() || (value - truth).abs() <= bar.total();
                 assert!(within, "{}, {part}: {value} ± {} beside {truth}", formulation.name(), bar.total());
             }

@@ -20,8 +20,8 @@ use contact_vv::referee::units::Role;
 use contact_vv::referee::{Asked, Handed, Profile, calculix, frd, norm, read};
 use contact_vv::scene::{Action, Circle, Load, Material, MonotoneCubic, Path as ScenePath, Scene};
 use contact_vv::solution::{EdgeState, PointState};
+use contact_vv::solve::Formulation;
 use contact_vv::solve::edge_fitted::{self, Fitted};
-use contact_vv::solve::{Discretisation, Formulation, Run};
 use contact_vv::study::references;
 use serde_json::Value;
 use vtkio::IOBuffer;
@@ -251,8 +251,7 @@ fn the_document_of_a_flat_punch_holds_each_number_under_its_name() {
 fn points_of_a_cell_of_high_order_are_written_evenly_spaced() {
     let case = find("truncated-hertz", None).expect("a case");
     let resolution = Resolution { order: Order::Quartic, ..case.resolution };
-    let made = Discretisation::of(case.scene, resolution).expect("meshed");
-    let run = Run::of(&made, &Formulation::verification()).expect("solved");
+    let (made, run) = balance::solved_on(case.scene, resolution, &Formulation::verification());
     let piece = piece(&vtu::text(&made, &run).expect("written"));
     let IOBuffer::F64(points) = &piece.points else { panic!("no points") };
     let cell = made.mesh.cell(0);

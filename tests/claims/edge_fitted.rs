@@ -10,10 +10,10 @@ use contact_vv::scene::{
     Action, Body, Component, Ends, Face, Load, Material, Path, Place, Scene, Shape, Support, VectorField,
 };
 use contact_vv::solve::edge_fitted::Answer;
-use contact_vv::solve::{Discretisation, Fitted, Formulation, Run};
+use contact_vv::solve::{Fitted, Formulation, Run};
 use contact_vv::study::fitted::{self, LOADS};
 
-use crate::balance::{scene, text};
+use crate::balance::{scene, solved_on, text, told_of};
 use crate::outputs::json;
 use crate::scene_file::case;
 use crate::workbench::{self, area, block_text, held_at, meshed, parsed, resolution};
@@ -242,13 +242,13 @@ fn bars_of_fitted_meshes_hold_the_error_of_peak_width_and_ends() {
                 (Quantity::End(0), hertz.half_width()),
             ];
             for (quantity, truth) in truths {
-                let one = bars.all.iter().find(|one| (one.contact, &one.quantity) == (0, &quantity)).expect("barred");
+                let one = told_of(&bars.all, &quantity);
                 let error = (one.value - truth).abs();
                 assert!(error <= one.bar.total(), "{quantity:?}, {digits} digits at {factor}: {error} > {:?}", one.bar);
                 assert!(one.bar.total() <= 5e-2 * truth, "{quantity:?}, {digits} digits at {factor}: {:?}", one.bar);
             }
             // The largest shear stress below a line of Hertz, 0.300283 p₀.
-            let shear = bars.all.iter().find(|one| one.quantity == Quantity::Shear { body: 0 }).expect("barred");
+            let shear = told_of(&bars.all, &Quantity::Shear { body: 0 });
             let error = (shear.value - 0.300283 * hertz.peak_pressure()).abs();
             assert!(error <= shear.bar.total(), "{digits} digits at {factor}: {error} > {:?}", shear.bar);
         }
@@ -416,8 +416,7 @@ fn ends_that_would_move_there_and_back_come_to_rest_within_their_bars() {
     let [coarse, fine] = [4, 6].map(|digits| {
         let answer = solved(Fitted::of_digits(digits), &scene);
         let bars = accuracy::bars(&answer.discretisation, &answer.run, &[]).expect("bars");
-        [Quantity::PeakPressure, Quantity::HalfWidth]
-            .map(|quantity| bars.all.iter().find(|one| one.quantity == quantity).expect("barred").clone())
+        [Quantity::PeakPressure, Quantity::HalfWidth].map(|quantity| told_of(&bars.all, &quantity).clone())
     });
     for (coarse, fine) in coarse.iter().zip(&fine) {
         let apart = (coarse.value - fine.value).abs();
@@ -440,13 +439,12 @@ fn bars_hold_on_a_thin_layer_that_is_pressed_in_part() {
     let scene = scene("layer-pressed-in-part", &[]).scene;
     let wanted = [Quantity::PeakPressure, Quantity::HalfWidth, Quantity::SecondMomentWidth];
     // Equal 8-node cells, which know neither of the contact nor of the part.
-    let equal = Discretisation::of(scene.clone(), resolution(12, 3, Order::Quadratic)).expect("meshed");
-    let fine = Run::of(&equal, &Formulation::verification()).expect("run");
+    let (_, fine) = solved_on(scene.clone(), resolution(12, 3, Order::Quadratic), &Formulation::verification());
     for digits in [2, 4, 6] {
         let answer = solved(Fitted::of_digits(digits), &scene);
         let bars = accuracy::bars(&answer.discretisation, &answer.run, &[]).expect("bars");
         for quantity in &wanted {
-            let one = bars.all.iter().find(|one| one.quantity == *quantity).expect("barred");
+            let one = told_of(&bars.all, quantity);
             let [truth, apart] = [quantity.of(fine.measures()), one.bar.total()];
             // What the fine mesh leaves of a half-width.
             let left = 3e-4 * truth;
@@ -507,7 +505,7 @@ fn beyond_their_bars(answer: &Answer, hertz: &Hertz) -> Vec<String> {
         (Quantity::HalfWidth, hertz.half_width()),
     ];
     let told = truths.into_iter().filter_map(|(quantity, truth)| {
-        let one = bars.all.iter().find(|one| (one.contact, &one.quantity) == (0, &quantity)).expect("barred");
+        let one = told_of(&bars.all, &quantity);
         let (error, bar) = ((one.value - truth).abs(), one.bar.total());
         let is_within = error <= bar.max(MILLIONTH * truth);
         (!is_within).then(|| format!("{}: {error:e} beyond {bar:e}", quantity.key()))

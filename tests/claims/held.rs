@@ -59,7 +59,7 @@ fn a_layer_of_one_row_of_cells_has_no_bars_however_far_it_goes_beyond_the_candid
     let contact = "gap = { parabola = 2e5 }\nstretch = 28";
     let growth = "growth = { along = 1.2, depth = 1.2, coarsest = 1.0 }";
     let all = barred(&scene(body, contact, &format!("elements = 16\nper = 13.5\n{growth}")), "far");
-    let peak = all.iter().find(|one| one.quantity == Quantity::PeakPressure).expect("a peak");
+    let peak = balance::told_of(&all, &Quantity::PeakPressure);
     assert!(peak.bar.total().is_nan(), "{peak:?}");
 }
 

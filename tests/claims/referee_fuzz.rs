@@ -9,8 +9,9 @@ use contact_vv::mesh::{Order, Resolution};
 use contact_vv::referee::export::{deck, own};
 use contact_vv::referee::judge::ENGINEERING;
 use contact_vv::referee::{Answer, Asked, Truth, calculix, read, verdicts};
-use contact_vv::solve::{Discretisation, Formulation, Run};
+use contact_vv::solve::Formulation;
 
+use crate::balance::solved_on;
 use crate::foreign::forces;
 use crate::handed::moved;
 
@@ -18,8 +19,7 @@ use crate::handed::moved;
 fn formats() -> (Truth, Vec<(&'static str, String)>, String) {
     let case = find("truncated-hertz", None).expect("a case");
     let resolution = Resolution { elements: 4, refinement: 0, order: Order::Quadratic };
-    let discretisation = Discretisation::of(case.scene.clone(), resolution).expect("meshed");
-    let run = Run::of(&discretisation, &Formulation::verification()).expect("solved");
+    let (discretisation, run) = solved_on(case.scene.clone(), resolution, &Formulation::verification());
     let json = serde_json::to_string_pretty(&own::answer("truncated-hertz", &discretisation, &run)).expect("JSON");
     let points = run.solution.points_of(0);
     let rows = points.iter().map(|p| format!("{},{},{},{}\n", p.position, p.pressure, p.gap, p.weight));

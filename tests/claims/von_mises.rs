@@ -10,7 +10,7 @@ use contact_vv::study::promised::bars::setup;
 use contact_vv::study::random::{Family, Site};
 use rayon::prelude::*;
 
-use crate::balance::scene;
+use crate::balance::{scene, solved_on};
 use crate::scene_file::case;
 use crate::workbench::{kinematic, resolution};
 
@@ -31,8 +31,7 @@ fn across([x, y, _]: [f64; 3], plane: PlaneHypothesis, material: &Material) -> f
 
 /// A run of a scene, told which of its peaks have no limit.
 fn solved(scene: Scene, resolution: Resolution, formulation: &Formulation) -> (Discretisation, Run) {
-    let discretisation = Discretisation::of(scene, resolution).expect("meshed");
-    let run = Run::of(&discretisation, formulation).expect("solved");
+    let (discretisation, run) = solved_on(scene, resolution, formulation);
     let run = run.with_limits(&discretisation).expect("told");
     (discretisation, run)
 }
