@@ -260,7 +260,7 @@ fn every_number_that_is_judged_has_the_value_of_its_closed_form() {
     let thicker = Hertz { thickness: 2.0, ..RIGHT };
     let (a, force) = (RIGHT.half_width(), RIGHT.force);
     let sides = |own: &Hertz, sides: [bool; 2]| -> Vec<[f64; 2]> {
-        let half = profile(&own, [1.0, 1.0]);
+        let half = profile(own, [1.0, 1.0]);
         let on = |side: bool, p: f64| if side { p } else { 0.0 };
         let left = half.iter().skip(1).rev().map(|[s, p]| [-s, on(sides[0], *p)]);
         left.chain(half.iter().map(|[s, p]| [*s, on(sides[1], *p)])).collect()

@@ -18,7 +18,7 @@ fn what_is_unknown_is_asked_for_with_file_found_and_remedy() {
         let case = find(&case, None).expect("a case");
         for row in rows {
             let [name, text, says @ ..] = &row[..] else { panic!("{row:?}") };
-            refused(read(&case, name, text, &Asked::default()), &[&[name.clone()], says].concat());
+            refused(read(&case, name, text, &Asked::default()), &[std::slice::from_ref(name), says].concat());
         }
     }
     let case = TruncatedHertz::default().case();
