@@ -118,8 +118,10 @@ fn cells_of_high_order_meet_up_to_a_millionth_of_peak_and_half_width_with_few_fr
             assert!(answer.unmet.is_none(), "{k}, {asked}: {:?}", answer.unmet);
             for (quantity, truth) in [(Quantity::PeakPressure, peak), (Quantity::HalfWidth, end)] {
                 let one = told_of(&answer.estimates, &quantity);
-                let error = relative_error(one.value, truth);
+                let [error, of_run] =
+                    [one.value, quantity.of(answer.run.measures())].map(|value| relative_error(value, truth));
                 assert!(error <= one.relative() && one.relative() <= asked, "{k}, {asked}, {quantity:?}: {error:e}");
+                assert!(of_run <= asked, "{k}, {asked}, {quantity:?}: {of_run:e}");
             }
             assert!(answer.run.dofs <= dofs, "{k}, {asked}: {}", answer.run.dofs);
         }
