@@ -298,9 +298,8 @@ const SOLVER: &str = "src/solver";
 /// The interval of `Σ w p` reaches `√Σ w²(p − l)²` below it, and above it likewise (Zou & Donner 2008).
 pub fn together(rooms: &[Room], folder: &str, of: fn(&Room) -> &Share) -> String {
     let within = rooms.iter().filter(|room| Path::new(&room.room).starts_with(folder));
-    let tried: Vec<(f64, &Share, [f64; 2])> = within
-        .filter_map(|room| of(room).interval.map(|interval| (room.mutants as f64, of(room), interval)))
-        .collect();
+    let tried: Vec<(f64, &Share, [f64; 2])> =
+        within.filter_map(|room| of(room).interval.map(|interval| (room.mutants as f64, of(room), interval))).collect();
     let mutants: f64 = tried.iter().map(|(mutants, ..)| mutants).sum();
     let [mut share, mut below, mut above] = [0.0; 3];
     let [mut caught, mut all] = [0; 2];

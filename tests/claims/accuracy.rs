@@ -14,7 +14,7 @@ use contact_vv::scene::{Material, PlaneHypothesis, Scene};
 use contact_vv::solve::{Discretisation, Element, Formulation, Iteration, Run};
 use contact_vv::study::random::{Family, Site};
 
-use crate::balance::scene;
+use crate::balance::{scene, solved_on, told_of};
 use crate::scene_file::{self, text_of};
 use crate::workbench::{self, block_text, kinematic, parsed};
 
@@ -117,9 +117,11 @@ fn cells_of_high_order_meet_up_to_a_millionth_of_peak_and_half_width_with_few_fr
             let answer = accuracy::solve(&problem.scene, &kinematic(), &Asked::new(asked)).expect("solved");
             assert!(answer.unmet.is_none(), "{k}, {asked}: {:?}", answer.unmet);
             for (quantity, truth) in [(Quantity::PeakPressure, peak), (Quantity::HalfWidth, end)] {
-                let one = answer.estimates.iter().find(|one| one.quantity == quantity).expect("estimated");
-                let error = relative_error(one.value, truth);
+                let one = told_of(&answer.estimates, &quantity);
+                let [error, of_run] =
+                    [one.value, quantity.of(answer.run.measures())].map(|value| relative_error(value, truth));
                 assert!(error <= one.relative() && one.relative() <= asked, "{k}, {asked}, {quantity:?}: {error:e}");
+                assert!(of_run <= asked, "{k}, {asked}, {quantity:?}: {of_run:e}");
             }
             assert!(answer.run.dofs <= dofs, "{k}, {asked}: {}", answer.run.dofs);
         }
@@ -181,7 +183,7 @@ fn fit_of_a_ring_with_a_narrow_bore_is_within_its_bar() {
         let truth = case.reading(0, &Quantity::PeakPressure).value;
         for asked in [1e-2, 1e-3, 1e-4, 1e-5] {
             let answer = accuracy::solve(&case.scene, &kinematic(), &Asked::new(asked)).expect("solved");
-            let peak = answer.estimates.iter().find(|one| one.quantity == Quantity::PeakPressure).expect("a bar");
+            let peak = told_of(&answer.estimates, &Quantity::PeakPressure);
             let [error, bar] = [(peak.value / truth - 1.0).abs(), peak.relative()];
             assert!(error <= bar, "bore of 1/{part}, {asked}: {error:.1e} of {bar:.1e}");
         }
@@ -273,8 +275,7 @@ fn contact_end_is_found_within_a_tenth_of_an_element() {
             let longest = longest(&problem.scene, problem.scene.contact());
             let plan = fitted::Plan::around([-1.03 * edge, 1.03 * edge], longest, elements, Order::Quadratic, 2.0);
             let (scene, resolution) = plan.laid(&problem.scene);
-            let discretisation = Discretisation::of(scene, resolution).expect("meshed");
-            let run = Run::of(&discretisation, &Formulation::verification()).expect("solved");
+            let (_, run) = solved_on(scene, resolution, &Formulation::verification());
             let [_, found] = fitted::ends(&run, 0);
             let element = edge / elements as f64;
             assert!(

@@ -8,9 +8,10 @@ use contact_vv::accuracy::longest::longest;
 use contact_vv::accuracy::{self, Answer, Asked, Quantity, fitted};
 use contact_vv::mesh::{Mesh, Order};
 use contact_vv::scene::Scene;
-use contact_vv::solve::{Discretisation, Fitted, Formulation, Run};
+use contact_vv::solve::{Fitted, Formulation, Run};
 
 use crate::accuracy::{ASKED, error};
+use crate::balance::solved_on;
 use crate::scene_file::text_of;
 use crate::workbench::{block_text, parsed};
 
@@ -137,8 +138,7 @@ fn both_ends_are_found_within_a_tenth_of_an_element() {
         let guessed = [centre - 1.03 * a, centre + 1.03 * a];
         let plan = fitted::Plan::around(guessed, 40.0, elements, Order::Quadratic, 2.0);
         let (scene, resolution) = plan.laid(&scene);
-        let discretisation = Discretisation::of(scene, resolution).expect("meshed");
-        let run = Run::of(&discretisation, &Formulation::verification()).expect("solved");
+        let (_, run) = solved_on(scene, resolution, &Formulation::verification());
         let found = fitted::ends(&run, 0);
         for (found, side) in found.into_iter().zip([-1.0, 1.0]) {
             let exact = centre + side * run.measures().second_moment_width;

@@ -3,9 +3,11 @@
 use std::path::PathBuf;
 
 use approx::assert_relative_eq;
-use contact_vv::accuracy::{Bars, bars};
+use contact_vv::accuracy::{Barred, Bars, Quantity, bars};
 use contact_vv::case::Case;
 use contact_vv::checkout::root;
+use contact_vv::mesh::Resolution;
+use contact_vv::scene::Scene;
 use contact_vv::solution::{IterationError, Outcome};
 use contact_vv::solve::{Discretisation, Element, Formulation, Iteration, Run};
 
@@ -28,11 +30,21 @@ pub fn scene(name: &str, changes: &[[&str; 2]]) -> Case {
     Case::parse(&path(name), &text).unwrap_or_else(|error| panic!("{error}\n{text}"))
 }
 
-/// A case solved on its own mesh.
-pub fn solved(case: &Case, formulation: &Formulation) -> (Discretisation, Run) {
-    let discretisation = Discretisation::of(case.scene.clone(), case.resolution).expect("meshed");
+/// A scene solved on a mesh of so many elements.
+pub fn solved_on(scene: Scene, resolution: Resolution, formulation: &Formulation) -> (Discretisation, Run) {
+    let discretisation = Discretisation::of(scene, resolution).expect("meshed");
     let run = Run::of(&discretisation, formulation).expect("solved");
     (discretisation, run)
+}
+
+/// A case solved on its own mesh.
+pub fn solved(case: &Case, formulation: &Formulation) -> (Discretisation, Run) {
+    solved_on(case.scene.clone(), case.resolution, formulation)
+}
+
+/// What is told of a number of the first contact.
+pub fn told_of<'a>(all: &'a [Barred], quantity: &Quantity) -> &'a Barred {
+    all.iter().find(|one| (one.contact, &one.quantity) == (0, quantity)).expect("told")
 }
 
 /// The run of a case on its own mesh, and its bars.

@@ -17,7 +17,7 @@ use contact_vv::study::random::{Family, Site};
 use contact_vv::study::records::Millionths;
 
 use crate::again::BARS;
-use crate::balance::{scene, solved};
+use crate::balance::{scene, solved, told_of};
 use crate::scene_file::{self, text_of};
 use crate::workbench::{kinematic, meshed, parsed, spoiled};
 
@@ -28,15 +28,10 @@ fn run_on(discretisation: &Discretisation, formulation: &Formulation) -> (Run, B
     (run, bars)
 }
 
-/// What is told of a number.
-fn of<'a>(all: &'a [Barred], quantity: &Quantity) -> &'a Barred {
-    all.iter().find(|one| (one.contact, &one.quantity) == (0, quantity)).expect("told")
-}
-
 /// How far a number is off its truth, and its bar.
 fn off(all: &[Barred], truth: &[Barred], quantity: &Quantity) -> [f64; 2] {
-    let own = of(all, quantity);
-    [(own.value - of(truth, quantity).value).abs(), own.bar.total()]
+    let own = told_of(all, quantity);
+    [(own.value - told_of(truth, quantity).value).abs(), own.bar.total()]
 }
 
 /// A record with its bars so many times as wide.
@@ -104,11 +99,11 @@ fn peak_that_rises_up_to_the_last_element_is_unknown_for_that_reason() {
         let sample = site.sample().expect("a scene");
         let (scene, resolution, formulation) = setup(&site, &sample);
         let (run, bars) = run_on(&Discretisation::of(scene, resolution).expect("a mesh"), &formulation);
-        let peak = of(&bars.all, &Quantity::PeakPressure);
+        let peak = told_of(&bars.all, &Quantity::PeakPressure);
         let reason = (!told).then_some("the pressure rises up to the last element of the contact");
         assert_eq!((peak.unknown, peak.bar.total().is_finite()), (reason, told), "{peak:?}");
         // Where it lies is known within the last two elements.
-        let place = of(&bars.all, &Quantity::PeakPlace).bar.mesh;
+        let place = told_of(&bars.all, &Quantity::PeakPlace).bar.mesh;
         let element = run.solution.edges_of(0).last().expect("edges").length();
         assert!(place.is_finite() && (told || place >= 1.9 * element), "{number}: {place} of {element}");
     }
@@ -211,11 +206,11 @@ fn approach_and_displacement_that_are_prescribed_are_exact() {
     let pushed = [["loads = [{ traction = { at = \"far\", value = [60, -100] } }]", ""], ["supports = [", PUSHED]];
     let all = barred(&scene("pressed-corner", &pushed), &[far(Component::X), far(Component::Y)]);
     for (quantity, value) in [(Quantity::Approach, 0.01), (Quantity::Displacement(far(Component::Y)), -0.01)] {
-        let one = of(&all, &quantity);
+        let one = told_of(&all, &quantity);
         assert!((one.value - value).abs() <= 1e-15 && one.bar.total() <= 0.0, "{one:?}");
     }
     // What nothing prescribes is known within a bar.
-    assert!(of(&all, &Quantity::Displacement(far(Component::X))).bar.total() > 0.0);
+    assert!(told_of(&all, &Quantity::Displacement(far(Component::X))).bar.total() > 0.0);
 }
 
 const PUSHED: &str = "supports = [{ at = \"far\", component = \"y\", value = -0.01 }, ";
@@ -266,7 +261,10 @@ fn a_thin_ring_whose_forces_round_off_takes_has_bars_that_hold() {
     assert!(coarse.1.imbalance() > 1e-6, "{:e}", coarse.1.imbalance());
     for quantity in [Quantity::PeakPressure, Quantity::HalfWidth, Quantity::Resultant, Quantity::Approach] {
         let [error, bar] = off(&coarse.0, &fine.0, &quantity);
-        assert!(error <= bar && bar <= 0.06 * of(&coarse.0, &quantity).value, "{quantity:?}: {error:.2e} of {bar:.2e}");
+        assert!(
+            error <= bar && bar <= 0.06 * told_of(&coarse.0, &quantity).value,
+            "{quantity:?}: {error:.2e} of {bar:.2e}"
+        );
     }
 }
 
@@ -319,11 +317,11 @@ fn accuracy_that_is_met_and_the_bar_are_one_number() {
 }
 
 /// That numbers on a coarse mesh are off those on a fine one by more than a share of them, and within their bars.
-fn assert_barred([coarse, fine]: [&str; 2], numbers: [(Quantity, f64); 2]) {
-    let [coarse, fine] = [coarse, fine].map(|text| barred(&parsed(text), &[]));
+fn assert_barred(cases: [Case; 2], numbers: [(Quantity, f64); 2]) {
+    let [coarse, fine] = cases.map(|case| barred(&case, &[]));
     for (quantity, least) in numbers {
         let [error, bar] = off(&coarse, &fine, &quantity);
-        let least = least * of(&fine, &quantity).value;
+        let least = least * told_of(&fine, &quantity).value;
         assert!(error > least && error <= bar, "{}: {error} beyond {bar}", quantity.key());
     }
 }
@@ -332,22 +330,17 @@ fn assert_barred([coarse, fine]: [&str; 2], numbers: [(Quantity, f64); 2]) {
 fn what_one_cell_over_half_a_ring_leaves_is_in_the_bars() {
     let text = include_str!("../../src/cli/new/pin-in-hole.toml");
     let growth = "growth = { along = 4.0, depth = 3.5, coarsest = 1.0 }\nelements = 8";
-    let [coarse, fine] = [growth, "elements = 24"].map(|mesh| text.replace("elements = 8", mesh));
-    assert_barred([&coarse, &fine], [(Quantity::PeakPressure, 0.005), (Quantity::HalfWidth, 0.005)]);
+    let of = |mesh| parsed(&text.replace("elements = 8", mesh));
+    assert_barred([growth, "elements = 24"].map(of), [(Quantity::PeakPressure, 0.005), (Quantity::HalfWidth, 0.005)]);
 }
 
 #[test]
 fn a_rim_that_ends_with_its_candidates_is_as_wide_as_it_is_known_where_it_begins() {
-    let text = r#"title = "disc on its rim"
-plane = "axisymmetric"
-body = [{ name = "disc", young = 210e3, poisson = 0.3, shape = { rectangle = { x = [0, 3], y = [0, 2], contact = "bottom" } },
-    loads = [{ traction = { at = "far", force = [0, -500] } }] }]
-contact = { first = "disc", gap = { table = [[0, 0.003], [3, 0]] }, stretch = 3 }
-reference = { gap = 0.003 }
-mesh = { elements = 32, per = 3, growth = { along = 1.0, depth = 1.0 } }
-"#;
-    let fine = text.replace("elements = 32", "elements = 96");
-    assert_barred([text, &fine], [(Quantity::HalfWidth, 6e-3), (Quantity::Begin(0), 1e-3)]);
+    let of = |elements| scene("disc-on-its-rim", &[["elements = 32", elements]]);
+    assert_barred(
+        ["elements = 32", "elements = 96"].map(of),
+        [(Quantity::HalfWidth, 6e-3), (Quantity::Begin(0), 1e-3)],
+    );
 }
 
 #[test]
@@ -400,7 +393,7 @@ fn elements_of_the_second_body_as_wide_as_the_contact_are_in_the_bars() {
         for quantity in [Quantity::PeakPressure, Quantity::HalfWidth, Quantity::SecondMomentWidth] {
             let [error, bar] = off(&coarse, &fine, &quantity);
             assert!(
-                error <= bar && bar <= of(&coarse, &quantity).value || bar.is_nan(),
+                error <= bar && bar <= told_of(&coarse, &quantity).value || bar.is_nan(),
                 "{density}, {quantity:?}: {error:.2e} of {bar:.2e}"
             );
         }
@@ -435,7 +428,8 @@ fn thin_ring_between_plates_is_pushed_together_as_a_curved_beam_is() {
     for order in [Order::Linear, Order::Quadratic] {
         let case = Case { resolution: Resolution { order, ..case.resolution }, ..case.clone() };
         let (_, bars) = crate::balance::barred(&case, &Formulation::verification());
-        let (value, bar) = (of(&bars.all, &Quantity::Approach).value, of(&bars.all, &Quantity::Approach).bar.total());
+        let (value, bar) =
+            (told_of(&bars.all, &Quantity::Approach).value, told_of(&bars.all, &Quantity::Approach).bar.total());
         assert!(
             (value - pushed).abs() <= bar + 2e-3 * pushed && bar <= 0.3 * pushed,
             "{order:?}: {value} ± {bar}, {pushed}"
@@ -527,7 +521,7 @@ fn a_contact_cut_short_is_refused_or_its_end_is_within_a_bar_or_unknown() {
             };
             let all = bars(&discretisation, &run, &[]).expect("bars").all;
             for quantity in [Quantity::HalfWidth, Quantity::End(0)] {
-                let Barred { value, bar, unknown, .. } = of(&all, &quantity);
+                let Barred { value, bar, unknown, .. } = told_of(&all, &quantity);
                 let within = unknown.is_some() || (value - truth).abs() <= bar.total();
                 assert!(within, "{}, {part}: {value} ± {} beside {truth}", formulation.name(), bar.total());
             }

@@ -20,16 +20,16 @@ use contact_vv::referee::units::Role;
 use contact_vv::referee::{Asked, Handed, Profile, calculix, frd, norm, read};
 use contact_vv::scene::{Action, Circle, Load, Material, MonotoneCubic, Path as ScenePath, Scene};
 use contact_vv::solution::{EdgeState, PointState};
+use contact_vv::solve::Formulation;
 use contact_vv::solve::edge_fitted::{self, Fitted};
-use contact_vv::solve::{Discretisation, Formulation, Run};
 use contact_vv::study::references;
 use serde_json::Value;
 use vtkio::IOBuffer;
 
 use crate::balance;
+use crate::foreign::{self, Frd, fixed, record};
 use crate::outputs::{contact_vv, json, piece, scene};
 use crate::program::Folder;
-use crate::referee_readers::Frd;
 use crate::scene_file::{self, text_of};
 use crate::workbench::parsed;
 
@@ -202,10 +202,7 @@ fn forces_of_a_deck_press_with_either_sign_and_tension_positive_alone_turns_them
     let set = "GAPS_CONTACT";
     let deck =
         format!("** truncated-hertz: mm, N, MPa.\n*NODE\n1, 0, 0\n2, 2, 0\n3, 4, 0\n*NSET, NSET={set}\n1, 2, 3\n");
-    let table = |force: f64| {
-        let rows: String = (1..=3).map(|node| format!(" {node} {force:e} 0.0 0.0\n")).collect();
-        format!(" forces (fx,fy,fz) for set {set} and time  0.1000000E+01\n\n{rows}")
-    };
+    let table = |force: f64| foreign::forces(set, "0.1000000E+01", (1..=3).map(|node| (node, force)));
     for (tension_positive, printed, force) in
         [(false, -100.0, 100.0), (true, 100.0, 100.0), (true, -100.0, -100.0), (false, 100.0, -100.0)]
     {
@@ -254,8 +251,7 @@ fn the_document_of_a_flat_punch_holds_each_number_under_its_name() {
 fn points_of_a_cell_of_high_order_are_written_evenly_spaced() {
     let case = find("truncated-hertz", None).expect("a case");
     let resolution = Resolution { order: Order::Quartic, ..case.resolution };
-    let made = Discretisation::of(case.scene, resolution).expect("meshed");
-    let run = Run::of(&made, &Formulation::verification()).expect("solved");
+    let (made, run) = balance::solved_on(case.scene, resolution, &Formulation::verification());
     let piece = piece(&vtu::text(&made, &run).expect("written"));
     let IOBuffer::F64(points) = &piece.points else { panic!("no points") };
     let cell = made.mesh.cell(0);
@@ -277,10 +273,8 @@ fn displacements_of_a_frd_are_those_of_its_last_state() {
     let numbers: Vec<&str> = nodes.take_while(|line| line.starts_with(" -1")).map(|line| line[3..13].trim()).collect();
     let block = |state: usize| {
         let names = ["D1", "D2", "D3"].map(|name| format!(" -5  {name:<12}1    2    1    0\n")).concat();
-        let row = |node: &&str| {
-            let moved = [1.0, 2.0, 0.0].map(|x| format!("{:>12.5E}", x + 2.0 * (state as f64 - 1.0))).concat();
-            format!(" -1{node:>10}{moved}\n")
-        };
+        let moved = fixed([1.0, 2.0, 0.0].map(|x| x + 2.0 * (state as f64 - 1.0)));
+        let row = |node: &&str| record(node.parse().expect("a number"), &moved);
         let head = format!("    1PSTEP{state:>26}{:>12}{state:>12}\n  100CL  101{state:>12.5E}\n", 1);
         format!("{head} -4  DISP        3    1\n{names}{} -3\n", numbers.iter().map(row).collect::<String>())
     };
@@ -428,13 +422,7 @@ fn an_end_that_all_meshes_read_at_a_node_that_they_share_is_not_exact() {
     for beyond in [0.0, 0.03] {
         let radius: f64 = 0.3 * (1.0 + beyond / 12.0);
         let load = 112.521_976_948_622_76 * (radius / 0.3).powi(3);
-        let text = format!(
-            "plane = \"axisymmetric\"\nmesh = {{ elements = 12, per = 0.3 }}\n[[body]]\nname = \"upper\"\nyoung = 210e3\npoisson = 0.3\n\
-             shape = {{ disc = {{ centre = [0, 50], radius = 50 }} }}\n\
-             loads = [{{ traction = {{ at = \"cut\", force = [0, -{load}] }} }}]\n[[body]]\nname = \"lower\"\nyoung = 70e3\npoisson = 0.33\n\
-             shape = {{ disc = {{ centre = [0, -30], radius = 30, contact = \"top\" }} }}\nsupports = [{{ at = \"cut\", component = \"y\" }}]\n\
-             [contact]\nfirst = \"upper\"\nsecond = \"lower\"\ngap = {{ circles = [50, 30] }}\nstretch = 0.6\n"
-        );
+        let text = balance::text("two-spheres").replace("-112.52197694862276", &(0.0 - load).to_string());
         let solved = json(&["solve", &folder.with("two.toml", text)]);
         within_its_bar(&solved, "half-width", radius);
         // A node draws the end to itself within a twentieth of an element, of which the coarser meshes tell nothing.

@@ -14,9 +14,10 @@ use contact_vv::study::promised::met::Record;
 use contact_vv::study::random::{Family, Sample, Site, family};
 
 use crate::accuracy::error;
+use crate::balance::scene;
 use crate::outputs::{contact_vv, json};
 use crate::program::Folder;
-use crate::workbench::{kinematic, parsed, told};
+use crate::workbench::kinematic;
 
 const SITE: Site = Site { family: Family::Cosine, number: 90_001 };
 
@@ -104,20 +105,6 @@ fn mesh_that_judges_one_is_the_next_that_is_judged() {
     assert!(orders.len() > 2 && orders.iter().all(|tried| tried.coarser == 0), "{orders:?}");
     // The last one judges the answer.
     assert_eq!(orders[orders.len() - 2].dofs, answer.run.dofs);
-}
-
-#[test]
-fn sphere_that_a_cheap_mesh_takes_for_a_smaller_one_is_met_by_few_dofs() {
-    let case = library::find("truncated-sphere", None).expect("known");
-    for (asked, most) in [(1e-3, 900), (1e-5, 5_000)] {
-        let answer = accuracy::solve(&case.scene, &Formulation::verification(), &Asked::new(asked)).expect("solved");
-        assert!(answer.unmet.is_none() && answer.run.dofs <= most, "{asked}: {} {:?}", answer.run.dofs, answer.unmet);
-        let found = [answer.run.measures().half_width(), answer.run.measures().peak.pressure];
-        for (found, quantity) in found.into_iter().zip([&Quantity::HalfWidth, &Quantity::PeakPressure]) {
-            let value = told(&case, quantity);
-            assert!((found / value - 1.0).abs() <= asked, "{asked}, {quantity:?}: {found} for {value}");
-        }
-    }
 }
 
 /// The answer to an accuracy with so many dofs at most, and the dofs of all meshes that were told of.
@@ -243,27 +230,9 @@ fn bound_is_an_option_and_its_outcome_is_in_the_document() {
     assert!(free.get("freedoms_at_most").is_none() && free.get("freedoms_of_next").is_none());
 }
 
-/// A cup of rubber that is pushed on a rigid ball by its outside: where that is held, and beside it free, its stress has no limit.
-const CUP: &str = r#"
-plane = "axisymmetric"
-[[body]]
-name = "cup"
-young = 5.0
-poisson = 0.49
-shape = { ring = { centre = [0, 0], inner = 10.0, outer = 30, sweep = 90, contact = "inner" } }
-supports = [{ at = "outer", component = "y", value = 0.4 }, { at = "outer", component = "x" }]
-[contact]
-first = "cup"
-gap = { pin = { radius = 9.8, clearance = 0.2 } }
-stretch = 70
-arc = { centre = [0, 0], radius = 10 }
-[mesh]
-accuracy = "0.03 %"
-"#;
-
 #[test]
 fn corners_of_a_held_side_are_resolved_and_tighter_answers_lie_within_the_bars_of_others() {
-    let scene = parsed(CUP).scene;
+    let scene = scene("rubber-cup", &[]).scene;
     let found = |asked: f64| {
         let answer = accuracy::solve(&scene, &Formulation::verification(), &Asked::new(asked)).expect("solved");
         assert!(answer.unmet.is_none() && answer.run.dofs <= 15_000, "{:?}: {}", answer.unmet, answer.run.dofs);
@@ -279,19 +248,10 @@ fn corners_of_a_held_side_are_resolved_and_tighter_answers_lie_within_the_bars_o
 
 #[test]
 fn plates_pressed_in_part_take_few_freedoms() {
-    let plate = |from: f64, to: f64| {
-        let law = format!("part = {{ along = \"x\", from = {from}, to = {to} }}, law = {{ uniform = 100 }}");
-        let text = format!(
-            "plane = \"axisymmetric\"\n[[body]]\nname = \"plate\"\nyoung = 210000.0\npoisson = 0.3\n\
-             shape = {{ rectangle = {{ x = [0, 20], y = [0, 4], contact = \"bottom\" }} }}\n\
-             loads = [{{ pressure = {{ at = \"far\", {law} }} }}]\n\
-             [contact]\nfirst = \"plate\"\ngap = {{ uniform = 0 }}\nstretch = 19.9\n[mesh]\naccuracy = \"0.01 %\"\n"
-        );
-        accuracy::solve(&parsed(&text).scene, &Formulation::verification(), &Asked::new(1e-4)).expect("solved")
-    };
     // Without layers towards the ends of the pressure the first took 219,000, and the second more than a minute.
-    for (from, to) in [(0.0, 5.0), (10.0, 13.0)] {
-        let answer = plate(from, to);
+    for part in ["from = 0, to = 5", "from = 10, to = 13"] {
+        let plate = scene("plate-pressed-in-part", &[["from = 0, to = 5", part]]).scene;
+        let answer = accuracy::solve(&plate, &Formulation::verification(), &Asked::new(1e-4)).expect("solved");
         assert!(answer.unmet.is_none() && answer.run.dofs <= 20_000, "{:?}: {}", answer.unmet, answer.run.dofs);
     }
 }
@@ -299,25 +259,19 @@ fn plates_pressed_in_part_take_few_freedoms() {
 #[test]
 fn a_higher_order_is_tried_before_8_node_cells_whatever_is_asked() {
     // On an annulus the order after that whose bar hardly falls has a thousandth of it.
-    let block = "[[body]]\nname = \"block\"\nyoung = 3.0\npoisson = 0.49\n\
-                 shape = { rectangle = { x = [0, 60.0], y = [0.0, 60.0], contact = \"bottom\" } }\n";
-    let annulus = format!(
-        "plane = \"axisymmetric\"\n{block}loads = [{{ traction = {{ at = \"far\", force = [0, -0.0058011] }} }}]\n\
-         [contact]\nfirst = \"block\"\ngap = {{ powers = [[0.0001, 2.0], [0.002, 6.0]] }}\nstretch = 2.0\n\
-         [mesh]\naccuracy = \"0.01 %\"\n"
-    );
-    let cone = annulus.replace("powers = [[0.0001, 2.0], [0.002, 6.0]]", "wedge = 0.003");
-    let found = |text: &str| {
-        accuracy::solve(&parsed(text).scene, &Formulation::verification(), &Asked::new(1e-4)).expect("solved")
+    let powers = "powers = [[0.0001, 2.0], [0.002, 6.0]]";
+    let found = |gap: &str| {
+        let scene = scene("annulus", &[[powers, gap]]).scene;
+        accuracy::solve(&scene, &Formulation::verification(), &Asked::new(1e-4)).expect("solved")
     };
-    let answer = found(&annulus);
+    let answer = found(powers);
     assert!(answer.unmet.is_none() && answer.run.dofs <= 6_000, "{:?}: {}", answer.unmet, answer.run.dofs);
     // By w = ∫ g'(r) / √(a² − r²) dr: F = 2 E* (4 c a³ / 3 + 96 d a⁷ / 35), with g = c r² + d r⁶.
     let radius = answer.run.measures().half_width();
     let [modulus, a] = [3.0 / (1.0 - 0.49 * 0.49), radius];
     let force = 2.0 * modulus * (4.0 / 3.0 * 1e-4 * a.powi(3) + 96.0 / 35.0 * 2e-3 * a.powi(7));
     assert!(relative_error(force, 0.0058011) <= 3e-3, "{force}");
-    let answer = found(&cone);
+    let answer = found("wedge = 0.003");
     let said = answer.unmet.as_deref().expect("not met");
     assert!(said.contains("no limit") && answer.tried.iter().all(|tried| tried.dofs <= 6_000), "{said}");
 }

@@ -1,6 +1,6 @@
 //! What the user types, and what a terminal, a shell and another program are shown; also without a checkout.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 use contact_vv::case::library::NAMES;
@@ -135,17 +135,6 @@ fn what_cannot_be_written_is_refused_by_its_name() {
 }
 
 #[test]
-fn units_that_no_role_has_are_refused_before_a_file_is_read() {
-    for (unit, parts) in [
-        ("pressure=furlong", ["`--unit pressure=furlong` names no unit of pressure", "MPa, N/mm2"]),
-        ("position=MPa", ["names no unit of position", "mm, m, um"]),
-        ("contact=mm", ["names no unit of contact", "it has none"]),
-    ] {
-        refuses(&["judge", "patch", "missing.csv", "--unit", unit], &parts);
-    }
-}
-
-#[test]
 fn output_that_a_full_disk_cuts_is_an_error() {
     // A device that is always full.
     #[cfg(target_os = "linux")]
@@ -202,13 +191,9 @@ fn reports_and_surveys_outside_of_a_checkout_are_refused_wherever_the_program_wa
 #[test]
 fn scoreboard_asks_in_the_checkout_it_runs_in_and_writes_nothing_where_a_code_is_absent() {
     let folder = bare_checkout();
-    let [scripts, frozen] = ["oracles/peers", "oracles/frozen/scoreboard"].map(|name| folder.path().join(name));
-    std::fs::create_dir_all(&scripts).expect("made");
+    folder.copied("oracles/peers", "py");
+    let frozen = folder.path().join("oracles/frozen/scoreboard");
     std::fs::create_dir_all(&frozen).expect("made");
-    for file in std::fs::read_dir(root().join("oracles/peers")).expect("scripts") {
-        let file = file.expect("a script");
-        std::fs::copy(file.path(), scripts.join(file.file_name())).expect("copied");
-    }
     let (code, error) = run_in(&folder.path().join("oracles"), &["scoreboard"]);
     assert!(code == Some(2) && error.contains("not all of CalculiX") && error.contains("NGSolve"), "{error}");
     assert_eq!(std::fs::read_dir(&frozen).expect("read").count(), 0);
@@ -218,24 +203,17 @@ fn scoreboard_asks_in_the_checkout_it_runs_in_and_writes_nothing_where_a_code_is
 /// By a Python without any package but its own, and by one as it is installed; no answer is frozen where the scripts are copied to.
 #[test]
 fn scripts_of_the_oracles_show_how_to_start_them_and_what_they_lack_instead_of_a_traceback() {
-    let (folder, mut scripts) = (tempfile::tempdir().expect("a folder"), Vec::new());
-    for room in std::fs::read_dir(root().join("oracles")).expect("folders") {
-        let room = room.expect("a folder");
-        let copy = folder.path().join(room.file_name());
-        for file in std::fs::read_dir(room.path()).into_iter().flatten().map(|file| file.expect("a file").path()) {
-            if file.extension().is_some_and(|ending| ending == "py") {
-                std::fs::create_dir_all(&copy).expect("made");
-                scripts.push(copy.join(file.file_name().expect("a name")));
-                std::fs::copy(&file, &scripts[scripts.len() - 1]).expect("copied");
-            }
-        }
-    }
+    let folder = Folder::made();
+    let rooms = std::fs::read_dir(root().join("oracles")).expect("folders").map(|room| room.expect("a folder"));
+    let rooms = rooms.filter(|room| room.path().is_dir() && !room.file_name().to_string_lossy().starts_with('.'));
+    let copied = rooms.flat_map(|room| folder.copied(&format!("oracles/{}", room.file_name().display()), "py"));
+    let scripts: Vec<PathBuf> = copied.collect();
     assert!(scripts.len() > 50, "{scripts:?}");
     let (alone, installed) = ("-EsSB", "-B");
     for script in &scripts {
         for (python, arguments) in [(alone, &[][..]), (installed, &[]), (installed, &["absent", "absent"])] {
             let mut command = Command::new("python3");
-            command.arg(python).arg(script).args(arguments).current_dir(&folder).stdin(Stdio::null());
+            command.arg(python).arg(script).args(arguments).current_dir(folder.path()).stdin(Stdio::null());
             let output = command.output().expect("python3 runs");
             let said = String::from_utf8_lossy(&output.stderr);
             let told = !output.status.success() && ["usage: ", "missing"].iter().any(|word| said.contains(word));

@@ -9,7 +9,7 @@ use contact_vv::error::Kind;
 use contact_vv::solve::wedge::{Wedge, exponent};
 use contact_vv::solve::{Discretisation, Run};
 
-use crate::balance::{barred, scene, solved};
+use crate::balance::{barred, scene, solved, told_of};
 use crate::workbench::kinematic;
 
 const FREE: Wedge = Wedge { angle: FRAC_PI_2, modulus: 1.0, held: None };
@@ -174,7 +174,7 @@ fn asperity_narrower_than_an_element_is_noted() {
 #[test]
 fn bar_of_a_peak_contains_a_sharp_top_that_all_meshes_miss_alike() {
     let (_, bars) = barred(&scene("flat", &[]), &kinematic());
-    let one = bars.all.iter().find(|one| one.quantity == Quantity::PeakPressure).expect("a bar");
+    let one = told_of(&bars.all, &Quantity::PeakPressure);
     let error = (one.value - 45.154570).abs();
     // It is about as large as the number itself: a bar that holds it says nothing.
     let why = one.unknown.unwrap_or("known");

@@ -13,7 +13,7 @@ use contact_vv::solve::{Discretisation, Displaced, Fitted, Formulation, Run};
 use contact_vv::study::promised::counted::{Record, SURVEY};
 use contact_vv::study::random::Family;
 
-use crate::balance::{scene, solved};
+use crate::balance::{scene, solved, solved_on, told_of};
 use crate::workbench::{block_text, kinematic, parsed};
 
 /// Mantissas of the constants: those of the series E24 (IEC 60063).
@@ -86,10 +86,8 @@ fn constants_of_the_bars_are_the_narrowest_that_hold_on_the_recorded_sample() {
 }
 
 /// A mesh and its run to the last digit.
-fn solved_on((scene, resolution): (Scene, Resolution)) -> (Discretisation, Run) {
-    let mesh = Discretisation::of(scene, resolution).expect("meshed");
-    let run = Run::of(&mesh, &kinematic().tolerance(1e-9)).expect("solved");
-    (mesh, run)
+fn to_the_last_digit((scene, resolution): (Scene, Resolution)) -> (Discretisation, Run) {
+    solved_on(scene, resolution, &kinematic().tolerance(1e-9))
 }
 
 /// Length of a candidate element, of as many nodes as a middle and two ends are.
@@ -137,8 +135,8 @@ fn bars_are_what_their_formula_says_of_meshes_solved_here() {
     // What hides in a fourth difference, beyond that of a smooth top; what of the peak is a cusp, in E*.
     for (gap, smooth, cusp) in [("{ parabola = 100 }", 0.1, 0.0), (&by_points, 0.0, 0.0), (cusp, 0.1, 0.004)] {
         let case = block(gap);
-        let own = solved_on((case.scene.clone(), case.resolution));
-        let coarse: Vec<_> = coarser(&case.scene, case.resolution).into_iter().map(solved_on).collect();
+        let own = to_the_last_digit((case.scene.clone(), case.resolution));
+        let coarse: Vec<_> = coarser(&case.scene, case.resolution).into_iter().map(to_the_last_digit).collect();
         let at = |x: f64, y: f64| Displaced { body: 0, at: Place::Point([x, y]), component: Component::Y };
         let measures = own.1.measures();
         let bars = bars(&own.0, &own.1, &[at(18.0, 20.0), at(20.0, 0.0)]).expect("bars");
@@ -181,11 +179,11 @@ fn end_that_mesh_lines_tell_may_be_missed_by_what_two_series_and_the_layers_leav
     // No finer mesh is allowed, and of the coarser ones of order 4 and more there is one.
     let Bars { all, meshes, .. } = bars_up_to(Some(own.1.dofs), &own.0, &own.1, &[]).expect("bars");
     assert_eq!(meshes, 1);
-    let coarse: Vec<_> = coarser(&own.0.scene, own.0.resolution).into_iter().map(solved_on).collect();
+    let coarse: Vec<_> = coarser(&own.0.scene, own.0.resolution).into_iter().map(to_the_last_digit).collect();
     let (half_width, ends_apart) = (own.1.measures().half_width(), own.1.measures().ends_apart);
     let missed = ends_apart + (2e-6 * 100.0 + Fitted::misfit(Order::Quintic)) * half_width;
     let told = 2.4 * 3.3 * apart(&own, &coarse, &Quantity::HalfWidth)(2.0)[1] + missed;
-    let bar = all.iter().find(|one| one.quantity == Quantity::HalfWidth).expect("a bar").bar.mesh;
+    let bar = told_of(&all, &Quantity::HalfWidth).bar.mesh;
     assert!((bar - told).abs() <= 1e-3 * bar, "{bar:e} and {told:e}");
 }
 
@@ -211,7 +209,7 @@ fn place_of_a_peak_is_told_by_what_is_as_high_within_its_bar() {
 fn a_bar_that_no_mesh_tells_says_so() {
     let (mesh, run) = solved(&scene("pressed-corner", &[]), &kinematic());
     let Bars { all, meshes, .. } = bars_up_to(Some(1), &mesh, &run, &[]).expect("bars");
-    let peak = all.iter().find(|one| one.quantity == Quantity::PeakPressure).expect("a peak");
+    let peak = told_of(&all, &Quantity::PeakPressure);
     assert_eq!((meshes, peak.unknown), (0, Some("no coarser mesh of this scene holds the contact")));
 }
 

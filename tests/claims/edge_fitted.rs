@@ -10,9 +10,10 @@ use contact_vv::scene::{
     Action, Body, Component, Ends, Face, Load, Material, Path, Place, Scene, Shape, Support, VectorField,
 };
 use contact_vv::solve::edge_fitted::Answer;
-use contact_vv::solve::{Discretisation, Fitted, Formulation, Run};
+use contact_vv::solve::{Fitted, Formulation, Run};
 use contact_vv::study::fitted::LOADS;
 
+use crate::balance::{scene, solved_on, text, told_of};
 use crate::outputs::json;
 use crate::scene_file::case;
 use crate::workbench::{self, area, block_text, held_at, meshed, parsed, resolution};
@@ -241,13 +242,13 @@ fn bars_of_fitted_meshes_hold_the_error_of_peak_width_and_ends() {
                 (Quantity::End(0), hertz.half_width()),
             ];
             for (quantity, truth) in truths {
-                let one = bars.all.iter().find(|one| (one.contact, &one.quantity) == (0, &quantity)).expect("barred");
+                let one = told_of(&bars.all, &quantity);
                 let error = (one.value - truth).abs();
                 assert!(error <= one.bar.total(), "{quantity:?}, {digits} digits at {factor}: {error} > {:?}", one.bar);
                 assert!(one.bar.total() <= 5e-2 * truth, "{quantity:?}, {digits} digits at {factor}: {:?}", one.bar);
             }
             // The largest shear stress below a line of Hertz, 0.300283 p₀.
-            let shear = bars.all.iter().find(|one| one.quantity == Quantity::Shear { body: 0 }).expect("barred");
+            let shear = told_of(&bars.all, &Quantity::Shear { body: 0 });
             let error = (shear.value - 0.300283 * hertz.peak_pressure()).abs();
             assert!(error <= shear.bar.total(), "{digits} digits at {factor}: {error} > {:?}", shear.bar);
         }
@@ -331,7 +332,7 @@ fn pressure_between_nodes_is_the_polynomial_of_the_cell_and_the_bar_of_a_force_o
 
 #[test]
 fn chain_of_bodies_whose_contacts_end_alike_is_fitted() {
-    let case = crate::balance::scene("chain", &[]);
+    let case = scene("chain", &[]);
     let answer = solved(Fitted { order: Order::Sextic, layers: 2 }, &case.scene);
     let material = Material::STEEL.plane_modulus(case.scene.plane);
     let expected = [(10.0, material), (5.0, 0.5 * material), (5.0, 0.5 * material)];
@@ -345,15 +346,7 @@ fn chain_of_bodies_whose_contacts_end_alike_is_fitted() {
 
 #[test]
 fn a_contact_that_stays_open_beside_others_has_no_end_to_fit() {
-    let scene = parsed(
-        "plane = \"strain\"\nthickness = 1\n[[body]]\nname = \"block\"\nyoung = 210e3\npoisson = 0.3\n\
-         shape = { rectangle = { x = [-60, 60], y = [0, 60], contact = \"bottom\" } }\n\
-         supports = [{ at = \"left\", component = \"x\" }]\nloads = [{ rigid-face = { at = \"far\", component = \"y\", force = -1000 } }]\n\
-         [[contact]]\nfirst = \"block\"\nboth-sides = true\ngap = { parabola = 20 }\nstretch = 2\n\
-         [[contact]]\nname = \"beside\"\nfirst = \"block\"\nboth-sides = true\norigin = [30, 0]\ngap = { parabola = 20, clearance = 1 }\nstretch = 2\n\
-         [mesh]\nelements = 8\nper = 1\n",
-    )
-    .scene;
+    let scene = scene("parabola-beside-open", &[]).scene;
     let answer = solved(Fitted { order: Order::Sextic, layers: 2 }, &scene);
     let [closed, open] = &answer.run.contacts[..] else { panic!("two contacts") };
     assert!(open.measures.stretches.is_empty());
@@ -375,44 +368,14 @@ fn held_inside() -> Scene {
     scene
 }
 
-/// A beam on two rollers, or on one and held on its left, pressed at places that no mesh of its own would have a node at, two of them
-/// beside one.
-const BEAM: &str = r#"
-plane = "strain"
-thickness = 1
-[[body]]
-name = "beam"
-young = 210000.0
-poisson = 0.3
-shape = { rectangle = { x = [-60.0, 60.0], y = [0.0, 12.0], contact = "bottom" } }
-supports = [{ at = [-60, 7.3], component = "x" }]
-loads = [{ force = { at = [13.777, 12], value = [0, -150] } }, { force = { at = [-22.1, 12], value = [0, -70] } }, { force = { at = [-22.3, 12], value = [0, -30] } }]
-[[contact]]
-name = "left"
-first = "beam"
-gap = { circle = 20 }
-stretch = 2.0
-both-sides = true
-origin = [-50, 0]
-[[contact]]
-name = "right"
-first = "beam"
-gap = { circle = 20 }
-stretch = 2.0
-both-sides = true
-origin = [50, 0]
-[mesh]
-elements = 8
-per = 1.0
-"#;
-
+/// A beam on two rollers, or on one and held on its left.
 #[test]
 fn rectangles_have_nodes_where_they_are_held_and_pressed_also_on_fitted_meshes() {
-    let whole = parsed(BEAM).scene;
-    let (before, rest) = BEAM.split_once("[[contact]]").expect("a contact");
+    let beam = text("beam-on-rollers");
+    let (before, rest) = beam.split_once("[[contact]]").expect("a contact");
     let (_, right) = rest.split_once("[[contact]]").expect("another");
     let hinged = before.replace("supports = [", "supports = [{ at = [-60, 7.3], component = \"y\" }, ");
-    let one = parsed(&format!("{hinged}[contact]{right}")).scene;
+    let [whole, one] = [beam.clone(), format!("{hinged}[contact]{right}")].map(|text| parsed(&text).scene);
     for (scene, lever, about) in [(whole, 100.0, -50.0), (one, 110.0, -60.0)] {
         let moment = 150.0 * (13.777 - about) - 70.0 * (22.1 + about) - 30.0 * (22.3 + about);
         let runs = [
@@ -428,29 +391,9 @@ fn rectangles_have_nodes_where_they_are_held_and_pressed_also_on_fitted_meshes()
     }
 }
 
-/// Two quarter discs pressed on each other; the cut of the lower one, which is fixed, is a side beyond its candidates.
-fn quarter_discs([radii, young, poisson]: [[f64; 2]; 3], traction: f64, stretch: f64) -> Scene {
-    let axis = "{ at = \"axis\", component = \"x\" }";
-    let disc = |k: usize, name: &str, y: f64, contact: &str| {
-        let shape = format!("{{ disc = {{ centre = [0, {y}], radius = {}{contact} }} }}", radii[k]);
-        let material = format!("young = {}\npoisson = {}", young[k], poisson[k]);
-        format!("[[body]]\nname = \"{name}\"\n{material}\nshape = {shape}\n")
-    };
-    let text = [
-        "plane = \"strain\"\nthickness = 1\n",
-        &disc(0, "upper", radii[0], ""),
-        &format!("supports = [{axis}]\nloads = [{{ traction = {{ at = \"cut\", force = [0, -{traction}] }} }}]\n"),
-        &disc(1, "lower", -radii[1], ", contact = \"top\""),
-        &format!("supports = [{axis}, {{ at = \"cut\", component = \"y\" }}]\nloads = []\n"),
-        "[contact]\nname = \"between\"\nfirst = \"upper\"\nsecond = \"lower\"\ngap = { from = \"bodies\" }\n",
-        &format!("stretch = {stretch}\nsymmetric = true\n[mesh]\nelements = 10\nper = 1.0\n"),
-    ];
-    parsed(&text.concat()).scene
-}
-
 #[test]
 fn candidates_of_a_lower_quarter_end_before_the_cut_that_holds_it_however_far_they_go() {
-    let scene = quarter_discs([[8.0, 9.0], [210e3; 2], [0.3; 2]], 1000.0, 5.0);
+    let scene = scene("quarter-discs", &[]).scene;
     let hertz = Hertz { load: 2000.0, radius: 72.0 / 17.0, modulus: scene.modulus_of(&scene.contacts[0]) };
     let answer = solved(Fitted::of_digits(4), &scene);
     // Half-planes and parabolas are off by (a/R)², 1/800.
@@ -462,12 +405,18 @@ fn candidates_of_a_lower_quarter_end_before_the_cut_that_holds_it_however_far_th
 #[test]
 fn ends_that_would_move_there_and_back_come_to_rest_within_their_bars() {
     // Rubber on a small roller of steel: on cells of order 6 two series of the end take turns.
-    let scene = quarter_discs([[200.0, 10.0], [3.0, 210e3], [0.499, 0.3]], 8.0 / 7.0, 3.0);
+    let rubber = [
+        ["young = 210e3\npoisson = 0.3", "young = 3\npoisson = 0.499"],
+        ["centre = [0, 8], radius = 8", "centre = [0, 200], radius = 200"],
+        ["centre = [0, -9], radius = 9", "centre = [0, -10], radius = 10"],
+        ["force = [0, -1000]", "force = [0, -1.1428571428571428]"],
+        ["stretch = 5", "stretch = 3"],
+    ];
+    let scene = scene("quarter-discs", &rubber).scene;
     let [coarse, fine] = [4, 6].map(|digits| {
         let answer = solved(Fitted::of_digits(digits), &scene);
         let bars = accuracy::bars(&answer.discretisation, &answer.run, &[]).expect("bars");
-        [Quantity::PeakPressure, Quantity::HalfWidth]
-            .map(|quantity| bars.all.iter().find(|one| one.quantity == quantity).expect("barred").clone())
+        [Quantity::PeakPressure, Quantity::HalfWidth].map(|quantity| told_of(&bars.all, &quantity).clone())
     });
     for (coarse, fine) in coarse.iter().zip(&fine) {
         let apart = (coarse.value - fine.value).abs();
@@ -477,27 +426,7 @@ fn ends_that_would_move_there_and_back_come_to_rest_within_their_bars() {
 
 #[test]
 fn thin_ring_under_a_force_at_its_top_is_fitted_without_a_folded_cell() {
-    let scene = parsed(
-        r#"
-plane = "strain"
-thickness = 5
-[[body]]
-name = "ring"
-young = 210000
-poisson = 0.3
-shape = { ring = { centre = [0, 20], inner = 18.5, outer = 20, sweep = 180, contact = "outer" } }
-supports = [{ at = "start", component = "x" }, { at = "end", component = "x" }]
-loads = [{ force = { at = [0, 40], value = [0, -30] } }]
-[contact]
-first = "ring"
-gap = { circle = 20 }
-stretch = 1.0
-[mesh]
-elements = 10
-per = 0.5
-"#,
-    )
-    .scene;
+    let scene = scene("ring-under-a-force", &[]).scene;
     for digits in [2, 4] {
         let answer = solved(Fitted::of_digits(digits), &scene);
         // The force on the half is half of that on the ring.
@@ -507,34 +436,15 @@ per = 0.5
 
 #[test]
 fn bars_hold_on_a_thin_layer_that_is_pressed_in_part() {
-    let text = r#"
-plane = "stress"
-thickness = 1
-[[body]]
-name = "layer"
-young = 565.0
-poisson = 0.3
-shape = { rectangle = { x = [0, 40], y = [0, 2.8], contact = "bottom" } }
-supports = [{ at = "left", component = "x" }]
-loads = [{ pressure = { at = "far", part = { along = "x", from = 0, to = 0.68 }, law = { uniform = 0.565 } } }]
-[contact]
-first = "layer"
-gap = { parabola = 2700 }
-stretch = 25
-[mesh]
-elements = 12
-per = 5
-"#;
-    let scene = parsed(text).scene;
+    let scene = scene("layer-pressed-in-part", &[]).scene;
     let wanted = [Quantity::PeakPressure, Quantity::HalfWidth, Quantity::SecondMomentWidth];
     // Equal 8-node cells, which know neither of the contact nor of the part.
-    let equal = Discretisation::of(scene.clone(), resolution(12, 3, Order::Quadratic)).expect("meshed");
-    let fine = Run::of(&equal, &Formulation::verification()).expect("run");
+    let (_, fine) = solved_on(scene.clone(), resolution(12, 3, Order::Quadratic), &Formulation::verification());
     for digits in [2, 4, 6] {
         let answer = solved(Fitted::of_digits(digits), &scene);
         let bars = accuracy::bars(&answer.discretisation, &answer.run, &[]).expect("bars");
         for quantity in &wanted {
-            let one = bars.all.iter().find(|one| one.quantity == *quantity).expect("barred");
+            let one = told_of(&bars.all, quantity);
             let [truth, apart] = [quantity.of(fine.measures()), one.bar.total()];
             // What the fine mesh leaves of a half-width.
             let left = 3e-4 * truth;
@@ -595,7 +505,7 @@ fn beyond_their_bars(answer: &Answer, hertz: &Hertz) -> Vec<String> {
         (Quantity::HalfWidth, hertz.half_width()),
     ];
     let told = truths.into_iter().filter_map(|(quantity, truth)| {
-        let one = bars.all.iter().find(|one| (one.contact, &one.quantity) == (0, &quantity)).expect("barred");
+        let one = told_of(&bars.all, &quantity);
         let (error, bar) = ((one.value - truth).abs(), one.bar.total());
         let is_within = error <= bar.max(MILLIONTH * truth);
         (!is_within).then(|| format!("{}: {error:e} beyond {bar:e}", quantity.key()))

@@ -9,6 +9,7 @@ use contact_vv::mesh::{Mesh, Order, spacing};
 use contact_vv::scene::{Ends, Face, Path, Scene, Sector, Shape};
 use contact_vv::solve::{Discretisation, Element, Fitted, Formulation, Iteration, Run};
 
+use crate::balance;
 use crate::outputs::scene;
 use crate::scene_file::case;
 use crate::workbench::{area, length, of_shape, parsed, resolution, ring};
@@ -173,17 +174,10 @@ fn both_ends_of_a_contact_off_the_middle_of_a_disc_are_found() {
 
 #[test]
 fn a_sheet_between_two_contacts_hangs_together_wherever_they_end() {
-    let sheet = |size: f64| format!("{{ rectangle = {{ x = [0, 30], y = [-{size}, 0], contact = \"top\" }} }}");
     for height in [0.5, 1.0, 2.0] {
         for [top, bottom] in [[2.0, 2.0], [2.078, 2.218], [2.45, 2.92], [1.23, 1.46], [3.0, 1.1]] {
-            let mut scene = parsed(&format!(
-                "plane = \"strain\"\nthickness = 1\n[[body]]\nname = \"sheet\"\nyoung = 2e3\npoisson = 0.35\nshape = {}\n\
-                 supports = [{{ at = \"left\", component = \"x\" }}]\n[[contact]]\nfirst = \"sheet\"\ngap = {{ circle = 20 }}\n\
-                 stretch = 4\n[[contact]]\nname = \"below\"\nfirst = \"sheet\"\nfirst-side = \"far\"\norigin = [0, -{height}]\ngap = {{ uniform = 0 }}\n\
-                 stretch = 12\n[mesh]\nelements = 10\nper = 2\n",
-                sheet(height)
-            ))
-            .scene;
+            let [y, origin] = [format!("y = [-{height}, 0]"), format!("origin = [0, -{height}]")];
+            let mut scene = balance::scene("sheet", &[["y = [-1, 0]", &y], ["origin = [0, -1]", &origin]]).scene;
             for (pair, place) in scene.contacts.iter_mut().zip([top, bottom]) {
                 pair.ends = Ends { places: vec![place], layers: 2, off: 0.0 };
             }

@@ -50,6 +50,11 @@ pub fn judged_as(truth: &Truth, name: &str, text: &str, asked: &Asked) -> Verdic
     judged(truth, read(&truth.case, name, text, asked).expect("read"))
 }
 
+/// Those on a table of columns.
+pub fn judged_rows<const N: usize>(truth: &Truth, columns: &str, rows: impl IntoIterator<Item = [f64; N]>) -> Verdicts {
+    judged_as(truth, "theirs.csv", &table(columns, rows), &Asked::default())
+}
+
 /// Names of what is not met.
 pub fn failed(found: &Verdicts) -> Vec<String> {
     let all = found.ruled.iter().flat_map(|ruled| &ruled.judged);

@@ -9,7 +9,7 @@ use contact_vv::mesh::Order;
 use contact_vv::scene::{Component, Place};
 use contact_vv::solve::{Displaced, Fitted};
 
-use crate::balance::solved_as_it_says;
+use crate::balance::{self, solved_as_it_says};
 use crate::workbench::{kinematic, parsed};
 
 /// A scene of one body under a pressure of 10 MPa, or as it is loaded, on a rigid profile.
@@ -59,23 +59,14 @@ fn a_layer_of_one_row_of_cells_has_no_bars_however_far_it_goes_beyond_the_candid
     let contact = "gap = { parabola = 2e5 }\nstretch = 28";
     let growth = "growth = { along = 1.2, depth = 1.2, coarsest = 1.0 }";
     let all = barred(&scene(body, contact, &format!("elements = 16\nper = 13.5\n{growth}")), "far");
-    let peak = all.iter().find(|one| one.quantity == Quantity::PeakPressure).expect("a peak");
+    let peak = balance::told_of(&all, &Quantity::PeakPressure);
     assert!(peak.bar.total().is_nan(), "{peak:?}");
 }
 
 /// Where a side that is held meets a free one displacements converge as the stresses there have it, and not with the order of the cells.
 #[test]
 fn bars_of_reactions_and_displacements_hold_where_a_body_is_clamped_beside_a_free_side() {
-    let case = parsed(
-        "plane = \"strain\"\nthickness = 1\n[[body]]\nname = \"u\"\nyoung = 679936.4224075718\npoisson = 0.09343843506176439\n\
-         shape = { rectangle = { x = [0, 16.659583468838132], y = [0, 19.88655333392575], contact = \"bottom\" } }\n\
-         supports = [{ at = \"left\", component = \"x\" }]\nloads = [{ traction = { at = \"far\", force = [0, -155.16180769998414] } }]\n\
-         [[body]]\nname = \"l\"\nyoung = 2372.328598929389\npoisson = 0.4999\n\
-         shape = { rectangle = { x = [0, 20.824479336047663], y = [-23.29617947386151, 0], contact = \"top\" } }\n\
-         supports = [{ at = \"far\", component = \"x\" }, { at = \"left\", component = \"x\" }, { at = \"far\", component = \"y\" }]\n\
-         [contact]\nfirst = \"u\"\nsecond = \"l\"\ngap = { parabola = 25.695735941962248 }\nstretch = 3.5916506195900184\n\
-         [mesh]\nelements = 32\nper = 1.7958253097950092\norder = 2\n[solve]\ntolerance = 1e-8\n",
-    );
+    let case = balance::scene("clamped-beside-a-free-side", &[]);
     let all = barred(&case, "far");
     // By cells of order 4 and by graded ones of order 2: -0.189711 and -0.189716 mm, 86.1322 and 86.1325 N.
     let told = |wanted: &dyn Fn(&Quantity) -> bool, truth: f64| {
@@ -113,39 +104,10 @@ fn contacts_that_begin_beside_the_origin_are_fitted_to_where_they_begin() {
     }
 }
 
-/// Two rectangles that touch beside their symmetry line: on the first mesh the contact goes on to it, with one open node.
-const NEAR_LINE: &str = r#"
-plane="stress"
-thickness=1
-[[body]]
-name="u"
-young=468109.98262833175
-poisson=0.4142277482479338
-shape={ rectangle={x=[0,11.008302989888344],y=[0,4.562380020298731],contact="bottom"} }
-supports=[{at="left",component="x"}]
-loads=[{traction={at="far",force=[0,-5.348785875440636]}}]
-[[body]]
-name="l"
-young=3351.351949502285
-poisson=0.038835481516070004
-shape={ rectangle={x=[0,14.310793886854848],y=[-11.716861557901785,0],contact="top"} }
-supports=[{at="left",component="x"}, {at="far",component="y"}]
-[contact]
-first="u"
-second="l"
-gap={even=[-0.00028790915561563186,1.942501809006718e-05]}
-stretch=6.261232922109193
-[mesh]
-elements=8
-per=2.722275183525736
-order=4
-[solve]
-tolerance=1e-8
-"#;
-
+/// Two rectangles that touch beside their symmetry line.
 #[test]
 fn a_contact_that_begins_near_its_symmetry_line_is_not_met_as_one_that_begins_on_it() {
-    let case = parsed(NEAR_LINE);
+    let case = balance::scene("beside-its-line", &[]);
     // By order 8, and unfitted on 32 elements: 1.80865 and 1.797.
     for asked in [3e-2, 1e-2] {
         let answer = accuracy::solve(&case.scene, &kinematic(), &Asked::new(asked)).expect("solved");

@@ -3,6 +3,8 @@
 mod again;
 mod cells;
 mod checks;
+mod ellipse;
+mod foreign;
 mod iterate;
 mod primary;
 mod spacing;

@@ -1,7 +1,9 @@
 //! Options of `solve` that may be combined are combined: every pair of their values in some run.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
+
+use contact_vv::checkout::root;
 
 use crate::outputs::contact_vv;
 use crate::program::{Folder, ended, program};
@@ -124,59 +126,15 @@ fn any_two_options_that_may_be_combined_solve_and_write_what_is_asked_for() {
 
 #[test]
 fn what_cannot_be_solved_or_written_is_refused_before_anything_is_solved_with_what_can() {
-    let missing = "the folder is missing; name a file in a folder that exists";
-    for (arguments, says) in [
-        // What excludes one another.
-        ("cylinder --fitted --resolution 4", "--resolution cannot be used"),
-        ("cylinder --fitted --accuracy 5%", "--accuracy cannot be used"),
-        ("cylinder --fitted --order 2", "4 to 8"),
-        ("cylinder --accuracy 5% --resolution 4", "--resolution"),
-        ("cylinder --accuracy 5% --order 2", "--order"),
-        ("cylinder --max-dofs 1000", "--max-dofs cannot be used: it bounds the search for an accuracy"),
-        ("cylinder --fitted --max-dofs 1000", "--max-dofs cannot be used"),
-        ("cylinder --accuracy 5% --max-dofs -1", "invalid value '-1' for '--max-dofs"),
-        ("cylinder --algorithm kinematic --rule secant", "secant; choose one of; switching; penalty"),
-        ("cylinder --algorithm varying --rule literal", "literal; choose one of; secant; correction"),
-        ("cylinder --algorithm constant --rule switching", "switching; choose one of; correction; secant; literal"),
-        ("press-fit.toml --algorithm varying", "interference of 0.02 mm; use the kinematic algorithm"),
-        ("press-fit.toml --algorithm constant --rule secant", "interference of 0.02 mm; use the kinematic algorithm"),
-        ("cylinder --algorithm constant --bound 10", "bound"),
-        ("cylinder --algorithm kinematic --spring element", "spring"),
-        ("cylinder --algorithm kinematic --acceleration newton", "newton; constant; varying"),
-        ("cylinder --curve curve.csv", "all of the load is applied at once; --increments 10"),
-        ("cylinder-in-metres.toml --a-over-r 0.1", "a scene file has no a/R; leave it out"),
-        // Numbers out of their range.
-        ("patch --max-iterations 0", "at least 1 is needed"),
-        ("patch --max-iterations -1", "invalid value '-1' for '--max-iterations"),
-        ("patch --increments 0", "at least 1 is needed"),
-        ("patch --increments -1", "invalid value '-1' for '--increments"),
-        ("patch --tolerance nan", "a finite value above 0"),
-        ("patch --accuracy 50%", "between 0.0001 % and 20 %"),
-        ("patch --accuracy 0%", "between 0.0001 % and 20 %"),
-        ("patch --accuracy -1%", "between 0.0001 % and 20 %"),
-        ("patch --accuracy nan%", "between 0.0001 % and 20 %"),
-        ("patch --accuracy abc", "must be a percentage, with the sign %"),
-        ("patch --accuracy 1", "must be a percentage, with the sign %"),
-        ("cylinder-in-metres.toml --resolution 4096", "8192 candidate elements"),
-        // What is no scene, and where an output cannot go.
-        (".", "this is no file"),
-        ("patch --json absent/a.json", missing),
-        ("patch --csv absent/a.csv", missing),
-        ("patch --vtu absent/a.vtu", missing),
-        ("patch --plot absent/a.svg", missing),
-        ("patch --increments 2 --curve absent/a.csv", missing),
-        ("patch --csv -", "this output goes to a file"),
-        ("patch --plot -", "this output goes to a file"),
-        ("patch --vtu -", "this output goes to a file"),
-        ("patch --plot out.txt", "end the file name in"),
-        ("patch --vtu out.txt", "end the file name in"),
-        ("patch --increments 2 --curve curve.svg", "curves are CSV or JSON; .csv or .json"),
-    ] {
-        let mut command = program(&["solve"]);
+    let text = fs::read_to_string(root().join("tests/data/refused-options.toml")).expect("the options");
+    let all: BTreeMap<String, Vec<Vec<String>>> = toml::from_str(&text).expect("TOML");
+    for row in &all["refused"] {
+        let [arguments, says @ ..] = &row[..] else { panic!("{row:?}") };
+        let mut command = program(&[]);
         let command = command.args(arguments.split_whitespace()).current_dir(folder()).env("COLUMNS", "1000");
         let (code, text, told) = ended(command);
         assert_eq!((code, text.as_str()), (Some(2), ""), "{arguments}: {told}");
-        assert!(says.split("; ").all(|part| told.contains(part)), "{arguments}: {told}");
+        assert!(says.iter().all(|part| told.contains(part)), "{arguments}: {told}");
     }
 }
 

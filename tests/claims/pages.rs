@@ -253,17 +253,10 @@ fn one_page_of_a_case_is_that_of_the_report_and_a_mistyped_name_is_told_with_its
     let folder = Folder::made();
     // A checkout with what pages are made from, and none of them.
     folder.with("Cargo.toml", "");
-    let own = root();
     for (inside, of) in
         [("tests/cases", "toml"), ("tests/cases/meshes", "msh"), ("snapshots", "csv"), ("snapshots", "json")]
     {
-        std::fs::create_dir_all(folder.path().join(inside)).expect("made");
-        for file in std::fs::read_dir(own.join(inside)).expect("a folder").map(|file| file.expect("a file").path()) {
-            if file.extension().is_some_and(|ending| ending == of) {
-                let name = file.file_name().expect("a name");
-                std::fs::copy(&file, folder.path().join(inside).join(name)).expect("copied");
-            }
-        }
+        folder.copied(inside, of);
     }
     for inside in ["pages", "charts", "sheets"] {
         std::fs::create_dir_all(folder.path().join("snapshots").join(inside)).expect("made");
@@ -277,7 +270,7 @@ fn one_page_of_a_case_is_that_of_the_report_and_a_mistyped_name_is_told_with_its
         let (code, shown, error) = report(name);
         let file = format!("snapshots/pages/{page}.md");
         let read = |root: &Path| std::fs::read_to_string(root.join(&file)).expect("a page");
-        let committed = read(&own);
+        let committed = read(&root());
         assert_eq!(code, Some(0), "{name}: {error}");
         assert!(read(folder.path()) == committed && shown.starts_with(committed.trim_end()), "{name}: {shown:.300}");
         assert!(shown.trim_end().ends_with(&file), "{name}");

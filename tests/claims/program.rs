@@ -1,8 +1,9 @@
 //! The program as it is started, and folders of files for it.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 
+use contact_vv::checkout::root;
 use tempfile::TempDir;
 
 /// The program with its arguments.
@@ -40,6 +41,19 @@ impl Folder {
     pub fn with(&self, name: &str, bytes: impl AsRef<[u8]>) -> String {
         std::fs::write(self.path().join(name), bytes).expect("written");
         self.at(name)
+    }
+
+    /// The paths of files that end so, copied from a folder of the checkout into the same one in it.
+    pub fn copied(&self, inside: &str, ending: &str) -> Vec<PathBuf> {
+        let to = self.path().join(inside);
+        std::fs::create_dir_all(&to).expect("made");
+        let files = std::fs::read_dir(root().join(inside)).expect("a folder").map(|file| file.expect("a file").path());
+        let copy = |file: PathBuf| {
+            let copy = to.join(file.file_name().expect("a name"));
+            std::fs::copy(&file, &copy).expect("copied");
+            copy
+        };
+        files.filter(|file| file.extension().is_some_and(|own| own == ending)).map(copy).collect()
     }
 
     /// The text of a file in it.

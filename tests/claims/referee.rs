@@ -9,6 +9,7 @@ use contact_vv::referee::judge::ENGINEERING;
 use contact_vv::referee::{Asked, Profile, Truth, Verdicts, verdicts};
 use contact_vv::solve::{Discretisation, Element, Formulation, Iteration, Run};
 
+use crate::balance::solved_on;
 use crate::handed::{PRESSURES, failed, judged_as, read, table};
 use crate::workbench::{every_case, truth};
 
@@ -155,8 +156,7 @@ fn profile_of_a_run_by_nodes_and_by_points_alone_is_the_same() {
     let case = find("truncated-hertz", None).expect("a case");
     for order in Order::ALL {
         let resolution = Resolution { order, ..case.resolution };
-        let discretisation = Discretisation::of(case.scene.clone(), resolution).expect("meshed");
-        let run = Run::of(&discretisation, &Formulation::verification()).expect("solved");
+        let (_, run) = solved_on(case.scene.clone(), resolution, &Formulation::verification());
         let points = run.solution.points_of(0);
         let asked = Asked { order: Some(order), ..Asked::default() };
         let pressures = table(PRESSURES, points.iter().map(|p| [p.position, p.pressure]));
@@ -186,8 +186,7 @@ fn right_answers_pass_on_ugly_meshes() {
     // Solved on coarse cells of both orders, which end within an element.
     for (order, elements) in [(Order::Linear, 10), (Order::Linear, 16), (Order::Quadratic, 6), (Order::Quadratic, 9)] {
         let resolution = Resolution { elements, refinement: 0, order };
-        let discretisation = Discretisation::of(truth.case.scene.clone(), resolution).expect("meshed");
-        let run = Run::of(&discretisation, &Formulation::verification()).expect("solved");
+        let (discretisation, run) = solved_on(truth.case.scene.clone(), resolution, &Formulation::verification());
         let text = serde_json::to_string(&own::answer("truncated-hertz", &discretisation, &run)).expect("JSON");
         let answer = read(&truth.case, "ours.json", text, &Asked::default()).expect("read");
         let found = verdicts(truth, answer, 2.0 * ENGINEERING).expect("judged");

@@ -7,6 +7,7 @@ use contact_vv::referee::units::Role;
 use contact_vv::referee::{Answer, Asked, Verdicts, read};
 use contact_vv::solve::{Discretisation, Run};
 
+use crate::foreign::{cell_of, fixed, forces, record};
 use crate::handed::{self, in_units};
 use crate::program::Folder;
 use crate::workbench::{refused, truth};
@@ -15,26 +16,19 @@ use crate::workbench::{refused, truth};
 pub fn frd(discretisation: &Discretisation, run: &Run) -> String {
     let mesh = &discretisation.mesh;
     let mut text = String::from("    1C\n    2C                             9                                     1\n");
-    let row = |numbers: &[f64]| numbers.iter().map(|x| format!("{x:>12.5E}")).collect::<String>();
-    for (k, [x, y]) in mesh.points.iter().enumerate() {
-        text += &format!(" -1{:>10}{}\n", k + 1, row(&[*x, *y, 0.0]));
-    }
+    text.extend(mesh.points.iter().enumerate().map(|(k, [x, y])| record(k + 1, &fixed([*x, *y, 0.0]))));
     text += " -3\n    3C                             9                                     1\n";
-    for cell in 0..mesh.cells() {
-        let nodes: String = mesh.cell(cell).iter().map(|node| format!("{:>10}", node + 1)).collect();
-        text += &format!(" -1{:>10}   10    0    1\n -2{nodes}\n", cell + 1);
-    }
+    let numbered = |cell: usize| mesh.cell(cell).iter().map(|node| node + 1).collect::<Vec<_>>();
+    text.extend((0..mesh.cells()).map(|cell| cell_of(cell + 1, 10, &numbered(cell))));
     // A gap element.
-    text += &format!(" -1{:>10}   11    0    1\n -2{:>10}{:>10}\n", mesh.cells() + 1, 1, 2);
+    text += &cell_of(mesh.cells() + 1, 11, &[1, 2]);
     text += " -3\n  100CL  101 1.00000E+00\n -4  DISP        4    1\n -5  D1          1    2    1    0\n -5  D2          1    2    2    0\n";
     text += " -5  D3          1    2    3    0\n -5  ALL         1    2    0    0    1ALL\n";
-    for (k, [u, v]) in discretisation.displacement_under(run.share(), &run.solution).iter().enumerate() {
-        text += &format!(" -1{:>10}{}\n", k + 1, row(&[*u, *v, 0.0]));
-    }
+    let moved = discretisation.displacement_under(run.share(), &run.solution);
+    text.extend(moved.iter().enumerate().map(|(k, [u, v])| record(k + 1, &fixed([*u, *v, 0.0]))));
     text += " -3\n -4  CONTACT     2    1\n -5  COPEN       1    4    1    1\n -5  CPRESS      1    4    1    2\n";
-    for (node, point) in discretisation.mesh.bodies[0].candidates.iter().zip(run.solution.points_of(0)) {
-        text += &format!(" -1{:>10}{}\n", node.node + 1, row(&[point.gap, point.pressure]));
-    }
+    let pressed = mesh.bodies[0].candidates.iter().zip(run.solution.points_of(0));
+    text.extend(pressed.map(|(node, point)| record(node.node + 1, &fixed([point.gap, point.pressure]))));
     text + " -3\n 9999\n"
 }
 
@@ -81,14 +75,10 @@ fn cells_of_a_rigid_body_in_a_frd_move_no_node_of_the_scene() {
     let (first, cell) = (meshed.discretisation.mesh.points.len() + 1, meshed.discretisation.mesh.cells() + 2);
     let mut into = |before: &str, rows: String| text = text.replacen(before, &(rows + before), 1);
     let corners = [[-20.0, -40.0], [20.0, -40.0], [20.0, 0.0], [-20.0, 0.0]];
-    let places = corners
-        .iter()
-        .enumerate()
-        .map(|(k, [x, y])| format!(" -1{:>10}{x:>12.5E}{y:>12.5E}{:>12.5E}\n", first + k, 0.0));
+    let places = corners.iter().enumerate().map(|(k, [x, y])| record(first + k, &fixed([*x, *y, 0.0])));
     into(" -3\n    3C", places.collect());
-    let nodes: String = (0..4).map(|k| format!("{:>10}", first + k)).collect();
-    into(" -3\n  100CL", format!(" -1{cell:>10}    9    0    1\n -2{nodes}\n"));
-    let still = (0..4).map(|k| format!(" -1{:>10}{:>12.5E}{:>12.5E}{:>12.5E}\n", first + k, 0.0, 0.0, 0.0));
+    into(" -3\n  100CL", cell_of(cell, 9, &[0, 1, 2, 3].map(|k| first + k)));
+    let still = (0..4).map(|k| record(first + k, &fixed([0.0; 3])));
     into(" -3\n -4  CONTACT", still.collect());
     let answer = field(&case, &text, &in_units(&MOVED)).expect("read");
     assert_eq!(answer.field.as_ref().map(|field| field.cells.len()), Some(cell - 1));
@@ -124,11 +114,8 @@ fn the_frd_beside_the_dat_of_an_exported_deck_tells_its_displacements() {
     let first = deck.lines().skip_while(|line| !line.starts_with("*NSET, NSET=GAPS_CONTACT")).nth(1).expect("a set");
     let first: usize = first.split(',').next().and_then(|word| word.trim().parse().ok()).expect("a node");
     let rows = run.solution.points_of(0).iter().enumerate();
-    let rows = rows.map(|(k, p)| {
-        format!("{:>10} {:>13.6E} {:>13.6E} {:>13.6E}\n", first + 2 * k, 0.0 - p.pressure * p.weight, 0.0, 0.0)
-    });
-    let table =
-        format!(" forces (fx,fy,fz) for set GAPS_CONTACT and time  0.1000000E+01\n\n{}", rows.collect::<String>());
+    let table = rows.map(|(k, point)| (first + 2 * k, 0.0 - point.pressure * point.weight));
+    let table = forces("GAPS_CONTACT", "0.1000000E+01", table);
     let dat = folder.path().join("cylinder.dat");
     std::fs::write(&dat, table).expect("written");
     let alone = read::read(&dat, &case, &Asked::default()).expect("read");

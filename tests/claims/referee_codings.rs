@@ -5,8 +5,9 @@ use contact_vv::referee::units::Role;
 use contact_vv::referee::{Answer, Asked, verdicts};
 use serde_json::json;
 
+use crate::ellipse;
+use crate::foreign::{Frd, vtk, vtu};
 use crate::handed::{PRESSURES, document, failed, table};
-use crate::referee_readers::{Frd, ellipse, vtk};
 use crate::referee_wild::{TRUTH, judged, parsed, refused, usual};
 use crate::workbench::refused as refused_as;
 
@@ -30,32 +31,15 @@ fn texts_are_read_as_windows_and_old_macs_code_them_and_what_is_no_text_is_refus
     }
 }
 
-/// A grid of two rows of nodes as VTK writes it, with what it knows of an array behind its numbers.
+/// A grid of two rows of nodes.
 fn grid(place: impl Fn(f64, f64) -> [f64; 3], pressure: impl Fn(f64) -> String) -> String {
     let nodes = || (0..2 * ellipse::NODES).map(|k| (ellipse::place(k % ellipse::NODES), (k / ellipse::NODES) as f64));
-    let array = |kind: &str, name: &str, more: &str, numbers: String| {
-        format!(
-            "<DataArray type=\"{kind}\" Name=\"{name}\" {more} format=\"ascii\">\n{numbers}\n<InformationKey name=\"L2_NORM_RANGE\" \
-             location=\"vtkDataArray\" length=\"2\">\n<Value index=\"0\">0</Value>\n</InformationKey>\n</DataArray>\n"
-        )
-    };
-    let list = |all: Vec<String>| all.join(" ");
-    let cell = |k: usize| format!("{k} {} {} {}", k + 1, k + 1 + ellipse::NODES, k + ellipse::NODES);
-    let count = ellipse::NODES - 1;
-    let points = nodes().map(|(x, y)| place(x, y)).map(|[x, y, z]| format!("{x} {y} {z}")).collect();
+    let points: Vec<[f64; 3]> = nodes().map(|(x, y)| place(x, y)).collect();
+    let cell = |k: usize| vec![k, k + 1, k + 1 + ellipse::NODES, k + ellipse::NODES];
+    let cells: Vec<Vec<usize>> = (0..ellipse::NODES - 1).map(cell).collect();
     // Far from the contact nothing presses.
-    let pressures = nodes().map(|(x, y)| pressure(if y > 0.0 { 2.1 } else { x })).collect();
-    format!(
-        "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt32\" \
-         compressor=\"vtkLZ4DataCompressor\">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{count}\">\n<PointData>\n{}</PointData>\n\
-         <Points>\n{}</Points>\n<Cells>\n{}{}{}</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n",
-        2 * ellipse::NODES,
-        array("Float64", "contact_pressure", "", list(pressures)),
-        array("Float64", "Points", "NumberOfComponents=\"3\"", list(points)),
-        array("Int64", "connectivity", "", list((0..count).map(cell).collect())),
-        array("Int64", "offsets", "", list((1..=count).map(|k| (4 * k).to_string()).collect())),
-        array("UInt8", "types", "", list(vec!["9".into(); count])),
-    )
+    let pressures: Vec<String> = nodes().map(|(x, y)| pressure(if y > 0.0 { 2.1 } else { x })).collect();
+    vtu::text(&points, &cells, &vtu::array("Float64", "contact_pressure", 1, &pressures.join(" ")))
 }
 
 fn written(s: f64) -> String {

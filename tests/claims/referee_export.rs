@@ -17,7 +17,7 @@ use contact_vv::referee::{Asked, Truth, read, verdicts};
 use contact_vv::scene::{Load, Place, Shape};
 use contact_vv::solve::{Discretisation, Formulation, Run};
 
-use crate::balance::solved;
+use crate::balance::{self, solved, text};
 use crate::handed::{failed, judged_as, moved, read};
 use crate::outputs::{contact_vv, refuses, scene};
 use crate::program::Folder;
@@ -168,54 +168,10 @@ fn files_of_a_scene_whose_name_no_code_can_type_are_called_case() {
     assert!(sound && table.contains("meets all"), "{table}{error}");
 }
 
-/// Two rings, one shrunk on to the other, and a block apart on a rigid plane: a contact along an arc beside one along a straight line.
-const ARC_AND_LINE: &str = r#"
-plane = "stress"
-thickness = 1.0
-[[body]]
-name = "Welle ü"
-young = 210e3
-poisson = 0.3
-shape = { ring = { centre = [0, 0], inner = 20, outer = 40, sweep = 90, contact = "outer" } }
-supports = [{ at = "start", component = "x" }, { at = "end", component = "y" }]
-[[body]]
-name = "Welle ä"
-young = 120e3
-poisson = 0.34
-shape = { ring = { centre = [0, 0], inner = 40, outer = 55, sweep = 90, contact = "inner" } }
-supports = [{ at = "start", component = "x" }, { at = "end", component = "y" }]
-[[body]]
-name = "weak"
-young = 70e3
-poisson = 0.3
-shape = { rectangle = { x = [100, 120], y = [0, 20], contact = "bottom" } }
-supports = [{ at = "left", component = "x" }]
-loads = [{ traction = { at = "far", force = [0, -1000] } }]
-[[contact]]
-name = "ä"
-first = "Welle ü"
-second = "Welle ä"
-arc = { centre = [0, 0], radius = 40 }
-gap = { uniform = -0.02 }
-stretch = 90
-[[contact]]
-name = "ü"
-first = "weak"
-origin = [100, 0]
-gap = { uniform = 0 }
-stretch = 20
-[reference]
-pressure = 30
-[mesh]
-elements = 12
-per = 62.831853
-growth = { along = 1.0, depth = 1.0, coarsest = 5.0 }
-"#;
-
 #[test]
 fn our_answer_to_contacts_along_an_arc_and_a_line_is_read_back_in_their_own_units() {
     let folder = Folder::made();
-    let (scene, to) = (folder.with("mixed.toml", ARC_AND_LINE), folder.at("to"));
+    let (scene, to) = (folder.with("mixed.toml", text("arc-and-line")), folder.at("to"));
     let (sound, _, error) = contact_vv(&["export", &scene, &to]);
     assert!(sound, "{error}");
     for (name, options) in [("ours.json", &[][..]), ("ours.csv", &["--order", "2"])] {
@@ -227,7 +183,7 @@ fn our_answer_to_contacts_along_an_arc_and_a_line_is_read_back_in_their_own_unit
 
 #[test]
 fn bodies_and_contacts_whose_names_a_deck_cannot_tell_apart_have_their_numbers_in_it() {
-    let case = Case::parse(Path::new("mixed.toml"), ARC_AND_LINE).expect("a case");
+    let case = balance::scene("arc-and-line", &[]);
     let discretisation = Discretisation::of(case.scene.clone(), case.resolution).expect("meshed");
     let text = deck::text(&discretisation).expect("written");
     let deck = blocks(&text);
@@ -432,45 +388,9 @@ fn exported_decks_are_solved_by_calculix_where_it_is_installed_and_meet_the_trut
     }
 }
 
-/// A pin in a ring that lies on a plane: one contact along an arc, one along a straight line, with a name that a table must quote.
-const MIXED: &str = r#"
-plane = "strain"
-thickness = 1
-[[body]]
-name = "pin"
-young = 210000
-poisson = 0.3
-shape = { ring = { centre = [0, 0], inner = 5, outer = 10, sweep = 90, contact = "outer" } }
-supports = [{ at = "start", component = "x" }]
-loads = [{ rigid-face = { at = "end", component = "y", force = -500 } }]
-[[body]]
-name = "ring"
-young = 210000
-poisson = 0.3
-shape = { ring = { centre = [0, 0], inner = 10, outer = 20, sweep = 90, contact = "inner" } }
-supports = [{ at = "start", component = "x" }]
-[[contact]]
-name = "fit"
-first = "pin"
-second = "ring"
-arc = { centre = [0, 0], radius = 10 }
-gap = { uniform = 0 }
-stretch = 90
-[[contact]]
-name = "foot, ä"
-first = "ring"
-first-side = "outer"
-origin = [0, -20]
-gap = { circle = 20 }
-stretch = 2
-[mesh]
-elements = 3
-per = 1
-"#;
-
 #[test]
 fn exported_scripts_solve_the_case_where_their_codes_are_installed_and_meet_its_truth() {
-    let mixed = Truth::of(parsed(MIXED)).expect("a truth");
+    let mixed = Truth::of(balance::scene("pin-in-a-ring-on-a-plane", &[])).expect("a truth");
     let hertz = [("run_getfem.py", "basic"), ("run_dolfinx.py", "active-set"), ("run_calculix.py", "gaps")];
     let solved = [truth("truncated-hertz"), &mixed]
         .into_iter()

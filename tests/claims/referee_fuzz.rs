@@ -4,19 +4,22 @@ use std::path::Path;
 
 use contact_vv::case::library::find;
 use contact_vv::cli::vtu;
+use contact_vv::error::Error;
 use contact_vv::mesh::{Order, Resolution};
 use contact_vv::referee::export::{deck, own};
 use contact_vv::referee::judge::ENGINEERING;
-use contact_vv::referee::units::Role;
-use contact_vv::referee::{Asked, Truth, calculix, read, verdicts};
-use contact_vv::solve::{Discretisation, Formulation, Run};
+use contact_vv::referee::{Answer, Asked, Truth, calculix, read, verdicts};
+use contact_vv::solve::Formulation;
+
+use crate::balance::solved_on;
+use crate::foreign::forces;
+use crate::handed::moved;
 
 /// Our own answer to a coarse cylinder, in every format that is read; tables of CalculiX stand behind their deck.
 fn formats() -> (Truth, Vec<(&'static str, String)>, String) {
     let case = find("truncated-hertz", None).expect("a case");
     let resolution = Resolution { elements: 4, refinement: 0, order: Order::Quadratic };
-    let discretisation = Discretisation::of(case.scene.clone(), resolution).expect("meshed");
-    let run = Run::of(&discretisation, &Formulation::verification()).expect("solved");
+    let (discretisation, run) = solved_on(case.scene.clone(), resolution, &Formulation::verification());
     let json = serde_json::to_string_pretty(&own::answer("truncated-hertz", &discretisation, &run)).expect("JSON");
     let points = run.solution.points_of(0);
     let rows = points.iter().map(|p| format!("{},{},{},{}\n", p.position, p.pressure, p.gap, p.weight));
@@ -24,12 +27,8 @@ fn formats() -> (Truth, Vec<(&'static str, String)>, String) {
     let vtu = vtu::text(&discretisation, &run).expect("written");
     let deck = deck::text(&discretisation).expect("written");
     let first = discretisation.mesh.points.len();
-    let rows = points.iter().enumerate();
-    let rows = rows.map(|(k, p)| {
-        format!("{:>10} {:>13.6E} {:>13.6E} {:>13.6E}\n", first + 2 * k + 2, -p.pressure * p.weight, 0.0, 0.0)
-    });
-    let head = " forces (fx,fy,fz) for set GAPS_CONTACT and time  0.1000000E+01\n\n";
-    let dat = format!("{head}{}", rows.collect::<String>());
+    let rows = points.iter().enumerate().map(|(k, p)| (first + 2 * k + 2, -p.pressure * p.weight));
+    let dat = forces("GAPS_CONTACT", "0.1000000E+01", rows);
     let formats = vec![
         ("a.csv", csv),
         ("a.json", json),
@@ -40,18 +39,8 @@ fn formats() -> (Truth, Vec<(&'static str, String)>, String) {
     (Truth::of(case).expect("solved"), formats, deck)
 }
 
-fn asked(order: Option<Order>) -> Asked {
-    let all = [(Role::Position, "mm"), (Role::Pressure, "MPa"), (Role::Gap, "mm"), (Role::Displacement, "mm")];
-    Asked { units: all.map(|(role, unit)| (role, unit.to_owned())).into(), order, ..Asked::default() }
-}
-
-fn parsed(
-    truth: &Truth,
-    name: &str,
-    text: &str,
-    deck: &str,
-) -> Result<contact_vv::referee::Answer, contact_vv::error::Error> {
-    let (file, asked) = (Path::new(name), asked(Some(Order::Quadratic)));
+fn parsed(truth: &Truth, name: &str, text: &str, deck: &str) -> Result<Answer, Error> {
+    let (file, asked) = (Path::new(name), Asked { order: Some(Order::Quadratic), ..moved() });
     match name {
         "a.dat" => calculix::forces(file, text, deck, &truth.case.scene, &asked),
         _ => read::parse(file, text.as_bytes(), &truth.case, &asked),

@@ -9,18 +9,12 @@ use contact_vv::referee::answer::Point;
 use contact_vv::referee::units::Role;
 use contact_vv::solve::{Discretisation, Run};
 
+use crate::ellipse;
+use crate::foreign::{vtk, vtu};
 use crate::handed::{self, in_units, judged, moved};
-use crate::referee_readers::{ellipse, vtk};
 use crate::referee_wild::{parsed, usual};
 use crate::scene_file;
 use crate::workbench::{refused, truth};
-
-/// An array of a VTU file, written out.
-fn array(name: &str, kind: &str, components: usize, data: &str) -> String {
-    format!(
-        "<DataArray type=\"{kind}\" Name=\"{name}\" NumberOfComponents=\"{components}\" format=\"ascii\">{data}</DataArray>"
-    )
-}
 
 /// Our own answer, every cell with points of its own; `offset` is added to and taken from the pressures of every second cell in turn.
 fn grid(discretisation: &Discretisation, run: &Run, offset: f64, share: bool) -> String {
@@ -36,35 +30,26 @@ fn grid_of(body: usize, discretisation: &Discretisation, run: &Run, offset: f64,
         pressure[node.node] = point.pressure;
     }
     let mut times = vec![0_usize; mesh.points.len()];
-    let [mut points, mut fields, mut vectors, mut cells, mut ends, mut types] = [const { String::new() }; 6];
-    let mut count = 0;
+    let (mut points, mut cells, [mut pressures, mut vectors]) = (vec![], vec![], [const { String::new() }; 2]);
     for cell in 0..mesh.cells() {
+        let first = points.len();
         for &node in mesh.cell(cell) {
             let [x, y] = mesh.points[node];
             let sign = if times[node].is_multiple_of(2) { 1.0 } else { -1.0 };
             times[node] += 1;
-            points += &format!("{x:e} {y:e} 0 ");
-            fields += &format!("{:e} ", pressure[node] + sign * offset);
+            points.push([x, y, 0.0]);
+            pressures += &format!("{:e} ", pressure[node] + sign * offset);
             vectors += &format!("{:e} {:e} 0 ", moved[node][0], moved[node][1]);
-            // With `share`, one cell takes a point of another one.
-            let number = if share && count == 1 { 0 } else { count };
-            cells += &format!("{number} ");
-            count += 1;
         }
-        ends += &format!("{count} ");
-        types += "23 ";
+        cells.push((first..points.len()).collect::<Vec<usize>>());
     }
-    format!(
-        "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\"><UnstructuredGrid><Piece NumberOfPoints=\"{count}\" \
-         NumberOfCells=\"{}\"><PointData>{}{}</PointData><Points>{}</Points><Cells>{}{}{}</Cells></Piece></UnstructuredGrid></VTKFile>",
-        mesh.cells(),
-        array("contact_pressure", "Float64", 1, &fields),
-        array("displacement", "Float64", 3, &vectors),
-        array("points", "Float64", 3, &points),
-        array("connectivity", "Int64", 1, &cells),
-        array("offsets", "Int64", 1, &ends),
-        array("types", "UInt8", 1, &types),
-    )
+    // One cell takes a point of another one.
+    if share {
+        cells[0][1] = 0;
+    }
+    let fields =
+        [vtu::array("Float64", "contact_pressure", 1, &pressures), vtu::array("Float64", "displacement", 3, &vectors)];
+    vtu::text(&points, &cells, &fields.concat())
 }
 
 fn read(case: &Case, text: &str) -> Result<Answer, Error> {
@@ -127,10 +112,10 @@ fn fields_are_known_by_their_names_in_any_case_and_by_the_very_name_first() {
     let (before, field) = text.split_once("<DataArray").expect("a field");
     let numbers = field.split_once('>').and_then(|(_, rest)| rest.split_once('<')).expect("numbers").0;
     let sevens = "7 ".repeat(numbers.split_whitespace().count());
-    let other = array("Contact_Pressure", "Float64", 1, &sevens);
+    let other = vtu::array("Float64", "Contact_Pressure", 1, &sevens);
     assert_eq!(values(&format!("{before}{other}<DataArray{field}")), own);
     // Nor is one that lacks numbers the pressure, whatever its name.
-    let short = array("contact_pressure", "Float64", 1, "7 7");
+    let short = vtu::array("Float64", "contact_pressure", 1, "7 7");
     assert_eq!(values(&format!("{before}{short}<DataArray{field}")), own);
 }
 
@@ -206,24 +191,11 @@ fn nodes_left_of_a_symmetry_line_have_negative_positions() {
 fn of_stresses(discretisation: &Discretisation, run: &Run) -> String {
     let mesh = &discretisation.mesh;
     let fields = discretisation.recover_under(run.share(), &run.solution).expect("recovered");
-    let list = |numbers: &mut dyn Iterator<Item = String>| numbers.collect::<Vec<_>>().join(" ");
-    let stresses = list(&mut fields.stress.iter().map(|[x, y, xy]| format!("{x:e} {xy:e} 0 {xy:e} {y:e} 0 0 0 0")));
-    let points = list(&mut mesh.points.iter().map(|[x, y]| format!("{x:e} {y:e} 0")));
-    let all = || 0..mesh.cells();
-    let cells = list(&mut all().flat_map(|cell| mesh.cell(cell)).map(usize::to_string));
-    let ends = list(&mut all().map(|cell| (mesh.cell(cell).len() * (cell + 1)).to_string()));
-    let types = list(&mut all().map(|cell| if mesh.cell(cell).len() == 4 { "9" } else { "23" }.into()));
-    format!(
-        "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\"><UnstructuredGrid><Piece NumberOfPoints=\"{}\" \
-         NumberOfCells=\"{}\"><PointData>{}</PointData><Points>{}</Points><Cells>{}{}{}</Cells></Piece></UnstructuredGrid></VTKFile>",
-        mesh.points.len(),
-        mesh.cells(),
-        array("stress", "Float64", 9, &stresses),
-        array("points", "Float64", 3, &points),
-        array("connectivity", "Int64", 1, &cells),
-        array("offsets", "Int64", 1, &ends),
-        array("types", "UInt8", 1, &types),
-    )
+    let stress = |[x, y, xy]: &[f64; 3]| format!("{x:e} {xy:e} 0 {xy:e} {y:e} 0 0 0 0 ");
+    let stresses: String = fields.stress.iter().map(stress).collect();
+    let points: Vec<[f64; 3]> = mesh.points.iter().map(|[x, y]| [*x, *y, 0.0]).collect();
+    let cells: Vec<Vec<usize>> = (0..mesh.cells()).map(|cell| mesh.cell(cell).to_vec()).collect();
+    vtu::text(&points, &cells, &vtu::array("Float64", "stress", 9, &stresses))
 }
 
 /// The hoop stress of a free arc, and what nodes of a corner carry beyond it, are no pressures.

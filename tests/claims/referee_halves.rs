@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 use contact_vv::referee::judge::ENGINEERING;
 use contact_vv::referee::{Asked, Truth, verdicts};
 
-use crate::handed::{PRESSURES, failed, judged_as, read, table};
+use crate::handed::{PRESSURES, failed, judged_rows, read, table};
 use crate::workbench::{refused, truth};
 
 /// Half-width of the truncated cases \[mm\].
@@ -52,7 +52,7 @@ fn by_nodes() -> Vec<[f64; 2]> {
 }
 
 fn says(truth: &Truth, columns: &str, rows: Vec<[f64; 2]>) -> Vec<String> {
-    let found = judged_as(truth, "theirs.csv", &table(columns, rows), &Asked::default());
+    let found = judged_rows(truth, columns, rows);
     assert_eq!(found.met(), found.mistakes.is_empty(), "{:?}", failed(&found));
     found.mistakes
 }
@@ -60,7 +60,7 @@ fn says(truth: &Truth, columns: &str, rows: Vec<[f64; 2]>) -> Vec<String> {
 #[test]
 fn forces_at_the_middles_of_edges_are_of_all_the_area_up_to_the_line_or_axis() {
     for (name, rows) in [("truncated-hertz", by_edges(of_strip, 1.0)), ("truncated-sphere", by_edges(of_ring, 1.0))] {
-        let found = judged_as(truth(name), "theirs.csv", &table(FORCES, rows), &Asked::default());
+        let found = judged_rows(truth(name), FORCES, rows);
         assert_eq!(failed(&found), [""; 0], "{name}");
     }
     assert_eq!(says(truth("truncated-hertz"), FORCES, by_nodes()), [""; 0]);

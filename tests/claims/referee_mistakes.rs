@@ -7,7 +7,8 @@ use contact_vv::mesh::Order;
 use contact_vv::referee::judge::ENGINEERING;
 use contact_vv::referee::{Asked, Truth, verdicts};
 
-use crate::handed::{PRESSURES, judged_as, read, table};
+use crate::ellipse::{Hertz, RIGHT};
+use crate::handed::{PRESSURES, judged_as, judged_rows, read, table};
 use crate::workbench;
 
 /// The scene `tiny`, in another plane hypothesis and thickness.
@@ -19,33 +20,13 @@ fn scene(plane: &str, thickness: f64) -> Truth {
     Truth::of(Case::parse(&path, &text).expect("a case")).expect("solved")
 }
 
-/// Hertz's contact of cylinders as somebody computed it: force \[N\], radius \[mm\], E* \[MPa\], thickness \[mm\].
-#[derive(Clone, Copy)]
-struct Hertz {
-    force: f64,
-    radius: f64,
-    modulus: f64,
-    thickness: f64,
-}
-
-/// That of `tiny`, which is in plane strain.
-const RIGHT: Hertz = Hertz { force: 314.1593, radius: 1000.0, modulus: 91000.0 / 0.91, thickness: 1.0 };
 /// E of the same material.
 const STRESS: Hertz = Hertz { modulus: 91000.0, ..RIGHT };
 
-impl Hertz {
-    /// `a = √(4FR/πE*t)` \[mm\].
-    fn half_width(&self) -> f64 {
-        (4.0 * self.force * self.radius / (std::f64::consts::PI * self.modulus * self.thickness)).sqrt()
-    }
-
-    /// Places up to 1.3 a and the pressures there, `2F/πat √(1 − s²/a²)`, times a factor each.
-    fn profile(&self, [place, pressure]: [f64; 2]) -> Vec<[f64; 2]> {
-        let a = self.half_width();
-        let peak = 2.0 * self.force / (std::f64::consts::PI * a * self.thickness);
-        let at = |x: f64| [place * a * x, pressure * peak * (1.0 - x * x).max(0.0).sqrt()];
-        (0..=52).map(|k| at(0.025 * f64::from(k))).collect()
-    }
+/// Places up to 1.3 a and the pressures there, times a factor each.
+fn profile(of: &Hertz, [place, pressure]: [f64; 2]) -> Vec<[f64; 2]> {
+    let at = |x: f64| [place * of.half_width() * x, pressure * of.peak() * (1.0 - x * x).max(0.0).sqrt()];
+    (0..=52).map(|k| at(0.025 * f64::from(k))).collect()
 }
 
 fn named(truth: &Truth, column: &str, rows: &[[f64; 2]], asked: &Asked) -> Vec<String> {
@@ -124,7 +105,7 @@ fn every_wrong_input_of_hertz_is_named_by_what_it_does_to_width_and_pressure() {
         table.push((&strain, RIGHT, factors, vec![wanted.into()]));
     }
     for (k, (truth, wrong, factors, wanted)) in table.iter().enumerate() {
-        let found = named(truth, "pressure [MPa]", &wrong.profile(*factors), &Asked::default());
+        let found = named(truth, "pressure [MPa]", &profile(wrong, *factors), &Asked::default());
         let wanted: Vec<&str> = wanted.iter().map(String::as_str).collect();
         assert_named(&found, &wanted, &format!("row {k}"));
     }
@@ -150,7 +131,7 @@ fn forces_of_another_thickness_are_named_and_those_of_every_order_are_right() {
     let [of_two, of_three] =
         [Order::Linear, Order::Quadratic].map(|order| Asked { order: Some(order), ..Asked::default() });
     let thicker = Hertz { thickness: 2.0, ..RIGHT };
-    let [one, two] = [RIGHT, thicker].map(|own| own.profile([1.0, 1.0]));
+    let [one, two] = [RIGHT, thicker].map(|own| profile(&own, [1.0, 1.0]));
     for (truth, rows, asked, wanted) in [
         (&thin, forces(&one, linear, 1.0), &of_two, vec![]),
         (&thin, forces(&one, quadratic, 1.0), &of_three, vec![]),
@@ -177,7 +158,7 @@ fn forces_of_another_thickness_are_named_and_those_of_every_order_are_right() {
 fn forces_are_what_they_are_where_their_positions_are_others() {
     // Of a half-width of 2 mm positions over it would be halved as well: this one is 2/√3.
     let (truth, thicker) = (scene("strain", 3.0), Hertz { thickness: 3.0, ..RIGHT });
-    let right = forces(&thicker.profile([1.0, 1.0]), &[0.5, 0.5], 3.0);
+    let right = forces(&profile(&thicker, [1.0, 1.0]), &[0.5, 0.5], 3.0);
     let scaled = |[place, force]: [f64; 2]| right.iter().map(|[s, f]| [place * s, force * f]).collect::<Vec<_>>();
     for (factors, wanted) in [
         ([2.0, 1.0], vec!["positions are doubled"]),
@@ -190,8 +171,7 @@ fn forces_are_what_they_are_where_their_positions_are_others() {
     }
     // Twice the force over twice the width is no mistake of positions.
     for factors in [[2.0, 2.0], [0.5, 0.5]] {
-        let text = table("position [mm],force [N]", scaled(factors));
-        let found = judged_as(&truth, "theirs.csv", &text, &Asked::default());
+        let found = judged_rows(&truth, "position [mm],force [N]", scaled(factors));
         assert!(!found.met() && found.mistakes.is_empty(), "{factors:?}: {:?}", found.mistakes);
     }
 }
@@ -214,7 +194,7 @@ fn mistakes_are_found_in_a_great_many_points() {
     let (truth, a) = (scene("strain", 1.0), RIGHT.half_width());
     let row = |k: u32| {
         let x = 1.3 * f64::from(k) / 70_000.0;
-        [2.0 * a * x, RIGHT.profile([1.0, 1.0])[0][1] * (1.0 - x * x).max(0.0).sqrt()]
+        [2.0 * a * x, RIGHT.pressure(a * x)]
     };
     let found = named(&truth, "pressure [MPa]", &(0..70_000).map(row).collect::<Vec<_>>(), &Asked::default());
     assert_named(&found, &["positions are doubled"], "many");
@@ -223,7 +203,7 @@ fn mistakes_are_found_in_a_great_many_points() {
 #[test]
 fn profiles_that_are_moved_or_of_which_half_is_missing_are_named_with_the_way() {
     let truth = scene("strain", 1.0);
-    let right = RIGHT.profile([1.0, 1.0]);
+    let right = profile(&RIGHT, [1.0, 1.0]);
     let whole: Vec<[f64; 2]> = right.iter().skip(1).rev().map(|[s, p]| [-s, *p]).chain(right.iter().copied()).collect();
     let shifted = |rows: &[[f64; 2]], by: usize| -> Vec<[f64; 2]> {
         let coarse: Vec<[f64; 2]> = rows.iter().step_by(2).copied().collect();
@@ -280,7 +260,7 @@ fn every_number_that_is_judged_has_the_value_of_its_closed_form() {
     let thicker = Hertz { thickness: 2.0, ..RIGHT };
     let (a, force) = (RIGHT.half_width(), RIGHT.force);
     let sides = |own: &Hertz, sides: [bool; 2]| -> Vec<[f64; 2]> {
-        let half = own.profile([1.0, 1.0]);
+        let half = profile(own, [1.0, 1.0]);
         let on = |side: bool, p: f64| if side { p } else { 0.0 };
         let left = half.iter().skip(1).rev().map(|[s, p]| [-s, on(sides[0], *p)]);
         left.chain(half.iter().map(|[s, p]| [*s, on(sides[1], *p)])).collect()
@@ -290,23 +270,21 @@ fn every_number_that_is_judged_has_the_value_of_its_closed_form() {
     };
     let pulled = |by: f64| -> Vec<[f64; 2]> {
         let own = sides(&RIGHT, [true; 2]);
-        own.iter()
-            .enumerate()
-            .map(|(k, [s, p])| [*s, if k == 2 { -by * RIGHT.profile([1.0, 1.0])[0][1] } else { *p }])
-            .collect()
+        own.iter().enumerate().map(|(k, [s, p])| [*s, if k == 2 { -by * RIGHT.peak() } else { *p }]).collect()
     };
     // What a force of its own makes of the approach, F/E*t.
     let approach = |own: &Hertz, force: f64| force / (own.modulus * own.thickness);
     let (none, deep, open) = (0.0, -1e-3, 1e-3);
+    let (right, depth) = (scaled([0.0, 1.0]), 1e-3 / approach(&RIGHT, force));
     let rows = [
         (
             "right",
             &thin,
-            scaled([0.0, 1.0]),
+            right.clone(),
             none,
             vec![
                 ("second-moment width", a),
-                ("peak pressure", 2.0 * force / (std::f64::consts::PI * a)),
+                ("peak pressure", RIGHT.peak()),
                 ("error of the mean pressures", 0.0),
                 ("begin of the contact", -a),
                 ("end of the contact", a),
@@ -338,23 +316,8 @@ fn every_number_that_is_judged_has_the_value_of_its_closed_form() {
             ],
         ),
         ("pulled", &thin, pulled(0.05), none, vec![("largest tension", 0.05)]),
-        (
-            "deep",
-            &thin,
-            scaled([0.0, 1.0]),
-            deep,
-            vec![
-                ("largest penetration", 1e-3 / approach(&RIGHT, force)),
-                ("gap under", 1e-3 / approach(&RIGHT, force)),
-            ],
-        ),
-        (
-            "open",
-            &thin,
-            scaled([0.0, 1.0]),
-            open,
-            vec![("largest penetration", 0.0), ("gap under", 1e-3 / approach(&RIGHT, force))],
-        ),
+        ("deep", &thin, right.clone(), deep, vec![("largest penetration", depth), ("gap under", depth)]),
+        ("open", &thin, right.clone(), open, vec![("largest penetration", 0.0), ("gap under", depth)]),
         (
             "deep and thick",
             &thick,
@@ -369,16 +332,15 @@ fn every_number_that_is_judged_has_the_value_of_its_closed_form() {
         (
             "one half, deep",
             &thin,
-            RIGHT.profile([1.0, 1.0]),
+            profile(&RIGHT, [1.0, 1.0]),
             deep,
             vec![("largest penetration", 1e-3 / approach(&RIGHT, 0.5 * force)), ("resultant", force)],
         ),
     ];
     let mut wrong = Vec::new();
     for (of, truth, rows, gap, wanted) in rows {
-        let rows: String = rows.iter().map(|[s, p]| format!("{s:e},{p:e},{:e}\n", gap)).collect();
-        let text = format!("position [mm],pressure [MPa],gap [mm]\n{rows}");
-        let found = judged_as(truth, "theirs.csv", &text, &Asked::default());
+        let found =
+            judged_rows(truth, "position [mm],pressure [MPa],gap [mm]", rows.iter().map(|[s, p]| [*s, *p, gap]));
         for (name, value) in wanted {
             let judged = &found.ruled[0].judged;
             let own = judged.iter().find(|one| one.check.quantity.to_string().contains(name));
@@ -396,13 +358,11 @@ fn every_number_that_is_judged_has_the_value_of_its_closed_form() {
 #[test]
 fn an_end_is_that_of_the_closed_form_to_one_edge_of_the_mesh_around_it() {
     let (truth, a) = (scene("strain", 1.0), RIGHT.half_width());
-    let peak = 2.0 * RIGHT.force / (std::f64::consts::PI * a);
     // Edges of 0.2 a, and from 0.8 a on those of 0.02 a, or the other way round.
     for (end, inner, outer) in [(0.02, 10, 100), (0.1, 100, 10)] {
         let inside = (0..inner).map(|k| 0.8 * f64::from(k) / f64::from(inner));
         let places = inside.chain((0..=outer).map(|k| 0.8 + f64::from(k) * end)).take_while(|x| *x <= 1.5);
-        let text = table(PRESSURES, places.map(|x| [a * x, peak * (1.0 - x * x).max(0.0).sqrt()]));
-        let found = judged_as(&truth, "a.csv", &text, &Asked::default());
+        let found = judged_rows(&truth, PRESSURES, places.map(|x| [a * x, RIGHT.pressure(a * x)]));
         let all = &found.ruled[0].judged;
         let own = all.iter().find(|one| one.check.quantity.to_string().contains("end of the contact")).expect("judged");
         assert_eq!(own.reference.name, truth.closed(&Quantity::HalfWidth).expect("Hertz").name);

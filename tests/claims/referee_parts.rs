@@ -1,5 +1,7 @@
 //! What is left out of an answer, stands there of another contact, or hides behind something else is named, and never judged as the whole.
 
+use std::ops::RangeInclusive;
+
 use contact_vv::case::Case;
 use contact_vv::checkout::root;
 use contact_vv::referee::judge::TENSION;
@@ -8,8 +10,9 @@ use contact_vv::referee::{Asked, Truth};
 use contact_vv::solve::{Discretisation, Formulation, Run};
 use serde_json::{Value, json};
 
-use crate::handed::{PRESSURES, document, failed, in_units, judged_as, read, table};
-use crate::referee_readers::{Frd, ellipse, vtk};
+use crate::ellipse;
+use crate::foreign::{Frd, vtk};
+use crate::handed::{PRESSURES, document, failed, in_units, judged_as, judged_rows, read, table};
 use crate::referee_wild::{judged, parsed, refused, usual};
 use crate::workbench::{self, truth};
 
@@ -210,7 +213,7 @@ fn a_cone_is_judged_by_its_profile_though_its_tip_has_no_limit() {
     let places: Vec<f64> = (1..=160).map(|k| 2.5 * f64::from(k) / 80.0).collect();
     let judged = |pressure: &dyn Fn(f64) -> f64| {
         let rows = places.iter().map(|&r| [r, if r < 2.5 { pressure(r) } else { 0.0 }]);
-        failed(&judged_as(truth, "cone.csv", &table(PRESSURES, rows), &Asked::default()))
+        failed(&judged_rows(truth, PRESSURES, rows))
     };
     assert_eq!(judged(&|r| truth.pressure(0, r)), [""; 0]);
     // A paraboloid of pressures with the same force and radius.
@@ -229,17 +232,16 @@ fn forces_and_pressures_of_the_pressed_nodes_alone_are_those_of_all() {
         let nodes = (0..=50).map(|k| [step * f64::from(k), truth.pressure(0, step * f64::from(k))]);
         let pressed: Vec<[f64; 2]> = nodes.filter(|[_, pressure]| *pressure > 0.0).collect();
         let force = |[s, p]: &[f64; 2]| [*s, p * step * if *s > 0.0 { 1.0 } else { 0.5 }];
-        let forces = table("position [mm],force [N]", pressed.iter().map(force));
-        assert_eq!(failed(&judged_as(truth, "forces.csv", &forces, &Asked::default())), [""; 0], "{step}");
+        let forces = judged_rows(truth, "position [mm],force [N]", pressed.iter().map(force));
+        assert_eq!(failed(&forces), [""; 0], "{step}");
         // On both sides, with the first point a rounding off the line, or without.
         let whole =
             pressed.iter().rev().filter(|[s, _]| *s > 0.0).map(|[s, p]| [-s, *p]).chain(pressed.iter().copied());
-        let whole = table("position [mm],force [N]", whole.map(|[s, p]| [s, p * step]));
-        assert_eq!(failed(&judged_as(truth, "whole.csv", &whole, &Asked::default())), [""; 0], "{step}");
+        let whole = judged_rows(truth, "position [mm],force [N]", whole.map(|[s, p]| [s, p * step]));
+        assert_eq!(failed(&whole), [""; 0], "{step}");
         for beside in [-1e-8, 1e-8] {
             let rows = pressed.iter().map(|&[s, p]| [if s > 0.0 { s } else { beside }, p]);
-            let found = judged_as(truth, "pressed.csv", &table(PRESSURES, rows), &Asked::default());
-            assert_eq!(failed(&found), [""; 0], "{step}, {beside}");
+            assert_eq!(failed(&judged_rows(truth, PRESSURES, rows)), [""; 0], "{step}, {beside}");
         }
     }
 }
@@ -251,16 +253,10 @@ fn pressed_nodes_of_which_the_next_one_lies_at_the_end_are_those_of_all() {
         for edges in [24, 32, 48] {
             let place = |k: i32| 2.5 * f64::from(k) / f64::from(edges);
             let hertz = |s: f64| peak * (1.0 - (s / 2.5).powi(2)).sqrt();
-            for first in [0, 1 - edges] {
-                if name == "sphere" && first < 0 {
-                    continue;
-                }
-                let rows = table(PRESSURES, (first..edges).map(|k| [place(k), hertz(place(k))]));
-                assert_eq!(
-                    failed(&judged_as(truth, "pressed.csv", &rows, &Asked::default())),
-                    [""; 0],
-                    "{name}, {edges}"
-                );
+            let both = if name == "sphere" { None } else { Some(1 - edges) };
+            for first in both.into_iter().chain([0]) {
+                let found = judged_rows(truth, PRESSURES, (first..edges).map(|k| [place(k), hertz(place(k))]));
+                assert_eq!(failed(&found), [""; 0], "{name}, {edges}");
             }
         }
     }
@@ -322,16 +318,16 @@ fn areas_of_corners_and_mid_sides_tell_that_edges_have_three_nodes() {
             }
         };
         let row = |k: usize| [2.5 * k as f64, 0.4 * if k % 2 == 1 { 1.03 } else { 0.94 }, area(k)];
-        table("position [mm],pressure [MPa],area [mm2]", (0..=8).map(row))
+        judged_rows(truth, "position [mm],pressure [MPa],area [mm2]", (0..=8).map(row))
     };
-    let found = judged_as(truth, "theirs.csv", &rows([1.0 / 6.0, 4.0 / 6.0, 1.0 / 6.0]), &Asked::default());
+    let found = rows([1.0 / 6.0, 4.0 / 6.0, 1.0 / 6.0]);
     assert!(
         found.met() && found.answer.read.iter().any(|how| how.contains("mid-sides by turns")),
         "{:?}",
         failed(&found)
     );
     // By halves they are those of edges with two nodes.
-    assert!(!judged_as(truth, "theirs.csv", &rows([0.25, 0.5, 0.25]), &Asked::default()).met());
+    assert!(!rows([0.25, 0.5, 0.25]).met());
 }
 
 #[test]
@@ -413,21 +409,22 @@ fn a_column_that_is_named_for_one_role_has_no_other() {
 
 #[test]
 fn uniform_and_linear_pressures_are_judged_by_few_points_on_either_side() {
-    let ring = (-30..=30).map(|k| [3.0 * f64::from(k), 12.7065]);
-    let ring = table("position [deg],pressure [MPa]", ring);
     let fit = truth("press-fit");
-    assert_eq!(failed(&judged_as(fit, "ring.csv", &ring, &Asked::default())), [""; 0]);
+    // Degrees, and so many times the pressure of the fit.
+    let of_fit = |degrees: &mut dyn Iterator<Item = f64>, times: f64| {
+        judged_rows(fit, "position [deg],pressure [MPa]", degrees.map(|degrees| [degrees, times * 12.7065]))
+    };
+    let even = |places: RangeInclusive<i32>| places.map(|k| 3.0 * f64::from(k));
+    assert_eq!(failed(&of_fit(&mut even(-30..=30), 1.0)), [""; 0]);
     for places in [-60..=60, 0..=60, 0..=120] {
-        let whole = table("position [deg],pressure [MPa]", places.map(|k| [3.0 * f64::from(k), 12.7065]));
-        let said = judged_as(fit, "whole.csv", &whole, &Asked::default()).mistakes;
+        let said = of_fit(&mut even(places), 1.0).mistakes;
         let part = "the scene has a part of the ring: hand in its points up to 90.0000°";
         assert!(said.iter().any(|one| one == part) && !said.iter().any(|one| one.contains("doubled")), "{said:?}");
     }
     // Its edges end where the last candidates are, half a step behind their middles.
     for places in [-9..9, 0..9] {
-        let middles = places.map(|k| [5.0 + 10.0 * f64::from(k), 12.7065]);
-        let middles = table("position [deg],pressure [MPa]", middles);
-        assert_eq!(failed(&judged_as(fit, "middles.csv", &middles, &Asked::default())), [""; 0]);
+        let found = of_fit(&mut places.map(|k| 5.0 + 10.0 * f64::from(k)), 1.0);
+        assert_eq!(failed(&found), [""; 0]);
     }
     // A column `contact` of one contact may tell its status; twice the pressure is no load where there is none, and 2 % more is no shift.
     let hertz = truth("truncated-hertz");
@@ -435,16 +432,13 @@ fn uniform_and_linear_pressures_are_judged_by_few_points_on_either_side() {
     let rows: String = places().map(|s| format!("{s},{},Sticking\n", hertz.pressure(0, s))).collect();
     let sticking = format!("{PRESSURES},contact\n{rows}");
     assert_eq!(failed(&judged_as(hertz, "status.csv", &sticking, &Asked::default())), [""; 0]);
-    let wider = table(PRESSURES, places().map(|s| [1.02 * s, hertz.pressure(0, s)]));
-    let said = judged_as(hertz, "wider.csv", &wider, &Asked::default()).mistakes;
+    let said = judged_rows(hertz, PRESSURES, places().map(|s| [1.02 * s, hertz.pressure(0, s)])).mistakes;
     assert!(!said.iter().any(|one| one.contains("shifted")), "{said:?}");
-    let doubled = (0..=30).map(|k| [3.0 * f64::from(k), 2.0 * 12.7065]);
-    let doubled = table("position [deg],pressure [MPa]", doubled);
-    let said = judged_as(truth("press-fit"), "doubled.csv", &doubled, &Asked::default()).mistakes;
+    let said = of_fit(&mut even(0..=30), 2.0).mistakes;
     assert!(said.iter().any(|one| one.starts_with("the interference is twice")), "{said:?}");
     assert!(!said.iter().any(|one| one.contains("load")), "{said:?}");
-    let linear = table(PRESSURES, [[-10.0, 60.0], [0.0, 100.0], [10.0, 140.0]]);
-    let found = failed(&judged_as(truth("eccentric-load"), "linear.csv", &linear, &Asked::default()));
+    let linear = [[-10.0, 60.0], [0.0, 100.0], [10.0, 140.0]];
+    let found = failed(&judged_rows(truth("eccentric-load"), PRESSURES, linear));
     assert!(!found.iter().any(|name| name.starts_with("peak")), "{found:?}");
 }
 
@@ -467,18 +461,4 @@ fn reports_of_several_columns_end_with_their_extremes_and_where_these_are() {
          \x20     At Node          1              1             60              1\n"
     );
     ellipse::assert(&parsed("abaqus.rpt", text, &usual()).expect("read"), 1e-6);
-}
-
-#[test]
-fn the_widest_hole_of_a_table_is_named_wherever_it_is() {
-    let even = |step: f64| (0..).map(move |k| step * f64::from(k)).take_while(|s| *s < 3.01);
-    let rows = |places: Vec<f64>| table(PRESSURES, places.into_iter().map(|s| [s, ellipse::pressure(s)]));
-    // Four points of a coarse table, far from x = 0: (F(1.8) − F(0.8))/F(2), F = asin s/a + s/a √(1 − s²/a²).
-    let coarse = rows(even(0.2).filter(|s| !(0.9..1.7).contains(s)).collect());
-    let parts = ["no point from 0.8000 to 1.800 mm", "5 times", "46.7 % of the force"];
-    refused("theirs.csv", coarse, &Asked::default(), &parts);
-    // The second of two is the wider one.
-    let two = rows(even(0.05).filter(|s| !(0.48..0.72).contains(s) && !(0.83..1.12).contains(s)).collect());
-    let parts = ["no point from 0.8000 to 1.150 mm", "7 times", "and in 1 more like it"];
-    refused("theirs.csv", two, &Asked::default(), &parts);
 }

@@ -6,8 +6,9 @@ use contact_vv::mesh::{Order, Resolution};
 use contact_vv::referee::export::own;
 use contact_vv::referee::series::{self, Series};
 use contact_vv::referee::{Asked, Truth, Verdicts, picture};
-use contact_vv::solve::{Discretisation, Formulation, Run};
+use contact_vv::solve::Formulation;
 
+use crate::balance::solved_on;
 use crate::handed::{judged_as, read};
 use crate::workbench::truth;
 
@@ -18,8 +19,7 @@ const HALVED: [(usize, u32); 3] = [(8, 0), (8, 1), (8, 2)];
 fn answers(truth: &Truth, meshes: &[(usize, u32)], factor: f64) -> Vec<Verdicts> {
     let answer = |&(elements, refinement): &(usize, u32)| {
         let resolution = Resolution { elements, refinement, order: Order::Linear };
-        let discretisation = Discretisation::of(truth.case.scene.clone(), resolution).expect("meshed");
-        let run = Run::of(&discretisation, &Formulation::verification()).expect("solved");
+        let (discretisation, run) = solved_on(truth.case.scene.clone(), resolution, &Formulation::verification());
         let mut document = own::answer("truncated-hertz", &discretisation, &run);
         for contact in &mut document.contacts {
             contact.pressure.iter_mut().for_each(|p| *p *= factor);

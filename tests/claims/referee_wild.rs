@@ -15,10 +15,11 @@ use contact_vv::referee::judge::ENGINEERING;
 use contact_vv::referee::units::Role;
 use contact_vv::referee::{Answer, Asked, Truth, Verdicts, read, verdicts};
 
-use crate::handed::{PRESSURES, failed, in_units, judged_as, read, table};
+use crate::ellipse::{self, Hertz, RIGHT};
+use crate::foreign::{Frd, vtk};
+use crate::handed::{PRESSURES, failed, in_units, judged_as, judged_rows, read, table};
 use crate::outputs::{UNITS, contact_vv};
 use crate::program::Folder;
-use crate::referee_readers::{Frd, ellipse, half_width, peak, vtk};
 use crate::scene_file::text_of;
 use crate::workbench;
 
@@ -144,6 +145,9 @@ fn tables_say_the_same_whatever_their_marks_numbers_and_names() {
         let answer = parsed("theirs.rpt", text, &Asked::default()).unwrap_or_else(|error| panic!("{text}: {error}"));
         ellipse::assert(&answer, 1e-5);
     }
+    // Single rows that are set apart are rows of the same table.
+    let apart = format!("# x [mm] p [MPa]\n{}", row(" ", plain).replace('\n', "\n\n"));
+    ellipse::assert(&parsed("theirs.csv", apart, &Asked::default()).expect("read"), 1e-5);
     // Columns without a head by their numbers; a .dat that is no file of CalculiX.
     let numbered = naming(&[(Role::Position, "1"), (Role::Pressure, "2")]);
     ellipse::assert(&parsed("savetxt.dat", row(" ", plain), &numbered).expect("read"), 1e-5);
@@ -180,45 +184,6 @@ fn gaps_of_0_beyond_the_contact_are_counted() {
     let found = parsed("gaps.csv", format!("position [mm],pressure [MPa],gap [mm]\n{rows}"), &usual()).and_then(judged);
     let missing = &found.expect("judged").ruled[0].missing;
     assert!(missing.iter().any(|[what, _]| what.starts_with("gaps of 0 at 28 points beyond")), "{missing:?}");
-}
-
-#[test]
-fn what_is_no_number_in_a_table_is_named_with_its_line_and_what_to_change() {
-    for (text, parts) in [
-        ("position [mm];pressure [MPa]\n0,5;3\n1.5;2\n2,5;1\n", ["theirs.csv:3", "`1.5`, which is no number"]),
-        ("position [mm];pressure [MPa]\n0;3\n1.234,5;2\n2;1\n", ["theirs.csv:3", "all with a comma"]),
-        ("# x [mm] p [MPa]\n0 3\n1 2x\n2 1\n", ["theirs.csv:3", "`2x`, which is no number"]),
-        ("x [mm],p [torr]\n0,3\n1,2\n2,1\n", ["the unit `torr`", "bar, psi, ksi"]),
-        ("position,pressure\n[m],[torr]\n0,3\n1,2\n2,1\n", ["theirs.csv:2", "`[torr]`"]),
-        // Pages of a list, data sets of gnuplot, and what a comment parts.
-        (
-            "x [mm]  p [MPa]\n0  3\n1  2\n2  1\n\nx [mm]  p [MPa]\n3  1\n4  1\n5  0\n",
-            ["theirs.csv:6", "printed in pages"],
-        ),
-        ("x [mm],p [MPa]\n0,3\n1,2\nx [mm],p [MPa]\n3,1\n4,0\n", ["theirs.csv:4", "begins another table"]),
-        ("# x [mm] p [MPa]\n0 3\n1 2\n2 1\n\n\n0.5 3\n1.5 2\n2.5 1\n", ["theirs.csv:7", "begins another table"]),
-        ("x [mm],p [MPa]\n0,3\n1,2\n2,1\n# second\n0.5,3\n1.5,2\n2.5,1\n", ["theirs.csv:6", "begins another table"]),
-        (
-            "NODE  STAT  PRES [MPa]\n1  3.0  5\n2  3.0  4\n3  1.0  0\n",
-            ["no column is called `position`", "lists nodes by their numbers"],
-        ),
-        (
-            "x [mm]  p [MPa]\n0  3\n1  2\nMinimum  1  2\n At Node  3\nx [mm]  p [MPa]\n0  6\n1  5\n",
-            ["theirs.csv:7", "begins another table"],
-        ),
-        ("0 3\n1 2\n2 1\n", ["holds no names", "--column position=1"]),
-        ("t [mm] q [MPa]\n0 3\n1 2\n", ["no column is called `position` or `x`, but `t [mm]`, `q [MPa]`", "--column"]),
-    ] {
-        refused("theirs.csv", text, &Asked::default(), &parts);
-    }
-    // Single rows that are set apart are rows of the same table.
-    let apart = format!("# x [mm] p [MPa]\n{}", ellipse::rows(" ", |x| x.to_string()).replace('\n', "\n\n"));
-    ellipse::assert(&parsed("theirs.csv", apart, &Asked::default()).expect("read"), 1e-5);
-    // A unit that is written is not replaced by the one that is named, known or not.
-    let named = Asked { units: vec![(Role::Pressure, "MPa".into())], ..Asked::default() };
-    for unit in ["(kN/cm^2)", "[mPa]", "/ kN / cm^2", "[torr]"] {
-        refused("theirs.csv", format!("x [mm],p {unit}\n0,3\n1,2\n2,1\n"), &named, &["the unit"]);
-    }
 }
 
 #[test]
@@ -293,11 +258,11 @@ fn the_state_that_is_judged_is_printed_named_and_chosen() {
         assert!(last.answer.read.contains(&format!("block CONTACT of {state}")), "{:?}", last.answer.read);
     }
     for first in [at(Asked { time: Some(1.0), ..usual() }), at(Asked { step: Some(1), ..usual() })] {
-        assert_relative_eq!(first.ruled[0].measures.peak.pressure, 0.5 * peak(), max_relative = 2e-3);
+        assert_relative_eq!(first.ruled[0].measures.peak.pressure, 0.5 * RIGHT.peak(), max_relative = 2e-3);
         assert!(!first.met() && says(&first, "its file goes on to time 2"), "{:?}", first.notes);
     }
     let within = at(Asked { time: Some(1.7), step: Some(2), ..usual() });
-    assert_relative_eq!(within.ruled[0].measures.peak.pressure, 0.8 * peak(), max_relative = 2e-3);
+    assert_relative_eq!(within.ruled[0].measures.peak.pressure, 0.8 * RIGHT.peak(), max_relative = 2e-3);
     assert!(says(&within, "time 1.7, which is not the end of a step"));
     refused("theirs.frd", two.text(), &Asked { time: Some(3.0), ..usual() }, &["--time or --step", "time 1.7"]);
     for asked in [Asked { step: Some(1), ..usual() }, Asked { time: Some(1.0), ..usual() }] {
@@ -333,7 +298,7 @@ fn rows(places: impl IntoIterator<Item = f64>) -> String {
 }
 
 #[test]
-fn a_table_with_holes_is_not_judged_and_they_are_named_with_the_force_in_them() {
+fn a_table_with_holes_is_not_judged_and_the_widest_is_named_with_the_force_in_it_wherever_it_is() {
     let even = |from: i32, step: f64| (from..=60).map(move |k| step * f64::from(k));
     let without = |from: i32, holes: &[[f64; 2]]| {
         let kept: Vec<f64> = even(from, 0.05)
@@ -354,13 +319,21 @@ fn a_table_with_holes_is_not_judged_and_they_are_named_with_the_force_in_them() 
         let said = refused("theirs.csv", without(from, &[hole]), &Asked::default(), &parts);
         assert!(!said.contains("more like it"), "{said}");
     }
-    // Four points in a row of a coarse table.
-    let coarse = even(0, 0.2).filter(|s| *s <= 3.0 && !(0.5..1.3).contains(s));
-    let parts = ["no point from 0.4000 to 1.400 mm", "5 times", "55.9 % of the force"];
-    refused("theirs.csv", rows(coarse), &Asked::default(), &parts);
-    // With a point left in it, and two small ones.
-    let apart = [[0.5, 0.75], [0.85, 1.1]];
-    refused("theirs.csv", without(0, &apart), &Asked::default(), &["7 times as far apart", "and in 1 more like it"]);
+    // Four points in a row of a coarse table, also far from x = 0.
+    for (hole, parts) in [
+        (0.5..1.3, ["no point from 0.4000 to 1.400 mm", "5 times", "55.9 % of the force"]),
+        (0.9..1.7, ["no point from 0.8000 to 1.800 mm", "5 times", "46.7 % of the force"]),
+    ] {
+        let coarse = even(0, 0.2).filter(|s| *s <= 3.0 && !hole.contains(s));
+        refused("theirs.csv", rows(coarse), &Asked::default(), &parts);
+    }
+    // With a point left in it, and two of which the second is the wider one.
+    for (holes, part) in [
+        ([[0.5, 0.75], [0.85, 1.1]], "7 times as far apart"),
+        ([[0.5, 0.7], [0.85, 1.1]], "no point from 0.8000 to 1.150 mm"),
+    ] {
+        refused("theirs.csv", without(0, &holes), &Asked::default(), &["7 times", part, "and in 1 more like it"]);
+    }
     // Even tables that are coarse, graded to the middle or to the end, with pairs of points, with a small hole or one beyond the contact.
     let graded = |ratio: f64, to: f64| {
         let step = |k: i32| 0.02 * ratio.powi(k);
@@ -588,7 +561,7 @@ fn a_stated_model_error_counts_for_every_quantity_it_is_stated_for() {
     let stated = "[[check]]\nquantity = \"pressure\"\nat = 0\ntolerance = 0.5\nmodel-error = 0.05\nbecause = \".\"\n";
     let truth = Truth::of(workbench::parsed(&(text_of("flat-punch.toml") + stated))).expect("solved");
     let rows = (0..=20).map(|k| 0.05 * f64::from(k)).map(|s| [s, truth.pressure(0, s.min(0.98))]);
-    let found = judged_as(&truth, "punch.csv", &table(PRESSURES, rows), &Asked::default());
+    let found = judged_rows(&truth, PRESSURES, rows);
     let middle = Quantity::Pressure { at: 0.0 };
     let judged = found.ruled[0].judged.iter().find(|one| one.check.quantity.number() == Some(&middle));
     assert_relative_eq!(judged.expect("judged").check.tolerance, ENGINEERING + 0.05, max_relative = 1e-9);
@@ -597,11 +570,10 @@ fn a_stated_model_error_counts_for_every_quantity_it_is_stated_for() {
 #[test]
 fn declared_check_asks_no_more_than_its_model_error_leaves() {
     // 1 % off Hertz everywhere.
-    let p = |x: f64| 1.01 * 100.0 * (1.0 - (x / half_width()).powi(2)).max(0.0).sqrt();
-    let text = table(PRESSURES, (0..=44).map(|k| 0.05 * f64::from(k)).map(|x| [x, p(x)]));
+    let rows = || (0..=44).map(|k| 0.05 * f64::from(k)).map(|x| [x, 1.01 * RIGHT.pressure(x)]);
     for (model, met) in [("", false), ("model-error = 0.02\n", true)] {
         let truth = with_check(&format!("quantity = \"peak-pressure\"\ntolerance = 1e-3\n{model}"));
-        let found = judged_as(&truth, "a.csv", &text, &Asked::default());
+        let found = judged_rows(&truth, PRESSURES, rows());
         let declared = found.ruled[0].judged.iter().filter(|one| one.check.because == ".").collect::<Vec<_>>();
         assert_eq!(declared.len(), 1);
         assert_eq!(declared[0].verdict == contact_vv::case::Verdict::Pass, met, "{:?}", declared[0]);
@@ -611,13 +583,11 @@ fn declared_check_asks_no_more_than_its_model_error_leaves() {
 #[test]
 fn the_formula_of_a_sphere_used_for_a_cylinder_is_a_usual_mistake() {
     // a₃ = ∛(3FR/4E*) and 3F/2πa²: 314.1593 N on R = 1000 mm, E* = 100 GPa.
-    let (force, radius, modulus) = (314.1593_f64, 1000.0, 91000.0 / 0.91);
-    let sphere = (0.75 * force * radius / modulus).cbrt();
-    for (a, width) in [(sphere, sphere), (half_width(), half_width())] {
+    let Hertz { force, radius, modulus, .. } = RIGHT;
+    for a in [(0.75 * force * radius / modulus).cbrt(), RIGHT.half_width()] {
         let p = 1.5 * force / (std::f64::consts::PI * a * a);
-        let at = |k: u32| [0.05 * f64::from(k) * width, p * (1.0 - (0.05 * f64::from(k)).powi(2)).max(0.0).sqrt()];
-        let text = table(PRESSURES, (0..=26).map(at));
-        let found = judged(parsed("a.csv", text, &Asked::default()).expect("read")).expect("judged");
+        let at = |k: u32| [0.05 * f64::from(k) * a, p * (1.0 - (0.05 * f64::from(k)).powi(2)).max(0.0).sqrt()];
+        let found = judged_rows(&TRUTH, PRESSURES, (0..=26).map(at));
         assert!(
             !found.met() && found.mistakes.iter().any(|says| says.contains("that of a sphere")),
             "{a}: {:?}",
@@ -777,5 +747,5 @@ fn a_check_of_a_scene_that_names_no_kind_is_asked_of_answers_too() {
         let truth = with_check(&format!("quantity = \"peak-pressure\"\nvalue = {peak}\ntolerance = 0.01\n"));
         judged_as(&truth, "theirs.csv", &ellipse::text(), &usual()).met()
     };
-    assert!(with(peak()) && !with(1.02 * peak()));
+    assert!(with(RIGHT.peak()) && !with(1.02 * RIGHT.peak()));
 }

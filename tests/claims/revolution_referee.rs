@@ -1,7 +1,6 @@
 //! Answers on bodies of revolution: judged by rings, usual mistakes named, spoiled ones refused; what `export` writes of them.
 
 use std::f64::consts::{PI, TAU};
-use std::fmt::Write;
 use std::path::Path;
 
 use approx::assert_relative_eq;
@@ -14,6 +13,7 @@ use contact_vv::referee::judge::ENGINEERING;
 use contact_vv::referee::{Asked, Truth, calculix, verdicts};
 use contact_vv::solve::{Discretisation, Element, Formulation, Iteration, Run};
 
+use crate::foreign::{self, fixed, record};
 use crate::handed::{PRESSURES, failed, judged, judged_as, moved, read, table};
 use crate::workbench::refused;
 
@@ -174,10 +174,8 @@ fn exported_decks_of_revolution_have_whole_loads_and_give_whole_forces() {
     let listed = text.lines().skip_while(|line| *line != format!("*NSET, NSET={set}")).skip(1);
     let numbers = listed.take_while(|line| !line.starts_with('*')).map(|line| line.trim_end_matches(','));
     let own = std::iter::once(0.0).chain(run.solution.points_of(0).iter().map(|point| point.weight * point.pressure));
-    let mut table = format!(" forces (fx,fy,fz) for set {set} and time  0.1000000E+01\n\n");
-    for (number, force) in numbers.zip(own) {
-        let _ = writeln!(table, "{number:>10} {:e} 0.0 0.0", -force / 180.0);
-    }
+    let numbers = numbers.map(|number| number.parse().expect("a node"));
+    let table = foreign::forces(set, "0.1000000E+01", numbers.zip(own.map(|force| -force / 180.0)));
     let answer = calculix::forces(Path::new("s.dat"), &table, &text, &truth.case.scene, &Asked::default());
     let found = judged(&truth, answer.expect("read"));
     assert!(found.met() && found.mistakes.is_empty(), "{:?}", failed(&found));
@@ -225,9 +223,8 @@ fn slice(stretch: f64) -> String {
     for (k, (r, y, angle)) in nodes.iter().enumerate() {
         let place = [r * angle.cos(), *y, r * angle.sin()];
         let vector = [stretch * place[0], 0.0, stretch * place[2]];
-        let line = |of: [f64; 3]| format!(" -1{:>10}{:>12.5E}{:>12.5E}{:>12.5E}\n", k + 1, of[0], of[1], of[2]);
-        places += &line(place);
-        moved += &line(vector);
+        places += &record(k + 1, &fixed(place));
+        moved += &record(k + 1, &fixed(vector));
     }
     format!(
         "    1C\n    2C                             8                                     1\n{places} -3\n    3C                             1\n\

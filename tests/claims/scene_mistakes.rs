@@ -20,19 +20,23 @@ struct Mistake {
     says: Vec<String>,
 }
 
-/// The mistakes of a kind.
-fn mistakes(kind: &str) -> Vec<Mistake> {
+/// The rows of a kind, each with the file that it changes.
+pub fn rows(kind: &str) -> impl Iterator<Item = (String, Vec<String>)> {
     let path = root().join("tests/data/refused.toml");
     let text = std::fs::read_to_string(path).expect("the table");
     let mut kinds: BTreeMap<String, BTreeMap<String, Vec<Vec<String>>>> = toml::from_str(&text).expect("TOML");
-    let files = kinds.remove(kind).expect("a kind of mistake").into_iter();
-    let rows = files.flat_map(|(file, rows)| rows.into_iter().map(move |row| (file.clone(), row)));
-    rows.map(|(file, row)| {
+    let files = kinds.remove(kind).expect("a kind of change").into_iter();
+    files.flat_map(|(file, rows)| rows.into_iter().map(move |row| (file.clone(), row)))
+}
+
+/// The mistakes of a kind.
+fn mistakes(kind: &str) -> Vec<Mistake> {
+    let mistake = |(file, row): (String, Vec<String>)| {
         let [was, is, at, says @ ..] = row.as_slice() else { panic!("{file}: {row:?}") };
         let [was, is, at] = [was, is, at].map(String::clone);
         Mistake { file, was, is, at, says: says.to_vec() }
-    })
-    .collect()
+    };
+    rows(kind).map(mistake).collect()
 }
 
 /// A block by its corners, in place of the rectangle of a file.

@@ -480,33 +480,7 @@ fn contacts_of_different_widths_on_one_disc_are_met_to_a_millionth() {
 
 #[test]
 fn a_whole_roller_beside_the_middle_of_its_plates_has_cells_fitted_to_both_contacts() {
-    let plate = |name: &str, y: [f64; 2], side: &str, rest: &str| {
-        format!(
-            "[[body]]\nname = \"{name}\"\nyoung = 210e3\npoisson = 0.3\n\
-             shape = {{ rectangle = {{ x = [0, 50], y = [{}, {}], contact = \"{side}\" }} }}\n{rest}\n",
-            y[0], y[1]
-        )
-    };
-    let left = "{ at = \"left\", component = \"x\" }";
-    let loaded = format!("supports = [{left}]\nloads = [{{ traction = {{ at = \"far\", value = [0, -20] }} }}]");
-    let contact = |name: &str, second: &str, rest: &str| {
-        format!(
-            "[[contact]]\nname = \"{name}\"\nfirst = \"roller\"\nsecond = \"{second}\"\ngap = {{ circle = 10 }}\nstretch = 1\nboth-sides = true\n{rest}\n"
-        )
-    };
-    let text = [
-        "plane = \"strain\"\nthickness = 1.0\n".to_owned(),
-        plate("upper", [20.0, 40.0], "bottom", &loaded),
-        "[[body]]\nname = \"roller\"\nyoung = 210e3\npoisson = 0.3\n\
-         shape = { disc = { centre = [20, 10], radius = 10, whole = true } }\n\
-         supports = [{ at = [20, 10], component = \"x\" }]\n"
-            .to_owned(),
-        plate("lower", [-30.0, 0.0], "top", &format!("supports = [{left}, {{ at = \"far\", component = \"y\" }}]")),
-        contact("above", "upper", "first-side = \"top\"\norigin = [20, 20]"),
-        contact("below", "lower", "origin = [20, 0]"),
-        "[mesh]\nelements = 10\nper = 1\n".to_owned(),
-    ];
-    let scene = parsed(&text.concat()).scene;
+    let scene = scene("roller-beside-the-middle", &[]).scene;
     let [coarse, fine] = [1e-3, 1e-4].map(|asked| {
         let asked = Asked { most_dofs: Some(25_000), ..Asked::new(asked) };
         let answer = accuracy::solve(&scene, &Formulation::verification(), &asked).expect("solved");

@@ -10,9 +10,9 @@ use contact_vv::study::promised::bars::setup;
 use contact_vv::study::random::{Family, Site};
 use rayon::prelude::*;
 
-use crate::balance::scene;
+use crate::balance::{scene, solved_on};
 use crate::scene_file::case;
-use crate::workbench::{kinematic, parsed, resolution};
+use crate::workbench::{kinematic, resolution};
 
 /// `√(3/2 s : s)` of the deviator s \[MPa\]: von Mises 1913.
 fn von_mises([x, y, xy]: [f64; 3], z: f64) -> f64 {
@@ -31,8 +31,7 @@ fn across([x, y, _]: [f64; 3], plane: PlaneHypothesis, material: &Material) -> f
 
 /// A run of a scene, told which of its peaks have no limit.
 fn solved(scene: Scene, resolution: Resolution, formulation: &Formulation) -> (Discretisation, Run) {
-    let discretisation = Discretisation::of(scene, resolution).expect("meshed");
-    let run = Run::of(&discretisation, formulation).expect("solved");
+    let (discretisation, run) = solved_on(scene, resolution, formulation);
     let run = run.with_limits(&discretisation).expect("told");
     (discretisation, run)
 }
@@ -176,15 +175,8 @@ fn no_stress_is_quoted_beside_a_force_at_a_point_nor_a_corner_nor_a_pressure_wit
 
 #[test]
 fn a_tilted_punch_has_its_stress_without_limit_under_the_edge_that_presses() {
-    let scene = "plane = \"strain\"\nthickness = 1\n[[body]]\nname = \"block\"\nyoung = 210e3\npoisson = 0.3\n\
-         shape = { rectangle = { x = [-40, 40], y = [0, 40], contact = \"bottom\" } }\n\
-         supports = [{ at = [0, 40], component = \"x\" }]\n\
-         loads = [{ traction = { at = \"far\", force = [0, -1000] } }, { moment = { at = \"far\", value = -700 } }]\n\
-         [[contact]]\nfirst = \"block\"\nboth-sides = true\ngap = { punch = 1 }\nstretch = 1\n\
-         [mesh]\nelements = 12\nper = 1\n";
-    let discretisation = Discretisation::of(parsed(scene).scene, resolution(12, 0, Order::Quadratic)).expect("meshed");
-    let run = Run::of(&discretisation, &Formulation::verification()).expect("run");
-    let run = run.with_limits(&discretisation).expect("told");
+    let scene = scene("tilted-punch", &[]).scene;
+    let (discretisation, run) = solved(scene, resolution(12, 0, Order::Quadratic), &Formulation::verification());
     let displacement = discretisation.displacement_under(run.share(), &run.solution);
     let all = discretisation.without_limit(&run, &displacement, 0).expect("told");
     let under =
