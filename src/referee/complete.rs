@@ -70,8 +70,8 @@ pub fn all(truth: &Truth, answer: &Answer, handed: &Handed, profile: &Profile, t
         ))
     });
     let Some((message, remedy)) = lacking else { return Ok(()) };
-    let beside = mistakes::Beside { units: &answer.units, is_of_scene: false };
-    let explained = mistakes::explain(truth, handed, beside, tolerance).into_iter().map(|says| format!("; or {says}"));
+    let explained = mistakes::explain(truth, handed, (&answer.units, false), tolerance);
+    let explained = explained.into_iter().map(|says| format!("; or {says}"));
     let source = Source { file: &answer.file, text: "" };
     Err(source.refused(message, remedy.to_owned() + &explained.collect::<String>()))
 }

@@ -102,7 +102,7 @@ pub fn verdicts(truth: &Truth, answer: Answer, tolerance: f64) -> Result<Verdict
             false
         }
     };
-    let beside = mistakes::Beside { units: &answer.units, is_of_scene };
+    let beside = (&answer.units, is_of_scene);
     let mistakes = handed().flat_map(|handed| mistakes::explain(truth, handed, beside, tolerance)).collect();
     let names = scene.contacts.iter().enumerate().filter(|(contact, _)| answer.of(*contact).is_none());
     let absent = names.map(|(_, pair)| pair.name.clone()).collect();
