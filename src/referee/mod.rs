@@ -98,7 +98,7 @@ pub fn verdicts(truth: &Truth, answer: Answer, tolerance: f64) -> Result<Verdict
     let is_of_scene = match &answer.field {
         Some(field) => whole::judge(truth, field, &profiles, &mut ruled, tolerance)?,
         None => {
-            ruled.iter_mut().take(1).for_each(|first| first.missing.push(whole::missing()));
+            ruled[0].missing.push(whole::missing());
             false
         }
     };
