@@ -8,9 +8,9 @@ use serde::{Deserialize, Serialize};
 
 use crate::error::{Error, Located};
 use crate::mesh::Order;
-use crate::referee::answer::{Answer, BESIDE, Handed, Point, contact_named, ordered, places};
+use crate::referee::answer::{Answer, BESIDE, Handed, Point, contact_named, places};
 use crate::referee::asked::Asked;
-use crate::referee::profile::order_of_areas;
+use crate::referee::profile::handed;
 use crate::referee::units::{Role, Units, is_angle};
 use crate::scene::{self, Scene};
 use crate::solution::EdgeState;
@@ -221,27 +221,19 @@ fn contact_of(reader: &Reader) -> Result<Handed, Error> {
         let unknown = || refused("order", format!("it is {number}"), "give 1, 2, or 4 to 8");
         Order::numbered(number.into()).ok_or_else(unknown)
     });
-    let order = match (told, asked.order) {
-        (_, Some(asked)) => asked,
-        (Some(told), None) => told?,
-        (None, None) => Order::Linear,
-    };
+    let order = asked.order.map(Ok).or(told).transpose()?;
+    // Means over edges are those between two points.
+    let order = order.or((!contact.edges.is_empty()).then_some(Order::Linear));
     let point = |k: usize| Point {
         position: position[k],
         value: asked.sign() * values[k],
         area: area.as_ref().map(|area| area[k]),
         gap: gap.as_ref().map(|gap| gap[k]),
     };
-    let points =
-        ordered((0..position.len()).map(point).collect(), order, &scene.contacts[index], |message, remedy| {
-            refused("position", message, remedy)
-        })?;
-    let order = match (contact.order, asked.order) {
-        (None, None) if contact.edges.is_empty() => order_of_areas(scene, &scene.contacts[index], &points),
-        _ => order,
-    };
+    let points = (0..position.len()).map(point).collect();
+    let own = handed((scene, index), points, order, forces, |message, remedy| refused("position", message, remedy))?;
     let edges = edges_of(reader, &scene.contacts[index].path)?;
-    if let Some([from, to]) = wrong_step(&edges, &points) {
+    if let Some([from, to]) = wrong_step(&edges, &own.points) {
         let ends = places(&scene.contacts[index], &[from, to]);
         let message = format!("none, or more than one, reaches from {ends}");
         let remedy = "give one for every part of the contact from its first point to its last, or none at all";
@@ -259,7 +251,7 @@ fn contact_of(reader: &Reader) -> Result<Handed, Error> {
         );
         return Err(refused("edges", message, "give the areas of the undeformed path in `units.area`"));
     }
-    Ok(Handed { contact: index, points, order, edges, forces })
+    Ok(Handed { edges, ..own })
 }
 
 /// From where to where edges in order leave out, or have twice, a part of the contact; none where they are none. The first and the last point may

@@ -5,9 +5,10 @@ use std::path::Path;
 
 use crate::error::Error;
 use crate::mesh::Order;
-use crate::referee::answer::{Answer, Handed, Point, contact_named, joined, ordered, without_gaps, without_pull};
+use crate::referee::answer::{Answer, Handed, Point, contact_named, joined, without_gaps, without_pull};
 use crate::referee::asked::Asked;
 use crate::referee::field::Field as Displaced;
+use crate::referee::profile::handed;
 use crate::referee::side::{self, Cell, Side, signed_coordinate};
 use crate::referee::source::Source;
 use crate::referee::state::State;
@@ -45,8 +46,8 @@ pub fn parse(file: &Path, bytes: &[u8], scene: &Scene, asked: &Asked) -> Result<
     let cells = grid.cells()?;
     let (mut contacts, mut read) = (Vec::new(), Vec::new());
     for contact in wanted {
-        let (handed, how) = grid.contact(scene, contact, &points, &cells, asked)?;
-        contacts.push(handed);
+        let (own, how) = grid.contact(scene, contact, &points, &cells, asked)?;
+        contacts.push(own);
         read.extend(how);
     }
     read.sort();
@@ -148,7 +149,6 @@ impl Grid<'_> {
         let pressure = |node: usize| along(node, None);
         let (side, other) = Side::of(&source, (scene, contact), points, cells, |node| Some(pressure(node)))?;
         let mut nodes = side.nodes();
-        let order = asked.order.unwrap_or(side.order());
         let place = |node: usize| signed_coordinate(pair, points[node]);
         let known = |&node: &usize| {
             let value = Some(pressure(node)).filter(|value| !value.is_nan());
@@ -184,10 +184,9 @@ impl Grid<'_> {
             points = joined(points);
             read.push(format!("means of {all} points of cells at {} places of the contact side", points.len()));
         }
-        let points = ordered(points, order, pair, |message, remedy| {
-            source.refused(format!("its contact side: {message}"), remedy)
-        })?;
-        Ok((Handed { contact, points, order, edges: vec![], forces: false }, read))
+        let refused = |message, remedy: &str| source.refused(format!("its contact side: {message}"), remedy);
+        let order = asked.order.unwrap_or(side.order());
+        Ok((handed((scene, contact), points, Some(order), false, refused)?, read))
     }
 
     /// What turns a field into our unit: no grid says its units but in a name such as `CPRESS [Pa]`.

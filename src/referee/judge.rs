@@ -208,22 +208,19 @@ impl Bench<'_> {
         };
         let found =
             [self.measures.stretches.first().map(|one| one.begin), self.measures.stretches.last().map(|one| one.end)];
-        let names = [
-            ["begin of the contact [mm]", "begin of the contact [°]"],
-            ["end of the contact [mm]", "end of the contact [°]"],
-        ];
-        let both = [begin, Some(end)].into_iter().zip(found).zip(names);
-        both.filter_map(|((known, found), names)| Some(self.end(names, found.unwrap_or(f64::NAN), known?))).collect()
+        let both = [begin, Some(end)].into_iter().zip(found).zip(["begin", "end"]);
+        both.filter_map(|((known, found), name)| Some(self.end(name, found.unwrap_or(f64::NAN), known?))).collect()
     }
 
-    fn end(&self, [length, angle]: [&'static str; 2], value: f64, known: Known) -> Judged {
+    fn end(&self, name: &str, value: f64, known: Known) -> Judged {
         let path = &self.profile.pair().path;
-        let (factor, name) = if path.is_straight() { (1.0, length) } else { (display_factor(path), angle) };
+        let (factor, unit) = if path.is_straight() { (1.0, "mm") } else { (display_factor(path), "°") };
         let size = self.half_width_known().reference.value;
         let allowed = factor * (self.tolerance * size + self.size_of_lines() + known.bar);
         let reference = known.reference.clone().times(factor);
         let because = "the tolerance of the half-width, the bar of the reference, and one edge of this mesh";
-        let check = Check::absolute(name, reference.clone(), allowed, because);
+        let quantity = case::Quantity::at(format!("{name} of the contact [{unit}]"), "");
+        let check = Check::absolute(quantity, reference.clone(), allowed, because);
         // How well it is known on the scale of the half-width.
         let scale = if reference.value.abs() > 0.0 { reference.value.abs() } else { 1.0 };
         let bar = known.bar / size * scale;

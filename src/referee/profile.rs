@@ -3,8 +3,9 @@
 use std::f64::consts::TAU;
 
 use crate::elasticity::quadrature::lobatto;
+use crate::error::Error;
 use crate::mesh::Order;
-use crate::referee::answer::{Handed, Point};
+use crate::referee::answer::{Handed, Point, ordered};
 use crate::referee::between;
 use crate::referee::truth::Truth;
 use crate::scene::{ContactPair, Path, Scene};
@@ -228,11 +229,26 @@ pub fn tributary(scene: &Scene, pair: &ContactPair, points: &[Point], order: Ord
     sums.into_iter().map(|sum| sum * across).collect()
 }
 
+/// What was handed in of a contact by its points, in any order: those of edges of an order, or, where none is told, of that of which their areas
+/// tell. Refused as [`ordered`] says.
+pub fn handed(
+    (scene, contact): (&Scene, usize),
+    points: Vec<Point>,
+    order: Option<Order>,
+    forces: bool,
+    refused: impl Fn(String, &str) -> Error,
+) -> Result<Handed, Error> {
+    let pair = &scene.contacts[contact];
+    let points = ordered(points, order.unwrap_or(Order::Linear), pair, refused)?;
+    let order = order.unwrap_or_else(|| order_of_areas(scene, pair, &points));
+    Ok(Handed { contact, points, order, edges: vec![], forces })
+}
+
 /// Part of the largest area by which areas may be off from those of an order.
 const OFF: f64 = 0.01;
 
 /// The order of the edges of which the areas of points tell: 2 where they are theirs and not those of edges with two nodes; else 1.
-pub fn order_of_areas(scene: &Scene, pair: &ContactPair, points: &[Point]) -> Order {
+fn order_of_areas(scene: &Scene, pair: &ContactPair, points: &[Point]) -> Order {
     let Some(areas) = points.iter().map(|point| point.area).collect::<Option<Vec<f64>>>() else { return Order::Linear };
     let largest = areas.iter().copied().fold(0.0, f64::max);
     let are_of = |order: Order| {

@@ -10,9 +10,9 @@ use std::path::Path;
 
 use crate::error::Error;
 use crate::mesh::Order;
-use crate::referee::answer::{Answer, BESIDE, FEWEST, Handed, Point, contact_named, ordered};
+use crate::referee::answer::{Answer, BESIDE, FEWEST, Handed, Point, contact_named};
 use crate::referee::asked::Asked;
-use crate::referee::profile::order_of_areas;
+use crate::referee::profile::handed;
 use crate::referee::side::{signed_coordinate, surface};
 use crate::referee::source::Source;
 use crate::referee::state::State;
@@ -95,15 +95,10 @@ pub fn parse(file: &Path, text: &str, scene: &Scene, asked: &Asked) -> Result<An
         return Err(source.refused("it has no line behind its head", "the file is cut: write it again"));
     }
     let forces = !reader.columns.iter().any(|column| column.role == Role::Pressure);
-    let handed = |(contact, points): (usize, Vec<Point>)| {
-        let points =
-            ordered(points, asked.order.unwrap_or(Order::Linear), &scene.contacts[contact], |message, remedy| {
-                source.refused(message, remedy)
-            })?;
-        let order = asked.order.unwrap_or_else(|| order_of_areas(scene, &scene.contacts[contact], &points));
-        Ok(Handed { contact, points, order, edges: vec![], forces })
+    let of_contact = |(contact, points): (usize, Vec<Point>)| {
+        handed((scene, contact), points, asked.order, forces, |message, remedy| source.refused(message, remedy))
     };
-    let contacts: Vec<Handed> = groups.into_iter().map(handed).collect::<Result<_, Error>>()?;
+    let contacts: Vec<Handed> = groups.into_iter().map(of_contact).collect::<Result<_, Error>>()?;
     let is_beside =
         !forces && table.head.iter().any(|title| asked.names(Role::Force, title) || is_usual(Role::Force, title));
     let mut read: Vec<String> =
