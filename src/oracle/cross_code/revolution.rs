@@ -24,15 +24,15 @@ const SCRIPTS: [(&str, &str, bool); 4] = [
 pub type Called = (&'static str, bool, Vec<PhysicalAnswer>);
 
 /// What every script answers, by the name of its module.
-pub type Revolution = Answered<String, Series>;
+pub type Revolution = Answered<String, Series<Answer>>;
 
 /// What a script answers.
 #[derive(Clone, Debug, Deserialize)]
-pub struct Series {
+pub struct Series<A> {
     /// Version of its code.
     pub version: String,
     /// On meshes from coarse to fine.
-    pub series: Vec<Answer>,
+    pub series: Vec<A>,
 }
 
 /// An answer on one mesh.
