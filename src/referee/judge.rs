@@ -138,11 +138,9 @@ impl Bench<'_> {
         let is_row = |three: &&[[f64; 2]]| three[0][0] * three[2][0] > 0.0 || self.has_limit(0.0);
         let alternates = |three: &[[f64; 2]]| 0.5 * (three[1][1] - 0.5 * (three[0][1] + three[2][1])).abs();
         let largest = errors.windows(3).filter(is_row).map(alternates).reduce(larger)?;
-        let (reference, because) = (
-            Reference::own("neighbouring points", 0.0),
-            "what an answer may alternate by that is quoted at its points",
-        );
-        Some(self.error(ALTERNATION, reference, ALTERNATE, because, largest))
+        let because = "what an answer may alternate by that is quoted at its points";
+        let check = Check::error(ALTERNATION, Reference::own("neighbouring points", 0.0), ALTERNATE, because);
+        Some(check.judge(largest))
     }
 
     /// The point whose pressure departs most from the truth while those of two on either side do not, where it is off by more than is allowed: the
@@ -246,7 +244,7 @@ impl Bench<'_> {
         let lowest = self.profile.points.iter().map(|point| 0.0 - point.pressure).fold(0.0, larger);
         let highest = self.profile.points.iter().map(|point| point.pressure.abs()).fold(0.0, larger);
         let because = "what counts as no pressure everywhere here";
-        self.error(TENSION, Reference::own("contact cannot pull", 0.0), ACTIVE, because, lowest / highest)
+        Check::error(TENSION, Reference::own("contact cannot pull", 0.0), ACTIVE, because).judge(lowest / highest)
     }
 }
 

@@ -53,17 +53,12 @@ impl Profile {
         let is_of_points = handed.order == Order::Linear && handed.edges.is_empty();
         let plain = handed;
         let is_open = is_of_points && !has_forces;
-        let by_roots = if is_open { of_roots(&scene, handed) } else { Vec::new() };
-        let lines = if is_open { between::lines(&handed.points) } else { Vec::new() };
+        let by_roots = is_open.then(|| states(&scene, pair, &between::by_roots(&handed.points), Order::Linear, false));
+        let by_roots = by_roots.unwrap_or_default();
+        let lines = is_open.then(|| between::lines(&handed.points)).unwrap_or_default();
         let with_middles = is_open.then(|| between::by_lines(handed));
         let handed = with_middles.as_ref().unwrap_or(handed);
-        let areas = tributary(&scene, pair, &handed.points, handed.order);
-        let state = |(point, area): (&Point, &f64)| {
-            let weight = point.area.unwrap_or(*area);
-            let pressure = if handed.forces { point.value / weight } else { point.value };
-            PointState { position: point.position, weight, pressure, gap: point.gap.unwrap_or(f64::NAN) }
-        };
-        let mut points: Vec<PointState> = handed.points.iter().zip(&areas).map(state).collect();
+        let mut points = states(&scene, pair, &handed.points, handed.order, handed.forces);
         let has_means = !plain.edges.is_empty();
         let may_lend = scene.is_around_axis(handed.contact) || begun.is_some() && handed.forces;
         let on_axis = may_lend && lends_to_axis(&mut points, handed);
@@ -92,17 +87,14 @@ impl Profile {
     }
 }
 
-/// Contact points with roots between pressures.
-fn of_roots(scene: &Scene, handed: &Handed) -> Vec<PointState> {
-    let points = between::by_roots(&handed.points);
-    let areas = tributary(scene, &scene.contacts[handed.contact], &points, Order::Linear);
-    let state = |(point, weight): (&Point, f64)| PointState {
-        position: point.position,
-        weight,
-        pressure: point.value,
-        gap: f64::NAN,
+/// Contact points by the areas handed in, or else those that belong to them; `forces` tells whether values are nodal forces.
+fn states(scene: &Scene, pair: &ContactPair, points: &[Point], order: Order, forces: bool) -> Vec<PointState> {
+    let state = |(point, area): (&Point, f64)| {
+        let weight = point.area.unwrap_or(area);
+        let pressure = if forces { point.value / weight } else { point.value };
+        PointState { position: point.position, weight, pressure, gap: point.gap.unwrap_or(f64::NAN) }
     };
-    points.iter().zip(areas).map(state).collect()
+    points.iter().zip(tributary(scene, pair, points, order)).map(state).collect()
 }
 
 /// Part of the largest position that rounding explains.
