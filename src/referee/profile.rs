@@ -53,9 +53,11 @@ impl Profile {
         let is_of_points = handed.order == Order::Linear && handed.edges.is_empty();
         let plain = handed;
         let is_open = is_of_points && !has_forces;
-        let by_roots = is_open.then(|| states(&scene, pair, &between::by_roots(&handed.points), Order::Linear, false));
-        let by_roots = by_roots.unwrap_or_default();
-        let lines = is_open.then(|| between::lines(&handed.points)).unwrap_or_default();
+        let roots = || states(&scene, pair, &between::by_roots(&handed.points), Order::Linear, false);
+        let (by_roots, lines) = match is_open {
+            true => (roots(), between::lines(&handed.points)),
+            false => Default::default(),
+        };
         let with_middles = is_open.then(|| between::by_lines(handed));
         let handed = with_middles.as_ref().unwrap_or(handed);
         let mut points = states(&scene, pair, &handed.points, handed.order, handed.forces);
