@@ -4,16 +4,17 @@ use super::palette::Style;
 use super::theme::Colour;
 
 /// How an axis is divided.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Scale {
     /// Equal steps.
+    #[default]
     Linear,
     /// Equal ratios.
     Log,
 }
 
 /// One axis.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Axis {
     /// What is measured, with its unit.
     pub label: String,
@@ -116,7 +117,7 @@ impl Slope {
 }
 
 /// Curves over two axes.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Chart {
     /// What is shown, in a few words.
     pub title: String,
@@ -141,24 +142,14 @@ pub struct Chart {
 impl Chart {
     /// A chart without curves.
     pub fn new(title: &str, x: Axis, y: Axis) -> Chart {
-        Chart {
-            title: title.to_string(),
-            x,
-            y,
-            series: vec![],
-            guides: vec![],
-            slopes: vec![],
-            bars: vec![],
-            remarks: vec![],
-            notes: vec![],
-        }
+        Chart { title: title.to_string(), x, y, ..Chart::default() }
     }
 }
 
 impl Axis {
     /// An axis with equal steps around its values.
     pub fn linear(label: &str) -> Axis {
-        Axis { label: label.to_string(), scale: Scale::Linear, range: None, names: vec![] }
+        Axis { label: label.to_string(), ..Axis::default() }
     }
 
     /// An axis with equal ratios around its values.

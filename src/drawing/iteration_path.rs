@@ -14,16 +14,8 @@ use super::plot::Plot;
 use super::signs;
 use super::theme::Colour;
 
-/// One state of the iteration at the contact point.
-#[derive(Clone, Copy, Debug)]
-pub struct State {
-    /// Approach `w`.
-    pub approach: f64,
-    /// Pressure `p`.
-    pub pressure: f64,
-    /// Stiffness `k` of the spring that holds it.
-    pub stiffness: f64,
-}
+/// A state of the iteration at the contact point: approach `w`, pressure `p`, and stiffness `k` of the spring that holds it.
+pub type State = [f64; 3];
 
 /// The states of one algorithm.
 #[derive(Clone, Debug)]
@@ -43,10 +35,8 @@ pub struct Path {
 pub struct IterationPaths {
     /// What is shown, in a few words.
     pub title: String,
-    /// Name and unit of the approach.
-    pub approach_label: String,
-    /// Name and unit of the pressure.
-    pub pressure_label: String,
+    /// Names and units of approach and pressure.
+    pub axes: [String; 2],
     /// Two points of the elastic bodies' load line, approach and pressure.
     pub load_line: [(f64, f64); 2],
     /// Initial gap at the point.
@@ -57,8 +47,6 @@ pub struct IterationPaths {
     pub colour: Colour,
     /// One panel each.
     pub paths: Vec<Path>,
-    /// Small print below.
-    pub notes: Vec<String>,
 }
 
 /// Room from a number to the next one, and to a state.
@@ -76,16 +64,16 @@ impl IterationPaths {
             signs::filled(&mut canvas, plot.place(self.target), Marker::Diamond, 5.4, INK);
             states(&mut canvas, plot, path, self.colour);
         }
-        canvas.drawing(&self.title, corner, &self.notes)
+        canvas.drawing(&self.title, corner, &[])
     }
 
     fn chart(&self, path: &Path) -> Chart {
         let (width, height) = self.extent();
-        let x = Axis::linear(&self.approach_label).over(0.0, width);
-        let y = Axis::linear(&self.pressure_label).over(0.0, height);
+        let x = Axis::linear(&self.axes[0]).over(0.0, width);
+        let y = Axis::linear(&self.axes[1]).over(0.0, height);
         let mut chart = Chart::new(&path.algorithm, x, y);
         let law = vec![(0.0, 0.0), (self.gap, 0.0), (self.gap, height)];
-        let springs = path.states.iter().flat_map(|state| state.spring(width));
+        let springs = path.states.iter().flat_map(|state| spring(state, width));
         let elastic = line_through(self.load_line, width);
         chart.series = vec![
             Series::new("spring of a step", springs, Style::run(tint(GREY, 0.75), Dash::Solid, Marker::Absent)),
@@ -100,35 +88,32 @@ impl IterationPaths {
     /// Upper ends of both axes, the same in every panel.
     fn extent(&self) -> (f64, f64) {
         let states = || self.paths.iter().flat_map(|path| &path.states);
-        let width = states().map(|state| state.approach).fold(self.gap.max(self.target.0), f64::max);
-        let height = states().map(|state| state.pressure).fold(self.target.1, f64::max);
+        let width = states().map(|[approach, ..]| *approach).fold(self.gap.max(self.target.0), f64::max);
+        let height = states().map(|[_, pressure, _]| *pressure).fold(self.target.1, f64::max);
         (1.15 * width, 1.25 * height)
     }
 }
 
-impl State {
-    fn pressure_at(&self, approach: f64) -> f64 {
-        self.pressure + self.stiffness * (approach - self.approach)
-    }
+/// Pressure on the spring of a state at an approach.
+fn pressure_at([approach, pressure, stiffness]: State, at: f64) -> f64 {
+    pressure + stiffness * (at - approach)
+}
 
-    /// The spring from zero pressure to the state, closed by an interruption.
-    fn spring(&self, width: f64) -> Vec<(f64, f64)> {
-        let relaxed = if self.stiffness > 0.0 { self.approach - self.pressure / self.stiffness } else { -width };
-        let start = relaxed.max(-width);
-        vec![(start, self.pressure_at(start)), (self.approach, self.pressure), (f64::NAN, f64::NAN)]
-    }
+/// The spring from zero pressure to the state, closed by an interruption.
+fn spring(state: &State, width: f64) -> [(f64, f64); 3] {
+    let [approach, pressure, stiffness] = *state;
+    let relaxed = if stiffness > 0.0 { approach - pressure / stiffness } else { -width };
+    let start = relaxed.max(-width);
+    [(start, pressure_at(*state, start)), (approach, pressure), (f64::NAN, f64::NAN)]
 }
 
 impl Path {
     /// The states joined over the corners between them.
     fn walk(&self) -> Vec<(f64, f64)> {
-        let mut walk = Vec::new();
-        let mut approach = None;
-        for state in &self.states {
-            walk.extend(approach.map(|approach| (approach, state.pressure_at(approach))));
-            walk.push((state.approach, state.pressure));
-            approach = Some(state.approach);
-        }
+        let place = |[approach, pressure, _]: State| (approach, pressure);
+        let corners = self.states.windows(2).map(|two| (two[0][0], pressure_at(two[1], two[0][0])));
+        let mut walk: Vec<(f64, f64)> = self.states.first().copied().map(place).into_iter().collect();
+        walk.extend(corners.zip(self.states.iter().skip(1)).flat_map(|(corner, state)| [corner, place(*state)]));
         walk
     }
 }
@@ -140,7 +125,7 @@ fn line_through([a, b]: [(f64, f64); 2], width: f64) -> Vec<(f64, f64)> {
 
 /// Discs on the states, numbered where there is room; the last always is.
 fn states(canvas: &mut Canvas, plot: &Plot<'_>, path: &Path, colour: Colour) {
-    let places: Vec<Point> = path.states.iter().map(|state| plot.place((state.approach, state.pressure))).collect();
+    let places: Vec<Point> = path.states.iter().map(|state| plot.place((state[0], state[1]))).collect();
     let last = places.len().saturating_sub(1);
     let mut numbered: Vec<Point> = Vec::new();
     for (n, &place) in places.iter().enumerate() {

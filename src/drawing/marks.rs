@@ -24,27 +24,28 @@ pub(super) fn marks(canvas: &mut Canvas, panel: &Panel<'_>) {
     // What the frame cuts off is not drawn.
     let seen = panel.frame.widened(0.5);
     for mark in &panel.field.marks {
-        match mark {
-            Mark::Rigid(points) => rigid(canvas, panel, points),
-            Mark::Fixed(node, along) if free(&mut fixed, place(panel.nodes[*node], *along, 0.5 * SUPPORT)) => {
-                let (at, across) = (panel.nodes[*node], (along.1, 0.0 - along.0));
-                if !seen.holds(at) {
-                    continue;
-                }
-                let foot = place(at, *along, SUPPORT);
-                let corners = [at, place(foot, across, 0.6 * SUPPORT), place(foot, across, -0.6 * SUPPORT)];
-                canvas.rimmed(&corners, CARD, Pen::solid(INK, 1.0));
+        let (node, along, is_fixed) = match mark {
+            Mark::Rigid(points) => {
+                rigid(canvas, panel, points);
+                continue;
             }
-            Mark::Pushed(node, along) if free(&mut pushed, panel.nodes[*node]) => {
-                let (at, across) = (panel.nodes[*node], (along.1, 0.0 - along.0));
-                if !seen.holds(at) {
-                    continue;
-                }
-                let head = place(at, *along, -0.35 * ARROW);
-                canvas.line(&[place(at, *along, 0.0 - ARROW), head], Pen::solid(LAYER, 1.6));
-                canvas.area(&[at, place(head, across, 0.2 * ARROW), place(head, across, -0.2 * ARROW)], LAYER);
-            }
-            Mark::Fixed(..) | Mark::Pushed(..) => {}
+            Mark::Fixed(node, along) => (*node, *along, true),
+            Mark::Pushed(node, along) => (*node, *along, false),
+        };
+        let (at, across) = (panel.nodes[node], (along.1, 0.0 - along.0));
+        let taken = if is_fixed { &mut fixed } else { &mut pushed };
+        let middle = if is_fixed { place(at, along, 0.5 * SUPPORT) } else { at };
+        if !free(taken, middle) || !seen.holds(at) {
+            continue;
+        }
+        if is_fixed {
+            let foot = place(at, along, SUPPORT);
+            let corners = [at, place(foot, across, 0.6 * SUPPORT), place(foot, across, -0.6 * SUPPORT)];
+            canvas.rimmed(&corners, CARD, Pen::solid(INK, 1.0));
+        } else {
+            let head = place(at, along, -0.35 * ARROW);
+            canvas.line(&[place(at, along, 0.0 - ARROW), head], Pen::solid(LAYER, 1.6));
+            canvas.area(&[at, place(head, across, 0.2 * ARROW), place(head, across, -0.2 * ARROW)], LAYER);
         }
     }
 }

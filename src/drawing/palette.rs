@@ -74,8 +74,6 @@ pub enum Marker {
     Triangle,
     /// A triangle pointing down.
     Wedge,
-    /// A diagonal cross.
-    Cross,
     /// A point of a cloud, small.
     Dot,
 }
@@ -100,11 +98,6 @@ impl Style {
     /// An analytic reference: black, dashed, unmarked.
     pub fn reference() -> Style {
         Style::run(INK, Dash::Long, Marker::Absent)
-    }
-
-    /// Measured values: points without a line.
-    pub fn measured(marker: Marker) -> Style {
-        Style::run(INK, Dash::Absent, marker)
     }
 }
 

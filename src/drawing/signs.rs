@@ -12,7 +12,6 @@ pub(super) fn filled(canvas: &mut Canvas, centre: Point, sign: Marker, radius: f
         Marker::Absent => {}
         Marker::Dot => cloud(canvas, &[(centre, radius)], colour),
         Marker::Circle => canvas.disc(centre, radius + 0.4, colour, Some(Pen::solid(CARD, 0.8))),
-        Marker::Cross => cross(canvas, centre, 0.85 * radius, Pen::solid(colour, 1.7)),
         _ => canvas.rimmed(&corners(sign, centre, radius + 0.5), colour, Pen::solid(CARD, 1.0)),
     }
 }
@@ -34,7 +33,6 @@ pub(super) fn hollow(canvas: &mut Canvas, centre: Point, sign: Marker, colour: C
     const RADIUS: f64 = 4.0;
     match sign {
         Marker::Absent | Marker::Circle => ring(canvas, centre, RADIUS, colour),
-        Marker::Cross => cross(canvas, centre, 0.85 * RADIUS, Pen::solid(colour, 1.7)),
         _ => canvas.rimmed(&corners(sign, centre, RADIUS - 0.2), CARD, Pen::solid(colour, 1.3)),
     }
 }
@@ -42,12 +40,6 @@ pub(super) fn hollow(canvas: &mut Canvas, centre: Point, sign: Marker, colour: C
 /// A hollow disc.
 pub(super) fn ring(canvas: &mut Canvas, centre: Point, radius: f64, colour: Colour) {
     canvas.disc(centre, radius - 0.65, CARD, Some(Pen::solid(colour, 1.3)));
-}
-
-/// A diagonal cross.
-pub(super) fn cross(canvas: &mut Canvas, (x, y): Point, arm: f64, pen: Pen) {
-    let stroke = |slope: f64| vec![(x - arm, y - slope * arm), (x + arm, y + slope * arm)];
-    canvas.lines(&[stroke(-1.0), stroke(1.0)], pen);
 }
 
 /// Corners of a sign of the area of a disc, roughly.

@@ -6,11 +6,11 @@ use contact_vv::error::{Error, Kind};
 use contact_vv::oracle::cross_code::frozen::{Frozen, script_hash};
 use contact_vv::oracle::cross_code::independent::{Asked, Folder, Independent, Script, hashes};
 use contact_vv::oracle::cross_code::process::run;
+use contact_vv::oracle::cross_code::revolution::Series;
 use contact_vv::oracle::cross_code::{Code, PhysicalAnswer, PhysicalScene};
 use contact_vv::study::cross_code::{Twin, problems};
 use contact_vv::study::differences::{changes, largest_change};
 use contact_vv::study::independent::run::{LEVELS, Scene, series};
-use serde::Deserialize;
 
 use super::{LIVE, asked, newest};
 
@@ -47,15 +47,8 @@ fn ask_all(code: Code) -> Result<Frozen, Error> {
     Ok(Frozen { scripts: script_hash()?, versions, discrete })
 }
 
-/// What a script in a process of its own prints.
-#[derive(Deserialize)]
-struct Apart {
-    version: String,
-    series: Vec<PhysicalAnswer>,
-}
-
-/// The same from a code in a process of its own; refused where it is not installed.
-fn ask_apart(script: Script, scene: &PhysicalScene) -> Result<Apart, Error> {
+/// The series of a script from a code in a process of its own; refused where it is not installed.
+fn ask_apart(script: Script, scene: &PhysicalScene) -> Result<Series<PhysicalAnswer>, Error> {
     let folder = script.folder().path();
     let arguments = [folder.display().to_string(), script.module().into(), script.method().into(), LEVELS.to_string()];
     let request = serde_json::to_string(scene).map_err(|error| Error::at(script.title(), error.to_string(), PEERS))?;

@@ -68,7 +68,7 @@ impl Asked {
 
     /// What `ROLE=TEXT` says.
     pub fn pair(option: &str, text: &str) -> Result<(Role, String), Error> {
-        let roles = Role::ALL.map(Role::name).join(", ");
+        let roles = Role::NAMES.join(", ");
         let refused =
             |message: String| Error::at("judge", message, format!("write {option} ROLE=NAME, ROLE one of {roles}"));
         let Some((role, name)) = text.split_once('=') else {

@@ -1,6 +1,6 @@
 //! What a profile is judged with: the truth, the measures taken, and the forms of a verdict.
 
-use crate::case::{self, Check, Judged, Reference};
+use crate::case::{self, Check, Judged};
 use crate::markdown;
 use crate::measure::{Measures, Quantity};
 use crate::referee::profile::Profile;
@@ -68,18 +68,6 @@ impl Bench<'_> {
         let mut judged = check.judge_by(value, reference);
         judged.reference.uncertainty = Some(standard(bar));
         judged
-    }
-
-    /// An error that shall vanish, within the tolerance.
-    pub fn error(
-        &self,
-        quantity: &'static str,
-        against: Reference,
-        tolerance: f64,
-        because: &'static str,
-        value: f64,
-    ) -> Judged {
-        Check::error(quantity, against, tolerance, because).judge(value)
     }
 
     /// What the contact is scaled by: the half-width of the truth \[mm, or rad\].

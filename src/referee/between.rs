@@ -50,9 +50,8 @@ pub fn by_roots(points: &[Point]) -> Vec<Point> {
             Point { position, value: root.unwrap_or(line), area: None, gap: None }
         })
     };
-    let mut all: Vec<Point> = (0..points.len() - 1).flat_map(between).collect();
-    all.extend(points.last());
-    all
+    let last = points.last().map(|last| Point { area: None, gap: None, ..*last });
+    (0..points.len() - 1).flat_map(between).chain(last).collect()
 }
 
 /// Difference from a straight line, over the largest pressure, that digits explain.

@@ -5,9 +5,10 @@ use std::path::Path;
 
 use crate::error::Error;
 use crate::mesh::Order;
-use crate::referee::answer::{Answer, Handed, Point, ordered};
+use crate::referee::answer::{Answer, Point};
 use crate::referee::asked::Asked;
 use crate::referee::export::deck::{GAPS, SECTORS, gaps_of};
+use crate::referee::profile::handed;
 use crate::referee::side::signed_coordinate;
 use crate::referee::source::Source;
 use crate::referee::state::State;
@@ -85,9 +86,8 @@ pub fn forces_at(
             Ok(Point { position, value: 0.0 - whole * asked.sign() * force * value, area: None, gap: None })
         };
         let points = lines.iter().map(point).collect::<Result<Vec<Point>, Error>>()?;
-        let points =
-            ordered(points, order, pair, |message, remedy| source.refused(format!("set {set}: {message}"), remedy))?;
-        contacts.push(Handed { contact, points, order, edges: vec![], forces: true });
+        let refused = |message, remedy: &str| source.refused(format!("set {set}: {message}"), remedy);
+        contacts.push(handed((scene, contact), points, Some(order), true, refused)?);
     }
     if contacts.is_empty() {
         let message = format!("it has no forces of a set whose name begins with {GAPS}");

@@ -7,6 +7,7 @@ use crate::referee::profile::{EDGES, Profile};
 use crate::referee::source::Source;
 use crate::referee::truth::Truth;
 use crate::referee::{Answer, Handed, mistakes, norm};
+use crate::scene::ContactPair;
 
 /// Pressure at an end, over the largest, from which on the contact does not end there.
 const PRESSED: f64 = 0.02;
@@ -21,33 +22,12 @@ const BETWEEN: f64 = 3.5;
 const HIDDEN: f64 = 0.05;
 /// Steps on either side by which that spacing is known.
 const BESIDE: usize = 4;
+/// What to do about an end under pressure, and about holes.
+const ALL: &str = "hand in every point up to where nothing presses, on both sides of a contact that is not symmetric";
+const EVERY: &str = "hand in every point of the contact; what lies between two of them is not guessed";
 
-/// What carries the force of a contact, of which parts may be missing.
-struct Carried<'a> {
-    truth: &'a Truth,
-    contact: usize,
-    /// Where the contact of the truth begins and ends, on the sides that the answer has \[mm, or rad\].
-    reach: [f64; 2],
-}
-
-impl Carried<'_> {
-    /// Force between two places of the contact.
-    fn force(&self, [from, to]: [f64; 2]) -> f64 {
-        let path = &self.truth.case.scene.contacts[self.contact].path;
-        let carried = |s: f64| {
-            let pressure = self.truth.pressure(self.contact, s) * self.truth.case.scene.depth(path.point(s));
-            if pressure.is_finite() { pressure } else { 0.0 }
-        };
-        (to - from) * norm::mean([from, to], INTERVALS, carried)
-    }
-
-    /// Share of the force between two places; an answer away from the contact has none of it.
-    fn share(&self, [from, to]: [f64; 2]) -> f64 {
-        let [begin, end] = self.reach;
-        let (from, to) = (from.max(begin), to.min(end));
-        if from < to { self.force([from, to]) / self.force(self.reach) } else { 0.0 }
-    }
-}
+/// Share of the force of a contact between two places; between two places that are beyond it none.
+type Share<'a> = &'a dyn Fn([f64; 2]) -> f64;
 
 /// Refuses an answer that ends, or begins, under pressure while the contact of the truth goes on, or that has holes in it.
 pub fn all(truth: &Truth, answer: &Answer, handed: &Handed, profile: &Profile, tolerance: f64) -> Result<(), Error> {
@@ -59,25 +39,28 @@ pub fn all(truth: &Truth, answer: &Answer, handed: &Handed, profile: &Profile, t
         (true, false) => ours.begin().max(0.0),
         (false, _) => ours.begin(),
     };
-    let carried = Carried { truth, contact, reach: [from, ours.edge()] };
-    let lacking = cut(&carried, handed, profile).map(|message| {
-        (message, "hand in every point up to where nothing presses, on both sides of a contact that is not symmetric")
-    });
-    let lacking = lacking.or_else(|| {
-        Some((
-            hole(&carried, handed)?,
-            "hand in every point of the contact; what lies between two of them is not guessed",
-        ))
-    });
+    // Where the contact of the truth begins and ends, on the sides that the answer has.
+    let reach = [from, ours.edge()];
+    let carried = |s: f64| {
+        let pressure = truth.pressure(contact, s) * truth.case.scene.depth(pair.path.point(s));
+        if pressure.is_finite() { pressure } else { 0.0 }
+    };
+    let force = |[from, to]: [f64; 2]| (to - from) * norm::mean([from, to], INTERVALS, carried);
+    let share = |[from, to]: [f64; 2]| {
+        let within = [from.max(reach[0]), to.min(reach[1])];
+        if within[0] < within[1] { force(within) / force(reach) } else { 0.0 }
+    };
+    let cut = cut(&share, reach, handed, profile).map(|message| (message, ALL));
+    let lacking = cut.or_else(|| hole(&share, pair, handed).map(|message| (message, EVERY)));
     let Some((message, remedy)) = lacking else { return Ok(()) };
-    let beside = mistakes::Beside { units: &answer.units, is_of_scene: false };
-    let explained = mistakes::explain(truth, handed, beside, tolerance).into_iter().map(|says| format!("; or {says}"));
+    let explained = mistakes::explain(truth, handed, (&answer.units, false), tolerance);
+    let explained = explained.into_iter().map(|says| format!("; or {says}"));
     let source = Source { file: &answer.file, text: "" };
     Err(source.refused(message, remedy.to_owned() + &explained.collect::<String>()))
 }
 
 /// Where a profile stops under pressure, and how much of the force lies beyond.
-fn cut(carried: &Carried, handed: &Handed, profile: &Profile) -> Option<String> {
+fn cut(share: Share, reach: [f64; 2], handed: &Handed, profile: &Profile) -> Option<String> {
     let ([first, last], [begin, end]) =
         ([profile.points.first()?, profile.points.last()?], [profile.edges.first()?, profile.edges.last()?]);
     let largest = profile.points.iter().map(|point| point.pressure.abs()).fold(0.0, larger);
@@ -87,15 +70,15 @@ fn cut(carried: &Carried, handed: &Handed, profile: &Profile) -> Option<String> 
     let path = &profile.pair().path;
     let is_half = !path.has_both_sides() && !profile.across && !profile.scene.is_around_axis(profile.contact);
     let has_areas = handed.points.iter().all(|point| point.area.is_some());
-    let is_at_line = is_half && carried.reach[0] <= 0.0 && !has_areas;
+    let is_at_line = is_half && reach[0] <= 0.0 && !has_areas;
     let begins = first.position.min(begin.ends[0]);
     let cuts = [
-        (first, [carried.reach[0], begins], if is_at_line { 0.0 } else { EDGES * begin.length() }),
-        (last, [last.position, carried.reach[1]], EDGES * end.length()),
+        (first, [reach[0], begins], if is_at_line { 0.0 } else { EDGES * begin.length() }),
+        (last, [last.position, reach[1]], EDGES * end.length()),
     ];
     let dropped =
         cuts.into_iter().filter(|(stop, ..)| is_pressed(stop.pressure)).find_map(|(stop, [from, to], near)| {
-            let share = carried.share([from, to]);
+            let share = share([from, to]);
             (to - from > near && share > DROPPED).then_some((stop, share))
         });
     let (stop, share) = dropped?;
@@ -109,12 +92,10 @@ fn cut(carried: &Carried, handed: &Handed, profile: &Profile) -> Option<String> 
 }
 
 /// Where an answer has holes, the widest by name, and how much of the force lies in all.
-fn hole(carried: &Carried, handed: &Handed) -> Option<String> {
-    let holes: Vec<([f64; 2], f64)> =
-        holes(handed).into_iter().filter(|(ends, _)| carried.share(*ends) > 0.0).collect();
-    let share: f64 = holes.iter().map(|(ends, _)| carried.share(*ends)).sum();
+fn hole(share: Share, pair: &ContactPair, handed: &Handed) -> Option<String> {
+    let holes: Vec<([f64; 2], f64)> = holes(handed).into_iter().filter(|(ends, _)| share(*ends) > 0.0).collect();
+    let share: f64 = holes.iter().map(|(ends, _)| share(*ends)).sum();
     let (widest, times) = holes.iter().max_by(|(a, _), (b, _)| (a[1] - a[0]).total_cmp(&(b[1] - b[0])))?;
-    let pair = &carried.truth.case.scene.contacts[carried.contact];
     let others = match holes.len() - 1 {
         0 => String::new(),
         more => format!(" and in {more} more like it"),

@@ -8,6 +8,8 @@ use crate::solution::{EdgeState, PointState};
 
 /// What penetration is told by.
 pub const PENETRATION: &str = "largest penetration over the approach that the contact makes";
+/// What gaps under pressure are told by.
+const UNDER_PRESSURE: &str = "gap under pressure, weighted by force, over the approach that the contact makes";
 
 /// Penetration, and gap where there is pressure, over the approach that the contact's own force makes, `Σ A p/(E* t)`; around an axis of
 /// revolution that of a flat punch of the contact radius, `Σ A p/(2E* a)`.
@@ -28,16 +30,11 @@ pub(super) fn of_gaps(bench: &Bench, missing: &mut Vec<[String; 2]>) -> Vec<Judg
     let product = |gap: f64, pressure: f64| if pressure.abs() > 0.0 { (gap * pressure).abs() } else { 0.0 };
     let stored: f64 = points.iter().map(|point| point.weight * product(point.gap, point.pressure)).sum();
     let because = "the tolerance; a penetration of this part costs about as much of the pressure";
-    let zero = || Reference::own("bodies do not overlap", 0.0);
+    let [overlap, closed] =
+        ["bodies do not overlap", "pressure only where closed"].map(|name| Reference::own(name, 0.0));
     let mut judged = vec![
-        bench.error(PENETRATION, zero(), bench.tolerance, because, deepest / approach),
-        bench.error(
-            "gap under pressure, weighted by force, over the approach that the contact makes",
-            Reference::own("pressure only where closed", 0.0),
-            bench.tolerance,
-            because,
-            stored / (force * approach),
-        ),
+        Check::error(PENETRATION, overlap, bench.tolerance, because).judge(deepest / approach),
+        Check::error(UNDER_PRESSURE, closed, bench.tolerance, because).judge(stored / (force * approach)),
     ];
     judged.extend(open_gaps(bench, approach, missing));
     judged
@@ -78,8 +75,8 @@ fn open_gaps(bench: &Bench, approach: f64, missing: &mut Vec<[String; 2]>) -> Op
     } else if size <= 0.0 {
         missing.push([OPEN.into(), "the remaining gap of points beyond the contact, `inf` where there is none".into()]);
     }
-    (size > 0.0)
-        .then(|| bench.error(OPEN, Reference { value: 0.0, ..reference }, allowed, because, (error / size).sqrt()))
+    let check = Check::error(OPEN, Reference { value: 0.0, ..reference }, allowed, because);
+    (size > 0.0).then(|| check.judge((error / size).sqrt()))
 }
 
 /// Part of the edge length over the half-width that gaps may be off beyond the end: our own coarse meshes of both orders take two thirds of it.
@@ -123,13 +120,8 @@ pub(super) fn of_sides(bench: &Bench, missing: &mut Vec<[String; 2]>) -> Vec<Jud
         let odd = norm::of_means(&profile.edges, |s| mean_at(&mirrored, s));
         let because = "the tolerance, and half an edge at the end on either side";
         let allowed = bench.tolerance + bench.size_at_end() / half_width;
-        judged.push(bench.error(
-            "difference of both halves, relative in L2",
-            Reference::own("symmetry", 0.0),
-            allowed,
-            because,
-            odd,
-        ));
+        let symmetry = Reference::own("symmetry", 0.0);
+        judged.push(Check::error("difference of both halves, relative in L2", symmetry, allowed, because).judge(odd));
     }
     judged
 }

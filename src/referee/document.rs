@@ -1,5 +1,6 @@
 //! Answers as JSON, by a schema that `contact-vv schema answer` prints.
 
+use std::fmt::Display;
 use std::path::Path;
 
 use schemars::JsonSchema;
@@ -8,9 +9,9 @@ use serde::{Deserialize, Serialize};
 
 use crate::error::{Error, Located};
 use crate::mesh::Order;
-use crate::referee::answer::{Answer, BESIDE, Handed, Point, contact_named, ordered, places};
+use crate::referee::answer::{Answer, BESIDE, Handed, Point, contact_named, places};
 use crate::referee::asked::Asked;
-use crate::referee::profile::order_of_areas;
+use crate::referee::profile::handed;
 use crate::referee::units::{Role, Units, is_angle};
 use crate::scene::{self, Scene};
 use crate::solution::EdgeState;
@@ -104,29 +105,19 @@ pub fn parse(file: &Path, text: &str, case: &str, scene: &Scene, asked: &Asked) 
         asked.contact.as_ref().is_none_or(|asked| contact.name.as_ref().is_none_or(|name| name == asked))
     };
     let own = document.contacts.iter().enumerate().filter(|(_, contact)| is_asked(contact));
-    let handed = own.map(|(k, contact)| {
-        let key = format!("contacts[{k}]");
-        contact_of(&Reader {
-            scene,
-            asked,
-            units: contact.units.as_ref().unwrap_or(units),
-            contact,
-            refused: &|of: &str, m, r: &str| refused(&format!("{key}.{of}"), m, r),
-        })
+    let handed = own.map(|(index, contact)| {
+        let units = contact.units.as_ref().unwrap_or(units);
+        Reader { file, index, scene, asked, units, contact }.handed()
     });
     let contacts: Vec<Handed> = handed.collect::<Result<_, Error>>()?;
     if contacts.is_empty() {
         let which = asked.contact.as_ref().map_or_else(String::new, |name| format!(" of the name `{name}`"));
         return Err(refused("contacts", format!("there is none{which}"), SCHEMA));
     }
-    if let Some(twice) =
-        contacts.iter().enumerate().find(|(k, one)| contacts[..*k].iter().any(|two| two.contact == one.contact))
-    {
-        return Err(refused(
-            "contacts",
-            format!("`{}` stands there twice", scene.contacts[twice.1.contact].name),
-            SCHEMA,
-        ));
+    let is_twice = |k: &usize| contacts[..*k].iter().any(|one| one.contact == contacts[*k].contact);
+    if let Some(k) = (0..contacts.len()).find(is_twice) {
+        let message = format!("`{}` stands there twice", scene.contacts[contacts[k].contact].name);
+        return Err(refused("contacts", message, SCHEMA));
     }
     let has_both = |contact: &Contact| !contact.pressure.is_empty() && !contact.force.is_empty();
     let mut read = vec!["lists by their keys, in the units that the file names".to_owned()];
@@ -142,36 +133,35 @@ fn begin_of_line(text: &str, line: usize) -> usize {
 
 /// What a contact is read with.
 struct Reader<'a> {
+    file: &'a Path,
+    /// Its place in the document.
+    index: usize,
     scene: &'a Scene,
     asked: &'a Asked,
     units: &'a Units,
     contact: &'a Contact,
-    refused: &'a dyn Fn(&str, String, &str) -> Error,
 }
 
 impl Reader<'_> {
+    /// What is wrong with a part of it.
+    fn refused(&self, part: &str, message: impl Display, remedy: &str) -> Error {
+        Error::file(self.file, format!("`contacts[{}].{part}`: {message}", self.index), remedy)
+    }
+
     /// What turns a list into our unit; 1 where it is empty.
     fn factor(&self, role: Role, length: usize) -> Result<f64, Error> {
         let Some(unit) = self.units.of(role) else {
             let remedy = format!("add `units.{}`, one of {}", role.name(), role.known_units());
-            return if length == 0 {
-                Ok(1.0)
-            } else {
-                Err((self.refused)(role.name(), "it has no unit".into(), &remedy))
-            };
+            let lacking = self.refused(role.name(), "it has no unit", &remedy);
+            return if length == 0 { Ok(1.0) } else { Err(lacking) };
         };
         let named = self.asked.unit(role).filter(|_| length > 0);
         if let Some([message, remedy]) = named.and_then(|named| role.contradiction("it", (unit, named))) {
-            return Err((self.refused)(role.name(), message, &remedy));
+            return Err(self.refused(role.name(), message, &remedy));
         }
-        let known = role.factor(unit);
-        known.ok_or_else(|| {
-            (self.refused)(
-                role.name(),
-                format!("the unit `{unit}` is not known"),
-                &format!("use one of {}", role.known_units()),
-            )
-        })
+        let remedy = format!("use one of {}", role.known_units());
+        let unknown = || self.refused(role.name(), format!("the unit `{unit}` is not known"), &remedy);
+        role.factor(unit).ok_or_else(unknown)
     }
 
     /// A list in our unit; none where it is empty.
@@ -183,83 +173,94 @@ impl Reader<'_> {
         }
         if list.len() != wanted {
             let message = format!("it has {} entries, `position` {wanted}", list.len());
-            return Err((self.refused)(role.name(), message, "give one entry a point"));
+            return Err(self.refused(role.name(), message, "give one entry a point"));
         }
         Ok(Some(list.iter().map(|value| factor * value).collect()))
     }
-}
 
-/// One contact in our units.
-fn contact_of(reader: &Reader) -> Result<Handed, Error> {
-    let Reader { scene, asked, units, contact, refused } = reader;
-    let name = contact.name.as_deref().or(asked.contact.as_deref());
-    let index = contact_named(scene, name, |message, remedy| refused("name", message, &remedy))?;
-    let straight = scene.contacts[index].path.is_straight();
-    if units.position.as_deref().is_some_and(|unit| is_angle(unit) == straight) {
-        let wanted = if straight { "mm, m or um" } else { "deg or rad" };
-        return Err(refused(
-            "position",
-            "its unit is not one of the path of the contact".into(),
-            &format!("give {wanted}"),
-        ));
+    /// One contact in our units.
+    fn handed(&self) -> Result<Handed, Error> {
+        let Reader { scene, asked, units, contact, .. } = self;
+        let name = contact.name.as_deref().or(asked.contact.as_deref());
+        let index = contact_named(scene, name, |message, remedy| self.refused("name", message, &remedy))?;
+        let pair = &scene.contacts[index];
+        let straight = pair.path.is_straight();
+        if units.position.as_deref().is_some_and(|unit| is_angle(unit) == straight) {
+            let wanted = if straight { "mm, m or um" } else { "deg or rad" };
+            let message = "its unit is not one of the path of the contact";
+            return Err(self.refused("position", message, &format!("give {wanted}")));
+        }
+        let position = self.list(Role::Position, &contact.position)?.unwrap_or_default();
+        let pressure = self.list(Role::Pressure, &contact.pressure)?;
+        let force = self.list(Role::Force, &contact.force)?;
+        let area = self.list(Role::Area, &contact.area)?;
+        let gaps: Vec<f64> = contact.gap.iter().map(|gap| gap.unwrap_or(f64::INFINITY)).collect();
+        let gap = self.list(Role::Gap, &gaps)?;
+        let forces = pressure.is_none();
+        let Some(values) = pressure.or(force) else {
+            let message = "neither pressures nor forces were handed in";
+            return Err(self.refused("pressure", message, "give one of the two lists"));
+        };
+        let told = contact.order.map(|number| {
+            let unknown = || self.refused("order", format!("it is {number}"), "give 1, 2, or 4 to 8");
+            Order::numbered(number.into()).ok_or_else(unknown)
+        });
+        let order = asked.order.map(Ok).or(told).transpose()?;
+        // Means over edges are those between two points.
+        let order = order.or((!contact.edges.is_empty()).then_some(Order::Linear));
+        let point = |k: usize| Point {
+            position: position[k],
+            value: asked.sign() * values[k],
+            area: area.as_ref().map(|area| area[k]),
+            gap: gap.as_ref().map(|gap| gap[k]),
+        };
+        let points = (0..position.len()).map(point).collect();
+        let own =
+            handed((scene, index), points, order, forces, |message, remedy| self.refused("position", message, remedy))?;
+        let edges = self.edges(&pair.path)?;
+        if let Some([from, to]) = wrong_step(&edges, &own.points) {
+            let ends = places(pair, &[from, to]);
+            let message = format!("none, or more than one, reaches from {ends}");
+            let remedy = "give one for every part of the contact from its first point to its last, or none at all";
+            return Err(self.refused("edges", message, remedy));
+        }
+        let across = |edge: &EdgeState| pair.path.metric() * scene.depth(pair.path.point(edge.position()));
+        let of_length = |edge: &EdgeState| edge.length() * across(edge);
+        let is_other = |edge: &&EdgeState| (edge.weight / of_length(edge) - 1.0).abs() > OTHER;
+        if let Some(edge) = edges.iter().find(is_other) {
+            let message = format!(
+                "the area of the one from {} is {} mm², its length times depth {}",
+                edge.ends[0],
+                edge.weight,
+                of_length(edge)
+            );
+            return Err(self.refused("edges", message, "give the areas of the undeformed path in `units.area`"));
+        }
+        Ok(Handed { edges, ..own })
     }
-    let position = reader.list(Role::Position, &contact.position)?.unwrap_or_default();
-    let pressure = reader.list(Role::Pressure, &contact.pressure)?;
-    let force = reader.list(Role::Force, &contact.force)?;
-    let area = reader.list(Role::Area, &contact.area)?;
-    let gaps: Vec<f64> = contact.gap.iter().map(|gap| gap.unwrap_or(f64::INFINITY)).collect();
-    let gap = reader.list(Role::Gap, &gaps)?;
-    let forces = pressure.is_none();
-    let Some(values) = pressure.or(force) else {
-        return Err(refused(
-            "pressure",
-            "neither pressures nor forces were handed in".into(),
-            "give one of the two lists",
-        ));
-    };
-    let told = contact.order.map(|number| {
-        let unknown = || refused("order", format!("it is {number}"), "give 1, 2, or 4 to 8");
-        Order::numbered(number.into()).ok_or_else(unknown)
-    });
-    let order = match (told, asked.order) {
-        (_, Some(asked)) => asked,
-        (Some(told), None) => told?,
-        (None, None) => Order::Linear,
-    };
-    let point = |k: usize| Point {
-        position: position[k],
-        value: asked.sign() * values[k],
-        area: area.as_ref().map(|area| area[k]),
-        gap: gap.as_ref().map(|gap| gap[k]),
-    };
-    let points =
-        ordered((0..position.len()).map(point).collect(), order, &scene.contacts[index], |message, remedy| {
-            refused("position", message, remedy)
-        })?;
-    let order = match (contact.order, asked.order) {
-        (None, None) if contact.edges.is_empty() => order_of_areas(scene, &scene.contacts[index], &points),
-        _ => order,
-    };
-    let edges = edges_of(reader, &scene.contacts[index].path)?;
-    if let Some([from, to]) = wrong_step(&edges, &points) {
-        let ends = places(&scene.contacts[index], &[from, to]);
-        let message = format!("none, or more than one, reaches from {ends}");
-        let remedy = "give one for every part of the contact from its first point to its last, or none at all";
-        return Err(refused("edges", message, remedy));
+
+    /// Its edges in our units.
+    fn edges(&self, path: &scene::Path) -> Result<Vec<EdgeState>, Error> {
+        let edges = &self.contact.edges;
+        let [place, area, pressure] =
+            [Role::Position, Role::Area, Role::Pressure].map(|role| self.factor(role, edges.len()));
+        let [place, area, pressure] = [place?, area?, pressure?];
+        let radial = self.scene.plane.radial();
+        let state = |edge: &Edge| EdgeState {
+            ends: [place * edge.from, place * edge.to],
+            weight: area * edge.area,
+            pressure: self.asked.sign() * pressure * edge.pressure,
+            axis: radial.and_then(|radial| path.axis(radial, [edge.from, edge.to].map(|s| place * s))),
+        };
+        let mut edges: Vec<EdgeState> = edges.iter().map(state).collect();
+        edges.sort_by(|a, b| a.ends[0].total_cmp(&b.ends[0]));
+        let sound = |edge: &EdgeState| edge.length() > 0.0 && edge.weight > 0.0;
+        let unsound = edges.iter().find(|edge| !sound(edge)).map(|edge| {
+            let message = format!("the one from {} has no length or area", edge.ends[0]);
+            self.refused("edges", message, "give `from` < `to`, `area` > 0")
+        });
+        unsound.map_or(Ok(edges), Err)
     }
-    let path = &scene.contacts[index].path;
-    let of_length = |edge: &EdgeState| edge.length() * path.metric() * scene.depth(path.point(edge.position()));
-    let is_other = |edge: &&EdgeState| (edge.weight / of_length(edge) - 1.0).abs() > OTHER;
-    if let Some(edge) = edges.iter().find(is_other) {
-        let message = format!(
-            "the area of the one from {} is {} mm², its length times depth {}",
-            edge.ends[0],
-            edge.weight,
-            of_length(edge)
-        );
-        return Err(refused("edges", message, "give the areas of the undeformed path in `units.area`"));
-    }
-    Ok(Handed { contact: index, points, order, edges, forces })
 }
 
 /// From where to where edges in order leave out, or have twice, a part of the contact; none where they are none. The first and the last point may
@@ -281,29 +282,3 @@ fn wrong_step(edges: &[EdgeState], points: &[Point]) -> Option<[f64; 2]> {
 const OTHER: f64 = 0.05;
 /// Part of the length of a contact that rounding of places explains.
 const SAME: f64 = 1e-6;
-
-/// Its edges in our units.
-fn edges_of(reader: &Reader, path: &scene::Path) -> Result<Vec<EdgeState>, Error> {
-    let edges = &reader.contact.edges;
-    let [place, area, pressure] =
-        [Role::Position, Role::Area, Role::Pressure].map(|role| reader.factor(role, edges.len()));
-    let [place, area, pressure] = [place?, area?, pressure?];
-    let radial = reader.scene.plane.radial();
-    let state = |edge: &Edge| EdgeState {
-        ends: [place * edge.from, place * edge.to],
-        weight: area * edge.area,
-        pressure: reader.asked.sign() * pressure * edge.pressure,
-        axis: radial.and_then(|radial| path.axis(radial, [edge.from, edge.to].map(|s| place * s))),
-    };
-    let mut edges: Vec<EdgeState> = edges.iter().map(state).collect();
-    edges.sort_by(|a, b| a.ends[0].total_cmp(&b.ends[0]));
-    let sound = |edge: &EdgeState| edge.length() > 0.0 && edge.weight > 0.0;
-    match edges.iter().find(|edge| !sound(edge)) {
-        Some(edge) => Err((reader.refused)(
-            "edges",
-            format!("the one from {} has no length or area", edge.ends[0]),
-            "give `from` < `to`, `area` > 0",
-        )),
-        None => Ok(edges),
-    }
-}

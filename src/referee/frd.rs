@@ -5,10 +5,11 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 use crate::error::Error;
-use crate::referee::answer::{Answer, Handed, Point, contact_named, ordered, without_gaps};
+use crate::referee::answer::{Answer, Point, contact_named, without_gaps};
 use crate::referee::asked::Asked;
 use crate::referee::calculix::AGAIN;
 use crate::referee::field::Field;
+use crate::referee::profile::handed;
 use crate::referee::side::{Cell, Side, signed_coordinate};
 use crate::referee::source::Source;
 use crate::referee::state::State;
@@ -76,15 +77,14 @@ pub fn parse(file: &Path, text: &str, scene: &Scene, asked: &Asked) -> Result<An
     }
     side.all_pressed(&source, (pair, scene.plane.radial()), &places, |node, _| value(node))?;
     let order = asked.order.unwrap_or(side.order());
-    let points =
-        ordered(points, order, pair, |message, remedy| source.refused(format!("contact block: {message}"), remedy))?;
+    let refused = |message, remedy: &str| source.refused(format!("contact block: {message}"), remedy);
+    let contacts = vec![handed((scene, contact), points, Some(order), false, refused)?];
     let mut read = vec![format!("{name} as pressure")];
     read.extend(other);
     read.extend(gap.map(|gap| format!("{} as gap", block.components[gap])));
     read.extend(heads.iter().map(|head| format!("block {} of {}", head.name, head.state)));
     read.push(format!("the contact block of {} is judged", head.state));
     let all: Vec<State> = heads.iter().map(|head| head.state).collect();
-    let contacts = vec![Handed { contact, points, order, edges: vec![], forces: false }];
     let field = displacements((&source, scene), asked, None, Some(head.state))?;
     let code = Some("CalculiX".into());
     let (notes, units) = (head.state.notes(&all), asked.units());

@@ -5,9 +5,10 @@ use std::path::Path;
 
 use crate::error::Error;
 use crate::mesh::Order;
-use crate::referee::answer::{Answer, Handed, Point, contact_named, joined, ordered, without_gaps, without_pull};
+use crate::referee::answer::{Answer, Handed, Point, contact_named, joined, without_gaps, without_pull};
 use crate::referee::asked::Asked;
 use crate::referee::field::Field as Displaced;
+use crate::referee::profile::handed;
 use crate::referee::side::{self, Cell, Side, signed_coordinate};
 use crate::referee::source::Source;
 use crate::referee::state::State;
@@ -45,8 +46,8 @@ pub fn parse(file: &Path, bytes: &[u8], scene: &Scene, asked: &Asked) -> Result<
     let cells = grid.cells()?;
     let (mut contacts, mut read) = (Vec::new(), Vec::new());
     for contact in wanted {
-        let (handed, how) = grid.contact(scene, contact, &points, &cells, asked)?;
-        contacts.push(handed);
+        let (own, how) = grid.contact(scene, contact, &points, &cells, asked)?;
+        contacts.push(own);
         read.extend(how);
     }
     read.sort();
@@ -77,15 +78,10 @@ type Part<'f> = (&'f Field, usize);
 /// A number of a node, of stresses along a normal; without one along that of the contact.
 type OfNode<'f> = Box<dyn Fn(usize, Option<[f64; 2]>) -> f64 + 'f>;
 
-impl<'a> Grid<'a> {
-    /// What is wrong with the file.
-    fn source(&self) -> Source<'a> {
-        Source { file: self.file, text: "" }
-    }
-
+impl Grid<'_> {
     /// Plane cells; others are refused.
     fn cells(&self) -> Result<Vec<Cell>, Error> {
-        let refused = |message: String| Error::file(self.file, message, AGAIN);
+        let refused = |message: String| self.source.refused(message, AGAIN);
         if self.ends.len() != self.types.len() {
             return Err(refused(format!("it has {} cells, but {} types", self.ends.len(), self.types.len())));
         }
@@ -110,7 +106,7 @@ impl<'a> Grid<'a> {
                     let message = format!(
                         "it has cells of VTK's type {other}, and read are those of types 5, 22, 9, 23, 28 and 70, and 7, 8 and 69 of as many nodes"
                     );
-                    return Err(self.source().refused(
+                    return Err(self.source.refused(
                         message,
                         "hand in the plane mesh, as triangles of 3 or 6 nodes, or quadrilaterals of 4, 8, 9 or (p + 1)²",
                     ));
@@ -148,12 +144,11 @@ impl<'a> Grid<'a> {
         cells: &[Cell],
         asked: &Asked,
     ) -> Result<(Handed, Vec<String>), Error> {
-        let (source, pair) = (self.source(), &scene.contacts[contact]);
+        let (source, pair) = (self.source, &scene.contacts[contact]);
         let (along, how, is_of_stresses) = self.pressures(points, pair, asked)?;
         let pressure = |node: usize| along(node, None);
         let (side, other) = Side::of(&source, (scene, contact), points, cells, |node| Some(pressure(node)))?;
         let mut nodes = side.nodes();
-        let order = asked.order.unwrap_or(side.order());
         let place = |node: usize| signed_coordinate(pair, points[node]);
         let known = |&node: &usize| {
             let value = Some(pressure(node)).filter(|value| !value.is_nan());
@@ -189,16 +184,15 @@ impl<'a> Grid<'a> {
             points = joined(points);
             read.push(format!("means of {all} points of cells at {} places of the contact side", points.len()));
         }
-        let points = ordered(points, order, pair, |message, remedy| {
-            source.refused(format!("its contact side: {message}"), remedy)
-        })?;
-        Ok((Handed { contact, points, order, edges: vec![], forces: false }, read))
+        let refused = |message, remedy: &str| source.refused(format!("its contact side: {message}"), remedy);
+        let order = asked.order.unwrap_or(side.order());
+        Ok((handed((scene, contact), points, Some(order), false, refused)?, read))
     }
 
     /// What turns a field into our unit: no grid says its units but in a name such as `CPRESS [Pa]`.
     fn factor(&self, role: Role, field: &Field, asked: &Asked) -> Result<f64, Error> {
         let written = table::split(&field.name).1.filter(|unit| role.factor(unit).is_some());
-        self.source().factor(role, &format!("`{}`", field.name), written, asked.unit(role))
+        self.source.factor(role, &format!("`{}`", field.name), written, asked.unit(role))
     }
 
     /// The field of a role, and its component where one is named, `NAME:COMPONENT`; none where there is none of its usual names, and none was named.
@@ -219,7 +213,7 @@ impl<'a> Grid<'a> {
         let Some((field, component)) = part else {
             let known: Vec<&str> = self.fields.iter().map(|field| field.name.as_str()).collect();
             let message = format!("it has no nodal field `{name}` among {}", known.join(", "));
-            return Err(self.source().refused(message, "name one of them by --column"));
+            return Err(self.source.refused(message, "name one of them by --column"));
         };
         match field.component(component) {
             Some(component) => Ok(Some((field, Some(component)))),
@@ -242,7 +236,7 @@ impl<'a> Grid<'a> {
             role.name(),
             field.name
         );
-        self.source().refused(message, remedy)
+        self.source.refused(message, remedy)
     }
 
     /// The one component of a role: of a field that has one, or that is named with one.
@@ -283,11 +277,11 @@ impl<'a> Grid<'a> {
                 field.names.join(", ")
             );
             let remedy = "call them XX, YY and XY, S11, S22 and S12, or SX, SY and SXY; or name a pressure by --column pressure=NAME";
-            return Err(self.source().refused(message, remedy));
+            return Err(self.source.refused(message, remedy));
         }
         if self.fields.is_empty() {
             let remedy = "write the pressure of the contact side, or the stress, at its nodes: what a file has of cells is not read";
-            return Err(self.source().refused("it has no field at its nodes", remedy));
+            return Err(self.source.refused("it has no field at its nodes", remedy));
         }
         let Some((field, at)) = places else {
             if let Some((field, _)) = self.field(Role::Pressure, asked)? {
@@ -300,7 +294,7 @@ impl<'a> Grid<'a> {
                 known.join(", ")
             );
             let remedy = "name one by --column pressure=NAME, pressure=NAME:COMPONENT or stress=NAME";
-            return Err(self.source().refused(message, remedy));
+            return Err(self.source.refused(message, remedy));
         };
         let factor = asked.sign() * self.factor(Role::Stress, field, asked)?;
         let pressure = move |node: usize, normal: Option<[f64; 2]>| {
@@ -371,7 +365,7 @@ impl<'a> Grid<'a> {
         {
             let message = format!("`{}` is {} at node {node}", field.name, field.at(node, k));
             let remedy = "hand in finite numbers at every node of a cell, or leave out --unit displacement";
-            return Err(self.source().refused(message, remedy));
+            return Err(self.source.refused(message, remedy));
         }
         let moved = field.data.chunks_exact(field.components).map(|moved| [factor * moved[0], factor * moved[1]]);
         Ok(Some(Displaced { points, cells, displacement: moved.collect() }))
@@ -381,7 +375,7 @@ impl<'a> Grid<'a> {
         let value = field.at(node, component);
         let refused = || {
             let message = format!("`{}` is {value} at node {node}, on the contact side", field.name);
-            self.source().refused(message, "hand in finite numbers there")
+            self.source.refused(message, "hand in finite numbers there")
         };
         if value.is_finite() { Ok(value) } else { Err(refused()) }
     }

@@ -138,11 +138,9 @@ impl Bench<'_> {
         let is_row = |three: &&[[f64; 2]]| three[0][0] * three[2][0] > 0.0 || self.has_limit(0.0);
         let alternates = |three: &[[f64; 2]]| 0.5 * (three[1][1] - 0.5 * (three[0][1] + three[2][1])).abs();
         let largest = errors.windows(3).filter(is_row).map(alternates).reduce(larger)?;
-        let (reference, because) = (
-            Reference::own("neighbouring points", 0.0),
-            "what an answer may alternate by that is quoted at its points",
-        );
-        Some(self.error(ALTERNATION, reference, ALTERNATE, because, largest))
+        let because = "what an answer may alternate by that is quoted at its points";
+        let check = Check::error(ALTERNATION, Reference::own("neighbouring points", 0.0), ALTERNATE, because);
+        Some(check.judge(largest))
     }
 
     /// The point whose pressure departs most from the truth while those of two on either side do not, where it is off by more than is allowed: the
@@ -208,22 +206,19 @@ impl Bench<'_> {
         };
         let found =
             [self.measures.stretches.first().map(|one| one.begin), self.measures.stretches.last().map(|one| one.end)];
-        let names = [
-            ["begin of the contact [mm]", "begin of the contact [°]"],
-            ["end of the contact [mm]", "end of the contact [°]"],
-        ];
-        let both = [begin, Some(end)].into_iter().zip(found).zip(names);
-        both.filter_map(|((known, found), names)| Some(self.end(names, found.unwrap_or(f64::NAN), known?))).collect()
+        let both = [begin, Some(end)].into_iter().zip(found).zip(["begin", "end"]);
+        both.filter_map(|((known, found), name)| Some(self.end(name, found.unwrap_or(f64::NAN), known?))).collect()
     }
 
-    fn end(&self, [length, angle]: [&'static str; 2], value: f64, known: Known) -> Judged {
+    fn end(&self, name: &str, value: f64, known: Known) -> Judged {
         let path = &self.profile.pair().path;
-        let (factor, name) = if path.is_straight() { (1.0, length) } else { (display_factor(path), angle) };
+        let (factor, unit) = if path.is_straight() { (1.0, "mm") } else { (display_factor(path), "°") };
         let size = self.half_width_known().reference.value;
         let allowed = factor * (self.tolerance * size + self.size_of_lines() + known.bar);
         let reference = known.reference.clone().times(factor);
         let because = "the tolerance of the half-width, the bar of the reference, and one edge of this mesh";
-        let check = Check::absolute(name, reference.clone(), allowed, because);
+        let quantity = case::Quantity::at(format!("{name} of the contact [{unit}]"), "");
+        let check = Check::absolute(quantity, reference.clone(), allowed, because);
         // How well it is known on the scale of the half-width.
         let scale = if reference.value.abs() > 0.0 { reference.value.abs() } else { 1.0 };
         let bar = known.bar / size * scale;
@@ -249,7 +244,7 @@ impl Bench<'_> {
         let lowest = self.profile.points.iter().map(|point| 0.0 - point.pressure).fold(0.0, larger);
         let highest = self.profile.points.iter().map(|point| point.pressure.abs()).fold(0.0, larger);
         let because = "what counts as no pressure everywhere here";
-        self.error(TENSION, Reference::own("contact cannot pull", 0.0), ACTIVE, because, lowest / highest)
+        Check::error(TENSION, Reference::own("contact cannot pull", 0.0), ACTIVE, because).judge(lowest / highest)
     }
 }
 

@@ -3,7 +3,7 @@
 //! A mistake is a correction of positions and pressures. Loads, radii and moduli enter by the powers of Hertz's contact,
 //! `a ∝ √(PR/E*)`, `p ∝ √(PE*/R)`, of bodies of revolution `a ∝ ∛(FR/E*)`, `p ∝ ∛(FE*²/R²)`, and by those of a contact whose width is given.
 
-use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, PI, SQRT_2, TAU};
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use crate::case::Verdict;
 use crate::measure::Quantity;
@@ -20,17 +20,11 @@ use crate::solution::EdgeState;
 /// What a correction says, and the answer that it makes.
 type Correction = (String, Handed);
 
-/// What is known of an answer beside its pressures.
-#[derive(Clone, Copy)]
-pub struct Beside<'a> {
-    /// Units as the file or --unit calls them.
-    pub units: &'a Units,
-    /// Whether its displacements have the strain energy of the scene: loads, radii and moduli are right then.
-    pub is_of_scene: bool,
-}
-
 /// The mistakes that explain an answer: each turns what fails into what passes. Gaps take no part.
-pub fn explain(truth: &Truth, handed: &Handed, beside: Beside, tolerance: f64) -> Vec<String> {
+///
+/// `beside` are its units, as the file or --unit calls them, and whether its displacements have the strain energy of the scene: loads, radii and
+/// moduli are right then.
+pub fn explain(truth: &Truth, handed: &Handed, beside: (&Units, bool), tolerance: f64) -> Vec<String> {
     let plain = thinned(handed);
     let failed = |profile: &Profile| {
         let judged = judge(truth, profile, tolerance).judged.into_iter();
@@ -61,107 +55,105 @@ pub fn explain(truth: &Truth, handed: &Handed, beside: Beside, tolerance: f64) -
 }
 
 /// Every correction that is tried, most of them made one by one.
-fn corrections<'a>(truth: &'a Truth, handed: &'a Handed, beside: Beside) -> impl Iterator<Item = Correction> + use<'a> {
-    let (scene, is_circle) = (&truth.case.scene, truth.case.scene.is_around_axis(handed.contact));
+fn corrections<'a>(
+    truth: &'a Truth,
+    handed: &'a Handed,
+    beside: (&Units, bool),
+) -> impl Iterator<Item = Correction> + use<'a> {
+    let is_circle = truth.case.scene.is_around_axis(handed.contact);
     let scales = scales(truth, handed, beside).into_iter();
     let scaled = scales.map(move |(says, [pressure, place])| {
         (says, scaled(handed, pressure, place, if is_circle { place * place } else { place }))
     });
-    // What moves values among the points says nothing of means over edges that were handed in beside them.
-    let moved = match handed.edges.is_empty() {
-        true => {
-            let before = off(truth, handed);
-            let shifts = shifts(scene, handed).into_iter().filter(|(_, moved)| off(truth, moved) <= EXPLAINED * before);
-            shifts.chain(middles(handed)).collect()
+    scaled.chain(of_points(truth, handed))
+}
+
+/// Corrections of the points one by one. What moves values among them says nothing of means over edges that were handed in beside them.
+fn of_points(truth: &Truth, handed: &Handed) -> Vec<Correction> {
+    let (scene, pair) = (&truth.case.scene, &truth.case.scene.contacts[handed.contact]);
+    let (is_circle, has_both_sides) = (scene.is_around_axis(handed.contact), pair.path.has_both_sides());
+    let is_half = handed.points[0].position >= 0.0 && !has_both_sides;
+    let are_alone = handed.edges.is_empty();
+    let mut all: Vec<Correction> = Vec::new();
+    let mut tried = |says: &str, corrected: Handed| all.push((says.to_owned(), corrected));
+    if scene.is_of_revolution() && handed.forces {
+        let around = |point: &Point| scene.depth(pair.path.point(point.position)) * point.value;
+        let corrected = moved(handed, |point| Point { value: around(point), ..*point });
+        // Of nodes or of the edges between them.
+        tried("nodal forces are pressures times lengths: 2πr is forgotten", Handed { edges: vec![], ..corrected });
+    }
+    if are_alone {
+        let before = off(truth, handed);
+        let shifts = shifts(scene, handed).into_iter().filter(|(_, moved)| off(truth, moved) <= EXPLAINED * before);
+        shifts.for_each(|(says, shifted)| tried(&says, shifted));
+        let [corners, between] = [0, 1].map(|first| handed.points.iter().copied().skip(first).step_by(2));
+        if !handed.forces && between.clone().all(|point| point.value.abs() <= 0.0) {
+            let corrected = Handed { order: Order::Linear, ..with(handed, corners) };
+            tried("every second node is a mid-side with a pressure of 0: hand in the corners alone", corrected);
         }
-        false => vec![],
-    };
-    let is_half = handed.points[0].position >= 0.0 && !scene.contacts[handed.contact].path.has_both_sides();
-    let sides = if is_circle || is_half || !handed.edges.is_empty() { vec![] } else { halves(handed) };
-    scaled
-        .chain(by_rings(scene, handed))
-        .chain(moved)
-        .chain(sides)
-        .chain(by_places(handed))
-        .chain(of_ring(&scene.contacts[handed.contact], handed))
-        .chain(from_other_lines(&scene.contacts[handed.contact], handed))
-        .chain(other_way(&scene.contacts[handed.contact], handed))
-        .chain(on_the_line(handed).filter(move |_| is_half && !is_circle))
+        if !is_circle && !is_half {
+            halves(handed).into_iter().for_each(|(says, half)| tried(&says, half));
+        }
+    }
+    if handed.points.iter().any(|point| point.area.is_some()) {
+        let says = "areas are not those of the points: leave them out, they follow from the places";
+        tried(says, moved(handed, |point| Point { area: None, ..*point }));
+    }
+    if are_alone && !pair.path.is_straight() {
+        let is_within = |point: &Point| point.position.abs() <= pair.stretch * (1.0 + ALIKE);
+        let stretch = pair.stretch.to_degrees();
+        let says = format!("the scene has a part of the ring: hand in its points up to {stretch:.4}°");
+        tried(&says, with(handed, handed.points.iter().copied().filter(is_within)));
+        from_other_lines(handed).into_iter().for_each(|(says, turned)| tried(&says, turned));
+    }
+    if has_both_sides {
+        let edges = handed.edges.iter().rev().map(EdgeState::mirrored).collect();
+        let turned = moved(handed, |point| Point { position: 0.0 - point.position, ..*point });
+        tried("positions run the other way: change their sign", Handed { edges, ..turned });
+    }
+    if handed.forces && are_alone && is_half && !is_circle && handed.points[0].position.abs() <= 0.0 {
+        let mut one = handed.clone();
+        one.points[0].value *= 0.5;
+        // Of a model of both halves, of which one half of the nodes is handed in.
+        tried("the force on the symmetry line is that of both halves: halve it", one);
+    }
+    all
+}
+
+/// The answer with other points, in the order of the contact coordinate.
+fn with(handed: &Handed, points: impl Iterator<Item = Point>) -> Handed {
+    let mut points: Vec<Point> = points.collect();
+    points.sort_by(|a, b| a.position.total_cmp(&b.position));
+    Handed { points, ..handed.clone() }
+}
+
+/// The answer with each of its points made another.
+fn moved(handed: &Handed, other: impl Fn(&Point) -> Point) -> Handed {
+    with(handed, handed.points.iter().map(other))
 }
 
 /// Angles of one half of a contact that are counted from another line than the load line, either way round.
-fn from_other_lines(pair: &ContactPair, handed: &Handed) -> Vec<Correction> {
-    if pair.path.is_straight() || !handed.edges.is_empty() {
-        return vec![];
-    }
+fn from_other_lines(handed: &Handed) -> Vec<Correction> {
     let turned = |(quarters, sign): (u16, f64)| {
         let off = f64::from(quarters) * FRAC_PI_2;
-        let turn = |point: &Point| Point { position: sign * (point.position - off), ..*point };
-        let mut points: Vec<Point> = handed.points.iter().map(turn).collect();
-        points.sort_by(|a, b| a.position.total_cmp(&b.position));
+        let turned = moved(handed, |point| Point { position: sign * (point.position - off), ..*point });
         let says = format!("angles are counted from a line {}° off the load line", 90 * quarters);
-        (points[0].position >= 0.0 - ALIKE).then(|| (says, Handed { points, ..handed.clone() }))
+        (turned.points[0].position >= 0.0 - ALIKE).then_some((says, turned))
     };
     (1..4).flat_map(|quarters| [(quarters, 1.0), (quarters, -1.0)]).filter_map(turned).collect()
 }
 
-/// Positions of a contact that is not symmetric, with the other sign.
-fn other_way(pair: &ContactPair, handed: &Handed) -> Option<Correction> {
-    let turn = |point: &Point| Point { position: 0.0 - point.position, ..*point };
-    let points = handed.points.iter().rev().map(turn).collect();
-    let edges = handed.edges.iter().rev().map(EdgeState::mirrored).collect();
-    let says = "positions run the other way: change their sign".to_owned();
-    pair.path.has_both_sides().then(|| (says, Handed { points, edges, ..handed.clone() }))
-}
-
-/// The force on the symmetry line of a model of both halves, of which one half of the nodes is handed in.
-fn on_the_line(handed: &Handed) -> Option<Correction> {
-    let mut one = handed.clone();
-    one.points[0].value *= 0.5;
-    let says = "the force on the symmetry line is that of both halves: halve it".to_owned();
-    let is_it = handed.forces && handed.edges.is_empty() && handed.points[0].position.abs() <= 0.0;
-    is_it.then_some((says, one))
-}
-
-/// The part of a whole ring that the scene has.
-fn of_ring(pair: &ContactPair, handed: &Handed) -> Vec<Correction> {
-    let is_within = |point: &&Point| point.position.abs() <= pair.stretch * (1.0 + ALIKE);
-    let points: Vec<Point> = handed.points.iter().filter(is_within).copied().collect();
-    let says = format!("the scene has a part of the ring: hand in its points up to {:.4}°", pair.stretch.to_degrees());
-    let may_be = !pair.path.is_straight() && handed.edges.is_empty();
-    may_be.then(|| (says, Handed { points, ..handed.clone() })).into_iter().collect()
-}
-
-/// Without the areas beside the points.
-fn by_places(handed: &Handed) -> Vec<Correction> {
-    let says = "areas are not those of the points: leave them out, they follow from the places".to_owned();
-    let points = handed.points.iter().map(|point| Point { area: None, ..*point }).collect();
-    let has_areas = handed.points.iter().any(|point| point.area.is_some());
-    has_areas.then(|| (says, Handed { points, ..handed.clone() })).into_iter().collect()
-}
-
-/// The points at corners alone, where nothing presses at those between.
-fn middles(handed: &Handed) -> Vec<Correction> {
-    let every_second = |first: usize| handed.points.iter().skip(first).step_by(2);
-    if handed.forces || !every_second(1).all(|point| point.value.abs() <= 0.0) {
-        return vec![];
-    }
-    let points = every_second(0).copied().collect();
-    let says = "every second node is a mid-side with a pressure of 0: hand in the corners alone".into();
-    vec![(says, Handed { points, order: Order::Linear, ..handed.clone() })]
-}
-
 /// Factors on pressures and on positions: numbers that are called others, then, unless the scene was solved, another scene; units that are called
 /// others, and numbers without, where nothing else has the same.
-fn scales(truth: &Truth, handed: &Handed, beside: Beside) -> Vec<(String, [f64; 2])> {
+fn scales(truth: &Truth, handed: &Handed, (own, is_of_scene): (&Units, bool)) -> Vec<(String, [f64; 2])> {
     let scene = &truth.case.scene;
     let is_circle = scene.is_around_axis(handed.contact);
     let mut all = called(scene, handed);
-    if !beside.is_of_scene {
+    if !is_of_scene {
         let others = if is_circle { of_revolution(truth, handed) } else { of_strips(truth, handed) };
         all.extend(others.into_iter().map(|(says, by)| (says.to_owned(), by)));
     }
-    let others = units(&scene.contacts[handed.contact], handed, beside.units, is_circle).into_iter();
+    let others = units(&scene.contacts[handed.contact], handed, own, is_circle).into_iter();
     for (says, [times, by]) in others.chain(normalised(truth, handed)) {
         let is_alike = |known: &[f64; 2]| (times / known[0] - 1.0).hypot(by / known[1] - 1.0) < ALIKE;
         if !all.iter().any(|(_, known)| is_alike(known)) {
@@ -249,43 +241,50 @@ fn of_amount(truth: &Truth, handed: &Handed, of_load: [&'static str; 2]) -> [&'s
     }
 }
 
+/// What turns the answer of a scene with so many times the load, radius and E* of ours into that of ours.
+fn of_hertz(is_circle: bool, [load, radius, modulus]: [f64; 3]) -> [f64; 2] {
+    let [pressure, width] = match is_circle {
+        true => [load * (modulus / radius).powi(2), load * radius / modulus].map(f64::cbrt),
+        false => [load * modulus / radius, load * radius / modulus].map(f64::sqrt),
+    };
+    [pressure.recip(), width.recip()]
+}
+
 /// Those of bodies of revolution: of a load so many times the scene's `a` and `p₀` are `∛` of it, of a contact of given radius p alone.
 fn of_revolution(truth: &Truth, handed: &Handed) -> Vec<(&'static str, [f64; 2])> {
     let scene = &truth.case.scene;
-    let per_radian = "the load is 2π times the scene's: the whole force is given per radian";
-    let whole =
-        "the load is 1/2π of the scene's: it is given per radian, and the scene's is that of the whole circumference";
     let half = "the load is half of the scene's: that is of the whole body of revolution";
     let twice = "the load is twice the scene's: that is of the whole body of revolution";
+    let [of_half, of_twice] = of_amount(truth, handed, [half, twice]);
+    let whole =
+        "the load is 1/2π of the scene's: it is given per radian, and the scene's is that of the whole circumference";
+    let per_radian = "the load is 2π times the scene's: the whole force is given per radian";
     let sector = "the load is 1/180 of the scene's: that of a sector of 2° for the whole one";
-    // Nodal forces per radian, or of a sector, are named as such.
-    let of_forces = handed.forces;
+    // What is said of a contact of given radius; nodal forces per radian, or of a sector, are named as such.
+    let of_pressures = |says: &'static str| (!handed.forces).then_some(says);
     let loads = [
-        (per_radian, TAU, false),
-        (whole, TAU.recip(), of_forces),
-        (half, 0.5, of_forces),
-        (twice, 2.0, false),
-        (sector, 1.0 / 180.0, of_forces),
+        (per_radian, TAU, Some(per_radian)),
+        (whole, TAU.recip(), of_pressures(whole)),
+        (half, 0.5, of_pressures(of_half)),
+        (twice, 2.0, Some(of_twice)),
+        (sector, 1.0 / 180.0, of_pressures(sector)),
     ];
-    let amounts = of_amount(truth, handed, [half, twice]);
-    let of_load = |(says, times, is_named): (&'static str, f64, bool)| {
-        let of_hertz = (says, [times.cbrt().recip(); 2]);
-        let says = [half, twice].iter().position(|one| *one == says).map_or(says, |k| amounts[k]);
-        let of_given_radius = (says, [times.recip(), 1.0]);
-        std::iter::once(of_hertz).chain((!is_named).then_some(of_given_radius))
-    };
-    let mut all = vec![
-        ("the radius is twice the scene's (a diameter for a radius)", [4f64.cbrt(), 2f64.cbrt().recip()]),
-        ("the radius is half of the scene's (a radius for a diameter)", [4f64.cbrt().recip(), 2f64.cbrt()]),
-        ("E* is half of the scene's (an elastic other side for a rigid one)", [4f64.cbrt(), 2f64.cbrt().recip()]),
-        ("E* is twice the scene's (a rigid other side for an elastic one)", [4f64.cbrt().recip(), 2f64.cbrt()]),
-    ];
-    all.extend(loads.into_iter().flat_map(of_load));
     let plane = Scene { plane: PlaneHypothesis::Stress, ..scene.clone() };
     let pair = &scene.contacts[handed.contact];
-    let root = (plane.modulus_of(pair) / scene.modulus_of(pair)).cbrt();
-    all.push(("E for E/(1−ν²): the modulus of the contact is that of plane stress", [root.powi(-2), root]));
-    all
+    let of_plane = plane.modulus_of(pair) / scene.modulus_of(pair);
+    let hertz = |(says, times): (&'static str, [f64; 3])| (says, of_hertz(true, times));
+    let of_load = |(says, times, of_given_radius): (&'static str, f64, Option<&'static str>)| {
+        let of_given_radius = of_given_radius.map(|says| (says, [times.recip(), 1.0]));
+        std::iter::once(hertz((says, [times, 1.0, 1.0]))).chain(of_given_radius)
+    };
+    let others = [
+        ("the radius is twice the scene's (a diameter for a radius)", [1.0, 2.0, 1.0]),
+        ("the radius is half of the scene's (a radius for a diameter)", [1.0, 0.5, 1.0]),
+        ("E* is half of the scene's (an elastic other side for a rigid one)", [1.0, 1.0, 0.5]),
+        ("E* is twice the scene's (a rigid other side for an elastic one)", [1.0, 1.0, 2.0]),
+    ];
+    let plane = ("E for E/(1−ν²): the modulus of the contact is that of plane stress", [1.0, 1.0, of_plane]);
+    others.map(hertz).into_iter().chain(loads.into_iter().flat_map(of_load)).chain([hertz(plane)]).collect()
 }
 
 /// Those of strips.
@@ -302,35 +301,32 @@ fn of_strips(truth: &Truth, handed: &Handed) -> Vec<(&'static str, [f64; 2])> {
             "the interference is twice the scene's (of a diameter for a radius)",
         ],
     };
-    let amounts = of_amount(truth, handed, [half, twice]);
-    let mut all = vec![
-        (half, [SQRT_2, SQRT_2]),
-        (amounts[0], [2.0, 1.0]),
-        (twice, [FRAC_1_SQRT_2, FRAC_1_SQRT_2]),
-        (amounts[1], [0.5, 1.0]),
-        (
-            "the radius is twice the scene's (a diameter for a radius), or E* half of it (an elastic other side for a rigid one)",
-            [SQRT_2, FRAC_1_SQRT_2],
-        ),
-        (
-            "the radius is half of the scene's (a radius for a diameter), or E* twice as large (a rigid other side for an elastic one)",
-            [FRAC_1_SQRT_2, SQRT_2],
-        ),
-    ];
+    let [of_half, of_twice] = of_amount(truth, handed, [half, twice]);
+    let wider = "the radius is twice the scene's (a diameter for a radius), or E* half of it (an elastic other side for a rigid one)";
+    let narrower = "the radius is half of the scene's (a radius for a diameter), or E* twice as large (a rigid other side for an elastic one)";
     let sphere =
         "p₀ = 3F/2πa² is that of a sphere, whose a = ∛(3FR/4E*): of a cylinder p₀ = 2F/πat and a = √(4FR/πE*t)";
-    all.extend(of_spheres(truth, handed).map(|factors| (sphere, factors)));
-    let other = match scene.plane {
-        PlaneHypothesis::Stress => Scene { plane: PlaneHypothesis::Strain, ..scene.clone() },
-        _ => Scene { plane: PlaneHypothesis::Stress, ..scene.clone() },
+    let (other, plane) = match scene.plane {
+        PlaneHypothesis::Stress => {
+            (PlaneHypothesis::Strain, "plane strain was solved, but the scene is in plane stress: E/(1−ν²) for E")
+        }
+        _ => (PlaneHypothesis::Stress, "plane stress was solved, but the scene is in plane strain: E for E/(1−ν²)"),
     };
-    let root = (other.modulus_of(pair) / scene.modulus_of(pair)).sqrt();
-    let plane = match scene.plane {
-        PlaneHypothesis::Stress => "plane strain was solved, but the scene is in plane stress: E/(1−ν²) for E",
-        _ => "plane stress was solved, but the scene is in plane strain: E for E/(1−ν²)",
-    };
-    all.extend([(plane, [1.0 / root, root]), (plane, [1.0 / (root * root), 1.0])]);
-    all
+    let of_plane = Scene { plane: other, ..scene.clone() }.modulus_of(pair) / scene.modulus_of(pair);
+    let hertz = |load: f64, radius: f64, modulus: f64| of_hertz(false, [load, radius, modulus]);
+    let [with_width, alone] = of_spheres(truth, handed);
+    vec![
+        (half, hertz(0.5, 1.0, 1.0)),
+        (of_half, [2.0, 1.0]),
+        (twice, hertz(2.0, 1.0, 1.0)),
+        (of_twice, [0.5, 1.0]),
+        (wider, hertz(1.0, 2.0, 1.0)),
+        (narrower, hertz(1.0, 0.5, 1.0)),
+        (sphere, with_width),
+        (sphere, alone),
+        (plane, hertz(1.0, 1.0, of_plane)),
+        (plane, [of_plane.recip(), 1.0]),
+    ]
 }
 
 /// Units that are called others: positions, pressures or forces, or both. Forces do not change with the unit of positions.
@@ -400,18 +396,6 @@ fn of_spheres(truth: &Truth, handed: &Handed) -> [[f64; 2]; 2] {
     [[peak(of_sphere), a / of_sphere], [peak(a), 1.0]]
 }
 
-/// Forces that are pressures times lengths, of nodes or of the edges between them, on bodies of revolution: `2πr` is forgotten.
-fn by_rings(scene: &Scene, handed: &Handed) -> Vec<Correction> {
-    if !scene.is_of_revolution() || !handed.forces {
-        return vec![];
-    }
-    let path = &scene.contacts[handed.contact].path;
-    let around = |point: &Point| Point { value: scene.depth(path.point(point.position)) * point.value, ..*point };
-    let points = handed.points.iter().map(around);
-    let corrected = Handed { points: points.collect(), edges: vec![], ..handed.clone() };
-    vec![("nodal forces are pressures times lengths: 2πr is forgotten".into(), corrected)]
-}
-
 /// Pressures times one factor, positions times another, areas times a third; forces follow.
 fn scaled(handed: &Handed, pressure: f64, place: f64, area: f64) -> Handed {
     let value = if handed.forces { pressure * area } else { pressure };
@@ -438,9 +422,8 @@ fn scaled(handed: &Handed, pressure: f64, place: f64, area: f64) -> Handed {
 fn shifts(scene: &Scene, handed: &Handed) -> Vec<Correction> {
     let values: Vec<f64> = handed.points.iter().map(|point| point.value).collect();
     let last = values.len() - 1;
-    let moved = |values: Vec<f64>| {
-        let points = handed.points.iter().zip(values).map(|(point, value)| Point { value, ..*point }).collect();
-        Handed { points, edges: vec![], ..handed.clone() }
+    let with_values = |values: Vec<f64>| {
+        with(handed, handed.points.iter().zip(values).map(|(point, value)| Point { value, ..*point }))
     };
     let outwards = [&values[1..], &[0.0][..]].concat();
     let inwards = [&values[..1], &values[..last]].concat();
@@ -452,13 +435,12 @@ fn shifts(scene: &Scene, handed: &Handed) -> Vec<Correction> {
     let forces: Vec<f64> = values.iter().zip(&areas).map(|(value, area)| value * area).collect();
     let moment: f64 = forces.iter().zip(&handed.points).map(|(force, point)| force * point.position).sum();
     let centre = moment / forces.iter().sum::<f64>();
-    let points = handed.points.iter().map(|point| Point { position: point.position - centre, ..*point }).collect();
     let offset = format!("all positions are off by about {}", places(&scene.contacts[handed.contact], &[centre]));
     let by_one = "pressures are shifted by one node";
     vec![
-        (format!("{by_one}: each belongs to the node before"), moved(outwards)),
-        (format!("{by_one}: each belongs to the node behind"), moved(inwards)),
-        (offset, Handed { points, edges: vec![], ..handed.clone() }),
+        (format!("{by_one}: each belongs to the node before"), with_values(outwards)),
+        (format!("{by_one}: each belongs to the node behind"), with_values(inwards)),
+        (offset, moved(handed, |point| Point { position: point.position - centre, ..*point })),
     ]
 }
 
@@ -467,25 +449,15 @@ const MISSING: f64 = 0.1;
 
 /// The half that is there, and its mirror image for the other.
 fn halves(handed: &Handed) -> Vec<Correction> {
-    let half = |right: bool| {
-        let sign = if right { 1.0 } else { -1.0 };
-        let own: Vec<Point> = handed.points.iter().filter(|point| sign * point.position >= 0.0).copied().collect();
-        let images = own
-            .iter()
-            .filter(|point| sign * point.position > 0.0)
-            .map(|point| Point { position: 0.0 - point.position, ..*point });
-        let mut points: Vec<Point> = own.iter().copied().chain(images).collect();
-        points.sort_by(|a, b| a.position.total_cmp(&b.position));
-        Handed { points, edges: vec![], ..handed.clone() }
+    let beyond = |sign: f64| handed.points.iter().copied().filter(move |point| sign * point.position > 0.0);
+    let carried = |sign: f64| beyond(sign).map(|point| point.value.abs()).sum::<f64>();
+    let half = |sign: f64| {
+        let own = handed.points.iter().copied().filter(|point| sign * point.position >= 0.0);
+        with(handed, own.chain(beyond(sign).map(|point| Point { position: 0.0 - point.position, ..point })))
     };
-    let carried = |sign: f64| -> f64 {
-        let own = handed.points.iter().filter(|point| sign * point.position > 0.0);
-        own.map(|point| point.value.abs()).sum()
-    };
-    let says = |half: &str| format!("the {half} half of the profile is missing");
     let lacks = |sign: f64| carried(sign) <= MISSING * carried(0.0 - sign);
     let both = [("left", -1.0), ("right", 1.0)].into_iter().filter(|(_, sign)| lacks(*sign));
-    both.map(|(name, sign)| (says(name), half(sign < 0.0))).collect()
+    both.map(|(name, sign)| (format!("the {name} half of the profile is missing"), half(0.0 - sign))).collect()
 }
 
 /// Without gaps, and of a great many pressures at points alone by so many only that mistakes are told by: corners and mid-sides by turns still.

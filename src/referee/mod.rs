@@ -98,11 +98,11 @@ pub fn verdicts(truth: &Truth, answer: Answer, tolerance: f64) -> Result<Verdict
     let is_of_scene = match &answer.field {
         Some(field) => whole::judge(truth, field, &profiles, &mut ruled, tolerance)?,
         None => {
-            ruled.iter_mut().take(1).for_each(|first| first.missing.push(whole::missing()));
+            ruled[0].missing.push(whole::missing());
             false
         }
     };
-    let beside = mistakes::Beside { units: &answer.units, is_of_scene };
+    let beside = (&answer.units, is_of_scene);
     let mistakes = handed().flat_map(|handed| mistakes::explain(truth, handed, beside, tolerance)).collect();
     let names = scene.contacts.iter().enumerate().filter(|(contact, _)| answer.of(*contact).is_none());
     let absent = names.map(|(_, pair)| pair.name.clone()).collect();

@@ -3,8 +3,9 @@
 use std::f64::consts::TAU;
 
 use crate::elasticity::quadrature::lobatto;
+use crate::error::Error;
 use crate::mesh::Order;
-use crate::referee::answer::{Handed, Point};
+use crate::referee::answer::{Handed, Point, ordered};
 use crate::referee::between;
 use crate::referee::truth::Truth;
 use crate::scene::{ContactPair, Path, Scene};
@@ -52,17 +53,14 @@ impl Profile {
         let is_of_points = handed.order == Order::Linear && handed.edges.is_empty();
         let plain = handed;
         let is_open = is_of_points && !has_forces;
-        let by_roots = if is_open { of_roots(&scene, handed) } else { Vec::new() };
-        let lines = if is_open { between::lines(&handed.points) } else { Vec::new() };
+        let roots = || states(&scene, pair, &between::by_roots(&handed.points), Order::Linear, false);
+        let (by_roots, lines) = match is_open {
+            true => (roots(), between::lines(&handed.points)),
+            false => Default::default(),
+        };
         let with_middles = is_open.then(|| between::by_lines(handed));
         let handed = with_middles.as_ref().unwrap_or(handed);
-        let areas = tributary(&scene, pair, &handed.points, handed.order);
-        let state = |(point, area): (&Point, &f64)| {
-            let weight = point.area.unwrap_or(*area);
-            let pressure = if handed.forces { point.value / weight } else { point.value };
-            PointState { position: point.position, weight, pressure, gap: point.gap.unwrap_or(f64::NAN) }
-        };
-        let mut points: Vec<PointState> = handed.points.iter().zip(&areas).map(state).collect();
+        let mut points = states(&scene, pair, &handed.points, handed.order, handed.forces);
         let has_means = !plain.edges.is_empty();
         let may_lend = scene.is_around_axis(handed.contact) || begun.is_some() && handed.forces;
         let on_axis = may_lend && lends_to_axis(&mut points, handed);
@@ -91,17 +89,14 @@ impl Profile {
     }
 }
 
-/// Contact points with roots between pressures.
-fn of_roots(scene: &Scene, handed: &Handed) -> Vec<PointState> {
-    let points = between::by_roots(&handed.points);
-    let areas = tributary(scene, &scene.contacts[handed.contact], &points, Order::Linear);
-    let state = |(point, weight): (&Point, f64)| PointState {
-        position: point.position,
-        weight,
-        pressure: point.value,
-        gap: f64::NAN,
+/// Contact points by the areas handed in, or else those that belong to them; `forces` tells whether values are nodal forces.
+fn states(scene: &Scene, pair: &ContactPair, points: &[Point], order: Order, forces: bool) -> Vec<PointState> {
+    let state = |(point, area): (&Point, f64)| {
+        let weight = point.area.unwrap_or(area);
+        let pressure = if forces { point.value / weight } else { point.value };
+        PointState { position: point.position, weight, pressure, gap: point.gap.unwrap_or(f64::NAN) }
     };
-    points.iter().zip(areas).map(state).collect()
+    points.iter().zip(tributary(scene, pair, points, order)).map(state).collect()
 }
 
 /// Part of the largest position that rounding explains.
@@ -228,11 +223,26 @@ pub fn tributary(scene: &Scene, pair: &ContactPair, points: &[Point], order: Ord
     sums.into_iter().map(|sum| sum * across).collect()
 }
 
+/// What was handed in of a contact by its points, in any order: those of edges of an order, or, where none is told, of that of which their areas
+/// tell. Refused as [`ordered`] says.
+pub fn handed(
+    (scene, contact): (&Scene, usize),
+    points: Vec<Point>,
+    order: Option<Order>,
+    forces: bool,
+    refused: impl Fn(String, &str) -> Error,
+) -> Result<Handed, Error> {
+    let pair = &scene.contacts[contact];
+    let points = ordered(points, order.unwrap_or(Order::Linear), pair, refused)?;
+    let order = order.unwrap_or_else(|| order_of_areas(scene, pair, &points));
+    Ok(Handed { contact, points, order, edges: vec![], forces })
+}
+
 /// Part of the largest area by which areas may be off from those of an order.
 const OFF: f64 = 0.01;
 
 /// The order of the edges of which the areas of points tell: 2 where they are theirs and not those of edges with two nodes; else 1.
-pub fn order_of_areas(scene: &Scene, pair: &ContactPair, points: &[Point]) -> Order {
+fn order_of_areas(scene: &Scene, pair: &ContactPair, points: &[Point]) -> Order {
     let Some(areas) = points.iter().map(|point| point.area).collect::<Option<Vec<f64>>>() else { return Order::Linear };
     let largest = areas.iter().copied().fold(0.0, f64::max);
     let are_of = |order: Order| {

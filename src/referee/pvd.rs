@@ -15,7 +15,7 @@ const ONE: &str = "hand in the .vtu of the last time itself";
 pub fn only_piece(file: &Path, text: &str) -> Option<PathBuf> {
     let plain = uncommented(text.as_bytes());
     let own = tag(&plain, b"<Piece", 0).filter(|own| tag(&plain, b"<Piece", own.end).is_none())?;
-    let piece = file.with_file_name(unescaped(attribute(&text[own.begin..own.end], "Source")?));
+    let piece = file.with_file_name(unescaped(attribute(&text[own], "Source")?));
     piece.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("vtu")).then_some(piece)
 }
 
@@ -25,8 +25,8 @@ pub fn chosen(file: &Path, text: &str, asked: &Asked) -> Result<(PathBuf, State,
     let (mut found, mut at) = (Vec::new(), 0);
     let plain = uncommented(text.as_bytes());
     while let Some(own) = tag(&plain, b"<DataSet", at) {
-        let entry = &text[own.begin..own.end];
         at = own.end;
+        let entry = &text[own];
         let Some(named) = attribute(entry, "file") else {
             return Err(source.at(entry, "this grid has no file", ONE));
         };

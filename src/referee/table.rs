@@ -10,9 +10,9 @@ use std::path::Path;
 
 use crate::error::Error;
 use crate::mesh::Order;
-use crate::referee::answer::{Answer, BESIDE, FEWEST, Handed, Point, contact_named, ordered};
+use crate::referee::answer::{Answer, BESIDE, FEWEST, Handed, Point, contact_named};
 use crate::referee::asked::Asked;
-use crate::referee::profile::order_of_areas;
+use crate::referee::profile::handed;
 use crate::referee::side::{signed_coordinate, surface};
 use crate::referee::source::Source;
 use crate::referee::state::State;
@@ -95,17 +95,11 @@ pub fn parse(file: &Path, text: &str, scene: &Scene, asked: &Asked) -> Result<An
         return Err(source.refused("it has no line behind its head", "the file is cut: write it again"));
     }
     let forces = !reader.columns.iter().any(|column| column.role == Role::Pressure);
-    let handed = |(contact, points): (usize, Vec<Point>)| {
-        let points =
-            ordered(points, asked.order.unwrap_or(Order::Linear), &scene.contacts[contact], |message, remedy| {
-                source.refused(message, remedy)
-            })?;
-        let order = asked.order.unwrap_or_else(|| order_of_areas(scene, &scene.contacts[contact], &points));
-        Ok(Handed { contact, points, order, edges: vec![], forces })
+    let of_contact = |(contact, points): (usize, Vec<Point>)| {
+        handed((scene, contact), points, asked.order, forces, |message, remedy| source.refused(message, remedy))
     };
-    let contacts: Vec<Handed> = groups.into_iter().map(handed).collect::<Result<_, Error>>()?;
-    let is_beside =
-        !forces && table.head.iter().any(|title| asked.names(Role::Force, title) || is_usual(Role::Force, title));
+    let contacts: Vec<Handed> = groups.into_iter().map(of_contact).collect::<Result<_, Error>>()?;
+    let is_beside = !forces && table.head.iter().any(|title| asked.means(Role::Force, title));
     let mut read: Vec<String> =
         reader.columns.iter().map(|column| format!("`{}` as {}", column.title, column.role.name())).collect();
     read.extend(is_beside.then(|| BESIDE.to_owned()));
@@ -199,7 +193,7 @@ impl<'a> Table<'a> {
                     // Units of columns that are not read need not be known.
                     let is_read = |title: &str| {
                         let mut roles = [Role::Position, Role::X, Role::Pressure].into_iter();
-                        roles.any(|role| asked.names(role, title) || is_usual(role, title))
+                        roles.any(|role| asked.means(role, title))
                     };
                     let unknown = head.iter().zip(&own).find(|(title, cell)| !is_unit(cell) && is_read(title));
                     if let Some((_, unknown)) = unknown {
@@ -362,9 +356,7 @@ fn with_units(head: &[String], units: &[String]) -> Vec<String> {
 
 /// Whether cells are names of a place and of what presses there.
 fn is_head(cells: &[String], asked: &Asked) -> bool {
-    let has = |roles: [Role; 2]| {
-        roles.iter().any(|role| cells.iter().any(|title| asked.names(*role, title) || is_usual(*role, title)))
-    };
+    let has = |roles: [Role; 2]| roles.iter().any(|role| cells.iter().any(|title| asked.means(*role, title)));
     has([Role::Position, Role::X]) && has([Role::Pressure, Role::Force])
 }
 
@@ -518,11 +510,6 @@ pub fn split<'a>(title: &'a str) -> (&'a str, Option<&'a str>) {
         .unwrap_or((title.trim(), None))
 }
 
-/// Whether a column has one of the usual names of a role.
-fn is_usual(role: Role, title: &str) -> bool {
-    role.usual().iter().any(|name| is_called(title, name))
-}
-
 /// Whether a column has a name in small letters; COMSOL puts the pair of the contact behind it.
 fn is_called(title: &str, name: &str) -> bool {
     let own = split(title).0.to_lowercase().replace('-', " ");
@@ -535,6 +522,11 @@ impl Asked {
     /// Whether a title is the column that was named for a role.
     fn names(&self, role: Role, title: &str) -> bool {
         self.column(role).is_some_and(|named| named == title || named == split(title).0)
+    }
+
+    /// Whether a title is that, or one of the usual names of the role.
+    fn means(&self, role: Role, title: &str) -> bool {
+        self.names(role, title) || role.usual().iter().any(|name| is_called(title, name))
     }
 }
 

@@ -161,19 +161,15 @@ impl Truth {
 
     /// Name and kind of the profile, and how far it may itself be off: of a closed form what the case states of it.
     pub fn of_profile(&self, contact: usize) -> Known {
-        let closed = self.closed_profile();
-        let bar = match closed {
-            Some(_) => self.case.model_error(contact, &case::Quantity::Profile),
+        let (reference, bar) = match self.closed_profile() {
+            Some(closed) => (closed, self.case.model_error(contact, &case::Quantity::Profile)),
             None => {
                 let of_peak = |one: &&Barred| one.is_of(contact, &Quantity::PeakPressure);
-                self.bars.iter().filter(of_peak).map(Barred::relative).fold(0.0, larger)
+                let bar = self.bars.iter().filter(of_peak).map(Barred::relative).fold(0.0, larger);
+                (self.ours(contact, &Quantity::PeakPressure).reference, bar)
             }
         };
-        let reference = match closed {
-            Some(reference) => Reference { value: 0.0, ..reference },
-            None => Reference { value: 0.0, ..self.ours(contact, &Quantity::PeakPressure).reference },
-        };
-        Known { reference, bar }
+        Known { reference: Reference { value: 0.0, ..reference }, bar }
     }
 
     /// Whether the peak has no limit.

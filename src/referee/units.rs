@@ -3,65 +3,38 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// What a list of numbers holds.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Role {
-    /// Contact coordinate: a length on a straight path, an angle from the load line on an arc.
-    Position,
-    /// Cartesian coordinate along x.
-    X,
-    /// Cartesian coordinate along y.
-    Y,
-    /// Contact pressure, positive in compression.
-    Pressure,
-    /// Nodal contact force along the normal, positive in compression.
-    Force,
-    /// Remaining gap, positive where open.
-    Gap,
-    /// Tributary area.
-    Area,
-    /// Name of the contact.
-    Contact,
-    /// Displacement of a node, a vector.
-    Displacement,
-    /// Stress at a node, positive in tension: 9 components row by row, or 6 in VTK's order xx, yy, zz, xy, yz, xz.
-    Stress,
+use crate::named::named_enum;
+
+named_enum! {
+    /// What a list of numbers holds; its name is also that of a column.
+    pub enum Role {
+        /// Contact coordinate: a length on a straight path, an angle from the load line on an arc.
+        Position = "position",
+        /// Cartesian coordinate along x.
+        X = "x",
+        /// Cartesian coordinate along y.
+        Y = "y",
+        /// Contact pressure, positive in compression.
+        Pressure = "pressure",
+        /// Nodal contact force along the normal, positive in compression.
+        Force = "force",
+        /// Remaining gap, positive where open.
+        Gap = "gap",
+        /// Tributary area.
+        Area = "area",
+        /// Name of the contact.
+        Contact = "contact",
+        /// Displacement of a node, a vector.
+        Displacement = "displacement",
+        /// Stress at a node, positive in tension: 9 components row by row, or 6 in VTK's order xx, yy, zz, xy, yz, xz.
+        Stress = "stress",
+    }
 }
 
 impl Role {
-    /// All.
-    pub const ALL: [Self; 10] = [
-        Self::Position,
-        Self::X,
-        Self::Y,
-        Self::Pressure,
-        Self::Force,
-        Self::Gap,
-        Self::Area,
-        Self::Contact,
-        Self::Displacement,
-        Self::Stress,
-    ];
-
     /// Those of a table.
     pub const OF_TABLES: [Self; 8] =
         [Self::Position, Self::X, Self::Y, Self::Pressure, Self::Force, Self::Gap, Self::Area, Self::Contact];
-
-    /// Its name, which is also that of a column.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Position => "position",
-            Self::X => "x",
-            Self::Y => "y",
-            Self::Pressure => "pressure",
-            Self::Force => "force",
-            Self::Gap => "gap",
-            Self::Area => "area",
-            Self::Contact => "contact",
-            Self::Displacement => "displacement",
-            Self::Stress => "stress",
-        }
-    }
 
     /// Names that columns and fields have without being named, in small letters, the one that goes first in front: those of contacts, then those that may be of a body.
     /// They are our own, and those of ParaView, MOOSE, Abaqus, Ansys, COMSOL, code_aster and CalculiX.
@@ -84,11 +57,6 @@ impl Role {
             Self::Displacement => &["displacement", "displacements", "disp", "u"],
             Self::Stress => &["stress"],
         }
-    }
-
-    /// The role of a name.
-    pub fn named(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|role| role.name() == name)
     }
 
     /// Units that it may have, each with its value in ours.

@@ -2,10 +2,12 @@
 
 use std::path::Path;
 
+use crate::referee::source::Source;
+
 /// The grid of a file.
 pub struct Grid<'a> {
-    /// The file.
-    pub file: &'a Path,
+    /// The file, of which no text is shown.
+    pub source: Source<'a>,
     /// Coordinates, three a point.
     pub points: Vec<f64>,
     /// Nodes of the cells, one cell behind the other.
@@ -23,7 +25,8 @@ pub struct Grid<'a> {
 impl<'a> Grid<'a> {
     /// One without points.
     pub fn of(file: &'a Path) -> Self {
-        Self { file, points: vec![], connectivity: vec![], ends: vec![], types: vec![], fields: vec![], time: None }
+        let source = Source { file, text: "" };
+        Self { source, points: vec![], connectivity: vec![], ends: vec![], types: vec![], fields: vec![], time: None }
     }
 }
 

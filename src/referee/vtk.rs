@@ -9,68 +9,57 @@ use crate::referee::vtu::{AGAIN, numbers};
 
 /// The grid of a file.
 pub fn parse<'a>(file: &'a Path, bytes: &'a [u8]) -> Result<Grid<'a>, Error> {
-    let mut reader = Reader { file, bytes, at: 0, binary: false };
+    let mut reader = Reader { file, bytes, at: 0, binary: false, grid: Grid::of(file), of_nodes: false };
     let head: Vec<String> = (0..3).map(|_| reader.line()).collect();
     if !head[0].starts_with("# vtk DataFile") {
         return Err(reader.refused("its first line is not that of a legacy VTK file"));
     }
     reader.binary = head[2].trim().eq_ignore_ascii_case("BINARY");
-    let mut grid = Grid::of(file);
-    // How many entries the arrays have, and whether they are those of nodes.
-    let mut section = (0, false);
+    let colours = if reader.binary { "unsigned_char" } else { "float" };
+    // How many entries the arrays have.
+    let mut entries = 0;
     while let Some(line) = reader.next() {
         let words: Vec<&str> = line.split_whitespace().collect();
         let word = |k: usize| words.get(k).copied().unwrap_or_default();
         let told = |k: usize| word(k).parse::<usize>().ok();
         let here = reader.refused(&format!("`{line}` begins no part of an unstructured grid, or lacks a number"));
         let count = |k: usize| told(k).ok_or_else(|| here.clone());
-        let components = match word(0).to_ascii_uppercase().as_str() {
-            "DATASET" if word(1).eq_ignore_ascii_case("UNSTRUCTURED_GRID") => None,
-            "POINTS" => reader.numbers(3, count(1)?, word(2)).map(|points| grid.points = points).map(|()| None)?,
-            "CELLS" => reader.cells(&mut grid, count(1)?, count(2)?).map(|()| None)?,
+        let array = |reader: &mut Reader, components| reader.array(word(1), [components, entries], word(2));
+        match word(0).to_ascii_uppercase().as_str() {
+            "DATASET" if word(1).eq_ignore_ascii_case("UNSTRUCTURED_GRID") => {}
+            "POINTS" => reader.grid.points = reader.numbers(3, count(1)?, word(2))?,
+            "CELLS" => reader.cells(count(1)?, count(2)?)?,
             "CELL_TYPES" => {
-                grid.types = reader.numbers(1, count(1)?, "int")?.into_iter().map(|kind| kind as u8).collect();
-                None
+                let types = reader.numbers(1, count(1)?, "int")?;
+                reader.grid.types = types.into_iter().map(|kind| kind as u8).collect();
             }
             part @ ("POINT_DATA" | "CELL_DATA") => {
-                section = (count(1)?, part == "POINT_DATA");
-                let points = grid.points.len() / 3;
-                if section.1 && section.0 != points {
-                    return Err(reader.refused(&format!("it has data of {} points, and {points} points", section.0)));
+                (entries, reader.of_nodes) = (count(1)?, part == "POINT_DATA");
+                let points = reader.grid.points.len() / 3;
+                if reader.of_nodes && entries != points {
+                    return Err(reader.refused(&format!("it has data of {entries} points, and {points} points")));
                 }
-                None
             }
-            "METADATA" => reader.metadata(&mut grid, section.1),
-            "FIELD" => (0..count(2)?).try_for_each(|_| reader.field(&mut grid, section.1)).map(|()| None)?,
-            "LOOKUP_TABLE" => {
-                reader.numbers(4, told(2).unwrap_or(0), if reader.binary { "unsigned_char" } else { "float" })?;
-                None
-            }
+            "METADATA" => reader.metadata(),
+            "FIELD" => (0..count(2)?).try_for_each(|_| reader.field())?,
+            // These are passed over.
+            "LOOKUP_TABLE" => drop(reader.numbers(4, told(2).unwrap_or(0), colours)?),
+            "COLOR_SCALARS" => drop(reader.numbers(count(2)?, entries, colours)?),
+            "TEXTURE_COORDINATES" => drop(reader.numbers(count(2)?, entries, word(3))?),
             "SCALARS" => {
                 let before = reader.at;
                 let has_table = reader.next().is_some_and(|line| line.to_ascii_uppercase().starts_with("LOOKUP_TABLE"));
                 reader.at = if has_table { reader.at } else { before };
-                Some(told(3).unwrap_or(1))
+                array(&mut reader, told(3).unwrap_or(1))?;
             }
-            "COLOR_SCALARS" => {
-                reader.numbers(count(2)?, section.0, if reader.binary { "unsigned_char" } else { "float" })?;
-                None
-            }
-            "TEXTURE_COORDINATES" => {
-                reader.numbers(count(2)?, section.0, word(3))?;
-                None
-            }
-            "VECTORS" | "NORMALS" => Some(3),
-            "TENSORS" => Some(9),
-            "TENSORS6" => Some(6),
-            "GLOBAL_IDS" | "PEDIGREE_IDS" => Some(1),
+            "VECTORS" | "NORMALS" => array(&mut reader, 3)?,
+            "TENSORS" => array(&mut reader, 9)?,
+            "TENSORS6" => array(&mut reader, 6)?,
+            "GLOBAL_IDS" | "PEDIGREE_IDS" => array(&mut reader, 1)?,
             _ => return Err(here),
-        };
-        if let Some(components) = components {
-            reader.array(&mut grid, word(1), [components, section.0], word(2), section.1)?;
         }
     }
-    Ok(grid)
+    Ok(reader.grid)
 }
 
 /// A name, in which blanks and the like are written as `%20`.
@@ -89,6 +78,10 @@ struct Reader<'a> {
     bytes: &'a [u8],
     at: usize,
     binary: bool,
+    /// What was read.
+    grid: Grid<'a>,
+    /// Whether arrays are those of nodes.
+    of_nodes: bool,
 }
 
 impl Reader<'_> {
@@ -113,12 +106,12 @@ impl Reader<'_> {
     }
 
     /// Names of the components of the array before, where that was of nodes; what else stands there, up to an empty line, is passed over.
-    fn metadata<T>(&mut self, grid: &mut Grid, of_nodes: bool) -> Option<T> {
+    fn metadata(&mut self) {
         let lines: Vec<String> = std::iter::from_fn(|| Some(self.line()).filter(|line| !line.is_empty())).collect();
         let names = lines.iter().skip_while(|line| *line != "COMPONENT_NAMES").skip(1).map(|name| plain(name));
-        let field = grid.fields.last_mut().filter(|field| of_nodes && field.names.is_empty())?;
-        field.names = names.take(field.components).collect();
-        None
+        if let Some(field) = self.grid.fields.last_mut().filter(|field| self.of_nodes && field.names.is_empty()) {
+            field.names = names.take(field.components).collect();
+        }
     }
 
     /// Passes over a string: a line, or its letters behind their number, whose two first bits tell by how many bytes it is written.
@@ -162,34 +155,28 @@ impl Reader<'_> {
     }
 
     /// An array, which is kept where it is of nodes.
-    fn array(
-        &mut self,
-        grid: &mut Grid,
-        name: &str,
-        [components, entries]: [usize; 2],
-        kind: &str,
-        of_nodes: bool,
-    ) -> Result<(), Error> {
+    fn array(&mut self, name: &str, [components, entries]: [usize; 2], kind: &str) -> Result<(), Error> {
         if kind.eq_ignore_ascii_case("string") {
             return (0..components.saturating_mul(entries)).try_for_each(|_| self.pass_over_word());
         }
         let data = self.numbers(components, entries, kind)?;
-        if grid.points.is_empty() && ["time", "timevalue"].contains(&name.to_lowercase().as_str()) {
-            grid.time = data.last().copied();
+        if self.grid.points.is_empty() && ["time", "timevalue"].contains(&name.to_lowercase().as_str()) {
+            self.grid.time = data.last().copied();
         }
-        grid.fields.extend(of_nodes.then(|| Field { name: plain(name), components, names: vec![], data }));
+        let field = self.of_nodes.then(|| Field { name: plain(name), components, names: vec![], data });
+        self.grid.fields.extend(field);
         Ok(())
     }
 
     /// Cells by their numbers of nodes, or since version 5.1 by where they end.
-    fn cells(&mut self, grid: &mut Grid, count: usize, size: usize) -> Result<(), Error> {
+    fn cells(&mut self, count: usize, size: usize) -> Result<(), Error> {
         let index = |value: f64| if value >= 0.0 { value as usize } else { usize::MAX };
         let kind = |line: &str| line.split_whitespace().nth(1).unwrap_or_default().to_owned();
         let before = self.at;
         if let Some(line) = self.next().filter(|line| line.to_ascii_uppercase().starts_with("OFFSETS")) {
-            grid.ends = self.numbers(1, count, &kind(&line))?.into_iter().skip(1).map(index).collect();
+            self.grid.ends = self.numbers(1, count, &kind(&line))?.into_iter().skip(1).map(index).collect();
             let line = self.next().unwrap_or_default();
-            grid.connectivity = self.numbers(1, size, &kind(&line))?.into_iter().map(index).collect();
+            self.grid.connectivity = self.numbers(1, size, &kind(&line))?.into_iter().map(index).collect();
             return Ok(());
         }
         self.at = before;
@@ -197,23 +184,24 @@ impl Reader<'_> {
         let mut rest = all.as_slice();
         while let Some((length, behind)) = rest.split_first() {
             let own = behind.get(..index(*length)).ok_or_else(|| self.refused("its cells are cut"))?;
-            grid.connectivity.extend(own.iter().copied().map(index));
-            grid.ends.push(grid.connectivity.len());
+            self.grid.connectivity.extend(own.iter().copied().map(index));
+            self.grid.ends.push(self.grid.connectivity.len());
             rest = &behind[own.len()..];
         }
         Ok(())
     }
 
     /// An array of a field: its name, components, entries and type, then its numbers.
-    fn field(&mut self, grid: &mut Grid, of_nodes: bool) -> Result<(), Error> {
+    fn field(&mut self) -> Result<(), Error> {
         let mut line = self.next().unwrap_or_default();
         while line.starts_with("METADATA") {
-            line = self.metadata(grid, of_nodes).or_else(|| self.next()).unwrap_or_default();
+            self.metadata();
+            line = self.next().unwrap_or_default();
         }
         let words: Vec<&str> = line.split_whitespace().collect();
         match words.as_slice() {
             [name, components, entries, kind] => match [components, entries].map(|word| word.parse::<usize>()) {
-                [Ok(components), Ok(entries)] => self.array(grid, name, [components, entries], kind, of_nodes),
+                [Ok(components), Ok(entries)] => self.array(name, [components, entries], kind),
                 _ => Err(self.refused(&format!("`{line}` has no numbers of components and entries"))),
             },
             _ => Err(self.refused(&format!("`{line}` is no name of an array with its numbers and type"))),

@@ -4,6 +4,7 @@
 
 use std::borrow::Cow;
 use std::io::Read;
+use std::ops::Range;
 use std::path::Path;
 
 use base64::Engine;
@@ -24,7 +25,7 @@ const PARTS: [&str; 5] = ["<PointData", "<CellData", "<Points", "<Cells", "<Fiel
 pub fn parse<'a>(file: &'a Path, bytes: &[u8]) -> Result<Grid<'a>, Error> {
     let refused = |why: String| Error::unreadable(file, why, AGAIN);
     let head = tag(bytes, b"<VTKFile", 0).ok_or_else(|| refused("it has no tag <VTKFile>".into()))?;
-    let head = String::from_utf8_lossy(&bytes[head.begin..head.end]).into_owned();
+    let head = String::from_utf8_lossy(&bytes[head]).into_owned();
     if attribute(&head, "type") != Some("UnstructuredGrid") {
         return Err(refused("it is no unstructured grid".into()));
     }
@@ -36,10 +37,10 @@ pub fn parse<'a>(file: &'a Path, bytes: &[u8]) -> Result<Grid<'a>, Error> {
         return Err(refused("its numbers are big endian".into()));
     }
     let appended = tag(bytes, b"<AppendedData", 0);
-    let body = &uncommented(&bytes[..appended.as_ref().map_or(bytes.len(), |tag| tag.begin)])[..];
+    let body = &uncommented(&bytes[..appended.as_ref().map_or(bytes.len(), |tag| tag.start)])[..];
     let piece = tag(body, b"<Piece", 0).filter(|piece| tag(body, b"<Piece", piece.end).is_none());
     let piece = piece.ok_or_else(|| refused("it has not one piece".into()))?;
-    let piece = String::from_utf8_lossy(&body[piece.begin..piece.end]).into_owned();
+    let piece = String::from_utf8_lossy(&body[piece]).into_owned();
     let count = attribute(&piece, "NumberOfPoints").and_then(|count| count.trim().parse::<usize>().ok());
     let coding = Coding {
         wide: attribute(&head, "header_type") == Some("UInt64"),
@@ -48,9 +49,9 @@ pub fn parse<'a>(file: &'a Path, bytes: &[u8]) -> Result<Grid<'a>, Error> {
     let mut grid = Grid::of(file);
     let (mut at, mut part) = (0, "");
     while let Some(found) = tag(body, b"<DataArray", at) {
-        let begun = PARTS.iter().filter_map(|part| Some((last(&body[at..found.begin], part)?, *part))).max();
+        let begun = PARTS.iter().filter_map(|part| Some((last(&body[at..found.start], part)?, *part))).max();
         part = begun.map_or(part, |(_, part)| part);
-        let array = String::from_utf8_lossy(&body[found.begin..found.end]).into_owned();
+        let array = String::from_utf8_lossy(&body[found.clone()]).into_owned();
         let [name, kind] = ["Name", "type"].map(|key| attribute(&array, key).unwrap_or_default());
         let components = attribute(&array, "NumberOfComponents").map_or(Some(1), |number| number.trim().parse().ok());
         let empty = array.ends_with('/');
@@ -117,18 +118,10 @@ fn as_words(text: &[u8]) -> Result<Vec<f64>, String> {
     text.split_whitespace().map(number).collect()
 }
 
-/// Where a tag begins, and where its `>` is.
-pub struct Tag {
-    /// Place of its first mark.
-    pub begin: usize,
-    /// Place of its last mark.
-    pub end: usize,
-}
-
-/// The next tag of a name.
-pub fn tag(bytes: &[u8], name: &[u8], from: usize) -> Option<Tag> {
+/// The next tag of a name: from its first mark to its `>`, which is left out.
+pub fn tag(bytes: &[u8], name: &[u8], from: usize) -> Option<Range<usize>> {
     let begin = position(bytes, name, from)?;
-    Some(Tag { begin, end: position(bytes, b">", begin)? })
+    Some(begin..position(bytes, b">", begin)?)
 }
 
 /// The same with blanks in place of what is commented out.
@@ -177,8 +170,8 @@ struct Coding {
 
 impl Coding {
     /// An array that begins so many bytes behind the mark of the appended data.
-    fn appended(&self, bytes: &[u8], place: &Tag, offset: usize, kind: &str) -> Result<Vec<f64>, String> {
-        let head = String::from_utf8_lossy(&bytes[place.begin..place.end]).into_owned();
+    fn appended(&self, bytes: &[u8], place: &Range<usize>, offset: usize, kind: &str) -> Result<Vec<f64>, String> {
+        let head = String::from_utf8_lossy(&bytes[place.clone()]).into_owned();
         let mark = position(bytes, b"_", place.end).ok_or("is appended, and nothing is")?;
         let begin = (mark + 1).checked_add(offset).filter(|begin| *begin < bytes.len());
         let own = &bytes[begin.ok_or("begins behind the end of the file")?..];

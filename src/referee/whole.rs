@@ -39,7 +39,7 @@ struct Whole<'a> {
     tolerance: f64,
 }
 
-/// Judges a field: what belongs to no contact goes to the first of the profiles. Whether its strain energy is that of the scene.
+/// Judges a field: what belongs to no contact goes to the first of the profiles, of which there is one. Whether its strain energy is that of the scene.
 pub fn judge(
     truth: &Truth,
     field: &Field,
@@ -52,36 +52,30 @@ pub fn judge(
         Ok(displacement) => displacement,
         Err(why) => {
             let [what, how] = missing();
-            if let Some(first) = ruled.first_mut() {
-                first.missing.push([what, format!("{how}: {why}")]);
-            }
+            ruled[0].missing.push([what, format!("{how}: {why}")]);
             return Ok(false);
         }
     };
     let internal = internal(own, &displacement)?;
     let whole = Whole { truth, own, displacement, internal, tolerance };
-    if let Some(first) = ruled.first_mut() {
-        first.judged.extend(whole.supports()?);
-    }
+    ruled[0].judged.extend(whole.supports()?);
     for (profile, ruled) in profiles.iter().zip(&mut *ruled) {
         ruled.judged.extend(whole.declared(profile, ruled.contact, &mut ruled.missing)?);
     }
-    if let Some(first) = ruled.first_mut() {
-        match profiles.len() == truth.case.scene.contacts.len() {
-            true => first.judged.extend(whole.equilibrium(profiles)?),
-            false => {
-                first.missing.push(["equilibrium of the stresses".into(), "the pressures of every contact".into()])
-            }
+    let first = &mut ruled[0];
+    match profiles.len() == truth.case.scene.contacts.len() {
+        true => first.judged.extend(whole.equilibrium(profiles)?),
+        false => {
+            first.missing.push(["equilibrium of the stresses", "the pressures of every contact"].map(String::from))
         }
     }
     if let Some(why) = lost(own) {
-        let what = "strain energy of the displacements".to_owned();
-        ruled.iter_mut().take(1).for_each(|first| first.missing.push([what.clone(), format!("nothing: {why}")]));
+        first.missing.push(["strain energy of the displacements".into(), format!("nothing: {why}")]);
         return Ok(false);
     }
     let energy = whole.energy(*energies);
     let is_of_scene = energy.verdict == Verdict::Pass;
-    ruled.iter_mut().take(1).for_each(|first| first.judged.push(energy.clone()));
+    first.judged.push(energy);
     Ok(is_of_scene)
 }
 
@@ -139,14 +133,19 @@ fn strain_energy(internal: &[[f64; 2]], displacement: &[[f64; 2]]) -> f64 {
     0.5 * pairs.map(|(force, moved)| force[0] * moved[0] + force[1] * moved[1]).sum::<f64>()
 }
 
-/// What a motion of a body works: along a component, in proportion to a coordinate.
-struct Work {
-    motion: [usize; 2],
-    /// Of the stresses less that of loads and pressures.
-    left: f64,
-    /// That of every load and pressure, all taken as positive.
-    size: f64,
-}
+/// Linear motions of a body: of which component, in proportion to which coordinate.
+const MOTIONS: [(&str, [usize; 2]); 4] = [
+    ("stresses against loads and pressures: stretched along x", [0, 0]),
+    ("stresses against loads and pressures: sheared along x", [0, 1]),
+    ("stresses against loads and pressures: sheared along y", [1, 0]),
+    ("stresses against loads and pressures: stretched along y", [1, 1]),
+];
+/// One way stretched, the other squeezed.
+const SQUEEZED: &str = "stresses against loads and pressures: stretched one way, squeezed the other";
+
+/// What a motion of a body works: the motion, what the stresses work less what loads and pressures do, and what every load and pressure works, all
+/// taken as positive.
+type Work = ((&'static str, [usize; 2]), f64, f64);
 
 impl Whole<'_> {
     /// Strain energy against that of our fine answer, which may be off by what it is apart from that on the exported mesh.
@@ -187,7 +186,7 @@ impl Whole<'_> {
         let mut worst: Vec<(&'static str, usize, f64)> = Vec::new();
         for body in 0..self.own.scene.bodies.len() {
             let works = self.works(body, profiles)?;
-            let scale = works.iter().map(|work| work.size).fold(self.least_work(body, profiles), larger);
+            let scale = works.iter().map(|(.., size)| *size).fold(self.least_work(body, profiles), larger);
             for (name, left) in self.left(body, &works) {
                 let left = left.abs() / scale;
                 match worst.iter_mut().find(|(other, ..)| *other == name) {
@@ -214,29 +213,18 @@ impl Whole<'_> {
 
     /// What works leave, by motion; of a nearly incompressible body under those that change no volume, since what its mean stress works is lost.
     fn left(&self, body: usize, works: &[Work]) -> Vec<(&'static str, f64)> {
-        let names = [
-            [
-                "stresses against loads and pressures: stretched along x",
-                "stresses against loads and pressures: sheared along x",
-            ],
-            [
-                "stresses against loads and pressures: sheared along y",
-                "stresses against loads and pressures: stretched along y",
-            ],
-        ];
-        let named = |work: &Work| (names[work.motion[0]][work.motion[1]], work.left);
+        let named = |((name, _), left, _): &Work| (*name, *left);
         if !is_incompressible(self.own, body) {
             return works.iter().map(named).collect();
         }
-        let of = |k: usize| works.iter().find(|work| work.motion == [k, k]).map(|work| work.left);
+        let of = |k: usize| works.iter().find(|((_, motion), ..)| *motion == [k, k]).map(|(_, left, _)| *left);
         // A ring that grows stretches both ways.
         let squeezed = match self.own.scene.plane.radial() {
             Some(radial) => of(radial).zip(of(1 - radial)).map(|(radial, axial)| radial - 2.0 * axial),
             None => of(0).zip(of(1)).map(|(x, y)| x - y),
         };
-        let squeezed =
-            squeezed.map(|left| ("stresses against loads and pressures: stretched one way, squeezed the other", left));
-        works.iter().filter(|work| work.motion[0] != work.motion[1]).map(named).chain(squeezed).collect()
+        let sheared = works.iter().filter(|((_, motion), ..)| motion[0] != motion[1]).map(named);
+        sheared.chain(squeezed.map(|left| (SQUEEZED, left))).collect()
     }
 
     /// The works of a body under linear motions. Bodies of revolution move along x as `u_r ∝ r` alone: all else tears them at the axis, or has a
@@ -244,7 +232,7 @@ impl Whole<'_> {
     fn works(&self, body: usize, profiles: &[Profile]) -> Result<Vec<Work>, Error> {
         let (points, nodes) = (&self.own.mesh.points, &self.own.mesh.bodies[body].nodes);
         let mut works = Vec::new();
-        for [component, along] in [[0, 0], [0, 1], [1, 0], [1, 1]] {
+        for (name, [component, along]) in MOTIONS {
             let is_radial = self.own.scene.plane.radial() == Some(component);
             let Some(from) = self.at_rest(body, component, along)? else { continue };
             if is_radial && (along != component || from.abs() > 0.0) {
@@ -254,7 +242,7 @@ impl Whole<'_> {
             let inner: f64 = nodes.clone().map(|node| self.internal[node][component] * motion(points[node])).sum();
             let outer = self.outer(body, component, &motion, profiles)?;
             let size = outer.iter().map(|term| term.abs()).sum();
-            works.push(Work { motion: [component, along], left: inner - outer.iter().sum::<f64>(), size });
+            works.push(((name, [component, along]), inner - outer.iter().sum::<f64>(), size));
         }
         Ok(works)
     }

@@ -3,9 +3,7 @@
 use crate::case::library::{Bars, Cylinder, PinRod};
 use crate::case::{Case, Check, Judged, Quantity, Reference, universal};
 use crate::drawing::palette::{self, Marker, Style};
-use crate::drawing::{
-    self, Axis, Chart, ColourMap, Detail, Drawing, IterationPaths, Path, Series, State, Window, panels,
-};
+use crate::drawing::{self, Axis, Chart, ColourMap, Detail, Drawing, IterationPaths, Path, Series, Window, panels};
 use crate::error::Error;
 use crate::markdown::significant;
 use crate::measure;
@@ -305,27 +303,21 @@ fn paths(runs: &[&Run]) -> Drawing {
     let (u, stiffness) = (bars.push * bars.gap, bars.young / (2.0 * bars.length));
     IterationPaths {
         title: "The path of the iterations: two bars closing a gap".into(),
-        approach_label: "approach w [mm]".into(),
-        pressure_label: "spring force p [MPa]".into(),
+        axes: ["approach w [mm]", "spring force p [MPa]"].map(String::from),
         load_line: [(0.0, stiffness * u), (u, 0.0)],
         gap: bars.gap,
         target: (bars.gap, stiffness * (u - bars.gap)),
         colour: palette::NODE,
         paths: runs.iter().map(|run| path_of(run)).collect(),
-        notes: vec![],
     }
     .drawing()
 }
 
 fn path_of(run: &Run) -> Path {
-    let states = run.solution.history.iter().map(|iteration| {
-        let [approach, pressure, stiffness] = iteration.first_point;
-        State { approach, pressure, stiffness }
-    });
     Path {
         algorithm: format!("{}, {} iterations", run.formulation.algorithm.name(), run.solution.work.iterations),
         dash: style(&run.formulation).dash,
-        states: states.collect(),
+        states: run.solution.history.iter().map(|iteration| iteration.first_point).collect(),
         converged: run.solution.converged(),
     }
 }

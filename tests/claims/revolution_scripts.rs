@@ -14,7 +14,7 @@ use contact_vv::scene::{Material, Scene};
 use contact_vv::solve::{Discretisation, Formulation, Run};
 
 fn frozen() -> Revolution {
-    Revolution::read().unwrap_or_else(|error| panic!("{error}"))
+    Revolution::built_in().unwrap_or_else(|error| panic!("{error}"))
 }
 
 /// A scene and the finest answers, by script.

@@ -112,7 +112,7 @@ impl Frozen {
 
     /// The same from a text; the file is only named.
     pub fn parse(file: &Path, text: &str) -> Result<Self, Error> {
-        serde_json::from_str(text).map_err(|error| Error::unreadable(file, error, REFREEZE))
+        parsed(file, text, REFREEZE)
     }
 
     /// All numbers in groups of one unit and scale, by name.
@@ -143,7 +143,12 @@ pub fn changed_versions(frozen: &BTreeMap<String, String>, now: &BTreeMap<String
 
 /// The frozen file of a code.
 pub fn file(code: Code) -> PathBuf {
-    root().join("oracles/frozen").join(format!("{}.json", code.name()))
+    named(code.name())
+}
+
+/// A frozen file.
+pub fn named(name: &str) -> PathBuf {
+    root().join("oracles/frozen").join(format!("{name}.json"))
 }
 
 /// SHA-256 of all Python files of the oracles with their names, in the order of these.
@@ -154,7 +159,12 @@ pub fn script_hash() -> Result<String, Error> {
 /// What a record holds; `renew` says what renews it.
 pub fn read_json<T: DeserializeOwned>(file: &Path, renew: &str) -> Result<T, Error> {
     let text = fs::read_to_string(file).map_err(|_| Error::missing_file(file, renew))?;
-    serde_json::from_str(&text).map_err(|error| Error::unreadable(file, error, renew))
+    parsed(file, &text, renew)
+}
+
+/// The same from a text, such as that of the file when the program was built, for which no checkout is needed.
+pub fn parsed<T: DeserializeOwned>(file: &Path, text: &str, renew: &str) -> Result<T, Error> {
+    serde_json::from_str(text).map_err(|error| Error::unreadable(file, error, renew))
 }
 
 /// Writes a file, and its folder where there is none.

@@ -2,14 +2,12 @@
 //! `oracles/frozen/high.json`; `oracles/high/freeze.py` asks them.
 
 use std::collections::BTreeMap;
-use std::path::PathBuf;
 
 use serde::Deserialize;
 
-use crate::checkout::root;
 use crate::error::Error;
 use crate::named::named_enum;
-use crate::oracle::cross_code::frozen::Answered;
+use crate::oracle::cross_code::frozen::{Answered, named, parsed};
 
 /// What asks the scripts again.
 pub const ASK_AGAIN: &str = "run `/usr/bin/python3 oracles/high/freeze.py`, and review the diff";
@@ -45,8 +43,7 @@ pub struct Answer {
 impl High {
     /// The answers as they were frozen when the program was built.
     pub fn built_in() -> Result<Self, Error> {
-        let text = include_str!("../../../oracles/frozen/high.json");
-        serde_json::from_str(text).map_err(|error| Error::unreadable(&file(), error, ASK_AGAIN))
+        parsed(&named("high"), include_str!("../../../oracles/frozen/high.json"), ASK_AGAIN)
     }
 
     /// What is known of a number of a scene: value and how far it may be off.
@@ -54,9 +51,4 @@ impl High {
         let answers = self.scenes.get(scene).into_iter().flat_map(|asked| &asked.answers);
         answers.filter_map(|(way, answer)| Some((*way, *answer.numbers.get(key)?))).collect()
     }
-}
-
-/// The frozen file.
-pub fn file() -> PathBuf {
-    root().join("oracles/frozen/high.json")
 }

@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 use crate::checkout::root;
 use crate::error::Error;
 use crate::named::named_enum;
-use crate::oracle::cross_code::frozen::{REFREEZE, hash_of, read_json, write_json};
+use crate::oracle::cross_code::frozen::{REFREEZE, hash_of, named, parsed, read_json, write_json};
 use crate::oracle::cross_code::{PhysicalAnswer, PhysicalScene};
 
 named_enum! {
@@ -190,8 +190,7 @@ impl Independent {
 
     /// The answers as they were frozen when the program was built, for which no checkout is needed.
     pub fn built_in() -> Result<Self, Error> {
-        let text = include_str!("../../../oracles/frozen/independent.json");
-        serde_json::from_str(text).map_err(|error| Error::unreadable(&file(), error, REFREEZE))
+        parsed(&file(), include_str!("../../../oracles/frozen/independent.json"), REFREEZE)
     }
 
     /// Reads the answers, of whatever scripts they are.
@@ -207,7 +206,7 @@ impl Independent {
 
 /// The frozen file.
 pub fn file() -> PathBuf {
-    root().join("oracles/frozen/independent.json")
+    named("independent")
 }
 
 /// SHA-256 of the Python files of each folder.

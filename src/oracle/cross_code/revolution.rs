@@ -7,7 +7,7 @@ use serde::Deserialize;
 use crate::checkout::root;
 use crate::error::Error;
 use crate::oracle::cross_code::PhysicalAnswer;
-use crate::oracle::cross_code::frozen::{Answered, read_json};
+use crate::oracle::cross_code::frozen::{Answered, named, parsed};
 
 /// What asks all scripts again.
 pub const RENEW: &str = "run `python3 oracles/revolution/freeze.py`";
@@ -24,15 +24,15 @@ const SCRIPTS: [(&str, &str, bool); 4] = [
 pub type Called = (&'static str, bool, Vec<PhysicalAnswer>);
 
 /// What every script answers, by the name of its module.
-pub type Revolution = Answered<String, Series>;
+pub type Revolution = Answered<String, Series<Answer>>;
 
 /// What a script answers.
 #[derive(Clone, Debug, Deserialize)]
-pub struct Series {
+pub struct Series<A> {
     /// Version of its code.
     pub version: String,
     /// On meshes from coarse to fine.
-    pub series: Vec<Answer>,
+    pub series: Vec<A>,
 }
 
 /// An answer on one mesh.
@@ -46,15 +46,9 @@ pub struct Answer {
 }
 
 impl Revolution {
-    /// Reads it.
-    pub fn read() -> Result<Self, Error> {
-        read_json(&file(), RENEW)
-    }
-
     /// The answers as they were frozen when the program was built, for which no checkout is needed.
     pub fn built_in() -> Result<Self, Error> {
-        let text = include_str!("../../../oracles/frozen/revolution.json");
-        serde_json::from_str(text).map_err(|error| Error::unreadable(&file(), error, RENEW))
+        parsed(&named("revolution"), include_str!("../../../oracles/frozen/revolution.json"), RENEW)
     }
 
     /// What was answered of a scene.
@@ -66,11 +60,6 @@ impl Revolution {
         };
         SCRIPTS.into_iter().filter_map(of).collect()
     }
-}
-
-/// The frozen file.
-fn file() -> PathBuf {
-    root().join("oracles/frozen/revolution.json")
 }
 
 /// The folder of the scripts.

@@ -15,10 +15,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 
 use crate::contact::interface::ContactNode;
-use crate::elasticity::{axis, loads};
 use crate::error::Error;
 use crate::mesh::{Edge, Order};
-use crate::referee::export::rows::approach;
+use crate::referee::export::rows::{approach, forces, on_axis};
 use crate::scene::{Component, Load, Place, PlaneHypothesis, ReferenceValues, Scene};
 use crate::solve::Discretisation;
 
@@ -243,9 +242,7 @@ impl Deck<'_> {
                 self.line(format!("*BOUNDARY\n{at}, {0}, {0}, {1:.12e}", axis + 1, support.value));
                 held.extend(nodes.into_iter().map(|node| (node, axis)));
             }
-            let on_axis = axis::holds(scene, mesh, index);
-            let axis = mesh.bodies[index].nodes.clone().filter(|&node| on_axis(node) && !held.contains(&(node, 0)));
-            let axis: Vec<usize> = axis.collect();
+            let axis = on_axis(self.discretisation, index, |at| held.contains(at));
             if !axis.is_empty() {
                 let name = named(&[AXIS, &self.names[index]]);
                 self.set(&name, axis.iter().map(|node| node + 1).collect());
@@ -329,23 +326,19 @@ impl Deck<'_> {
 
     /// Loads, and what is printed.
     fn step(&mut self, faces: &[(usize, Component, f64)]) -> Result<(), Error> {
-        let Discretisation { scene, mesh, interfaces, .. } = self.discretisation;
+        let scene = &self.discretisation.scene;
         self.line("** Under gap elements alone ccx takes a step for linear; a plastic material, though nothing is of it, makes it iterate.");
         self.line(format!("*MATERIAL, NAME={UNUSED}\n*ELASTIC\n1., 0.\n*PLASTIC\n1e20, 0.\n2e20, 1."));
         self.line(
             "*STEP, INC=1000\n*STATIC, DIRECT\n1., 1.\n*CONTROLS, PARAMETERS=FIELD\n1e-7, 1e-7, , , , , ,\n*CLOAD",
         );
-        for (index, part) in mesh.bodies.iter().enumerate() {
-            for (force, node) in loads::at_nodes(scene, mesh, index)?.into_iter().zip(part.nodes.clone()) {
-                for (axis, value) in force.into_iter().enumerate().filter(|(_, value)| value.abs() > 0.0) {
-                    self.line(format!("{}, {}, {value:.12e}", node + 1, axis + 1));
-                }
-            }
+        for (node, axis, value) in forces(self.discretisation)? {
+            self.line(format!("{}, {}, {value:.12e}", node + 1, axis + 1));
         }
         for (node, component, force) in faces {
             self.line(format!("{node}, {}, {force:.12e}", component.index() + 1));
         }
-        for contact in 0..interfaces.len() {
+        for contact in 0..scene.contacts.len() {
             self.line(format!("*NODE PRINT, NSET={}\nRF", gaps_of(scene, contact)));
         }
         self.line("*NODE FILE, OUTPUT=2D\nU\n*EL FILE, OUTPUT=2D\nS\n*END STEP");

@@ -16,34 +16,30 @@ pub fn text(scene: &Scene, mesh: &Mesh) -> String {
     text
 }
 
-/// A side of a body.
-struct Side<'a> {
-    name: String,
-    body: usize,
-    edges: &'a [Edge],
-}
+/// A side of a body: its name, the body, and its edges.
+type Side<'a> = (String, usize, &'a [Edge]);
 
 /// All sides of all bodies, and the lines inside them.
 fn sides<'a>(scene: &Scene, mesh: &'a Mesh) -> Vec<Side<'a>> {
     let of = |(body, part): (usize, &'a BodyMesh)| {
         let all = part.boundaries.iter().chain(&part.lines).filter(|(_, edges)| !edges.is_empty());
         let named = |name: &str| format!("{} {name}", scene.bodies[body].name);
-        all.map(|(name, edges)| Side { name: named(name), body, edges }).collect::<Vec<_>>()
+        all.map(|(name, edges)| (named(name), body, &edges[..])).collect::<Vec<_>>()
     };
     mesh.bodies.iter().enumerate().flat_map(of).collect()
 }
 
 /// Physical numbers of sides and bodies by their names: curves are numbered from 1 on, surfaces behind them.
 pub fn numbers(scene: &Scene, mesh: &Mesh) -> Vec<(String, usize)> {
-    let names = sides(scene, mesh).into_iter().map(|side| side.name);
+    let names = sides(scene, mesh).into_iter().map(|(name, ..)| name);
     names.chain(scene.bodies.iter().map(|body| body.name.clone())).zip(1..).collect()
 }
 
-/// The names, numbered as [`numbers`] tells.
+/// The names, as [`numbers`] tells.
 fn names(text: &mut String, scene: &Scene, sides: &[Side]) {
     let _ = writeln!(text, "$PhysicalNames\n{}", sides.len() + scene.bodies.len());
-    for (k, side) in sides.iter().enumerate() {
-        let _ = writeln!(text, "1 {} \"{}\"", k + 1, side.name);
+    for (k, (name, ..)) in sides.iter().enumerate() {
+        let _ = writeln!(text, "1 {} \"{name}\"", k + 1);
     }
     for (k, body) in scene.bodies.iter().enumerate() {
         let _ = writeln!(text, "2 {} \"{}\"", sides.len() + k + 1, body.name);
@@ -53,13 +49,13 @@ fn names(text: &mut String, scene: &Scene, sides: &[Side]) {
 
 fn entities(text: &mut String, scene: &Scene, mesh: &Mesh, sides: &[Side]) {
     let _ = writeln!(text, "$Entities\n0 {} {} 0", sides.len(), scene.bodies.len());
-    for (k, side) in sides.iter().enumerate() {
-        let within = around(side.edges.iter().flatten().map(|&node| mesh.points[node]));
+    for (k, (.., edges)) in sides.iter().enumerate() {
+        let within = around(edges.iter().flatten().map(|&node| mesh.points[node]));
         let _ = writeln!(text, "{} {within} 1 {} 0", k + 1, k + 1);
     }
     for (k, part) in mesh.bodies.iter().enumerate() {
         let within = around(mesh.points[part.nodes.clone()].iter().copied());
-        let own: Vec<String> = (0..sides.len()).filter(|&s| sides[s].body == k).map(|s| (s + 1).to_string()).collect();
+        let own: Vec<String> = (0..sides.len()).filter(|&s| sides[s].1 == k).map(|s| (s + 1).to_string()).collect();
         let _ = writeln!(text, "{} {within} 1 {} {} {}", k + 1, sides.len() + k + 1, own.len(), own.join(" "));
     }
     text.push_str("$EndEntities\n");
@@ -92,7 +88,7 @@ fn elements(text: &mut String, mesh: &Mesh, sides: &[Side]) {
         Order::Biquadratic => (8, 10),
         _ => (8, 16),
     };
-    let count = sides.iter().map(|side| side.edges.len()).sum::<usize>() + mesh.cells();
+    let count = sides.iter().map(|(.., edges)| edges.len()).sum::<usize>() + mesh.cells();
     let _ = writeln!(text, "$Elements\n{} {count} 1 {count}", sides.len() + mesh.bodies.len());
     let mut tag = 0;
     let mut write = |text: &mut String, nodes: &[usize]| {
@@ -100,9 +96,9 @@ fn elements(text: &mut String, mesh: &Mesh, sides: &[Side]) {
         let numbers: String = nodes.iter().map(|node| format!(" {}", node + 1)).collect();
         let _ = writeln!(text, "{tag}{numbers}");
     };
-    for (k, side) in sides.iter().enumerate() {
-        let _ = writeln!(text, "1 {} {line} {}", k + 1, side.edges.len());
-        side.edges.iter().for_each(|edge| write(text, edge));
+    for (k, (.., edges)) in sides.iter().enumerate() {
+        let _ = writeln!(text, "1 {} {line} {}", k + 1, edges.len());
+        edges.iter().for_each(|edge| write(text, edge));
     }
     for (k, part) in mesh.bodies.iter().enumerate() {
         let _ = writeln!(text, "2 {} {cell} {}", k + 1, part.cells.len());

@@ -3,7 +3,7 @@
 //! * [`gmsh`] — its mesh for Gmsh, and what reads its files.
 //! * [`deck`] — an input deck of CalculiX or Abaqus.
 //! * [`problem`] — the same as plain numbers, and scripts of other codes that solve it.
-//! * `rows` — the approach of a contact node as displacements of nodes.
+//! * `rows` — what both share: approaches of contact nodes as displacements of nodes, nodal forces.
 //! * [`condensed`] — the condensed matrices and our solution, for other algorithms.
 //! * [`own`] — our own answer, and an empty one.
 

@@ -4,12 +4,11 @@
 use serde::Serialize;
 
 use crate::contact::Interface;
-use crate::elasticity::{axis, loads};
 use crate::error::Error;
 use crate::mesh::{Edge, candidates};
 use crate::referee::answer::Point;
 use crate::referee::export::deck::kind;
-use crate::referee::export::rows::{approach, retained};
+use crate::referee::export::rows::{approach, forces, on_axis, retained};
 use crate::referee::profile::tributary;
 use crate::scene::{Load, Place, Scene};
 use crate::solve::Discretisation;
@@ -126,7 +125,7 @@ pub fn text(name: &str, discretisation: &Discretisation) -> Result<String, Error
         young: scene.bodies.iter().map(|body| body.material.young).collect(),
         poisson: scene.bodies.iter().map(|body| body.material.poisson).collect(),
         held: vec![],
-        forces: vec![],
+        forces: forces(discretisation)?,
         tied: vec![],
         contacts: discretisation
             .interfaces
@@ -134,29 +133,25 @@ pub fn text(name: &str, discretisation: &Discretisation) -> Result<String, Error
             .map(|interface| contact(discretisation, interface))
             .collect::<Result<_, _>>()?,
     };
-    (0..scene.bodies.len()).try_for_each(|body| loaded(discretisation, body, &mut problem))?;
+    (0..scene.bodies.len()).try_for_each(|body| held(discretisation, body, &mut problem))?;
     Ok(serde_json::to_string(&problem).expect("numbers, strings and lists can be written as JSON") + "\n")
 }
 
-/// Supports and loads of a body.
-fn loaded(discretisation: &Discretisation, body: usize, problem: &mut Problem) -> Result<(), Error> {
+/// Supports of a body, and its sides that stay flat.
+fn held(discretisation: &Discretisation, body: usize, problem: &mut Problem) -> Result<(), Error> {
     let Discretisation { scene, mesh, .. } = discretisation;
     for support in &scene.bodies[body].supports {
         let nodes = mesh.nodes_at(scene, body, &support.at)?;
         problem.held.extend(nodes.into_iter().map(|node| (node, support.component.index(), support.value)));
     }
-    let on_axis = axis::holds(scene, mesh, body);
-    let free = |node: &usize| on_axis(*node) && !problem.held.iter().any(|(held, axis, _)| (held, axis) == (node, &0));
-    let axis: Vec<usize> = mesh.bodies[body].nodes.clone().filter(free).collect();
+    let is_held = |at: &(usize, usize)| problem.held.iter().any(|(node, axis, _)| (*node, *axis) == *at);
+    let axis = on_axis(discretisation, body, is_held);
     problem.held.extend(axis.into_iter().map(|node| (node, 0, 0.0)));
     for load in &scene.bodies[body].loads {
         let Load::RigidFace { boundary, component, force } = load else { continue };
         let nodes = mesh.nodes_at(scene, body, &Place::Boundary(boundary.clone()))?;
         problem.tied.push(Tied { nodes, component: component.index(), force: *force });
     }
-    let forces = loads::at_nodes(scene, mesh, body)?.into_iter().zip(mesh.bodies[body].nodes.clone());
-    let of = |(force, node): ([f64; 2], usize)| [0, 1].map(|axis| (node, axis, force[axis]));
-    problem.forces.extend(forces.flat_map(of).filter(|(_, _, value)| value.abs() > 0.0));
     Ok(())
 }
 
