@@ -25,12 +25,15 @@ pub fn run(paths: &[PathBuf], json: bool) -> Result<Exit, Error> {
     for path in paths {
         files.extend(if path.is_dir() { file::files_in(path)? } else { vec![path.clone()] });
     }
+    // Of files of one name in several folders the path tells which.
+    let is_alone = |file: &Path| files.iter().filter(|other| other.file_stem() == file.file_stem()).count() == 1;
     let bar = progress(files.len());
     let verified: Vec<Result<Verified, Error>> = files
         .par_iter()
         .map(|file| {
             bar.set_message(file.display().to_string());
-            let verified = verify(file);
+            let name = (!is_alone(file)).then(|| file.display().to_string());
+            let verified = verify(file, name);
             bar.inc(1);
             verified
         })
@@ -171,8 +174,13 @@ pub fn verdict(check: &Judged) -> String {
     )
 }
 
-fn verify(file: &Path) -> Result<Verified, Error> {
+/// Solves a file, under a name of its own where that is given.
+fn verify(file: &Path, name: Option<String>) -> Result<Verified, Error> {
     let case = Case::read(file)?;
+    let case = match name {
+        Some(name) => case.named(name),
+        None => case,
+    };
     let (meshed, run) = case.solve()?;
     let judged = case.judge(&meshed, &run)?;
     Ok((case, run, judged))

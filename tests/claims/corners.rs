@@ -10,7 +10,7 @@ use contact_vv::solve::wedge::{Wedge, exponent};
 use contact_vv::solve::{Discretisation, Run};
 
 use crate::balance::{barred, scene, solved, told_of};
-use crate::workbench::kinematic;
+use crate::workbench::{block_text, kinematic, parsed};
 
 const FREE: Wedge = Wedge { angle: FRAC_PI_2, modulus: 1.0, held: None };
 
@@ -221,4 +221,58 @@ fn peak_on_one_point_is_unresolved_and_not_without_limit() {
     let run = run.with_limits(&discretisation).expect("coarser meshes");
     assert!(run.contacts[0].unbounded.is_none());
     assert!(notes::of(&run, 0).iter().any(|note| note.contains("rests on 1 of")), "{:?}", notes::of(&run, 0));
+}
+
+/// Mirrored at the rigid plane the side is a half-plane whose shear leaps by 2τ: `p = (4τ/π) ln 1/r`, `(4τ/π) ln 2` more a halving.
+#[test]
+fn a_side_sheared_down_to_the_contact_leaves_its_peak_without_limit_and_one_that_is_pressed_does_not() {
+    let of = |shear: f64, mesh: &str| {
+        let load = format!(
+            "traction = {{ at = \"far\", value = [0, -50] }} }}, {{ traction = {{ at = \"right\", value = [-7, {shear}] }}"
+        );
+        parsed(&block_text(
+            [0.0, 20.0],
+            30.0,
+            &load,
+            &format!("gap = {{ uniform = 0 }}\nstretch = 20\n[mesh]\nper = 20\n{mesh}"),
+        ))
+    };
+    for mesh in ["elements = 4", "elements = 32", "elements = 8\norder = 4"] {
+        let case = of(-20.0, mesh);
+        let (discretisation, run) = solved(&case, &kinematic());
+        let found = run.with_limits(&discretisation).expect("meshes").contacts[0].clone();
+        let growth = found.unbounded.expect("no limit").growth;
+        assert_abs_diff_eq!(growth * found.measures.peak.pressure, 80.0 / PI * 2.0_f64.ln(), epsilon = 1e-9);
+    }
+    let answer = accuracy::solve(&of(-20.0, "elements = 4").scene, &kinematic(), &Asked::new(0.2)).expect("solved");
+    assert!(answer.unmet.is_some_and(|why| why.contains("no limit")));
+    // Sheared away from the contact it falls there, and opens.
+    let [falls, none] = [20.0, 0.0].map(|shear| {
+        let (discretisation, run) = solved(&of(shear, "elements = 8"), &kinematic());
+        run.with_limits(&discretisation).expect("meshes").contacts[0].unbounded
+    });
+    assert!(falls.is_none() && none.is_none(), "{falls:?}, {none:?}");
+    // On meshes it grows by as much.
+    let [coarse, fine] = ["elements = 16\norder = 4", "elements = 32\norder = 4"].map(|mesh| {
+        let (_, run) = solved(&of(-20.0, mesh), &kinematic());
+        run.measures().peak.pressure
+    });
+    assert_abs_diff_eq!(fine - coarse, 80.0 / PI * 2.0_f64.ln(), epsilon = 0.2);
+}
+
+#[test]
+fn a_peak_in_the_last_element_may_lie_anywhere_in_it() {
+    let load = "pressure = { at = \"far\", law = { uniform = 10 } } }, { pressure = { at = \"far\", part = { along = \"x\", from = 7, to = 8 }, law = { uniform = 10 } }";
+    let place = |mesh: &str| {
+        let contact = format!("gap = {{ uniform = 0 }}\nstretch = 10\n[mesh]\nper = 10\n{mesh}");
+        let (_, bars) = barred(&parsed(&block_text([0.0, 10.0], 15.0, load, &contact)), &kinematic());
+        let one = told_of(&bars.all, &Quantity::PeakPlace);
+        (one.value, one.bar.total())
+    };
+    let (truth, near) = place("elements = 32\norder = 6");
+    assert!(truth < 9.8 && near < 0.1, "{truth} ± {near}");
+    for mesh in ["elements = 8", "elements = 16", "elements = 16\norder = 1"] {
+        let (value, bar) = place(mesh);
+        assert!((value - truth).abs() <= bar + near, "{mesh}: {value} ± {bar} beside {truth}");
+    }
 }

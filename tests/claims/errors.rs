@@ -102,7 +102,7 @@ fn supports_and_loads_that_have_no_place_or_meet_the_contact_are_refused_with_wh
         ),
         (
             supported([left(), vec![held("contact", Component::Y, 0.0)]].concat()),
-            &["`body`", "`normal`", "at node", end],
+            &["`body`", "`contact`, `y`", "at node", end],
         ),
         (oblique, &["`pin`", "`x`", "at node", end]),
         // The corner belongs to both: its frame follows the contact normal, the face's common dof the x axis.

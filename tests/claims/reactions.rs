@@ -106,15 +106,28 @@ fn blocks_between_walls_lean_on_them_with_poissons_share() {
     }
 }
 
+/// The bars of the reactions of a bar under a body force.
+fn barred(supports: &str) -> Vec<Barred> {
+    let load = "{ body-force = [0.5, -5] }";
+    let (discretisation, run) = solved_as_it_says(&parsed(&bar("stress", 0.0, supports, load)));
+    let all = bars(&discretisation, &run, &[]).expect("bars").all;
+    all.into_iter().filter(|one| matches!(one.quantity, Quantity::Reaction { .. })).collect()
+}
+
+#[test]
+fn what_sides_with_unlike_displacements_at_their_corner_exert_has_no_bar() {
+    let [left, far] = ["{ at = \"left\", component = \"x\" }", "{ at = \"far\", component = \"x\", value"];
+    for (value, torn) in [("-0.05", true), ("0", false)] {
+        for one in barred(&format!("{left}, {far} = {value} }}")) {
+            let why = one.unknown.is_some_and(|why| why.contains("unlike displacements"));
+            assert_eq!((one.bar.total().is_nan(), why), (torn, torn), "{one:?}");
+        }
+    }
+}
+
 /// What a point takes beside a side falls with the logarithm of the cells: no mesh tells how far it is from 0. What statics give stays known.
 #[test]
 fn force_that_a_point_takes_beside_a_side_has_no_bar() {
-    let barred = |supports: &str| {
-        let load = "{ body-force = [0.5, -5] }";
-        let (discretisation, run) = solved_as_it_says(&parsed(&bar("stress", 0.0, supports, load)));
-        let all = bars(&discretisation, &run, &[]).expect("bars").all;
-        all.into_iter().filter(|one| matches!(one.quantity, Quantity::Reaction { .. })).collect::<Vec<Barred>>()
-    };
     let [point, side] = ["{ at = [10, 20], component = \"x\" }", "{ at = \"left\", component = \"x\" }"];
     let alone = barred(point);
     assert_relative_eq!(alone[0].value, -300.0, max_relative = 1e-6);

@@ -144,12 +144,12 @@ fn contact(table: Value, asked: &Quantity, scene: &Scene) -> Result<usize, Error
 fn place(table: Value, asked: &Quantity, pair: &ContactPair, along: f64) -> Result<f64, Error> {
     let both = pair.path.has_both_sides();
     match (table.get("at"), asked) {
-        (Some(at), Quantity::Pressure { .. }) if both => {
+        (Some(at), Quantity::Pressure { .. }) => {
             let [end, shown] = [pair.stretch * (1.0 + 1e-9), pair.stretch / along];
-            let expected = format!("a coordinate from -{shown} to {shown}");
-            Ok(along * at.within(&expected, |s| (along * s).abs() <= end)?)
+            let begin = if both { format!("-{shown}") } else { "0".into() };
+            let expected = format!("a coordinate from {begin} to {shown}, where contact may occur");
+            Ok(along * at.within(&expected, |s| (along * s).abs() <= end && (both || s >= 0.0))?)
         }
-        (Some(at), Quantity::Pressure { .. }) => Ok(along * at.within("a coordinate from 0 on", |s| s >= 0.0)?),
         (None, Quantity::Pressure { .. }) => {
             Err(table.at("quantity").refused("a pressure without a place", "add `at`"))
         }

@@ -40,6 +40,7 @@ const GOES_ON: f64 = 0.8;
 const NOT_FOUND: &str = "the discrete solution was not found";
 const TOO_WIDE: &str = "the bar would be larger than the number itself";
 const AT_POINT: &str = "a support at a point takes a part that vanishes as the mesh is refined: hold a side instead";
+const TORN: &str = "two supports prescribe unlike displacements of one node, which takes forces without limit: let them agree where they meet";
 
 /// How far a number may be from the truth of the scene.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
@@ -216,7 +217,9 @@ fn of_pressures(discretisation: &Discretisation, run: &Run, family: &Family) -> 
             Quantity::PeakPlace if family.rises_to_end(discrete_of(run, contact)) => {
                 told.and(2.0 * family.sizes[contact])
             }
-            Quantity::PeakPlace if !family.is_at_end(run, contact) => told.and(flat(contact)),
+            // A pressed corner without limit has its peak there.
+            Quantity::PeakPlace if family.is_at_end(run, contact) && run.contacts[contact].unbounded.is_some() => told,
+            Quantity::PeakPlace => told.and(flat(contact)),
             _ => told,
         };
         let (told, mesh) = match of_candidates(&discretisation.scene, run, contact, quantity, &family.sizes) {
@@ -291,6 +294,9 @@ fn of_displacements(
         _ => false,
     };
     let yields = |body: usize| readings.iter().any(|one| one.is_force_at_point(scene, body));
+    let torn = (0..scene.bodies.len()).map(|body| discretisation.torn(body));
+    let torn = torn.collect::<Result<Vec<[bool; 2]>, Error>>()?;
+    let is_torn = |body: usize, support: usize| torn[body][scene.bodies[body].supports[support].component.index()];
     let one = |reading: &Reading| {
         let Reading { contact, quantity, .. } = reading;
         if is_prescribed(reading) {
@@ -303,12 +309,18 @@ fn of_displacements(
             _ => told,
         };
         let is_shared = |body: usize| told.is_of_mesh(reading) && yields(body);
-        match quantity {
-            Quantity::Reaction { body, .. } if is_shared(*body) => {
-                let barred = Barred::of(reading, (None, f64::NAN), [ended, discrete], (run, family));
-                Barred { unknown: Some(AT_POINT), ..barred }
-            }
-            _ => Barred::of(reading, (Some(told), told.bar()), [ended, discrete], (run, family)),
+        let without_limit = match quantity {
+            Quantity::Reaction { body, support } if is_torn(*body, *support) => Some(TORN),
+            Quantity::VonMises { body } if torn[*body].contains(&true) => Some(TORN),
+            Quantity::Reaction { body, .. } if is_shared(*body) => Some(AT_POINT),
+            _ => None,
+        };
+        match without_limit {
+            Some(_) => Barred {
+                unknown: without_limit,
+                ..Barred::of(reading, (None, f64::NAN), [ended, discrete], (run, family))
+            },
+            None => Barred::of(reading, (Some(told), told.bar()), [ended, discrete], (run, family)),
         }
     };
     Ok(readings.iter().map(one).collect())

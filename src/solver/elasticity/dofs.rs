@@ -5,7 +5,7 @@ use std::ops::Range;
 use crate::elasticity::{NodeGraph, axis};
 use crate::error::Error;
 use crate::mesh::Mesh;
-use crate::scene::{Component, Load, Place, Scene};
+use crate::scene::{Component, Load, Place, Scene, Support};
 
 /// A displacement component of a node: unknown, or given.
 #[derive(Clone, Copy, Debug)]
@@ -90,8 +90,10 @@ impl Dofs {
         for candidate in candidates {
             match marks[candidate.node - nodes.start][0] {
                 Mark::Free => components[candidate.node - nodes.start][0] = next(),
-                Mark::Tied(_) => return Err(oblique(scene, body, candidate.node, "rigid face")),
-                Mark::Prescribed(_) => return Err(oblique(scene, body, candidate.node, "normal")),
+                Mark::Tied(_) => {
+                    return Err(at_candidate((scene, mesh, body), candidate.node, "the `rigid face`", SOUGHT));
+                }
+                Mark::Prescribed(_) => return Err(fixed_normal((scene, mesh, body), candidate.node, candidate.normal)),
             }
         }
         let equations = numbers.start;
@@ -168,16 +170,16 @@ fn marks(scene: &Scene, mesh: &Mesh, body: usize, axes: &[[f64; 2]]) -> Result<V
     for node in mesh.bodies[body].nodes.clone().filter(|&node| on_axis(node)) {
         let radial = axis::radial(scene);
         let (axis, _) =
-            aligned(axes[node - first], radial).ok_or_else(|| oblique(scene, body, node, &radial.to_string()))?;
+            aligned(axes[node - first], radial).ok_or_else(|| oblique((scene, mesh, body), node, radial))?;
         marks[node - first][axis] = Mark::Prescribed(0.0);
     }
     let mut set = |at: &Place, component: Component, mark: Mark| -> Result<(), Error> {
         for node in mesh.nodes_at(scene, body, at)? {
-            let (axis, sign) = aligned(axes[node - first], component)
-                .ok_or_else(|| oblique(scene, body, node, if component == Component::X { "x" } else { "y" }))?;
+            let (axis, sign) =
+                aligned(axes[node - first], component).ok_or_else(|| oblique((scene, mesh, body), node, component))?;
             // The tied components of a face share one equation, which must mean the same direction at every node.
             if matches!(mark, Mark::Tied(_)) && (axis != component.index() || sign < 0.0) {
-                return Err(oblique(scene, body, node, "rigid face"));
+                return Err(at_candidate((scene, mesh, body), node, "the `rigid face`", OBLIQUE));
             }
             let slot = &mut marks[node - first][axis];
             match mark {
@@ -216,9 +218,28 @@ fn fixed_face(scene: &Scene, body: usize, at: &Place, node: usize) -> Error {
     Error::at(scene.place_of_body(body), message, "fix the whole face, or none of it")
 }
 
-fn oblique(scene: &Scene, body: usize, node: usize, component: &str) -> Error {
-    let message = format!(
-        "the support `{component}` at node {node} is oblique to the contact normal there, or fixes the very displacement along it that contact is to find"
-    );
+/// What is wrong with a support or a rigid face at a candidate.
+const OBLIQUE: &str = "is oblique to the contact normal there";
+const SOUGHT: &str = "takes the displacement along the contact normal there, which contact is to find";
+
+fn oblique(of: (&Scene, &Mesh, usize), node: usize, component: Component) -> Error {
+    at_candidate(of, node, &format!("the support along `{component}`"), OBLIQUE)
+}
+
+/// The support that holds a candidate along its normal.
+fn fixed_normal(of: (&Scene, &Mesh, usize), node: usize, normal: [f64; 2]) -> Error {
+    let (scene, mesh, body) = of;
+    let holds = |support: &&Support| {
+        let is_there = mesh.nodes_at(scene, body, &support.at).is_ok_and(|nodes| nodes.contains(&node));
+        is_there && aligned(normal, support.component).is_some_and(|(axis, _)| axis == 0)
+    };
+    let support = scene.bodies[body].supports.iter().find(holds);
+    let told = support.map_or("the axis".into(), |one| format!("the support at `{}`, `{}`,", one.at, one.component));
+    at_candidate(of, node, &told, SOUGHT)
+}
+
+fn at_candidate((scene, mesh, body): (&Scene, &Mesh, usize), node: usize, what: &str, wrong: &str) -> Error {
+    let [x, y] = mesh.points[node];
+    let message = format!("{what} at node {node}, ({x}, {y}), {wrong}");
     Error::at(scene.place_of_body(body), message, "leave it out, or end the candidate stretch before that node")
 }

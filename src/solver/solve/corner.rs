@@ -1,9 +1,11 @@
 //! Ends of a contact where the faces end at a corner that is pressed: the geometry tells whether the pressure has a limit there.
 
+use std::f64::consts::{FRAC_PI_2, LN_2, PI};
+
 use crate::error::Error;
 use crate::measure::ACTIVE;
 use crate::mesh::{Edge, candidates};
-use crate::scene::{ContactPair, Profile};
+use crate::scene::{Action, ContactPair, Load, Profile, SidePart};
 use crate::solution::EdgeState;
 use crate::solve::Discretisation;
 use crate::solve::outline::Outline;
@@ -12,6 +14,11 @@ use crate::solve::wedge::{Wedge, exponent};
 
 /// Difference of contact coordinates, over the stretch, that rounding explains.
 const SAME: f64 = 1e-9;
+
+/// Growth at the last halving, over the peak, below which a tip, a sheared corner or a series is as good as at its limit.
+pub(super) const SMALL: f64 = 0.01;
+/// Angle by which a corner may depart from a right one, as chords of an arc do \[rad\].
+const RIGHT: f64 = 1e-3;
 
 /// An end of a contact face.
 #[derive(Clone, Copy)]
@@ -30,31 +37,49 @@ pub(super) fn strongest(
     run: &Run,
     contact: usize,
 ) -> Result<Option<Unbounded>, Error> {
-    let (scene, mesh) = (&discretisation.scene, &discretisation.mesh);
-    let pair = &scene.contacts[contact];
-    let faces = pair.bodies().map(|body| {
-        let edges = candidates::facing_edges(mesh, scene, pair, body)?;
-        Ok(Face { discretisation, pair, body, ends: ends(discretisation, pair, &edges), edges })
-    });
-    let faces = faces.collect::<Result<Vec<Face>, Error>>()?;
+    let pair = &discretisation.scene.contacts[contact];
+    let faces = Face::both(discretisation, pair)?;
     let reach = if let Profile::Punch { half_width } = pair.profile { Some(half_width) } else { None };
     let of_gap = reach
         .into_iter()
         .flat_map(|reach| [(-reach, false), (reach, true)].map(|(at, is_last)| End { at, is_last, node: None }));
-    // On one side of s = 0 that is a symmetry line.
-    let is_free = |end: &End| pair.path.has_both_sides() || end.at > SAME * pair.stretch;
-    let all = faces.iter().flat_map(|face| face.ends.iter().copied()).chain(of_gap).filter(is_free);
-    let growing = all.filter(|end| is_pressed(run, contact, end)).filter_map(|end| {
+    let all = faces.iter().flat_map(|face| face.ends.iter().copied()).chain(of_gap);
+    let growing = all.filter(|end| is_pressed(run, contact, pair, end)).filter_map(|end| {
         let wedges: Vec<Wedge> = faces.iter().map(|face| face.wedge(&end)).collect();
-        let exponent = exponent(&wedges)?;
         let position = pair.path.reported(end.at);
-        Some(Unbounded { position, growth: 1.0 - 2f64.powf(exponent - 1.0), exponent: Some(1.0 - exponent) })
+        if let Some(exponent) = exponent(&wedges) {
+            return Some(Unbounded {
+                position,
+                growth: 1.0 - 2f64.powf(exponent - 1.0),
+                exponent: Some(1.0 - exponent),
+            });
+        }
+        let growth = sheared(&faces, &wedges, &end) * LN_2 / run.contacts[contact].measures.peak.pressure;
+        (growth > SMALL).then_some(Unbounded { position, growth, exponent: None })
     });
     Ok(growing.max_by(|a, b| a.growth.total_cmp(&b.growth)))
 }
 
-/// Whether the contact is pressed up to an end, within the edge next to it.
-fn is_pressed(run: &Run, contact: usize, end: &End) -> bool {
+/// The c of `p = c ln 1/r` at an end where bodies end at right angles and their sides carry a shear stress τ towards the contact, whose faces carry
+/// none \[MPa\]: mirrored at a rigid plane, a side is a half-plane whose shear leaps by 2τ, so that `c = 4τ/π`; of two bodies `Σ cᵢ/Eᵢ / Σ 1/Eᵢ`.
+fn sheared(faces: &[Face], wedges: &[Wedge], end: &End) -> f64 {
+    let is_right = |wedge: &Wedge| wedge.held.is_none() && (wedge.angle - FRAC_PI_2).abs() <= RIGHT;
+    if !wedges.iter().all(is_right) {
+        return 0.0;
+    }
+    let [mut sum, mut compliance] = [0.0; 2];
+    for (face, wedge) in faces.iter().zip(wedges) {
+        sum += 4.0 / PI * face.shear_towards(end) / wedge.modulus;
+        compliance += 1.0 / wedge.modulus;
+    }
+    sum / compliance
+}
+
+/// Whether the contact is pressed up to an end, within the edge next to it; never on the symmetry line of a half.
+fn is_pressed(run: &Run, contact: usize, pair: &ContactPair, end: &End) -> bool {
+    if !pair.path.has_both_sides() && end.at <= SAME * pair.stretch {
+        return false;
+    }
     let floor = ACTIVE * run.contacts[contact].measures.largest.pressure;
     let (edges, points) = (run.solution.edges_of(contact), run.solution.points_of(contact));
     // Where meshes do not match, no node of the first body need lie where the second one ends.
@@ -93,35 +118,104 @@ struct Face<'a> {
     ends: Vec<End>,
 }
 
-impl Face<'_> {
-    /// The body at an end of the contact, whether it ends there or goes on.
-    fn wedge(&self, at: &End) -> Wedge {
-        let scene = &self.discretisation.scene;
-        let material = &scene.bodies[self.body].material;
-        let whole = Wedge::half_plane(material.plane_modulus(scene.plane));
-        let near = SAME * self.pair.stretch;
-        let is_here = |end: &&End| (end.at - at.at).abs() <= near && end.is_last == at.is_last;
-        let own = self.ends.iter().find(is_here).and_then(|end| self.corner(end.node?));
-        own.map_or(whole, |(angle, held)| Wedge { angle, held, ..whole })
+/// A side that meets the end of a face.
+struct Side {
+    edge: Edge,
+    /// Direction along it, away from the face, and out of the body.
+    away: [f64; 2],
+    outwards: [f64; 2],
+    /// Direction of the face away from the side, and whether the outline runs so.
+    face: [f64; 2],
+    face_leaves: bool,
+    /// Components in which it is fixed.
+    fixed: [bool; 2],
+}
+
+impl<'a> Face<'a> {
+    /// Those of the bodies of a contact.
+    fn both(discretisation: &'a Discretisation, pair: &'a ContactPair) -> Result<Vec<Self>, Error> {
+        let of = |body: usize| {
+            let edges = candidates::facing_edges(&discretisation.mesh, &discretisation.scene, pair, body)?;
+            Ok(Self { discretisation, pair, body, ends: ends(discretisation, pair, &edges), edges })
+        };
+        pair.bodies().map(of).collect()
     }
 
-    /// Interior angle at a node where the face ends, and what holds the side beside it; none where the outline does not tell.
-    fn corner(&self, node: usize) -> Option<(f64, Option<[f64; 2]>)> {
+    /// Shear stress towards the contact that loads leave on the side where the face ends \[MPa\].
+    fn shear_towards(&self, end: &End) -> f64 {
+        let Discretisation { scene, mesh, .. } = self.discretisation;
+        let Some((node, side)) = self.ending(end).and_then(|own| Some((own.node?, self.side(own.node?)?))) else {
+            return 0.0;
+        };
+        let Side { edge, away, outwards, .. } = side;
+        let at = mesh.points[node];
+        let of = |load: &Load| {
+            let Load::OnSide { boundary, part, action } = load else { return [0.0; 2] };
+            let edges = mesh.bodies[self.body].boundaries.get(boundary).map_or(&[][..], |edges| edges);
+            let is_on = |part: &SidePart| (part.from..=part.to).contains(&part.coordinate(at));
+            if !edges.iter().any(|own| own[..2] == edge[..2]) || !part.as_ref().is_none_or(is_on) {
+                return [0.0; 2];
+            }
+            match action {
+                Action::Uniform(traction) => *traction,
+                Action::Field(field) => (field.0)(at),
+                Action::Stress(field) => {
+                    let [x, y, xy] = (field.0)(at);
+                    [x * outwards[0] + xy * outwards[1], xy * outwards[0] + y * outwards[1]]
+                }
+                Action::Total(force) => {
+                    let area = |edge: &Edge| {
+                        let [[x, y], [u, v]] = [edge[0], edge[1]].map(|node| mesh.points[node]);
+                        (u - x).hypot(v - y) * scene.depth([0.5 * (x + u), 0.5 * (y + v)])
+                    };
+                    let area: f64 = edges.iter().map(area).sum();
+                    force.map(|force| force / area)
+                }
+                Action::Moment(_) => [0.0; 2],
+            }
+        };
+        let towards = |[x, y]: [f64; 2]| 0.0 - x * away[0] - y * away[1];
+        scene.bodies[self.body].loads.iter().map(|load| towards(of(load))).sum()
+    }
+
+    /// The end of its own face at an end of the contact.
+    fn ending(&self, at: &End) -> Option<&End> {
+        let near = SAME * self.pair.stretch;
+        self.ends.iter().find(|end| (end.at - at.at).abs() <= near && end.is_last == at.is_last)
+    }
+
+    /// The side that meets the face at a node, and the face's own direction; none where the outline does not tell.
+    fn side(&self, node: usize) -> Option<Side> {
         let outline = Outline::of(self.discretisation, self.body);
         let [arriving, leaving] = outline.at(node)?;
         let is_face = |edge: &Edge| self.edges.iter().any(|own| own[..2] == edge[..2]);
         // Directions away from the node; the body lies to the left of the leaving one.
         let face_leaves = is_face(leaving);
         let [from, to] = [outline.tangent(leaving, -1.0), outline.tangent(arriving, 1.0).map(|x| 0.0 - x)];
-        let (face, side) = if face_leaves { (from, to) } else { (to, from) };
+        let (face, away) = if face_leaves { (from, to) } else { (to, from) };
+        let outwards = if face_leaves { [0.0 - away[1], away[0]] } else { [away[1], 0.0 - away[0]] };
+        let edge = if face_leaves { arriving } else { leaving };
+        Some(Side { edge: edge.clone(), away, outwards, face, face_leaves, fixed: outline.fixed(edge) })
+    }
+
+    /// The body at an end of the contact, whether it ends there or goes on.
+    fn wedge(&self, at: &End) -> Wedge {
+        let scene = &self.discretisation.scene;
+        let material = &scene.bodies[self.body].material;
+        let whole = Wedge::half_plane(material.plane_modulus(scene.plane));
+        let own = self.ending(at).and_then(|end| self.corner(end.node?));
+        own.map_or(whole, |(angle, held)| Wedge { angle, held, ..whole })
+    }
+
+    /// Interior angle at a node where the face ends, and what holds the side beside it; none where the outline does not tell.
+    fn corner(&self, node: usize) -> Option<(f64, Option<[f64; 2]>)> {
+        let Side { away, outwards, face, face_leaves, fixed, .. } = self.side(node)?;
         let face = self.along_path(node, face);
-        let cross = face[0] * side[1] - face[1] * side[0];
-        let turn = cross.atan2(face[0] * side[0] + face[1] * side[1]);
-        let angle = (if face_leaves { turn } else { 0.0 - turn }).rem_euclid(2.0 * std::f64::consts::PI);
-        let outwards = if face_leaves { [0.0 - side[1], side[0]] } else { [side[1], 0.0 - side[0]] };
+        let cross = face[0] * away[1] - face[1] * away[0];
+        let turn = cross.atan2(face[0] * away[0] + face[1] * away[1]);
+        let angle = (if face_leaves { turn } else { 0.0 - turn }).rem_euclid(2.0 * PI);
         // In one direction at most: contact is to find the other displacement.
-        let fixed = outline.fixed(if face_leaves { arriving } else { leaving });
-        Some((angle, (0..2).find(|&k| fixed[k]).map(|k| [side[k], outwards[k]])))
+        Some((angle, (0..2).find(|&k| fixed[k]).map(|k| [away[k], outwards[k]])))
     }
 
     /// A direction along the face; on an arc that of the path, which chords of it miss by half of what they turn.

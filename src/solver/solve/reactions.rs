@@ -1,9 +1,14 @@
 //! Reactions: what the supports exert on the bodies.
 
+use std::collections::BTreeMap;
+
 use crate::elasticity::reactions;
 use crate::error::Error;
 use crate::solution::Solution;
 use crate::solve::Discretisation;
+
+/// Part of a displacement by which two that are one may differ: units convert to it.
+const SAME: f64 = 1e-9;
 
 /// What one support exerts on its body.
 #[derive(Clone, Copy, Debug)]
@@ -53,5 +58,20 @@ impl Discretisation {
             forces[support] += internal[node - first][component] - share * applied[node - first][component];
         }
         Ok(forces)
+    }
+
+    /// In which components supports of a body prescribe unlike displacements of one node: the stress there grows with 1/r, and what they exert
+    /// with its logarithm.
+    pub fn torn(&self, body: usize) -> Result<[bool; 2], Error> {
+        let mut held: BTreeMap<(usize, usize), f64> = BTreeMap::new();
+        let mut torn = [false; 2];
+        for support in &self.scene.bodies[body].supports {
+            let component = support.component.index();
+            for node in self.mesh.nodes_at(&self.scene, body, &support.at)? {
+                let value = *held.entry((node, component)).or_insert(support.value);
+                torn[component] |= (value - support.value).abs() > SAME * value.abs().max(support.value.abs());
+            }
+        }
+        Ok(torn)
     }
 }

@@ -6,7 +6,7 @@ use std::f64::consts::{FRAC_PI_2, LN_2, PI};
 use crate::error::Error;
 use crate::mesh::Resolution;
 use crate::mesh::size::expected;
-use crate::solve::corner;
+use crate::solve::corner::{self, SMALL};
 use crate::solve::run::{Run, Unbounded};
 use crate::solve::{Discretisation, Element, Formulation, Iteration};
 
@@ -15,8 +15,6 @@ use crate::solve::{Discretisation, Element, Formulation, Iteration};
 const STEADY: f64 = 0.7;
 /// Most cells of a mesh that is given and refined to tell whether a peak has a limit.
 const REFINED: f64 = 20e3;
-/// Growth at the last halving, over the peak, below which a tip, or a series, is as good as at its limit.
-const SMALL: f64 = 0.01;
 
 impl Run {
     /// The same run, told which of its peaks have no limit, from coarser meshes.
@@ -77,7 +75,7 @@ fn halved(discretisation: &Discretisation) -> Option<[Resolution; 3]> {
 }
 
 /// What the scene itself tells of a peak without a limit: under a pressed tip `p ∝ E* Δ/2π · ln 1/d`, Δ the leap of the slope there, so that
-/// every halving adds `E* Δ ln 2/2π`; at a pressed corner `p ∝ d^(λ−1)`. Tips that add less than a hundredth, as those of the
+/// every halving adds `E* Δ ln 2/2π`; at a pressed corner `p ∝ d^(λ−1)`, or `p ∝ ln 1/d` beside a side that is sheared. Tips that add less than a hundredth, as those of the
 /// straight lines of a table of many points, are as good as smooth.
 fn told(discretisation: &Discretisation, run: &Run, contact: usize) -> Result<Option<Unbounded>, Error> {
     let (scene, measures) = (&discretisation.scene, &run.contacts[contact].measures);
