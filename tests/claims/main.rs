@@ -7,6 +7,7 @@ mod ellipse;
 mod foreign;
 mod iterate;
 mod primary;
+mod sheared;
 mod spacing;
 mod von_mises;
 mod workbench;
