@@ -3,6 +3,7 @@
 use std::f64::consts::PI;
 
 use approx::assert_abs_diff_eq;
+use contact_vv::elasticity::stress;
 use contact_vv::mesh::{Order, Resolution};
 
 use crate::balance::solved_on;
@@ -49,4 +50,33 @@ fn the_pressure_beside_a_sheared_side_of_one_of_two_bodies_grows_by_its_share_of
         peak
     });
     assert_abs_diff_eq!(fine - coarse, truth, epsilon = 0.1);
+}
+
+/// `σ = (2τ/π) ln 1/r` along a side on which a shear stress τ ends, and twice that beside a line of symmetry, so that every halving adds that times
+/// ln 2; a leap as on the side it is.
+#[test]
+fn the_stress_where_a_shear_stress_ends_grows_by_its_leap() {
+    let ending = BLOCKS.replace(
+        r#"{ traction = { at = "right", value = [0, -20] } }"#,
+        r#"{ traction = { at = "far", part = { along = "x", from = 0, to = 10 }, value = [30, 0] } }"#,
+    );
+    let case = parsed(&ending);
+    let ends = [([10.0, 30.0], 60.0 / PI), ([0.0, 30.0], 120.0 / PI)];
+    let of = |refinement: u32| {
+        let resolution = Resolution { elements: 8, refinement, order: Order::Quartic };
+        let (discretisation, run) = solved_on(case.scene.clone(), resolution, &kinematic());
+        let displacement = discretisation.displacement_under(run.share(), &run.solution);
+        let told = discretisation.without_limit(&run, &displacement, 0).expect("told");
+        let stress = stress::at_nodes(&discretisation.scene, &discretisation.mesh, &displacement).expect("stress");
+        ends.map(|(at, _)| {
+            let end = told.iter().find(|one| one.at == at).expect("told");
+            assert_eq!(end.because, "a shear stress on a side that ends");
+            stress[end.nodes[0]][0]
+        })
+    };
+    let [coarse, fine] = [1, 2].map(of);
+    for (k, (_, c)) in ends.into_iter().enumerate() {
+        let grown = (fine[k] - coarse[k]).abs();
+        assert_abs_diff_eq!(grown, c * 2.0_f64.ln(), epsilon = 0.02);
+    }
 }

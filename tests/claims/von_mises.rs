@@ -143,6 +143,10 @@ const STEP: &str = "{ blocks = [\
     { corners = [[0, 5], [10, 5], [10, 10], [0, 10]], elements = [20, 10], left = \"left\" }, \
     { corners = [[10, 5], [20, 5], [20, 10], [10, 10]], elements = [20, 10], top = \"far\" }] }";
 
+/// A shear stress that ends within an element, and at the line of symmetry.
+const SHEARED: &str = "{ pressure = { at = \"far\", law = { uniform = 1 } } }, \
+    { traction = { at = \"far\", part = { along = \"x\", from = 0, to = 7.3 }, value = [500, 0] } }";
+
 #[test]
 fn no_stress_is_quoted_beside_a_force_at_a_point_nor_a_corner_nor_a_pressure_without_limit() {
     let of = |from: &str, to: &str| {
@@ -158,6 +162,8 @@ fn no_stress_is_quoted_beside_a_force_at_a_point_nor_a_corner_nor_a_pressure_wit
         (load, at_point, "a force at a point", [0.0, 10.0]),
         (load, "{ force = { at = [0.1, 9.3], value = [0, -1000] } }", "a force at a point", [0.1, 9.3]),
         (RECTANGLE, STEP, "a corner", [10.0, 5.0]),
+        (load, SHEARED, "a shear stress on a side that ends", [7.3, 10.0]),
+        (load, SHEARED, "a shear stress on a side that ends", [0.0, 10.0]),
         (
             "gap = { parabola = 200 }\nstretch = 5",
             "gap = { punch = 4 }\nstretch = 4",

@@ -46,6 +46,33 @@ pub fn at_nodes(scene: &Scene, mesh: &Mesh, body: usize) -> Result<Vec<[f64; 2]>
     Ok(forces)
 }
 
+/// The traction of a load at the ends of a stretch of an edge that carries it.
+pub struct Traction {
+    /// First and last node of the edge.
+    pub edge: [usize; 2],
+    /// Where in the edge it begins and ends, −1 to 1, and the traction there \[MPa\].
+    pub ends: [(f64, [f64; 2]); 2],
+}
+
+impl Traction {
+    /// The one that reaches an end of an edge, its first or its last.
+    pub fn at(&self, edge: &Edge, end: usize) -> Option<[f64; 2]> {
+        let (xi, traction) = self.ends[end];
+        (self.edge == edge[..2] && xi.abs() == 1.0).then_some(traction)
+    }
+}
+
+/// The tractions of every load of a body.
+pub fn tractions(scene: &Scene, mesh: &Mesh, body: usize) -> Result<Vec<Vec<Traction>>, Error> {
+    let of = |(index, load): (usize, &Load)| match load {
+        Load::OnSide { boundary, part, action } => {
+            Ok(LoadedSide::of(scene, mesh, (body, index), boundary, part.as_ref())?.at_ends(action))
+        }
+        _ => Ok(Vec::new()),
+    };
+    scene.bodies[body].loads.iter().enumerate().map(of).collect()
+}
+
 /// Hands the consistent forces of a load, one of its body by its index, to the nodes; those of a rigid face belong to no
 /// single node.
 fn hand_out(scene: &Scene, mesh: &Mesh, body: usize, index: usize, take: Taker) -> Result<(), Error> {
@@ -94,6 +121,9 @@ const ROUNDING: f64 = 1e-9;
 /// What takes the force on a node, in x and y \[N\].
 type Taker<'a> = &'a mut dyn FnMut(usize, [f64; 2]);
 
+/// `t ds/dξ` at a point, given the slope `dx/dξ` of its edge.
+type Acting<'a> = Box<dyn Fn([f64; 2], [f64; 2]) -> [f64; 2] + 'a>;
+
 /// The edges that carry a load, each with the stretch of its natural coordinate that does.
 struct LoadedSide<'a> {
     scene: &'a Scene,
@@ -124,39 +154,52 @@ impl<'a> LoadedSide<'a> {
 
     /// Hands the consistent forces `f_a = ∫ N_a t ds · thickness`, `∫ N_a t 2πr ds` on a body of revolution, of what acts to the nodes.
     fn hand_out(&self, action: &Action, take: Taker) {
-        match action {
-            Action::Uniform(traction) => self.integrate(&|_, _, length| traction.map(|t| t * length), take),
-            Action::Field(field) => self.integrate(&|point, _, length| (field.0)(point).map(|t| t * length), take),
-            Action::Stress(field) => {
-                let stress = |point: [f64; 2], normal: [f64; 2], _: f64| {
-                    let [x, y, xy] = (field.0)(point);
-                    [x * normal[0] + xy * normal[1], xy * normal[0] + y * normal[1]]
-                };
-                self.integrate(&stress, take);
+        let traction = self.traction(action);
+        for (edge, (shapes, point, slope), weight) in self.samples() {
+            let t = traction(point, slope);
+            let depth = self.scene.depth(point);
+            for (&node, (value, _)) in edge.iter().zip(&shapes) {
+                take(node, t.map(|t| t * value * weight * depth));
             }
+        }
+    }
+
+    /// What acts; the normal is `n ds = (dy, −dx)`.
+    fn traction<'b>(&self, action: &'b Action) -> Acting<'b> {
+        match action {
+            Action::Uniform(traction) => {
+                let traction = *traction;
+                Box::new(move |_, [dx, dy]| traction.map(|t| t * dx.hypot(dy)))
+            }
+            Action::Field(field) => Box::new(|point, [dx, dy]| (field.0)(point).map(|t| t * dx.hypot(dy))),
+            Action::Stress(field) => Box::new(|point, [dx, dy]| {
+                let [x, y, xy] = (field.0)(point);
+                [x * dy - xy * dx, xy * dy - y * dx]
+            }),
             Action::Total(force) => {
-                let area = self.area();
-                self.integrate(&|_, _, length| force.map(|f| f * length / area), take);
+                let (force, area) = (*force, self.area());
+                Box::new(move |_, [dx, dy]| force.map(|f| f * dx.hypot(dy) / area))
             }
             Action::Moment(moment) => {
                 let length = self.integral(|_| 1.0);
                 let [x, y] = [0, 1].map(|k| self.integral(|point| point[k]) / length);
                 let second = self.integral(|point| (point[0] - x).powi(2) + (point[1] - y).powi(2));
                 let turn = moment / (second * self.scene.thickness);
-                self.integrate(&|point, _, length| [-(point[1] - y), point[0] - x].map(|r| r * turn * length), take);
+                Box::new(move |point, [dx, dy]| [-(point[1] - y), point[0] - x].map(|r| r * turn * dx.hypot(dy)))
             }
         }
     }
 
-    /// `traction(point, n ds/dξ, ds/dξ)` returns `t ds/dξ`, with `n ds = (dy, −dx)`.
-    fn integrate(&self, traction: &dyn Fn([f64; 2], [f64; 2], f64) -> [f64; 2], take: Taker) {
-        for (edge, (shapes, point, slope), weight) in self.samples() {
-            let t = traction(point, [slope[1], -slope[0]], slope[0].hypot(slope[1]));
-            let depth = self.scene.depth(point);
-            for (&node, (value, _)) in edge.iter().zip(&shapes) {
-                take(node, t.map(|t| t * value * weight * depth));
-            }
-        }
+    /// What acts at the ends of every piece.
+    fn at_ends(&self, action: &Action) -> Vec<Traction> {
+        let traction = self.traction(action);
+        let at = |edge: &Edge, xi: f64| {
+            let (_, point, slope) = on_edge(self.mesh, edge, xi);
+            (xi, traction(point, slope).map(|t| t / slope[0].hypot(slope[1])))
+        };
+        let of =
+            |(edge, ends): &(&Edge, [f64; 2])| Traction { edge: [edge[0], edge[1]], ends: ends.map(|xi| at(edge, xi)) };
+        self.pieces.iter().map(of).collect()
     }
 
     /// Area of the side \[mm²\].

@@ -2,10 +2,11 @@
 
 use std::f64::consts::{FRAC_PI_2, LN_2, PI};
 
+use crate::elasticity::loads::{self, Traction};
 use crate::error::Error;
 use crate::measure::ACTIVE;
 use crate::mesh::{Edge, candidates};
-use crate::scene::{Action, ContactPair, Load, Profile, SidePart};
+use crate::scene::{ContactPair, Profile};
 use crate::solution::EdgeState;
 use crate::solve::Discretisation;
 use crate::solve::outline::Outline;
@@ -116,6 +117,8 @@ struct Face<'a> {
     body: usize,
     edges: Vec<Edge>,
     ends: Vec<End>,
+    /// What its loads leave on its sides.
+    tractions: Vec<Vec<Traction>>,
 }
 
 /// A side that meets the end of a face.
@@ -136,46 +139,20 @@ impl<'a> Face<'a> {
     fn both(discretisation: &'a Discretisation, pair: &'a ContactPair) -> Result<Vec<Self>, Error> {
         let of = |body: usize| {
             let edges = candidates::facing_edges(&discretisation.mesh, &discretisation.scene, pair, body)?;
-            Ok(Self { discretisation, pair, body, ends: ends(discretisation, pair, &edges), edges })
+            let tractions = loads::tractions(&discretisation.scene, &discretisation.mesh, body)?;
+            Ok(Self { discretisation, pair, body, ends: ends(discretisation, pair, &edges), edges, tractions })
         };
         pair.bodies().map(of).collect()
     }
 
     /// Shear stress towards the contact that loads leave on the side where the face ends \[MPa\].
     fn shear_towards(&self, end: &End) -> f64 {
-        let Discretisation { scene, mesh, .. } = self.discretisation;
         let Some((node, side)) = self.ending(end).and_then(|own| Some((own.node?, self.side(own.node?)?))) else {
             return 0.0;
         };
-        let Side { edge, away, outwards, .. } = side;
-        let at = mesh.points[node];
-        let of = |load: &Load| {
-            let Load::OnSide { boundary, part, action } = load else { return [0.0; 2] };
-            let edges = mesh.bodies[self.body].boundaries.get(boundary).map_or(&[][..], |edges| edges);
-            let is_on = |part: &SidePart| (part.from..=part.to).contains(&part.coordinate(at));
-            if !edges.iter().any(|own| own[..2] == edge[..2]) || !part.as_ref().is_none_or(is_on) {
-                return [0.0; 2];
-            }
-            match action {
-                Action::Uniform(traction) => *traction,
-                Action::Field(field) => (field.0)(at),
-                Action::Stress(field) => {
-                    let [x, y, xy] = (field.0)(at);
-                    [x * outwards[0] + xy * outwards[1], xy * outwards[0] + y * outwards[1]]
-                }
-                Action::Total(force) => {
-                    let area = |edge: &Edge| {
-                        let [[x, y], [u, v]] = [edge[0], edge[1]].map(|node| mesh.points[node]);
-                        (u - x).hypot(v - y) * scene.depth([0.5 * (x + u), 0.5 * (y + v)])
-                    };
-                    let area: f64 = edges.iter().map(area).sum();
-                    force.map(|force| force / area)
-                }
-                Action::Moment(_) => [0.0; 2],
-            }
-        };
-        let towards = |[x, y]: [f64; 2]| 0.0 - x * away[0] - y * away[1];
-        scene.bodies[self.body].loads.iter().map(|load| towards(of(load))).sum()
+        let Side { edge, away, .. } = side;
+        let at_end = self.tractions.iter().flatten().filter_map(|one| one.at(&edge, usize::from(edge[1] == node)));
+        at_end.map(|[x, y]| 0.0 - x * away[0] - y * away[1]).sum()
     }
 
     /// The end of its own face at an end of the contact.

@@ -8,6 +8,10 @@ use crate::mesh::{Edge, Mesh};
 use crate::scene::{Load, Place};
 use crate::solve::Discretisation;
 
+/// Angle by which curved edges may turn at a node of a smooth side \[rad\]: from π on λ falls by 2/π of it (both sides free), and
+/// no mesh sees `r^-0.0006`.
+pub(super) const TURN: f64 = 1e-3;
+
 /// The outline of a body, itself to the left of every edge.
 pub(super) struct Outline<'a> {
     mesh: &'a Mesh,
@@ -57,6 +61,29 @@ impl<'a> Outline<'a> {
         let [arriving, leaving] = self.at(node)?;
         let ([x, y], [u, v]) = (self.tangent(arriving, 1.0), self.tangent(leaving, -1.0));
         Some(PI - (x * v - y * u).atan2(x * u + y * v))
+    }
+
+    /// Its nodes, in their order.
+    pub(super) fn nodes(&self) -> Vec<usize> {
+        let mut nodes: Vec<usize> = self.leaving.keys().copied().collect();
+        nodes.sort_unstable();
+        nodes
+    }
+
+    /// How far it turns at the nodes before and after one \[rad\].
+    pub(super) fn next_turns(&self, node: usize) -> [f64; 2] {
+        let Some([arriving, leaving]) = self.at(node) else { return [f64::NAN; 2] };
+        [arriving[0], leaving[1]].map(|node| self.turn(node))
+    }
+
+    /// Whether it is smooth at a node: an arc drawn by chords turns at each of its nodes, a corner more than the nodes next to it.
+    pub(super) fn is_smooth(&self, node: usize) -> bool {
+        let [before, after] = self.next_turns(node);
+        self.turn(node).abs() <= before.abs() + after.abs() + TURN
+    }
+
+    fn turn(&self, node: usize) -> f64 {
+        self.angle(node).map_or(0.0, |angle| angle - PI)
     }
 
     /// Components in which an edge is fixed.

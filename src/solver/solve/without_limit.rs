@@ -9,24 +9,25 @@
 //! | one free, one fixed | `arcsin √((κ+1)/4)`, 57° in plane strain with ν = 0.3 |
 //! | one fixed in another direction | π/4, the smallest there is |
 //!
-//! A side fixed along its normal is a line of symmetry, beside which the corner is one of 2θ. Finite tractions change none of it; where
-//! shear on a side ends, stresses grow as a logarithm, which is not looked for.
+//! A side fixed along its normal is a line of symmetry, beside which the corner is one of 2θ. Finite tractions change none of it but where
+//! the shear stress τ on a smooth side leaps: there `σ = (2 Δτ/π) ln 1/r` along the side, Δτ being 2τ beside a line of symmetry at a right angle.
 
 use std::collections::HashSet;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
+use crate::elasticity::loads::{self, Traction};
 use crate::elasticity::point::shapes_at;
+use crate::elasticity::shape_functions;
 use crate::error::Error;
 use crate::mesh::{Edge, candidates};
 use crate::scene::{Load, Place};
-use crate::solve::outline::Outline;
+use crate::solve::outline::{Outline, TURN};
 use crate::solve::{Discretisation, Run};
 
 /// Part of the largest force that a support at a point must exert to leave a stress without limit.
 const AT_POINT: f64 = 1e-6;
-/// Angle by which curved edges may turn at a node of a smooth side \[rad\]: from π on λ falls by 2/π of it (both sides free), and
-/// no mesh sees `r^-0.0006`.
-const TURN: f64 = 1e-3;
+/// Leap of a shear stress, over the largest traction, from which on it leaves a stress without limit.
+const LEAP: f64 = 1e-3;
 /// Cosine of the angle between the direction in which a side is fixed and its normal, from which on they are one.
 const NORMAL: f64 = 1.0 - 1e-6;
 
@@ -48,6 +49,7 @@ const FORCE: &str = "a force at a point";
 const SUPPORT: &str = "a support at a point";
 pub(super) const PRESSURE: &str = "a contact pressure without limit";
 const CORNER: &str = "a corner";
+const SHEAR: &str = "a shear stress on a side that ends";
 
 /// How a side of a body is fixed.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -87,6 +89,7 @@ impl Discretisation {
             all.extend(nearest.map(|node| self.at_node(node, PRESSURE)));
         }
         all.extend(self.corners(body));
+        all.extend(self.shear_ends(body)?);
         let mut seen = HashSet::new();
         all.retain(|one| seen.insert(one.nodes.clone()));
         Ok(all)
@@ -121,25 +124,63 @@ impl Discretisation {
     }
 
     /// Corners of the outline that are wider than their sides allow.
-    ///
-    /// An arc drawn by chords turns at each of its nodes, a corner more than the nodes next to it.
     fn corners(&self, body: usize) -> Vec<WithoutLimit> {
         let outline = Outline::of(self, body);
         let material = &self.scene.bodies[body].material;
         let kolosov = self.scene.plane.kolosov(material.poisson);
         let is_wide = |node: usize| {
             let [arriving, leaving] = outline.at(node)?;
-            let turn = |node: usize| outline.angle(node).map_or(0.0, |angle| angle - PI);
-            let next = [arriving[0], leaving[1]].map(turn);
             let sides = [arriving, leaving].map(|edge| side(&outline, edge));
-            let is_smooth = turn(node).abs() <= next[0].abs() + next[1].abs() + TURN;
-            let angle = outline.angle(node)? - next[0].max(0.0) - next[1].max(0.0);
+            let [before, after] = outline.next_turns(node);
+            let angle = outline.angle(node)? - before.max(0.0) - after.max(0.0);
             let is_wide = angle > widest(sides, kolosov) + TURN;
-            (is_wide && !(is_smooth && sides[0] == sides[1])).then(|| self.at_node(node, CORNER))
+            (is_wide && !(outline.is_smooth(node) && sides[0] == sides[1])).then(|| self.at_node(node, CORNER))
         };
-        let mut nodes: Vec<usize> = outline.leaving.keys().copied().collect();
-        nodes.sort_unstable();
-        nodes.into_iter().filter_map(is_wide).collect()
+        outline.nodes().into_iter().filter_map(is_wide).collect()
+    }
+
+    /// Where the shear stress on a smooth side leaps, since a load ends there, be it within an element, or at a line of symmetry.
+    fn shear_ends(&self, body: usize) -> Result<Vec<WithoutLimit>, Error> {
+        use Side::{Free, Normal};
+        let outline = Outline::of(self, body);
+        let loads = loads::tractions(&self.scene, &self.mesh, body)?;
+        let size = |[x, y]: [f64; 2]| x.hypot(y);
+        let largest = loads.iter().flatten().flat_map(|one| one.ends).map(|(_, t)| size(t)).fold(0.0, f64::max);
+        let shear = |edge: &Edge, (xi, [x, y]): (f64, [f64; 2])| {
+            let [dx, dy] = outline.tangent(edge, xi);
+            x * dx + y * dy
+        };
+        let leap = |node: usize| {
+            let edges = outline.at(node)?;
+            // What acts on both edges is smooth there.
+            let of_load = |of: &Vec<Traction>| {
+                let at = |side: usize| of.iter().find_map(|one| one.at(edges[side], 1 - side));
+                match [at(0), at(1)] {
+                    [Some(arriving), None] => [0.0 - shear(edges[0], (1.0, arriving)), 0.0],
+                    [None, Some(leaving)] => [0.0, shear(edges[1], (-1.0, leaving))],
+                    _ => [0.0; 2],
+                }
+            };
+            let [before, after] = loads.iter().map(of_load).fold([0.0; 2], |[a, b], [c, d]| [a + c, b + d]);
+            let is_right = || outline.angle(node).is_some_and(|angle| (angle - FRAC_PI_2).abs() <= TURN);
+            match edges.map(|edge| side(&outline, edge)) {
+                [Free, Free] if outline.is_smooth(node) => Some(before + after),
+                [Free, Normal] if is_right() => Some(2.0 * before),
+                [Normal, Free] if is_right() => Some(2.0 * after),
+                _ => None,
+            }
+        };
+        let has_leap = |leap: f64| leap.abs() > LEAP * largest;
+        let at_nodes = outline.nodes().into_iter().filter(|&node| leap(node).is_some_and(has_leap));
+        let mut all: Vec<WithoutLimit> = at_nodes.map(|node| self.at_node(node, SHEAR)).collect();
+        for one in loads.iter().flatten() {
+            let Some(edge) = outline.leaving.get(&one.edge[0]) else { continue };
+            for end in one.ends.into_iter().filter(|end| end.0.abs() < 1.0 && has_leap(shear(edge, *end))) {
+                let (_, at, _) = shape_functions::on_edge(&self.mesh, edge, end.0);
+                all.push(WithoutLimit { at, nodes: edge[..2].to_vec(), because: SHEAR });
+            }
+        }
+        Ok(all)
     }
 }
 
