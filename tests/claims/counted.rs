@@ -177,7 +177,7 @@ fn end_that_mesh_lines_tell_may_be_missed_by_what_two_series_and_the_layers_leav
     let answer = fitted.solve(&block, &Formulation::verification()).expect("solved");
     let own = (answer.discretisation, answer.run);
     // No finer mesh is allowed, and of the coarser ones of order 4 and more there is one.
-    let Bars { all, meshes, .. } = bars_up_to(Some(own.1.dofs), &own.0, &own.1, &[]).expect("bars");
+    let Bars { all, meshes, .. } = bars_up_to(Some(own.1.dofs), None, &own.0, &own.1, &[]).expect("bars");
     assert_eq!(meshes, 1);
     let coarse: Vec<_> = coarser(&own.0.scene, own.0.resolution).into_iter().map(to_the_last_digit).collect();
     let (half_width, ends_apart) = (own.1.measures().half_width(), own.1.measures().ends_apart);
@@ -208,7 +208,7 @@ fn place_of_a_peak_is_told_by_what_is_as_high_within_its_bar() {
 #[test]
 fn a_bar_that_no_mesh_tells_says_so() {
     let (mesh, run) = solved(&scene("pressed-corner", &[]), &kinematic());
-    let Bars { all, meshes, .. } = bars_up_to(Some(1), &mesh, &run, &[]).expect("bars");
+    let Bars { all, meshes, .. } = bars_up_to(Some(1), None, &mesh, &run, &[]).expect("bars");
     let peak = told_of(&all, &Quantity::PeakPressure);
     assert_eq!((meshes, peak.unknown), (0, Some("no coarser mesh of this scene holds the contact")));
 }

@@ -70,7 +70,9 @@ impl Found {
         checks.extend(accurate.iter().map(|(asked, answer)| met(asked, answer)));
         let most_dofs = accurate.as_ref().and_then(|(asked, _)| asked.most_dofs);
         let barred = || {
-            let bars = accuracy::bars_up_to(most_dofs, &discretisation, &run, &problem.displaced());
+            let judge =
+                accurate.as_ref().and_then(|(_, answer)| answer.judge.as_ref()).map(|(finer, judge)| (finer, judge));
+            let bars = accuracy::bars_up_to(most_dofs, judge, &discretisation, &run, &problem.displaced());
             bars.map(|bars| bars.estimated(accurate.as_ref().map_or(&[], |(_, answer)| &answer.estimates)))
         };
         let bars = with_bars.then(barred).transpose()?;
@@ -134,8 +136,9 @@ fn solved(problem: &Case, formulation: &Formulation, mesh: Mesh, stages: &Stages
         }
         Mesh::Accurate(asked) => {
             stages.search();
-            let answer = accuracy::solve_telling(&problem.scene, formulation, &asked, &|next| stages.next(next))?;
-            let discretisation = meshed(answer.scene.clone(), answer.resolution)?;
+            let mut answer = accuracy::solve_telling(&problem.scene, formulation, &asked, &|next| stages.next(next))?;
+            let held = answer.discretisation.take();
+            let discretisation = held.map_or_else(|| meshed(answer.scene.clone(), answer.resolution), Ok)?;
             let run = answer.run.clone();
             Ok((discretisation, run, Some((asked, answer))))
         }

@@ -5,6 +5,7 @@ use crate::measure::{Quantity, larger};
 use crate::mesh::size::MOST;
 use crate::mesh::{Order, Resolution};
 use crate::scene::Scene;
+use crate::solve::Discretisation;
 use crate::solve::run::Run;
 
 /// What is asked.
@@ -30,7 +31,7 @@ impl Asked {
 }
 
 /// What came out.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub struct Answer {
     /// The scene with the candidates and growth of the mesh answered.
     pub scene: Scene,
@@ -46,6 +47,10 @@ pub struct Answer {
     pub next: Option<usize>,
     /// Every mesh solved, in order.
     pub tried: Vec<Tried>,
+    /// The mesh answered, assembled and condensed, where it was the last one or the one that this judges.
+    pub discretisation: Option<Discretisation>,
+    /// The finer mesh that judges it, and its run.
+    pub judge: Option<(Discretisation, Run)>,
 }
 
 impl Answer {

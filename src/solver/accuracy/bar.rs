@@ -157,24 +157,25 @@ impl Bars {
 
 /// The bars of a run on its mesh; displacements are those of loaded sides, and what is wanted besides.
 pub fn bars(discretisation: &Discretisation, run: &Run, wanted: &[Displaced]) -> Result<Bars, Error> {
-    bars_up_to(None, discretisation, run, wanted)
+    bars_up_to(None, None, discretisation, run, wanted)
 }
 
-/// The same by meshes of so many dofs at most.
+/// The same by meshes of so many dofs at most, and by a finer one where that was solved.
 pub fn bars_up_to(
     most_dofs: Option<usize>,
+    judge: Option<(&Discretisation, &Run)>,
     discretisation: &Discretisation,
     run: &Run,
     wanted: &[Displaced],
 ) -> Result<Bars, Error> {
-    let family = Family::permitted(discretisation, &run.formulation, Some(wanted), &up_to(most_dofs));
+    let family = Family::permitted(discretisation, &run.formulation, Some(wanted), judge, &up_to(most_dofs));
     let all = of_family(discretisation, run, &family, Some(wanted))?;
     Ok(Bars { all, meshes: family.meshes(), dofs: family.dofs() })
 }
 
 /// The bars of what pressures alone tell, by meshes that are permitted.
 pub(super) fn of_contacts(discretisation: &Discretisation, run: &Run, permits: Permits) -> Bars {
-    let family = Family::permitted(discretisation, &run.formulation, None, permits);
+    let family = Family::permitted(discretisation, &run.formulation, None, None, permits);
     let all = of_pressures(discretisation, run, &family);
     Bars { all, meshes: family.meshes(), dofs: family.dofs() }
 }

@@ -6,7 +6,7 @@
 
 use crate::accuracy::coarser::finer;
 use crate::accuracy::longest::longest;
-use crate::accuracy::rungs::{Rung, Rungs};
+use crate::accuracy::rungs::{Held, Rung, Rungs};
 use crate::accuracy::{Asked, Quantity};
 use crate::error::{Error, Kind};
 use crate::measure::Stretch;
@@ -36,9 +36,8 @@ const AT_ONCE: f64 = 0.024;
 /// others by smaller cells, and where those gain nothing either, 8-node cells do hardly more.
 const SLOW: f64 = 0.5;
 const PATIENCE: usize = 2;
-/// Dofs of a mesh of high order from which on no smaller cells follow it: these have up to four times as many, and a search that goes on with
-/// 8-node cells all the same would have solved too much on the way, with a matrix of gigabytes at last.
-const LARGE: usize = 19_000;
+/// Dofs of a mesh of high order from which on no smaller cells follow it: these have up to four times as many, a matrix of gigabytes.
+const LARGE: usize = 60_000;
 
 /// Whether such meshes are tried.
 pub(super) fn applies(scene: &Scene, formulation: &Formulation, asked: &Asked) -> bool {
@@ -49,8 +48,8 @@ pub(super) fn applies(scene: &Scene, formulation: &Formulation, asked: &Asked) -
     asked.high_order && is_meshed && formulation.element == Element::Node && asked.quantities.iter().all(known)
 }
 
-/// The first such mesh whose bars, by the next one, are within what is asked, or else the best of them.
-pub(super) fn found(scene: &Scene, rungs: &mut Rungs) -> Result<Option<Rung>, Error> {
+/// The first such mesh whose bars, by the next one, are within what is asked, held with that, or else the best of them.
+pub(super) fn found(scene: &Scene, rungs: &mut Rungs) -> Result<Option<(Rung, Option<Held>)>, Error> {
     let asked = rungs.asked.relative;
     let mut best: Option<Rung> = None;
     let mut mesh = first(scene, rungs);
@@ -60,7 +59,7 @@ pub(super) fn found(scene: &Scene, rungs: &mut Rungs) -> Result<Option<Rung>, Er
         rungs.judge((&discretisation, &mut rung), next.as_ref())?;
         let estimate = rung.error;
         if estimate <= asked {
-            return Ok(Some(rung));
+            return Ok(Some((rung, Some((discretisation, next.map(|(finer, judge)| (finer, judge.run)))))));
         }
         if best.as_ref().is_none_or(|best| best.error.is_nan() || estimate < best.error) {
             best = Some(rung);
@@ -72,16 +71,16 @@ pub(super) fn found(scene: &Scene, rungs: &mut Rungs) -> Result<Option<Rung>, Er
         }
         (mesh, before) = (next, estimate);
     }
-    Ok(best)
+    Ok(best.map(|best| (best, None)))
 }
 
 /// The first mesh, whose lines lie on the ends of the contact that the cheap one shows; a coarser one where the iteration does not converge on
 /// it, and none where none can be fitted, or is allowed.
 fn first(scene: &Scene, rungs: &mut Rungs) -> Option<(Discretisation, Rung)> {
-    let known = rungs.first.as_ref().and_then(|first| wider(scene, &first.run, BEYOND));
+    let known = rungs.first.as_ref().and_then(|(_, first)| wider(scene, &first.run, BEYOND));
     let scene = known.as_ref().unwrap_or(scene);
     // Where a gap is not smooth, cells of order 4 tell nothing that those of order 5 do not.
-    let is_smooth = rungs.first.as_ref().is_some_and(|first| {
+    let is_smooth = rungs.first.as_ref().is_some_and(|(_, first)| {
         let mut each = scene.contacts.iter().zip(&first.run.contacts);
         each.all(|(pair, contact)| pair.profile.is_smooth(contact.measures.half_width()))
     });
@@ -117,7 +116,7 @@ fn sought(mesh: Fitted, scene: &Scene, rungs: &Rungs) -> Result<edge_fitted::Ans
     let at_rest = at_rest(rungs.asked);
     let sought =
         Sought { is_near: at_rest >= AT_ONCE, permits: &permits, ..Sought::new(scene, &rungs.formulation, at_rest) };
-    let around = rungs.first.as_ref().map(|first| mesh.around(&first.run, &sought));
+    let around = rungs.first.as_ref().map(|(_, first)| mesh.around(&first.run, &sought));
     match around {
         Some(Ok(answer)) if answer.is_where_it_was_sought() => Ok(answer),
         Some(Err(error @ Error { kind: Kind::TooManyDofs { .. }, .. })) => Err(error),

@@ -78,8 +78,8 @@ impl Evenly {
                 Err(error) if rungs.first.is_some() && rungs.is_refused(&error) => break,
                 Err(error) if attempt + 1 == TRIES || !found.lengthens(&error) => return Err(error),
                 Err(_) => {}
-                Ok((_, rung)) => {
-                    let rung = rungs.first.insert(rung);
+                Ok(solved) => {
+                    let (_, rung) = rungs.first.insert(solved);
                     let stretches = |scene: &Scene| scene.contacts.iter().map(|pair| pair.stretch).collect::<Vec<_>>();
                     let before = stretches(&found.scene);
                     if found.fits(&rung.run) || stretches(&found.scene) == before {

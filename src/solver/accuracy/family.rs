@@ -170,14 +170,15 @@ impl Family {
     /// What coarser meshes say of the numbers that a contact element finds on a mesh, with the settings of a formulation, and of the
     /// displacements that are wanted; without those of the contacts alone.
     pub fn of(discretisation: &Discretisation, formulation: &Formulation, wanted: Option<&[Displaced]>) -> Self {
-        Self::permitted(discretisation, formulation, wanted, &|_| Ok(()))
+        Self::permitted(discretisation, formulation, wanted, None, &|_| Ok(()))
     }
 
-    /// The same by meshes that are permitted.
+    /// The same by meshes that are permitted, and by the next one where that was solved.
     pub(super) fn permitted(
         discretisation: &Discretisation,
         formulation: &Formulation,
         wanted: Option<&[Displaced]>,
+        judge: Option<(&Discretisation, &Run)>,
         permits: Permits,
     ) -> Self {
         let formulation = exact(formulation, &discretisation.scene);
@@ -190,7 +191,11 @@ impl Family {
             said((&coarse, &run), wanted, on_ends)
         };
         let by_next = on_ends && resolution.order >= Order::Quartic && formulation.element == Element::Node;
-        let next = if by_next { said(finer(scene, resolution)) } else { None };
+        let next = match judge {
+            Some(judge) => self::said(judge, wanted, on_ends),
+            None if by_next => said(finer(scene, resolution)),
+            None => None,
+        };
         let (gentler, coarse) = rayon::join(
             || gentler(scene, resolution).map(said),
             // Of the contacts alone the next mesh tells all; and of cells of order 4, below which there are 8-node cells only.

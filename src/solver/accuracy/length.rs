@@ -37,7 +37,7 @@ pub(super) fn found(scene: &Scene, rungs: &mut Rungs) -> Result<Result<Fitted, (
     for _ in 0..GUESSES {
         let plan = Plan::even(ORDER, elements, stretch, level);
         let solved = rungs.solve(plan.laid(scene), PURPOSE);
-        let rung = match solved {
+        let solved = match solved {
             Err(Error { kind: Kind::DegenerateCell, .. }) if level < GENTLEST => {
                 level += 2.0;
                 continue;
@@ -59,12 +59,13 @@ pub(super) fn found(scene: &Scene, rungs: &mut Rungs) -> Result<Result<Fitted, (
                 Some(rung) if rungs.is_refused(&error) => return Ok(Err((rung, error.message))),
                 _ => return Err(error),
             },
-            Ok((_, rung)) => rung,
+            Ok(solved) => solved,
         };
+        let (discretisation, rung) = solved;
         match guess(&plan, &rung, longest) {
             Ok(None) => {
                 let ends = fitted::ends(&rung.run, 0);
-                rungs.first = Some(rung);
+                rungs.first = Some((discretisation, rung));
                 return Ok(Ok(Fitted { scene: scene.clone(), longest, ends }));
             }
             Err(reason) => return Ok(Err((rung, reason))),

@@ -33,6 +33,9 @@ pub(super) struct Rung {
     pub(super) error: f64,
 }
 
+/// A mesh that is held, and the finer one that judges it.
+pub(super) type Held = (Discretisation, Option<(Discretisation, Run)>);
+
 /// A search under way: what is asked, and every mesh solved.
 pub(super) struct Rungs<'a> {
     pub(super) formulation: Formulation,
@@ -43,7 +46,7 @@ pub(super) struct Rungs<'a> {
     /// Dofs of the smallest mesh that was refused for them.
     next: Option<usize>,
     /// The mesh on which the contact was found.
-    pub(super) first: Option<Rung>,
+    pub(super) first: Option<(Discretisation, Rung)>,
     /// State of the last mesh, from which the next one starts.
     last: Option<Solution>,
     /// Meshes in a row on which the peak of each contact had no limit.
@@ -187,12 +190,18 @@ impl<'a> Rungs<'a> {
         self.tried.push(Tried { dofs: on.dofs, iterations: 1, ..unsolved });
     }
 
-    /// Answers with a mesh; a peak that was not looked at may have no limit.
-    pub(super) fn answer(self, rung: Rung, unmet: Option<String>) -> Result<Answer, Error> {
+    /// Answers with a mesh and what judges it, or with one that is no longer held; a peak that was not looked at may have no limit.
+    pub(super) fn answer(self, rung: Rung, held: Option<Held>, unmet: Option<String>) -> Result<Answer, Error> {
         let Rung { scene, resolution, mut run, estimates, .. } = rung;
         let of_peak = self.asks_for_peak();
+        let (mut discretisation, judge) = held.map_or((None, None), |(own, judge)| (Some(own), judge));
         if estimates.is_empty() || !of_peak {
-            run = run.with_limits(&Discretisation::of(scene.clone(), resolution)?)?;
+            let own = match discretisation {
+                Some(own) => own,
+                None => Discretisation::of(scene.clone(), resolution)?,
+            };
+            run = run.with_limits(&own)?;
+            discretisation = Some(own);
         }
         let without_limit = scene.contacts.iter().zip(&run.contacts).find(|(_, contact)| contact.unbounded.is_some());
         let unbounded = without_limit.filter(|_| of_peak).map(|(pair, _)| match pair.profile.tips() {
@@ -212,7 +221,7 @@ impl<'a> Rungs<'a> {
             }
             None => unmet,
         };
-        Ok(Answer { scene, resolution, run, estimates, unmet, next, tried: self.tried })
+        Ok(Answer { scene, resolution, run, estimates, unmet, next, tried: self.tried, discretisation, judge })
     }
 }
 

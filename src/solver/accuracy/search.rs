@@ -5,9 +5,10 @@ use crate::accuracy::fitted::{self, Fitted};
 use crate::accuracy::rungs::{Rung, Rungs, percent_rounded_up};
 use crate::accuracy::{Answer, Asked, Tell, by_order, length};
 use crate::error::{Error, Kind, Place};
+use crate::measure::Stretch;
 use crate::mesh::Resolution;
 use crate::scene::Scene;
-use crate::solve::{Formulation, Run};
+use crate::solve::{Discretisation, Formulation, Run};
 
 /// Iteration tolerance over the error asked for.
 const ITERATION: f64 = 0.01;
@@ -19,6 +20,8 @@ const RATIO: [f64; 2] = [1.15, 2.5];
 const UNKNOWN: f64 = 1.6;
 /// A bar over the smallest one before, from which on it is taken not to fall, and meshes in a row after which a search ends.
 const IDLE: (f64, usize) = (0.9, 3);
+/// What 8-node cells begin with where cells of high order do not meet a smaller error.
+const BESIDE: f64 = 1e-3;
 /// Bar over that of cells of high order, from which on 8-node cells are given up that have more dofs than those.
 const HOPELESS: f64 = 30.0;
 /// Dofs of the mesh that bars foresee from which on a search gives up after two in a row; and those of meshes whose bars tell that, and of meshes that
@@ -36,16 +39,37 @@ pub(super) fn solve(scene: &Scene, formulation: &Formulation, asked: &Asked, tel
     let mut rungs = Rungs::new(formulation, asked, tell);
     let layout = match Layout::found(scene, &mut rungs)? {
         Ok(layout) => layout,
-        Err((rung, why)) => return rungs.answer(rung, Some(why)),
+        Err((rung, why)) => return rungs.answer(rung, None, Some(why)),
+    };
+    let begins = match at_once(&mut rungs)? {
+        Ok(begins) => begins,
+        Err((discretisation, rung)) => return rungs.answer(rung, Some((discretisation, None)), None),
     };
     let by_order = match by_order::applies(scene, &rungs.formulation, asked) {
         true => by_order::found(&layout.held(scene), &mut rungs)?,
         false => None,
     };
     match by_order {
-        Some(rung) if rung.error <= asked.relative => rungs.answer(rung, None),
-        best => refine(layout, rungs, scene, best),
+        Some((rung, held)) if rung.error <= asked.relative => rungs.answer(rung, held, None),
+        best => refine(layout, begins, rungs, scene, best.map(|(best, _)| best)),
     }
+}
+
+/// Elements with which contacts that go on to all ends of their candidates begin, by the bars of the first mesh, which is the answer where these are
+/// within what is asked: they have no end that cells hide.
+fn at_once(rungs: &mut Rungs) -> Result<Result<Option<usize>, (Discretisation, Rung)>, Error> {
+    let goes_on = |one: &Stretch| (!one.begins_within() || one.reaches[0]) && one.reaches[1];
+    let has_no_end = |rung: &Rung| rung.run.contacts.iter().all(|one| one.measures.stretches.iter().all(goes_on));
+    let Some((discretisation, mut rung)) = rungs.first.take_if(|(_, first)| has_no_end(first)) else {
+        return Ok(Ok(None));
+    };
+    rungs.look(&discretisation, &mut rung)?;
+    if rung.error <= rungs.asked.relative {
+        return Ok(Err((discretisation, rung)));
+    }
+    let begins = rung.resolution.elements as f64 * ratio(rung.error / rungs.asked.relative);
+    rungs.first = Some((discretisation, rung));
+    Ok(Ok(Some(begins.ceil() as usize)))
 }
 
 /// The scene on the first mesh of the search.
@@ -55,8 +79,17 @@ pub(super) fn first(scene: &Scene) -> (Scene, Resolution) {
 
 /// Meshes of a layout, each as much finer as the bars of the one before ask for; where none of them is enough, the best of them and of
 /// another one.
-fn refine(mut layout: Layout, mut rungs: Rungs, scene: &Scene, other: Option<Rung>) -> Result<Answer, Error> {
-    let mut elements = layout.begins(rungs.asked.relative);
+fn refine(
+    mut layout: Layout,
+    begins: Option<usize>,
+    mut rungs: Rungs,
+    scene: &Scene,
+    other: Option<Rung>,
+) -> Result<Answer, Error> {
+    // What cells of high order do not meet, 8-node cells meet on a coarse mesh or not at all.
+    let loose = if other.is_some() { BESIDE } else { 0.0 };
+    let elements = layout.begins(rungs.asked.relative.max(loose));
+    let mut elements = begins.map_or(elements, |begins| elements.min(begins.max(fitted::FEWEST)));
     let mut best: Option<Rung> = None;
     let mut why = "the mesh leaves too large an error".to_owned();
     let (mut idle, mut far, mut last) = (0, 0, [f64::NAN; 2]);
@@ -96,11 +129,15 @@ fn refine(mut layout: Layout, mut rungs: Rungs, scene: &Scene, other: Option<Run
         }
         rungs.look(&discretisation, &mut rung)?;
         if rung.is_open() {
-            return rungs.answer(rung, Some("no contact: every candidate is open".into()));
+            return rungs.answer(
+                rung,
+                Some((discretisation, None)),
+                Some("no contact: every candidate is open".into()),
+            );
         }
         let (error, dofs) = (rung.error, rung.run.dofs as f64);
         if error <= rungs.asked.relative {
-            return rungs.answer(rung, None);
+            return rungs.answer(rung, Some((discretisation, None)), None);
         }
         elements = layout.finer(elements, ratio(error / rungs.asked.relative));
         let before = best.as_ref().map_or(f64::NAN, |best| best.error);
@@ -137,8 +174,8 @@ fn refine(mut layout: Layout, mut rungs: Rungs, scene: &Scene, other: Option<Run
         last = [dofs, error];
     }
     let is_better = |other: &Rung| best.as_ref().is_none_or(|best| best.error.is_nan() || other.error < best.error);
-    match other.filter(is_better).or(best).or_else(|| rungs.first.take()) {
-        Some(best) => rungs.answer(best, Some(why)),
+    match other.filter(is_better).or(best).or_else(|| rungs.first.take().map(|(_, first)| first)) {
+        Some(best) => rungs.answer(best, None, Some(why)),
         None => {
             let remedy = "give `elements` and `per` instead of the accuracy";
             Err(Error::at(Place::Solve(scene.name.clone()), why, remedy))

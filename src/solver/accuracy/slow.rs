@@ -33,7 +33,8 @@ pub(super) fn solve(scene: &Scene, formulation: &Formulation, asked: &Asked, tel
     let mut formulation = formulation.clone();
     let room = ITERATION * (asked.relative - answer.estimate());
     let room = if room > 0.0 { room } else { LEAST * asked.relative };
-    let discretisation = Discretisation::of(answer.scene.clone(), answer.resolution)?;
+    let held = answer.discretisation.take();
+    let discretisation = held.map_or_else(|| Discretisation::of(answer.scene.clone(), answer.resolution), Ok)?;
     let mut by = |part: f64| -> Result<(Run, Vec<Barred>), Error> {
         formulation.settings.tolerance = part * room;
         let mut run = Run::of(&discretisation, &formulation)?;
@@ -68,6 +69,6 @@ pub(super) fn solve(scene: &Scene, formulation: &Formulation, asked: &Asked, tel
             "the iteration {name} ended so: {outcome}, with an error of {error:.2e} % on the mesh that kinematic load chose"
         ));
     }
-    answer.run = run;
+    (answer.run, answer.discretisation) = (run, Some(discretisation));
     Ok(answer)
 }

@@ -8,7 +8,7 @@ use crate::mesh::size::solvable;
 use crate::mesh::{Order, Resolution};
 use crate::scene::{ContactPair, Scene};
 use crate::solution::Outcome;
-use crate::solve::{Discretisation, Formulation, Permits, Run};
+use crate::solve::{Change, Discretisation, Formulation, Permits, Run};
 
 /// A mesh on which an end was sought.
 #[derive(Clone, Copy, Debug, serde::Serialize)]
@@ -175,7 +175,7 @@ impl Fitted {
                 let resting = moved <= enough || is_let_pass;
                 if last && resting {
                     discretisation.scene.contacts.iter_mut().for_each(|pair| pair.ends.off = moved);
-                    let run = Run::of(&discretisation, formulation)?;
+                    let run = Run::from(Some(&first.solution), &discretisation, formulation, Change::NONE)?;
                     ends.moved(scene, &moves);
                     let stretches = ends.stretches.iter();
                     let stretches = stretches.map(|all| all.iter().map(|one| [one.begin, one.end]).collect()).collect();
