@@ -36,6 +36,7 @@ pub mod scoreboard;
 pub mod seconds;
 pub mod sheet;
 pub mod stability;
+pub mod target;
 pub mod timings;
 
 use std::any::Any;

@@ -1,4 +1,4 @@
-//! Whether an accuracy called met is met: random scenes whose truth is known, solved to five accuracies, from guesses of the
+//! Whether an accuracy called met is met: random scenes whose truth is known, solved to several accuracies, from guesses of the
 //! candidate stretch up to ten times too long or three times too short.
 
 use std::time::Instant;
@@ -19,6 +19,7 @@ use crate::study::random::round::{OF_SPHERES, WIDEST};
 use crate::study::random::{Family, GUESS, Sample, Site, family};
 use crate::study::records::{self, Millionths, Survey, rounded};
 use crate::study::seconds::quantile;
+use crate::study::target::{self, Target};
 
 /// The survey.
 pub const SURVEY: Survey<(Site, f64), Record> = Survey {
@@ -36,6 +37,17 @@ const HEAD: [&str; 10] =
 
 /// Relative errors asked for.
 pub const ASKED: [f64; 5] = [3e-2, 1e-2, 3e-3, 1e-3, 3e-4];
+/// Those asked for besides where a closed form has all digits, of the first scenes of a family.
+const FINE: ([f64; 3], usize) = ([1e-4, 1e-5, 1e-6], 20);
+const EXACT: [Family; 7] = [
+    Family::Hertz,
+    Family::Polynomial,
+    Family::Wedge,
+    Family::Rolling,
+    Family::PressFit,
+    Family::Eccentric,
+    Family::Sphere,
+];
 /// Families whose mesh is halved or made evenly finer.
 const EVENLY: [Family; 2] = [Family::Mesh, Family::Pair];
 /// All families but those whose peak has no limit.
@@ -52,9 +64,12 @@ pub fn sites() -> impl Iterator<Item = (Site, f64)> {
         Family::Layer | Family::Row | Family::Sphere | Family::Spheres | Family::Indented => 30,
         _ => 90,
     };
+    let to_fine =
+        |family: Family| family::unseen(family).take(FINE.1).flat_map(|site| FINE.0.map(|asked| (site, asked)));
     families()
         .flat_map(move |family| family::unseen(family).take(each(family)))
         .flat_map(|site| ASKED.map(|asked| (site, asked)))
+        .chain(EXACT.into_iter().flat_map(to_fine))
 }
 
 fn key((site, asked): &(Site, f64)) -> String {
@@ -93,9 +108,14 @@ impl Record {
         Self { site, asked, met, estimate, peak, half_width, dofs, most_dofs, dofs_in_all }
     }
 
-    /// Dofs of all meshes over those of the largest one.
+    /// Dofs of all meshes over those of the largest one, in most searches the one that judges the answer.
     fn search(&self) -> f64 {
         self.dofs_in_all as f64 / self.most_dofs as f64
+    }
+
+    /// The same over those of the answer.
+    fn search_over_answer(&self) -> f64 {
+        self.dofs_in_all as f64 / self.dofs as f64
     }
 
     /// The larger error of peak and half-width; NaN where either is.
@@ -356,7 +376,29 @@ pub(super) fn section(recorded: &[Record], beside: &[Beside]) -> String {
         own.filter(|record| record.is_falsely_met()).count()
     };
     let over_cheapest: Vec<f64> = beside.iter().map(|one| one.own().dofs as f64 / one.cheapest() as f64).collect();
-    let rows: Vec<Row> = families().flat_map(|family| ASKED.map(|asked| (family, asked))).map(row).collect();
+    let searches = |of: fn(&Record) -> f64| recorded.iter().map(of).collect::<Vec<f64>>();
+    let targets = [
+        ("dofs of the answer over those of the cheapest mesh that the truth allows", over_cheapest, [1.5, 4.0]),
+        (
+            "dofs of the whole search over those of its largest mesh, which judges the answer",
+            searches(Record::search),
+            [3.0, 10.0],
+        ),
+        ("the same over those of the answer", searches(Record::search_over_answer), [3.0, 10.0]),
+    ]
+    .map(|(what, all, [usual, most])| {
+        let worst = all.iter().copied().fold(0.0, larger);
+        [
+            Target::at_most(format!("{what}, median of {}", all.len()), usual, quantile(&all, 0.5)),
+            Target::at_most(format!("{what}, at worst"), most, worst),
+        ]
+    });
+    let over_asked: Vec<f64> = beside.iter().map(|one| one.own().error() / one.asked).collect();
+    let asked = |family: Family| {
+        let fine = FINE.0.into_iter().filter(move |_| EXACT.contains(&family));
+        ASKED.into_iter().chain(fine).map(move |asked| (family, asked))
+    };
+    let rows: Vec<Row> = families().flat_map(asked).map(row).collect();
     format!(
         include_str!("met.md"),
         shortest = shortest,
@@ -371,8 +413,10 @@ pub(super) fn section(recorded: &[Record], beside: &[Beside]) -> String {
         repeats = REPEATS,
         orders = CHEAPEST.0.map(|order| order.number().to_string()).join(", "),
         layers = CHEAPEST.1,
-        usual = quantile(&over_cheapest, 0.5),
-        worst = over_cheapest.iter().copied().fold(0.0, larger),
+        targets = markdown::columns(&target::COLUMNS, targets.as_flattened()),
+        better = 1.0 / quantile(&over_asked, 0.5),
+        fine = FINE.0.map(|asked| format!("{} %", accuracy::in_percent(asked))).join(", "),
+        first = FINE.1,
         beside = markdown::columns(&COLUMNS_BESIDE, beside)
     ) + "\n"
 }

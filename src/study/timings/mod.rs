@@ -18,13 +18,14 @@ use crate::clock::Stage;
 use crate::drawing::palette::{self, Dash, Marker, Style};
 use crate::drawing::{self, Axis, Bars, Chart, Colour, Direction, Drawing, Guide, Remark, panels};
 use crate::error::Error;
-use crate::markdown::{self, Column, significant};
+use crate::markdown::{self, significant};
 use crate::solve::{Element, Formulation, Iteration};
 use crate::study::about::{About, Found, Planned, Study};
 use crate::study::drawn::picture;
+use crate::study::target;
 use crate::study::timings::growth::{Growth, exponent};
 use crate::study::timings::precision::{LOADS, Point, Series, TOLERANCE, cells};
-use crate::study::timings::record::{Beside, COMPARED, Record, Target, cheapest, front, ours, sound, targets};
+use crate::study::timings::record::{Beside, COMPARED, Record, cheapest, front, ours, sound, targets};
 
 pub use record::Record as Numbers;
 
@@ -61,14 +62,6 @@ impl Study for Record {
 /// parabola for x⁴ on 0 to h is at 0 off by 3h⁴/35.
 const PARABOLA: f64 = 3.0 / 35.0 / 8.0 * (0.25 * 0.25 * 0.25 * 0.25);
 
-/// Columns of the table of targets.
-const ASKED: [Column<Target>; 4] = [
-    ("what", |target| target.what.clone()),
-    ("asked for", |target| target.asked.clone()),
-    ("measured", |target| target.measured.clone()),
-    ("met", |target| target.met.map_or("–", |met| if met { "yes" } else { "no" }).into()),
-];
-
 /// The page of a record.
 pub fn page(record: &Record) -> String {
     let targets = targets(record);
@@ -79,7 +72,7 @@ pub fn page(record: &Record) -> String {
         count(Some(true)),
         count(Some(false)),
         count(None),
-        markdown::columns(&ASKED, &targets)
+        markdown::columns(&target::COLUMNS, &targets)
     );
     [asked, "\n".into(), machine(record), precision(record), growth(record)].concat()
 }

@@ -13,6 +13,7 @@ use crate::oracle::cross_code::frozen::{read_json, write_json};
 use crate::solve::{Element, Formulation, Iteration};
 use crate::study::records;
 use crate::study::seconds::{Machine, Spread};
+use crate::study::target::Target;
 use crate::study::timings::growth::{Growth, Nine, exponent};
 use crate::study::timings::precision::{Point, Series, TOLERANCE, half_widths, solved};
 
@@ -152,19 +153,6 @@ pub fn cheapest<'a>(
     enough.min_by(|a, b| a.seconds.total_cmp(&b.seconds))
 }
 
-/// One row.
-#[derive(Clone, Debug)]
-pub struct Target {
-    /// What is measured.
-    pub what: String,
-    /// What was asked for.
-    pub asked: String,
-    /// What came out, with its spread where it is a ratio of repeated runs.
-    pub measured: String,
-    /// Whether it is met; none where it could not be measured.
-    pub met: Option<bool>,
-}
-
 /// Contact solve over plain solve.
 const CONTACT: f64 = 1.1;
 /// Degrees of freedom from which the memory is asked for: below, the process itself takes most of it.
@@ -191,27 +179,31 @@ pub fn targets(record: &Record) -> Vec<Target> {
     for one in growth {
         let n = one.counts.dofs;
         all.push(contact(one, ""));
-        all.push(at_most(format!("assembly ÷ plain solve, {n} dofs, one thread"), 0.25, one.assembly_ratio[0].median));
-        all.push(at_most(format!("the same on all threads, {n} dofs"), 0.25, one.assembly_ratio[1].median));
-        all.push(at_most(format!("one more solve ÷ the first, {n} dofs"), 0.02, one.again_ratio.median));
+        all.push(Target::at_most(
+            format!("assembly ÷ plain solve, {n} dofs, one thread"),
+            0.25,
+            one.assembly_ratio[0].median,
+        ));
+        all.push(Target::at_most(format!("the same on all threads, {n} dofs"), 0.25, one.assembly_ratio[1].median));
+        all.push(Target::at_most(format!("one more solve ÷ the first, {n} dofs"), 0.02, one.again_ratio.median));
     }
     all.extend(record.measured.revolved.iter().map(|one| contact(one, "sphere, ")));
     for nine in &record.measured.nine {
         for (threads, ratio) in ["one thread", "all threads"].into_iter().zip(nine.ratio) {
             let mesh = format!("{} dofs, {} retained, {threads}", nine.counts.dofs, nine.counts.retained);
-            all.push(at_most(format!("all nine formulations ÷ one, {mesh}"), 2.0, ratio.median));
+            all.push(Target::at_most(format!("all nine formulations ÷ one, {mesh}"), 2.0, ratio.median));
         }
     }
     all.extend(steepness(growth));
     for one in growth.iter().filter(|one| one.counts.dofs >= LARGE) {
         let what = format!("peak memory ÷ bytes of the factor, {} dofs", one.counts.dofs);
         let unknown =
-            Target { measured: "not told by the system".into(), met: None, ..at_most(what.clone(), 2.0, 0.0) };
-        all.push(one.memory_ratio.map_or(unknown, |ratio| at_most(what, 2.0, ratio)));
+            Target { measured: "not told by the system".into(), met: None, ..Target::at_most(what.clone(), 2.0, 0.0) };
+        all.push(one.memory_ratio.map_or(unknown, |ratio| Target::at_most(what, 2.0, ratio)));
     }
     all.extend(Series::CODES.into_iter().zip([20.0, 10.0, 1.0]).map(|(code, asked)| to_accuracy(record, code, asked)));
     all.extend(growth.first().map(|one| sixth_digit(record, one)));
-    all.push(at_most("whole report from nothing [s]".into(), 60.0, record.measured.report));
+    all.push(Target::at_most("whole report from nothing [s]".into(), 60.0, record.measured.report));
     all
 }
 
@@ -219,7 +211,7 @@ pub fn targets(record: &Record) -> Vec<Target> {
 fn contact(one: &Growth, of: &str) -> Target {
     let what = format!("contact solve ÷ plain solve, {of}{} dofs", one.counts.dofs);
     let measured = format!("{:.3}, upper quartile {:.3}", one.ratio.median, one.ratio_quartile);
-    Target { measured, ..at_most(what, CONTACT, one.ratio.median) }
+    Target { measured, ..Target::at_most(what, CONTACT, one.ratio.median) }
 }
 
 /// Exponents of the whole time and of the contact solve, this against that of the plain solve in the same run.
@@ -228,8 +220,11 @@ fn steepness(growth: &[Growth]) -> [Target; 2] {
     let what = |of: &str| format!("exponent of the {of}, {least} to {most} dofs");
     let whole = exponent(growth, |one| one.seconds(&Stage::ALL));
     let plain = exponent(growth, |one| one.plain.median);
-    let contact = at_most(what("contact solve"), plain, exponent(growth, |one| one.contact.median));
-    [at_most(what("whole time"), 1.25, whole), Target { asked: format!("≤ {plain:.3}, the plain solve's"), ..contact }]
+    let contact = Target::at_most(what("contact solve"), plain, exponent(growth, |one| one.contact.median));
+    [
+        Target::at_most(what("whole time"), 1.25, whole),
+        Target { asked: format!("≤ {plain:.3}, the plain solve's"), ..contact },
+    ]
 }
 
 /// Six digits in units of a plain solve.
@@ -239,7 +234,7 @@ fn sixth_digit(record: &Record, Growth { counts, plain, .. }: &Growth) -> Target
         counts.dofs
     );
     let best = cheapest(record.of(Series::Fitted), Point::worst, SIXTH);
-    at_most(what, PLAIN_SOLVES, best.map_or(f64::NAN, |point| point.seconds) / plain.median)
+    Target::at_most(what, PLAIN_SOLVES, best.map_or(f64::NAN, |point| point.seconds) / plain.median)
 }
 
 /// Our cheapest mesh within the compared accuracy: node elements with kinematic load on truncated Hertz.
@@ -277,20 +272,12 @@ fn to_accuracy(record: &Record, code: Series, asked: f64) -> Target {
                 "{ratio:.1} ({longer:.1} ms with {} dofs against {shorter:.2} ms with {})",
                 theirs.dofs, own.dofs
             );
-            Target { measured, ..at_least(what, asked, ratio) }
+            Target { measured, ..Target::at_least(what, asked, ratio) }
         }
         _ if record.of(code).next().is_some() => {
             let measured = format!("{} on none of its meshes", code.name());
-            Target { measured, ..at_least(what, asked, f64::NAN) }
+            Target { measured, ..Target::at_least(what, asked, f64::NAN) }
         }
-        _ => Target { measured: NOT_ASKED.into(), met: None, ..at_least(what, asked, f64::NAN) },
+        _ => Target { measured: NOT_ASKED.into(), met: None, ..Target::at_least(what, asked, f64::NAN) },
     }
-}
-
-fn at_most(what: String, limit: f64, value: f64) -> Target {
-    Target { what, asked: format!("≤ {limit}"), measured: format!("{value:.3}"), met: Some(value <= limit) }
-}
-
-fn at_least(what: String, limit: f64, value: f64) -> Target {
-    Target { what, asked: format!("≥ {limit}"), measured: format!("{value:.1}"), met: Some(value >= limit) }
 }
