@@ -9,7 +9,7 @@ use contact_vv::measure::relative_error;
 use contact_vv::mesh::Order;
 use contact_vv::oracle::Quantity;
 use contact_vv::scene::Scene;
-use contact_vv::solve::{Element, Formulation, Iteration};
+use contact_vv::solve::{Element, Formulation, Iteration, Run};
 use contact_vv::study::promised::met::Record;
 use contact_vv::study::random::{Family, Sample, Site, family};
 
@@ -17,7 +17,8 @@ use crate::accuracy::error;
 use crate::balance::scene;
 use crate::outputs::{contact_vv, json};
 use crate::program::Folder;
-use crate::workbench::kinematic;
+use crate::scene_file::case;
+use crate::workbench::{kinematic, parsed};
 
 const SITE: Site = Site { family: Family::Cosine, number: 90_001 };
 
@@ -274,4 +275,48 @@ fn a_higher_order_is_tried_before_8_node_cells_whatever_is_asked() {
     let answer = found("wedge = 0.003");
     let said = answer.unmet.as_deref().expect("not met");
     assert!(said.contains("no limit") && answer.tried.iter().all(|tried| tried.dofs <= 6_000), "{said}");
+}
+
+/// Without an end that cells hide, coarse meshes tell what is met: looked at on as many elements as the accuracy asks for elsewhere, these took
+/// 76,125, 66,400 and 206,552 dofs.
+#[test]
+fn contacts_without_an_end_are_answered_as_coarse_as_their_bars_allow() {
+    for (file, most) in [("eccentric-load", 500), ("press-fit", 16_000), ("three-rings", 45_000)] {
+        let scene = case(file).scene;
+        let answer = accuracy::solve(&scene, &Formulation::verification(), &Asked::new(1e-6)).expect("solved");
+        assert!(answer.unmet.is_none() && answer.run.dofs <= most, "{file}: {:?}, {}", answer.unmet, answer.run.dofs);
+    }
+}
+
+/// Three rollers under a plate: cells of order 8 were given up at 27,521 dofs, for 8-node cells of 1.3 million that did not meet it either.
+#[test]
+fn rows_of_contacts_are_met_to_a_millionth() {
+    let row = [-40.0, 0.0, 40.0].map(|x| {
+        format!(
+            "[[contact]]\nname = \"at {x}\"\nfirst = \"plate\"\norigin = [{x}, 0]\nboth-sides = true\ngap = {{ parabola = 25 }}\nstretch = 1\n"
+        )
+    });
+    let plate = "plane = \"strain\"\nthickness = 1\n[[body]]\nname = \"plate\"\nyoung = 70e3\npoisson = 0.33\n\
+        shape = { rectangle = { x = [-60, 60], y = [0, 20], contact = \"bottom\" } }\n\
+        supports = [{ at = [-60, 20], component = \"x\" }]\nloads = [{ traction = { at = \"far\", force = [0, -1500] } }]\n";
+    let scene = parsed(&format!("{plate}{}[mesh]\nelements = 12\nper = 1\n", row.concat())).scene;
+    let answer = accuracy::solve(&scene, &Formulation::verification(), &Asked::new(1e-6)).expect("solved");
+    assert!(answer.unmet.is_none(), "{:?}", answer.unmet);
+    assert!(answer.tried.iter().all(|tried| tried.dofs <= 100_000), "{:?}", answer.tried);
+}
+
+/// The mesh answered and the one that judges it are held for what is read of them afterwards.
+#[test]
+fn the_mesh_answered_and_the_one_that_judges_it_are_solved_once() {
+    let case = library::find("truncated-hertz", None).expect("known");
+    let answer = accuracy::solve(&case.scene, &Formulation::verification(), &Asked::new(1e-3)).expect("solved");
+    let own = answer.discretisation.as_ref().expect("held");
+    assert_eq!((own.resolution, own.system.dofs()), (answer.resolution, answer.run.dofs));
+    let (finer, judge) = answer.judge.as_ref().expect("held");
+    let last = answer.tried.last().expect("solved");
+    assert_eq!((finer.system.dofs(), judge.dofs), (last.dofs, last.dofs));
+    // From the contact that the cheap mesh shows.
+    let first = answer.tried.iter().find(|tried| tried.purpose == "order").expect("solved");
+    let cold = Run::of(own, &answer.run.formulation).expect("solved").solution.work.iterations;
+    assert!(first.iterations < cold, "{} of {cold}", first.iterations);
 }

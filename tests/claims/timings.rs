@@ -3,9 +3,10 @@
 use approx::assert_relative_eq;
 use contact_vv::error::Error;
 use contact_vv::study::seconds::{Machine, Spread, quantile, ratios};
+use contact_vv::study::target::Target;
 use contact_vv::study::timings::growth::{self, Counts, Growth, exponent};
 use contact_vv::study::timings::precision::{self, LOADS, Point, Series, answered, half_widths, nominal};
-use contact_vv::study::timings::record::{Beside, COMPARED, Measured, Record, Target, cheapest, ours, sound, targets};
+use contact_vv::study::timings::record::{Beside, COMPARED, Measured, Record, cheapest, ours, sound, targets};
 use rayon::prelude::*;
 
 use crate::workbench::spoiled;
