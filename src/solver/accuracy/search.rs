@@ -26,7 +26,7 @@ const BESIDE: f64 = 1e-3;
 const HOPELESS: f64 = 30.0;
 /// Dofs of the mesh that bars foresee from which on a search gives up after two in a row; and those of meshes whose bars tell that, and of meshes that
 /// have none.
-const FORESEEN: f64 = 2e7;
+const FORESEEN: f64 = 5e6;
 const TOLD: [f64; 2] = [5e3, 5e4];
 /// Most meshes, with those on which the candidates were too short.
 const MOST: usize = 24;
