@@ -10,6 +10,7 @@
 //! of equal springs that stiffen.
 
 use crate::algorithm::{ContactProblem, Iterate, Springs};
+use crate::condensation::stiffness::SystemFactor;
 use crate::solution::Work;
 
 /// What a closed point does.
@@ -28,8 +29,6 @@ pub struct Exact {
     pub closed: Vec<bool>,
     /// Displacements, approaches, pressures.
     pub iterate: Iterate,
-    /// Sets that were tried.
-    pub sets: usize,
 }
 
 /// Springs that hold closed points of the mean area of their contact, over what both bodies resist there, one behind the other. What
@@ -55,7 +54,8 @@ impl Exact {
 
     /// Equilibrium with a set of points closed, whatever sign their pressures have; none where it leaves a body free.
     pub fn bilateral(problem: &ContactProblem, closed: &[bool]) -> Option<Iterate> {
-        Search::of(problem, Law::Rigid).solved(closed)
+        let mut held = Search::of(problem, Law::Rigid).held(closed)?;
+        Some(held.handed_over())
     }
 }
 
@@ -91,17 +91,23 @@ impl<'a> Search<'a> {
         let mut one_by_one = false;
         let mut violations: Vec<f64> = Vec::new();
         let mut held: Option<Vec<bool>> = None;
-        for sets in 1..=SETS {
-            let Some(iterate) = self.solved(&closed) else {
+        for _ in 0..SETS {
+            let Some(mut holding) = self.held(&closed) else {
                 // Too many points were opened at once.
                 closed = held.take()?;
                 one_by_one = true;
                 flip_worst(&mut closed, &violations)?;
                 continue;
             };
-            violations = self.violations(&closed, &iterate)?;
-            if violations.iter().all(|violation| *violation <= 0.0) {
-                return Some(Exact { closed, iterate, sets });
+            // What springs yield matters where a set seems to stand.
+            let stands = |violations: &[f64]| violations.iter().all(|violation| *violation <= 0.0);
+            violations = self.violations(&closed, &holding.equilibrium())?;
+            if stands(&violations) {
+                let iterate = holding.handed_over();
+                violations = self.violations(&closed, &iterate)?;
+                if stands(&violations) {
+                    return Some(Exact { closed, iterate });
+                }
             }
             one_by_one |= self.seen.contains(&closed);
             self.seen.push(closed.clone());
@@ -119,18 +125,13 @@ impl<'a> Search<'a> {
         None
     }
 
-    /// Equilibrium with a set of points closed; none where it leaves a body free.
-    fn solved(&self, closed: &[bool]) -> Option<Iterate> {
-        let work = &mut Work::default();
+    /// Springs that hold a set of points closed; none where that leaves a body free.
+    fn held(&self, closed: &[bool]) -> Option<Held<'a>> {
         let stiffness: Vec<f64> =
             self.holding.iter().zip(closed).map(|(k, closed)| if *closed { *k } else { 0.0 }).collect();
-        let factor = self.problem.factorise(&stiffness, work)?;
-        let mut springs = Springs { force: vec![0.0; stiffness.len()], stiffness };
-        let handed = if self.law == Law::Rigid { HANDED } else { 0 };
-        for _ in 0..handed {
-            springs.force = self.problem.equilibrium(&factor, &springs, |point| point.gap, work).pressure;
-        }
-        Some(self.problem.equilibrium(&factor, &springs, |point| point.gap, work))
+        let factor = self.problem.factorise(&stiffness, &mut Work::default())?;
+        let springs = Springs { force: vec![0.0; stiffness.len()], stiffness };
+        Some(Held { problem: self.problem, law: self.law, factor, springs })
     }
 
     /// By how much each point is in the wrong state, over the largest pressure of its contact; 0 where it is right, none
@@ -167,6 +168,29 @@ impl<'a> Search<'a> {
         let each: Vec<f64> = each.collect();
         let finite = iterate.pressure.iter().chain(&iterate.approach).all(|x| x.is_finite());
         finite.then_some(each)
+    }
+}
+
+/// A set of points that springs hold closed.
+struct Held<'a> {
+    problem: &'a ContactProblem<'a>,
+    law: Law,
+    factor: SystemFactor,
+    springs: Springs,
+}
+
+impl Held<'_> {
+    fn equilibrium(&self) -> Iterate {
+        self.problem.equilibrium(&self.factor, &self.springs, |point| point.gap, &mut Work::default())
+    }
+
+    /// The same once what the springs yield is round-off; initial springs yield as they do.
+    fn handed_over(&mut self) -> Iterate {
+        let handed = if self.law == Law::Rigid { HANDED } else { 0 };
+        for _ in 0..handed {
+            self.springs.force = self.equilibrium().pressure;
+        }
+        self.equilibrium()
     }
 }
 
