@@ -75,7 +75,7 @@ pub fn series(truth: &Truth, found: &Series) {
                 "{}: limit {} ± {}, order of the last three {order}; ",
                 one.name,
                 markdown::value(limit.limit),
-                markdown::significant(limit.bound, 2)
+                markdown::significant(limit.bar, 2)
             )
         });
         let reference = markdown::value(one.judged.reference.value);
