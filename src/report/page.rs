@@ -60,7 +60,7 @@ fn values(findings: &[Finding]) -> Result<Files, Error> {
 /// The pages behind the front page: a loop over the studies, of which that of the cases has a page a case.
 fn pages(findings: &[Finding]) -> Result<Files, Error> {
     let mut pages =
-        vec![(links::CHECKS.to_string(), of_checks(findings)), (symbols::FILE.to_string(), symbols::page())];
+        vec![(links::CHECKS.to_string(), of_checks(findings)), (symbols::FILE.to_string(), symbols::page(findings))];
     for room in study_page::asked(findings) {
         pages.push((study_page::file(room.name), study_page::page(room, findings)?));
     }
