@@ -313,7 +313,11 @@ pub fn statements(courses: &[Course]) -> Vec<Statement> {
             Sentence::Agrees => Fared::agreement(courses),
             _ => Fared::by(|reading| sentence.holds(&both(reading)), agrees),
         };
-        statement(sentence, &nearest, &fared)
+        let one = statement(sentence, &nearest, &fared);
+        match sentence {
+            Sentence::Fails => Statement { measured: format!("{}. {}", one.measured, ended_later(courses)), ..one },
+            _ => one,
+        }
     };
     Sentence::ALL.map(judged).into()
 }
@@ -393,6 +397,20 @@ pub fn later(courses: &[Course]) -> String {
         (!each.is_empty()).then(of)
     };
     courses.iter().filter_map(told).collect::<Vec<_>>().join("; ")
+}
+
+/// How many of these end by the larger cap, and after how many iterations.
+fn ended_later(courses: &[Course]) -> String {
+    let all = || courses.iter().flat_map(|course| &course.later);
+    let mut ended: Vec<usize> = all().filter_map(|(_, met)| Some((*met)?.iterations)).collect();
+    ended.sort_unstable();
+    let after = |most: &usize| format!(", after {} to {most} iterations", ended[0]);
+    format!(
+        "Of {} starts that the cap ends beside one that it does not, {} end by one {LONGER} times as large{}",
+        all().count(),
+        ended.len(),
+        ended.last().map_or(String::new(), after)
+    )
 }
 
 /// What is parted by semicolons, as sentences.
