@@ -139,6 +139,9 @@ pub fn worst<'a>(judged: impl IntoIterator<Item = &'a Judged>) -> Option<&'a Ver
 const ROUND_OFF: f64 = 5e-10;
 const ALIKE: f64 = 1e-6;
 
+/// Case of a check that runs of several cases are asked for, in the record of checks.
+pub const EVERY_RUN: &str = "every run";
+
 /// What is asked, once each, with its runs, the worst first: checks that hold the same quantity to the same tolerance of the same
 /// reference ask one thing of several runs; of a self-consistency the runs may have places, references and tolerances of their own.
 pub fn requirements<'a, T>(checks: impl IntoIterator<Item = (T, &'a Judged)>) -> Vec<Vec<(T, &'a Judged)>> {

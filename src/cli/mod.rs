@@ -173,7 +173,7 @@ enum Command {
         /// Print them as JSON.
         #[arg(long)]
         json: bool,
-        /// Print their reference values as JSON: value, bound, unit, how it was found, and by whom it is confirmed.
+        /// Print their reference values as JSON: value, bar, unit, how it was found, and by whom it is confirmed.
         #[arg(long, conflicts_with = "json")]
         references: bool,
     },

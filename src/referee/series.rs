@@ -38,8 +38,8 @@ pub struct Series {
 
 /// The numbers that are followed, and what is judged of their limits.
 const WIDTH: [&str; 2] =
-    ["second-moment width", "distance of the limit of the second-moment width from the truth, over both bounds"];
-const PEAK: [&str; 2] = ["peak pressure", "distance of the limit of the peak from the truth, over both bounds"];
+    ["second-moment width", "distance of the limit of the second-moment width from the truth, over both error bars"];
+const PEAK: [&str; 2] = ["peak pressure", "distance of the limit of the peak from the truth, over both error bars"];
 
 /// How far the ratio of two sizes may be from 2: counted edges are whole.
 const HALVED: f64 = 0.1;
@@ -92,10 +92,10 @@ fn along([name, distance]: [&'static str; 2], known: Known, values: Vec<f64>, si
         distance,
         known.reference.clone(),
         1.0,
-        "the bound of the series (Roache's GCI, or what its changes allow), and the bar of the reference",
+        "the error bar of the series (Roache's GCI, an estimate, or what its changes allow) and that of the reference",
     );
     let judged = match limit {
-        Some(limit) => check.judge((limit.limit - truth).abs() / (limit.bound + known.bar)),
+        Some(limit) => check.judge((limit.limit - truth).abs() / (limit.bar + known.bar)),
         None => {
             let why = "three meshes are needed, each with edges half as long as the one before".into();
             check.not_run(known.reference.kind, &known.reference.name, why)

@@ -66,9 +66,14 @@ pub fn right(findings: &[Finding]) -> String {
     let all = told::each(findings);
     let [pass, fail, absent] = told::tally(all.iter().copied());
     let not_run = if absent > 0 { format!(", {absent} could not be run") } else { String::new() };
+    let propositions = told::propositions(all.iter().copied());
     let verdict = match (all.len(), fail) {
         (0, _) => "**Nothing was checked.**".to_string(),
-        (number, 0) => format!("**No check fails**: {pass} of {number} pass{not_run}."),
+        (number, 0) => {
+            format!(
+                "**No check fails**: {pass} of {number} pass{not_run}: {propositions} propositions, judged in {number} rows."
+            )
+        }
         (number, _) => format!("**✗ {fail} of {number} checks fail**; {pass} pass{not_run}.{}", told::failures(&all)),
     };
     let bars = findings.iter().filter_map(|finding| match finding.numbers() {

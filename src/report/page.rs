@@ -60,7 +60,7 @@ fn values(findings: &[Finding]) -> Result<Files, Error> {
 /// The pages behind the front page: a loop over the studies, of which that of the cases has a page a case.
 fn pages(findings: &[Finding]) -> Result<Files, Error> {
     let mut pages =
-        vec![(links::CHECKS.to_string(), of_checks(findings)), (symbols::FILE.to_string(), symbols::page())];
+        vec![(links::CHECKS.to_string(), of_checks(findings)), (symbols::FILE.to_string(), symbols::page(findings))];
     for room in study_page::asked(findings) {
         pages.push((study_page::file(room.name), study_page::page(room, findings)?));
     }
@@ -70,17 +70,21 @@ fn pages(findings: &[Finding]) -> Result<Files, Error> {
 
 /// The page of all checks: by kind of reference and case, and those of every run.
 fn of_checks(findings: &[Finding]) -> String {
+    let judged = told::each(findings);
     let body = format!(
         "*Verification* holds the code against closed forms and orders of accuracy (kind *analytic*); *benchmarking* holds it against \
-         other codes (*cross-code*); *self-consistency* asks it the same in another way; *validation* compares with measurement. A check \
-         is one proposition, judged by the worst of the runs that are held to it: the tables below count these runs. ± is the error bar, {COVERAGE} standard \
+         other codes (*cross-code*); *self-consistency* asks it the same in another way; *validation* compares with measurement. The checks are \
+         {} propositions, each of a quantity, how it shall stand to a reference, and the kind of that, judged in {} rows: one for each case and \
+         reference, by the worst of the runs that are held to it. The tables below count these runs. ± is the error bar, {COVERAGE} standard \
          uncertainties of the value from refinement; how many bars hold, {} tells.\n\n{}\n{}## Every run\n\n{}",
+        told::propositions(judged.iter().copied()),
+        judged.len(),
         links::to_page("what is promised", &study_page::file(promised::Numbers::NAME)),
         matrix::by_kind(findings),
         drawn::picture(NEARNESS[0], NEARNESS[1]),
         checks::of_every_run(findings.iter().flat_map(|finding| &finding.judged), true),
     );
-    links::page("All checks", "What everything is held against, by kind and by case.", &told::each(findings), &body)
+    links::page("All checks", "What everything is held against, by kind and by case.", &judged, &body)
 }
 
 /// The pages of cases; of which of them there is a benchmark sheet is told.

@@ -10,6 +10,7 @@ use std::path::Path;
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
+pub use crate::case::judged::EVERY_RUN;
 use crate::case::{Judged, Quantity, Relation, Verdict, judged};
 use crate::error::Error;
 use crate::markdown::Column;
@@ -29,8 +30,6 @@ pub const STATEMENTS: &str = "snapshots/statements.csv";
 
 /// Errors are written in steps of this: below half of it they are round-off, which differs from machine to machine, and 0.
 const ROUND_OFF: f64 = 1e-9;
-/// Case of a check that runs of several cases are asked for.
-pub const EVERY_RUN: &str = "every run";
 
 /// The record as files: their paths below the project folder, and their texts.
 pub fn files(findings: &[Finding]) -> Result<Vec<(String, String)>, Error> {

@@ -2,6 +2,8 @@
 
 use crate::markdown::{self, Column};
 use crate::report::links;
+use crate::study::Finding;
+use crate::study::promised::{self, bars};
 
 /// Name of the file.
 pub const FILE: &str = "symbols.md";
@@ -53,10 +55,26 @@ pub const SYMBOLS: [[&str; 2]; 30] = [
     ["dofs", "degrees of freedom"],
 ];
 
+/// How many error bars hold in the survey of true errors; nothing where it is not among the findings.
+fn held(findings: &[Finding]) -> String {
+    let surveyed = findings.iter().find_map(|finding| match finding.numbers() {
+        Some(promised::Numbers::Bars(recorded)) => Some(bars::meant(recorded, |_, _| true)),
+        _ => None,
+    });
+    let told = |numbers: Vec<[f64; 2]>| {
+        format!(
+            "\nOf {} true errors of random scenes {} % lie within their error bar; where that is not known they count as outside.\n",
+            numbers.len(),
+            markdown::significant(100.0 * bars::share_within(&numbers, 1.0), 3)
+        )
+    };
+    surveyed.map_or_else(String::new, told)
+}
+
 /// The page.
-pub fn page() -> String {
+pub fn page(findings: &[Finding]) -> String {
     let columns: [Column<[&str; 2]>; 2] =
         [("symbol", |[symbol, _]| (*symbol).into()), ("what it stands for", |[_, what]| (*what).into())];
     let table = markdown::columns(&columns, &SYMBOLS);
-    links::page("Symbols", "What letters stand for on every page.", &[], &table)
+    links::page("Symbols", "What letters stand for on every page.", &[], &(table + &held(findings)))
 }

@@ -29,6 +29,12 @@ pub fn each<'a>(findings: impl IntoIterator<Item = &'a Finding>) -> Vec<&'a Judg
     of_studies.into_iter().flat_map(|(_, judged)| once(judged.into_iter().flatten())).collect()
 }
 
+/// How many propositions checks are: a quantity, how it shall stand to a reference, and the kind of that.
+pub fn propositions<'a>(judged: impl IntoIterator<Item = &'a Judged>) -> usize {
+    let asked = |one: &'a Judged| (one.check.quantity.name(), one.check.relation, one.reference.kind);
+    in_order(judged.into_iter().map(|one| (asked(one), ()))).len()
+}
+
 /// Numbers of those that passed, failed and were not run.
 pub fn tally<'a>(judged: impl IntoIterator<Item = &'a Judged>) -> [usize; 3] {
     let mut counts = [0; 3];

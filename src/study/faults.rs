@@ -1,5 +1,5 @@
 //! Fault injection: what turned red when a fault was put into a copy of the tree; and whether what a script has recorded is of the present
-//! sources: each entry is bound to what it tests, and to nothing else.
+//! sources: each entry is bound to what it tests, and to nothing else; what caught a fault must still be asked.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
+use crate::case::judged::EVERY_RUN;
 use crate::case::{Check, Judged, Quantity, Reference, Verdict};
 use crate::checkout::{digest, root};
 use crate::error::Error;
@@ -16,6 +17,8 @@ use crate::study::about::{About, Found, Planned, Study};
 
 /// The faults to plant.
 const LIST: &str = "tests/faults/faults.toml";
+/// Claims that hold a number against a truth, by kind.
+const LIST_OF_TRUTHS: &str = "tests/truths.toml";
 
 /// A fault as the list has it: in `file`, the only `was` becomes `is`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -39,11 +42,9 @@ pub struct Fault {
     /// What was planted.
     #[serde(flatten)]
     pub planted: Planted,
-    /// On what.
+    /// On what, and what it turned red: a test of each kind that was found.
     #[serde(flatten)]
     pub entry: Entry,
-    /// What it turned red: a test of each kind that was found.
-    pub by: Vec<Caught>,
 }
 
 /// A test that a fault turned red.
@@ -55,6 +56,37 @@ pub struct Caught {
     pub kind: String,
     /// What it asks.
     pub told: String,
+}
+
+/// The record of checks, of which whose and what is asked; it is that of the last report.
+const ASKED: &str = "snapshots/checks.csv";
+
+#[derive(Deserialize)]
+struct Asked {
+    case: String,
+    quantity: String,
+}
+
+impl Caught {
+    /// Whether a claim of this name is among the claims, of this kind by the list of truths; of a trial, whether a check of its case, or of every run,
+    /// asks for a quantity that its sentence names. Of what shows nothing, such as what broke off, nothing is asked.
+    pub fn is_there(&self) -> bool {
+        if !TELLING.contains(&self.kind.as_str()) {
+            return true;
+        }
+        let read = |file: &str| fs::read_to_string(root().join(file)).unwrap_or_default();
+        if let Some((module, name)) = self.test.split_once("::") {
+            let truths = toml::from_str::<BTreeMap<String, Vec<String>>>(&read(LIST_OF_TRUTHS)).unwrap_or_default();
+            let kind = truths.iter().find(|(_, claims)| claims.contains(&self.test)).map_or("claim", |(kind, _)| kind);
+            return kind == self.kind && read(&format!("tests/claims/{module}.rs")).contains(&format!("\nfn {name}("));
+        }
+        let (checks, told) = (read(ASKED), self.told.to_lowercase());
+        let is_it = |one: Asked| {
+            let is_of_case = one.case == EVERY_RUN || self.test.split(" × ").next() == Some(&one.case);
+            is_of_case && told.contains(&one.quantity.to_lowercase())
+        };
+        csv::Reader::from_reader(checks.as_bytes()).deserialize().any(|row| row.is_ok_and(is_it))
+    }
 }
 
 /// Every planted fault with what it did, in the order of the list.
@@ -184,12 +216,12 @@ pub fn is_caught(fault: &Fault) -> bool {
 }
 
 fn is_seen_by(fault: &Fault, kinds: &[&str]) -> bool {
-    fault.by.iter().any(|one| kinds.contains(&one.kind.as_str()))
+    fault.entry.by.iter().any(|one| kinds.contains(&one.kind.as_str()))
 }
 
 /// A test of some kinds that turned red.
 fn test(fault: &Fault, kinds: &[&str]) -> String {
-    let found = fault.by.iter().find(|one| kinds.contains(&one.kind.as_str()));
+    let found = fault.entry.by.iter().find(|one| kinds.contains(&one.kind.as_str()));
     let told = |one: &Caught| [one.test.as_str(), one.told.as_str()].join(": ").trim_end_matches(": ").to_owned();
     found.map_or("–".into(), |one| told(one).chars().take(SHOWN).collect())
 }
@@ -234,12 +266,16 @@ pub struct Entry {
     pub sources: Option<String>,
     /// Day of the commit that it was made on.
     pub date: Option<String>,
+    /// Of a fault, what caught it.
+    #[serde(default)]
+    pub by: Vec<Caught>,
 }
 
 impl Entry {
-    /// Whether what it is bound to is as it was.
+    /// Whether what it is bound to is as it was, and what caught it is still there.
     pub fn is_current(&self) -> bool {
-        !self.bound.is_empty() && self.sources.is_some() && digest(&root(), &self.bound).ok() == self.sources
+        let is_bound = !self.bound.is_empty() && self.sources.is_some();
+        is_bound && digest(&root(), &self.bound).ok() == self.sources && self.by.iter().all(Caught::is_there)
     }
 
     /// What a table shows of that.
@@ -349,17 +385,19 @@ impl Made {
     pub fn judge(&self, record: &[Entry]) -> Judged {
         let old = record.iter().filter(|entry| !entry.is_current()).count();
         let all = record.len();
-        let quantity =
-            Quantity::at(format!("{} of other sources than the present ones", self.entry), format!("of {all}"));
+        let quantity = Quantity::at(
+            format!("{} of other sources or tests than the present ones", self.entry),
+            format!("of {all}"),
+        );
         let judged = Check::at_most(
             quantity,
             Reference::own(self.file, 0.0),
-            "what was found on other sources need not hold on these",
+            "what was found on other sources, or by a test that is no more, need not hold on these",
         )
         .judge(old as f64);
         let why = match all {
             0 => format!("none is recorded: {}", self.renew),
-            _ => format!("{old} of {all} are of other sources: {}", self.renew),
+            _ => format!("{old} of {all} are of other sources or tests: {}", self.renew),
         };
         if old == 0 && all > 0 { judged } else { Judged { verdict: Verdict::NotRun(why), ..judged } }
     }

@@ -170,7 +170,16 @@ fn what_is_asked_of_several_runs_is_one_check_and_as_bad_as_its_worst_run() {
     let other = |reference: f64, tolerance: f64| {
         Check::near("width", Reference::analytic("Hertz", reference), tolerance, "a reason").judge(2.0)
     };
-    assert_eq!(fold(&[hertz(2.0), other(2.05, 0.1), other(2.0, 0.2), other(2.0, 0.1)]), [3, 0, 0]);
+    let others = [hertz(2.0), other(2.05, 0.1), other(2.0, 0.2), other(2.0, 0.1)];
+    assert_eq!(fold(&others), [3, 0, 0]);
+    // But the same is asked; not so of another quantity, by another relation, or of a reference of another kind.
+    let [at_most, by_code] = [
+        Check::at_most("width", Reference::analytic("Hertz", 2.0), "a reason"),
+        Check::near("width", Reference::own("another mesh", 2.0), 0.1, "a reason"),
+    ];
+    assert_eq!(told::propositions(&others), 1);
+    let further = [own(0.0), at_most.judge(2.0), by_code.judge(2.0)];
+    assert_eq!(told::propositions(others.iter().chain(&further)), 4);
     assert_eq!(fold(&[own(1e-12), own(1e-8), own(0.0), hertz(2.1)]), [1, 1, 0]);
     assert_eq!(fold(&[own(1e-12), own(f64::NAN), hertz(2.1)]), [1, 1, 0]);
     assert_eq!(fold(&[own(1e-12), absent(), hertz(2.1)]), [1, 0, 1]);
@@ -284,6 +293,12 @@ fn line_of_a_judged_answer_holds_its_points_on_the_truth_and_the_table_that_is_p
     let (_, printed, _) = contact_vv(&["judge", &case, &csv]);
     let [judged] = &lines(&["judge", &case, &csv, "--json"])[..] else { panic!("one answer is a line") };
     let (title, table) = printed.split_once('\n').expect("a title, and the table");
+    // Of our own fine answer the bar is an estimate; what a closed form may be off is stated.
+    assert!(table.contains(" ± ") && !table.contains("model error"), "{table}");
+    let hertz = folder.at("hertz.csv");
+    assert!(contact_vv(&["solve", "cylinder", "--no-error-bar", "--csv", &hertz]).0);
+    let (_, stated, _) = contact_vv(&["judge", "cylinder", &hertz, "--markdown"]);
+    assert!(stated.contains(", model error "), "{stated}");
     assert!(!title.is_empty() && judged["table"] == table.trim_end(), "{judged}");
     let contacts = judged["contacts"].as_array().expect("contacts");
     let names: Vec<&Value> = contacts.iter().map(|one| &one["name"]).collect();

@@ -16,8 +16,7 @@ fn fault(name: &str, kinds: &[&str]) -> Fault {
     let by = |kind: &&str| Caught { test: "a × b".into(), kind: kind.to_string(), told: String::new() };
     Fault {
         planted: Planted { name, file, was, is, within: None },
-        entry: Entry { bound: vec![], sources: None, date: None },
-        by: kinds.iter().map(by).collect(),
+        entry: Entry { bound: vec![], sources: None, date: None, by: kinds.iter().map(by).collect() },
     }
 }
 
@@ -144,16 +143,45 @@ fn digest_of_a_function_changes_with_its_own_text_alone() {
 #[test]
 fn an_entry_of_other_sources_is_told_with_their_number() {
     let bound = |names: &[&str]| names.iter().map(|name| name.to_string()).collect::<Vec<_>>();
-    let of = |names: &[&str]| Entry { bound: bound(names), sources: digest(&root(), names).ok(), date: None };
+    let of =
+        |names: &[&str]| Entry { bound: bound(names), sources: digest(&root(), names).ok(), date: None, by: vec![] };
     let sound = [of(&["Cargo.toml"]), of(&["src/checkout.rs: pub fn root() -> PathBuf {", "tests/cases"])];
     assert_eq!(MADE[0].judge(&sound).verdict, Verdict::Pass);
-    let old = Entry { bound: bound(&["Cargo.toml"]), sources: Some("another".into()), date: None };
-    let unbound = Entry { bound: vec![], sources: digest(&root(), &[""; 0]).ok(), date: None };
-    let gone = Entry { bound: bound(&["src/absent.rs"]), sources: None, date: None };
+    let old = Entry { bound: bound(&["Cargo.toml"]), sources: Some("another".into()), date: None, by: vec![] };
+    let unbound = Entry { bound: vec![], sources: digest(&root(), &[""; 0]).ok(), date: None, by: vec![] };
+    let gone = Entry { bound: bound(&["src/absent.rs"]), sources: None, date: None, by: vec![] };
     let is_not_run = |entries: &[Entry], told: &str| matches!(MADE[0].judge(entries).verdict, Verdict::NotRun(why) if why.starts_with(told));
-    assert!(is_not_run(&[sound[0].clone(), old], "1 of 2 are of other sources"));
-    assert!(is_not_run(&[unbound, gone], "2 of 2 are of other sources"));
+    assert!(is_not_run(&[sound[0].clone(), old], "1 of 2 are of other sources or tests"));
+    assert!(is_not_run(&[unbound, gone], "2 of 2 are of other sources or tests"));
     assert!(is_not_run(&[], "none is recorded"));
+}
+
+#[test]
+fn an_entry_whose_test_is_no_more_or_is_of_another_kind_is_not_current() {
+    let by = |test: &str, kind: &str, told: &str| {
+        let [test, kind, told] = [test, kind, told].map(String::from);
+        let (bound, by) = (vec!["Cargo.toml".into()], vec![Caught { test, kind, told }]);
+        Entry { sources: digest(&root(), &bound).ok(), bound, date: None, by }.is_current()
+    };
+    let (claim, truth) = ("faults::digest_is_the_same_in_python", "cells::square_rules_integrate_what_they_promise");
+    let (trial, told) =
+        ("three-rings.toml × node.kinematic", "Contact pressure shall agree with Lamé, two fits within 0.020 %");
+    for (test, kind, told) in
+        [(claim, "claim", ""), (truth, "analytic", ""), (trial, "analytic", told), (trial, "broken off", "it ended")]
+    {
+        assert!(by(test, kind, told), "{test}, {kind}");
+    }
+    for (test, kind, told) in [
+        ("faults::a_claim_that_was_here", "claim", ""),
+        ("absent::digest_is_the_same_in_python", "claim", ""),
+        (claim, "analytic", ""),
+        (truth, "claim", ""),
+        (trial, "self-consistency", "There shall be no recomputed record that is not the recorded one"),
+        (trial, "analytic", "Moment shall agree with Lamé within 0.020 %"),
+        ("four-rings.toml × node.kinematic", "analytic", "Centre of pressure shall agree with M/N within 1e-8"),
+    ] {
+        assert!(!by(test, kind, told), "{test}, {kind}, {told}");
+    }
 }
 
 #[test]

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use contact_vv::case::library::{Cylinder, PinRod};
-use contact_vv::measure::order::{Why, bound_of_two, pairs, richardson, slope};
+use contact_vv::measure::order::{Why, bar_of_two, pairs, richardson, slope};
 use contact_vv::measure::profile::{
     centre, means, misplaced, relative_l2, resultant, second_moment_width, weighted_line,
 };
@@ -316,9 +316,9 @@ fn richardson_finds_order_limit_and_error_of_a_manufactured_series() {
         let error = (amplitude * 0.1_f64.powf(order)).abs();
         assert_relative_eq!(found.order, order, max_relative = 1e-11);
         assert_relative_eq!(found.limit, 7.0, max_relative = 1e-13);
-        // Factor of safety 1.25 (Roache 1994); half of a bound that covers 95 % is standard.
-        assert_relative_eq!(found.bound, 1.25 * error, max_relative = 1e-10);
-        assert_relative_eq!(found.uncertainty(), 0.5 * found.bound, max_relative = 1e-15);
+        // Factor of safety 1.25 (Roache 1994); half of a bar that covers 95 % is standard.
+        assert_relative_eq!(found.bar, 1.25 * error, max_relative = 1e-10);
+        assert_relative_eq!(found.uncertainty(), 0.5 * found.bar, max_relative = 1e-15);
     }
 }
 
@@ -329,12 +329,12 @@ fn richardson_never_extrapolates_an_oscillation() {
         assert!(found.order.is_nan(), "{series:?}");
         assert_abs_diff_eq!(found.limit, series[2], epsilon = 0.0);
         let [least, most] = [f64::min, f64::max].map(|of| series.into_iter().reduce(of).expect("three"));
-        assert_relative_eq!(found.bound, most - least, max_relative = 1e-12);
+        assert_relative_eq!(found.bar, most - least, max_relative = 1e-12);
     }
-    assert_abs_diff_eq!(richardson([2.0; 3]).bound, 0.0, epsilon = 0.0);
+    assert_abs_diff_eq!(richardson([2.0; 3]).bar, 0.0, epsilon = 0.0);
     // Of two meshes: three times what second order tells.
-    assert_relative_eq!(bound_of_two([7.3, 7.1]), 3.0 * 0.2 / 3.0, max_relative = 1e-12);
-    assert!(bound_of_two([f64::NAN, 7.1]).is_nan());
+    assert_relative_eq!(bar_of_two([7.3, 7.1]), 3.0 * 0.2 / 3.0, max_relative = 1e-12);
+    assert!(bar_of_two([f64::NAN, 7.1]).is_nan());
 }
 
 #[test]
@@ -343,23 +343,23 @@ fn richardson_is_cautious_beyond_the_orders_of_its_elements() {
     let of = |order: f64| (richardson(series(order)), (series(order)[1] - series(order)[2]).abs());
     let (faster, change) = of(2.6);
     assert_relative_eq!(faster.order, 2.6, max_relative = 1e-10);
-    assert_relative_eq!(faster.bound, 1.25 * change / 3.0, max_relative = 1e-12);
+    assert_relative_eq!(faster.bar, 1.25 * change / 3.0, max_relative = 1e-12);
     // A last change that is small by accident is neither extrapolated nor trusted.
     let (accident, change) = of(6.0);
-    assert_relative_eq!(accident.bound, 3.0 * change, max_relative = 1e-12);
+    assert_relative_eq!(accident.bar, 3.0 * change, max_relative = 1e-12);
     assert_abs_diff_eq!(accident.limit, series(6.0)[2], epsilon = 0.0);
-    // Slow: the bound covers at least the error that the observed order tells.
+    // Slow: the bar covers at least the error that the observed order tells.
     for order in [0.45, 0.2, 0.05] {
         let (slow, change) = of(order);
         let observed = 1.25 * change / (2f64.powf(order) - 1.0);
-        assert!(slow.bound >= observed * (1.0 - 1e-9) && slow.bound >= 6.0 * change, "{order}: {}", slow.bound);
+        assert!(slow.bar >= observed * (1.0 - 1e-9) && slow.bar >= 6.0 * change, "{order}: {}", slow.bar);
         assert_abs_diff_eq!(slow.limit, series(order)[2], epsilon = 0.0);
     }
-    // Changes that do not fall bound nothing, and what is no number neither.
+    // Changes that do not fall tell nothing, and what is no number neither.
     for series in
         [[1.0, 2.0, 3.0], [1.0, 2.0, 4.0], [f64::NAN, 2.0, 1.5], [1.0, 2.0, f64::NAN], [f64::INFINITY, 2.0, 1.5]]
     {
-        assert!(richardson(series).bound.is_nan(), "{series:?}");
+        assert!(richardson(series).bar.is_nan(), "{series:?}");
     }
 }
 

@@ -132,6 +132,20 @@ fn a_factor_in_how_the_pressures_of_a_code_are_read_turns_its_check_of_every_cas
 }
 
 #[test]
+fn our_own_answer_changes_nothing_of_what_other_codes_may_be_off() {
+    for (case, numbers) in CASES.iter().zip(ALL.iter()) {
+        let allowed = |numbers: &Numbers| -> Vec<f64> {
+            numbers.judge().expect("judged").iter().map(|one| one.check.tolerance).collect()
+        };
+        let absent = Numbers { ours: Err("none".into()), ..numbers.clone() };
+        let mut off = numbers.clone();
+        off.ours.as_mut().expect("read").scores[0].value *= 1.5;
+        assert!(allowed(numbers).iter().all(|most| *most < 0.02), "{case}: {:?}", allowed(numbers));
+        assert_eq!([allowed(&absent), allowed(&off)], [allowed(numbers), allowed(numbers)], "{case}");
+    }
+}
+
+#[test]
 fn pressures_spoiled_in_the_files_that_a_code_wrote_turn_its_check_red() {
     let (case, numbers) = (named("truncated-hertz").expect("a case"), &ALL[1]);
     let (discretisation, truth) =
@@ -183,7 +197,7 @@ fn a_code_that_solves_our_rows_is_not_judged_by_them_and_our_answer_is_read_as_t
             assert!(own.iter().flatten().all(|row| row.setting.searched.is_some()), "{case}, {}", code.name());
             assert_eq!(own[1].is_some(), codes().any(|one| one == code), "{case}, {}", code.name());
         }
-        let ours = numbers.ours[0].as_ref().expect("read");
+        let ours = numbers.ours.as_ref().expect("read");
         // Whoever solves our rows exactly finds our answer.
         let rows = numbers.best(|setting| setting.code == Code::Ngsolve && setting.searched.is_none());
         let theirs = rows.and_then(|row| row.scored.as_ref().ok()).expect("solved");

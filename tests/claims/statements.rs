@@ -10,8 +10,8 @@ use contact_vv::measure::Quantity;
 use contact_vv::report::{record, statements};
 use contact_vv::solve::{Element, Iteration};
 use contact_vv::study::paper::reading::{Axis, Candidates, Reading, Stop};
-use contact_vv::study::paper::sentence::{Met, Seen, Sentence, Starts, agrees};
-use contact_vv::study::paper::statement::{Course, courses, shown};
+use contact_vv::study::paper::sentence::{GOOD, Met, Seen, Sentence, Starts, agrees};
+use contact_vv::study::paper::statement::{self, Course, courses, later as later_of, shown};
 use contact_vv::study::paper::statement::{Fared, Judgement};
 use contact_vv::study::{Finding, Study, cases};
 
@@ -177,6 +177,33 @@ fn judged(courses: Vec<Course>, sentence: Sentence) -> Judgement {
     let finding = Finding::of("r", "r", courses).expect("judged");
     let mut all = statements::judge(&[finding]).into_iter();
     all.find(|statement| statement.text == sentence.name()).expect("a statement").judgement
+}
+
+#[test]
+fn what_the_cap_ends_beside_what_it_does_not_is_told_with_when_it_ends_later() {
+    let later: Vec<_> = NEAREST.iter().flat_map(|course| &course.later).collect();
+    assert!(!later.is_empty());
+    for (stiffness, met) in later {
+        let met = met.expect("it ends");
+        assert!(met.iterations > Reading::nearest().cap && met.error <= GOOD, "κ₀ = {stiffness:e}: {met:?}");
+    }
+    let without = |spoil: fn(&mut Course)| {
+        let mut all = NEAREST.clone();
+        all.iter_mut().for_each(spoil);
+        later_of(&all)
+    };
+    let never = workbench::spoiled(&*NEAREST, |all| {
+        all.iter_mut().for_each(|one| one.later.iter_mut().for_each(|one| one.1 = None))
+    });
+    let told = |courses: &[Course]| {
+        let all = statement::statements(courses).into_iter();
+        all.map(|one| one.measured).filter(|one| one.contains(" times as large")).collect::<String>()
+    };
+    assert!(told(&NEAREST).contains("Of 8 starts") && told(&NEAREST).contains(", 8 end by one"), "{}", told(&NEAREST));
+    assert!(told(&never).ends_with(", 0 end by one 10 times as large"), "{}", told(&never));
+    assert!(without(|_| ()).contains("iterations from κ₀ = 1e-3 and after"), "{}", without(|_| ()));
+    assert!(!without(|course| course.later.retain(|one| one.0 > 1.0)).contains("1e-3"));
+    assert!(without(|course| course.later.iter_mut().for_each(|one| one.1 = None)).contains(" not from κ₀ = 1e-3"));
 }
 
 #[test]

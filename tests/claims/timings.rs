@@ -4,7 +4,7 @@ use approx::assert_relative_eq;
 use contact_vv::error::Error;
 use contact_vv::study::seconds::{Machine, Spread, quantile, ratios};
 use contact_vv::study::target::Target;
-use contact_vv::study::timings::growth::{self, Counts, Growth, exponent};
+use contact_vv::study::timings::growth::{self, Counts, Growth, RECOUNTED, exponent};
 use contact_vv::study::timings::precision::{self, LOADS, Point, Series, answered, half_widths, nominal};
 use contact_vv::study::timings::record::{Beside, COMPARED, Measured, Record, cheapest, ours, sound, targets};
 use rayon::prelude::*;
@@ -45,8 +45,6 @@ fn loads_move_the_edge_across_one_element_and_no_further() {
 
 /// Recorded errors may differ from recomputed ones by this share: other machines round otherwise, and runs stop at 1e-5.
 const DIGITS: f64 = 1e-3;
-/// Degrees of freedom up to which iterations and entries of the factor are counted again.
-const RECOUNTED: usize = 200_000;
 
 /// Every mesh of a series once more: points, and how many are not as recorded.
 fn again(series: Series) -> Result<[usize; 2], Error> {
@@ -215,6 +213,23 @@ fn of_ngsolve(seconds: f64, error: f64) -> Point {
         "peak_error": [0.1 * error, error, 0.2 * error], "half_width_error": vec![0.5 * error; 3],
     });
     answered(Series::Ngsolve, 1, &line)
+}
+
+#[test]
+fn what_of_a_codes_seconds_is_its_own_is_read_and_scaled_with_them() {
+    let line =
+        serde_json::json!({ "seconds": [4.0, 5.0, 9.0], "stiffness": [2.0, 1.0, 3.0], "linear": [0.5, 7.0, 1.0] });
+    let point = answered(Series::ScikitFem, 0, &line);
+    assert_eq!((point.seconds, point.assembly, point.linear), (5.0, Some(2.0), Some(1.0)));
+    assert_eq!(of_ngsolve(1.0, 1e-3).assembly, None);
+    let told = |record: Record| -> Vec<Option<f64>> {
+        record.of(Series::Dolfinx).map(|point| Some((point.assembly? + point.linear?) / point.seconds)).collect()
+    };
+    let shares = told(committed());
+    assert!(!shares.is_empty() && shares.iter().all(|share| share.is_some_and(|share| 0.0 < share && share < 1.0)));
+    for (own, scaled) in shares.iter().zip(told(committed().in_one_run())) {
+        assert_relative_eq!(own.expect("told"), scaled.expect("told"), max_relative = 1e-12);
+    }
 }
 
 /// Our own solve beside NGSolve, in 2 ms.

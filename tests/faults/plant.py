@@ -3,11 +3,12 @@
 
 Run as `python3 tests/faults/plant.py` (it takes tree-sitter and tree-sitter-rust): what caught a fault before is asked first, seconds each; where
 that does not catch it any more, all claims and trials that reach it are, truths first. Names on the command line select the faults whose name
-contains one of them, `--old` those that are not of the present sources: of files that differ from `--base` first, then the oldest, for so long as
+contains one of them, `--old` those that are not of the present sources and tests: of files that differ from `--base` first, then the oldest, for so long as
 `--minutes` says once all are compiled. Writes snapshots/faults.json, which the page prints; an entry is bound to its file and those of the claims that caught it.
 """
 import argparse
 import concurrent.futures
+import csv
 import json
 import math
 import pathlib
@@ -49,6 +50,19 @@ def bound(fault, by):
     of = lambda name: f"tests/claims/{name.split('::')[0]}.rs" if is_claim(name) else f"tests/cases/{name.split(' × ')[0]}"
     files = {of(one["test"]) for one in by}
     return [fault["file"], *sorted(file for file in files if (ROOT / file).is_file())]
+
+
+def is_there(one):
+    """Whether what caught a fault is still asked, as `Caught::is_there` of src/study/faults.rs has it."""
+    if one["kind"] not in [*TRUTHS, "self-consistency", "claim"]:
+        return True
+    if is_claim(one["test"]):
+        module, name = one["test"].split("::", 1)
+        text = ROOT / f"tests/claims/{module}.rs"
+        return OF_CLAIMS.get(one["test"], "claim") == one["kind"] and text.exists() and f"\nfn {name}(" in text.read_text()
+    with open(ROOT / "snapshots/checks.csv", newline="") as rows:
+        asked = [row["quantity"] for row in csv.DictReader(rows) if row["case"] in ("every run", one["test"].split(" × ")[0])]
+    return any(quantity.lower() in one["told"].lower() for quantity in asked)
 
 
 def found(switched, number, tests):
@@ -98,7 +112,8 @@ def main():
     faults = listed()
     kept = json.loads(RECORD.read_text())["record"] if RECORD.exists() else []
     known = {old["name"]: old for old in kept if about(old) in map(about, faults)}
-    is_old = lambda fault: fault["name"] not in known or known[fault["name"]]["sources"] != digest(known[fault["name"]]["bound"])
+    is_as_it_was = lambda one: one["sources"] == digest(one["bound"]) and all(map(is_there, one["by"]))
+    is_old = lambda fault: fault["name"] not in known or not is_as_it_was(known[fault["name"]])
     chosen = [fault for fault in faults if not asked.names or any(word in fault["name"] for word in asked.names)]
     chosen = [fault for fault in chosen if not asked.old or is_old(fault)]
     if not chosen:

@@ -49,7 +49,7 @@ pub struct Arguments {
     /// Relative error that is accepted, such as "0.1 %"; 1 % by default.
     #[arg(long, value_name = "PERCENT", allow_hyphen_values = true)]
     tolerance: Option<String>,
-    /// The answers are a series of meshes, coarse to fine: print observed orders, the bound of Richardson's extrapolation, and
+    /// The answers are a series of meshes, coarse to fine: print observed orders, the limit by Richardson's extrapolation with its error bar, and
     /// whether it goes to the truth.
     #[arg(long, conflicts_with_all = ["markdown", "plot"])]
     pub series: bool,

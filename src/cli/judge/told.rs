@@ -11,11 +11,12 @@ use crate::cli::verify;
 use crate::error::Error;
 use crate::markdown;
 use crate::measure::order::Why;
+use crate::oracle::ReferenceKind;
 use crate::referee::series::Series;
 use crate::referee::{Ruled, Truth, Verdicts};
 use crate::uncertainty::COVERAGE;
 
-const HEAD: [&str; 6] = ["quantity", "value", "reference ± bar", "error", "at most", "verdict"];
+const HEAD: [&str; 6] = ["quantity", "value", "reference", "error", "at most", "verdict"];
 
 /// Prints what was judged, and the verdicts.
 pub fn print(truth: &Truth, found: &Verdicts) {
@@ -75,7 +76,7 @@ pub fn series(truth: &Truth, found: &Series) {
                 "{}: limit {} ± {}, order of the last three {order}; ",
                 one.name,
                 markdown::value(limit.limit),
-                markdown::significant(limit.bound, 2)
+                markdown::significant(limit.bar, 2)
             )
         });
         let reference = markdown::value(one.judged.reference.value);
@@ -92,7 +93,9 @@ fn title(truth: &Truth, found: &Verdicts) -> String {
 fn row(judged: &Judged) -> [String; 6] {
     let Judged { check, value, reference, verdict, .. } = judged;
     let bar = reference.uncertainty.map_or(0.0, |u| COVERAGE * u);
-    let bar = if bar > 0.0 { format!(" ± {}", markdown::significant(bar, 2)) } else { String::new() };
+    // What a closed form may be off is stated, and no estimate.
+    let sign = if reference.kind == ReferenceKind::Analytic { ", model error " } else { " ± " };
+    let bar = if bar > 0.0 { format!("{sign}{}", markdown::significant(bar, 2)) } else { String::new() };
     let reference = format!("{}{bar} ({})", markdown::value(reference.value), reference.name);
     let verdict = match verdict {
         Verdict::Pass => "✓ met".into(),

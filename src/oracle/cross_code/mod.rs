@@ -3,7 +3,7 @@
 //! * *The same discrete problem* ([`DiscreteProblem`]): our mesh, assembled and solved by scikit-fem and dolfinx through Python files
 //!   under `oracles/python`; agreement to round-off.
 //! * *The same physical problem* ([`PhysicalScene`]): scripts in `oracles/dolfinx`, `scikit_fem`, `boundary`, `getfem` and `calculix`
-//!   that share nothing ([`independent`]); agreement within the discretisation errors of both. Those of `oracles/high` are of high order ([`high`]).
+//!   that share the scene and the few formulas that [`independent`] names; agreement within the discretisation errors of both. Those of `oracles/high` are of high order ([`high`]).
 //!
 //! Bodies of revolution have scripts of their own ([`revolution`]).
 //!

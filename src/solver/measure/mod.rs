@@ -5,7 +5,7 @@
 //! * [`mod@peak`] — its largest pressure, wherever that lies; `fit` — polynomials through pressures.
 //! * [`nodal`] — the same where an edge holds many contact points.
 //! * [`stretch`] — where its closed stretches begin and end.
-//! * [`order`] — observed orders of accuracy, Richardson's bound.
+//! * [`order`] — observed orders of accuracy, Richardson's extrapolation with its error bar.
 //!
 //! ```
 //! use signorini::scene::{Material, Scene};

@@ -61,8 +61,8 @@ const CAUTIOUS: f64 = 3.0;
 pub struct Richardson {
     /// Observed order `log₂ (f₄ − f₂)/(f₂ − f₁)`; NaN where the series is not monotone.
     pub order: f64,
-    /// Bound of the error of the finest value that covers about 95 %, in its unit.
-    pub bound: f64,
+    /// Error bar of the finest value, an estimate that covers about 95 % (Roache's GCI), in its unit.
+    pub bar: f64,
     /// Extrapolated value; the finest one where the order does not allow to extrapolate.
     pub limit: f64,
 }
@@ -70,20 +70,20 @@ pub struct Richardson {
 impl Richardson {
     /// Standard uncertainty of the finest value, in its unit.
     pub fn uncertainty(&self) -> f64 {
-        standard(self.bound)
+        standard(self.bar)
     }
 }
 
 /// What results on three nested meshes, coarse to fine, say of their limit, with `Δ = f₁ − f₂`:
 ///
-/// | order p | bound | limit |
+/// | order p | bar | limit |
 /// |---|---|---|
 /// | 0.5 … 2 | `1.25 Δ/(2^p − 1)` | `f₁ + Δ/(2^p − 1)` |
 /// | 2 … 3 | `1.25 Δ/3`, as of order 2 | `f₁ + Δ/3` |
 /// | above 3 | `3 Δ`, as of order 1 with Roache's factor of two meshes | `f₁` |
 /// | 0 … 0.5 | three times the range of the three, or `1.25 Δ/(2^p − 1)` if that is larger | `f₁` |
 /// | none: not monotone | the range of the three | `f₁` |
-/// | none: changes that do not fall | NaN: nothing bounds such a series | `f₁` |
+/// | none: changes that do not fall | NaN: such a series tells nothing | `f₁` |
 ///
 /// An oscillation is not extrapolated: it goes on within its range, twice the half range of Stern et al. (2001).
 pub fn richardson([coarse, medium, fine]: [f64; 3]) -> Richardson {
@@ -93,7 +93,7 @@ pub fn richardson([coarse, medium, fine]: [f64; 3]) -> Richardson {
     let monotone = before * change > 0.0;
     let order = if monotone { (before / change).log2() } else { f64::NAN };
     let correction = |order: f64| change / (2f64.powf(order) - 1.0);
-    let (bound, limit) = match order {
+    let (bar, limit) = match order {
         _ if !known => (f64::NAN, f64::NAN),
         _ if !monotone => (range, fine),
         p if p > FASTEST => (CAUTIOUS * correction(1.0).abs(), fine),
@@ -101,10 +101,10 @@ pub fn richardson([coarse, medium, fine]: [f64; 3]) -> Richardson {
         p if p > 0.0 => ((CAUTIOUS * range).max(CONSISTENT * correction(p).abs()), fine),
         _ => (f64::NAN, fine),
     };
-    Richardson { order, bound, limit }
+    Richardson { order, bar, limit }
 }
 
-/// Bound of the finer of two results on meshes of sizes 2h and h that covers about 95 %: `3 |f₁ − f₂|/(2² − 1)` (Roache 1994).
-pub fn bound_of_two([coarse, fine]: [f64; 2]) -> f64 {
+/// Error bar of the finer of two results on meshes of sizes 2h and h, an estimate that covers about 95 %: `3 |f₁ − f₂|/(2² − 1)` (Roache 1994).
+pub fn bar_of_two([coarse, fine]: [f64; 2]) -> f64 {
     CAUTIOUS * (fine - coarse).abs() / (2f64.powf(FORMAL) - 1.0)
 }

@@ -13,7 +13,7 @@ use crate::case::{Check, Judged, Quantity, Reference};
 use crate::checkout::root;
 use crate::drawing::Drawing;
 use crate::error::Error;
-use crate::measure::order::bound_of_two;
+use crate::measure::order::bar_of_two;
 use crate::measure::profile;
 use crate::mesh::{Order, Resolution};
 use crate::oracle::ReferenceKind;
@@ -118,7 +118,7 @@ fn compared(curve: &DigitisedCurve) -> Result<Judged, Error> {
 type Ours = Box<dyn Fn(f64) -> Result<OurPoint, Error>>;
 
 fn ours(curve: &DigitisedCurve) -> Result<Ours, Error> {
-    let of_two = |both: [f64; 2]| OurPoint { value: both[1], uncertainty: standard(bound_of_two(both)) };
+    let of_two = |both: [f64; 2]| OurPoint { value: both[1], uncertainty: standard(bar_of_two(both)) };
     let scene = curve.scene.clone();
     if scene.is_sheet {
         return Ok(Box::new(move |force| {

@@ -22,7 +22,7 @@ use crate::solve::{Element, Formulation, Iteration, LIMITS, Settings};
 use crate::study::about::{About, Found, Planned, Study};
 use reading::Reading;
 use sentence::{DIFFERENT, GOOD, MUCH, Met, STRONG, Sentence, UNREMARKABLE};
-use statement::{Course, Fared, most_fulfilled, starts};
+use statement::{Course, Fared, LONGER, later, most_fulfilled, starts};
 
 /// Every start of every site of the designed set.
 pub type Numbers = Vec<Course>;
@@ -118,6 +118,8 @@ fn readings(courses: &[Course]) -> String {
         unremarkable = 100.0 * UNREMARKABLE,
         together = together(courses),
         cap = Reading::nearest().cap,
+        longer = LONGER,
+        later = later(courses),
         at = agreement.at(),
         told = agreement.told()
     ) + "\n"

@@ -89,7 +89,7 @@ const BOUNDS: [f64; 3] = [2.0, 10.0, f64::INFINITY];
 /// Another thickness than the program's own: a tenth of it.
 const THIN: f64 = 0.005;
 /// Caps of iterations.
-const CAPS: [usize; 7] = [20, 30, 50, 100, 200, 500, 2000];
+pub const CAPS: [usize; 7] = [20, 30, 50, 100, 200, 500, 2000];
 /// Tolerances of each criterion that has one.
 const TOLERANCES: [f64; 6] = [1e-1, 1e-2, 5e-3, 1e-3, 1e-4, 1e-6];
 /// Those at which a statement shall hold.

@@ -14,7 +14,7 @@ use crate::named::named_enum;
 use crate::solution::{Iterated, Outcome, Solution};
 use crate::solve::{Discretisation, Element, Formulation, Iteration, Run, Settings};
 use crate::study::grouped::{counted, in_order};
-use crate::study::paper::reading::{Axis, Candidates, JUDGED, Mesh, Reading, Rule, Stop, told};
+use crate::study::paper::reading::{Axis, CAPS, Candidates, JUDGED, Mesh, Reading, Rule, Stop, told};
 use crate::study::paper::sentence::{Met, Seen, Sentence, Starts, agrees};
 
 named_enum! {
@@ -59,6 +59,8 @@ pub struct Course {
     pub met: Vec<Vec<Option<Met>>>,
     /// Of some starts when a stop was met: as a run without it tells, and by a run that it stops.
     pub alone: Vec<[Option<Met>; 2]>,
+    /// Of the nearest reading each start that its cap ends beside one that it does not, and when its stop is met by a cap [`LONGER`] times as large.
+    pub later: Vec<(f64, Option<Met>)>,
 }
 
 /// Initial stiffnesses κ₀: whole decades.
@@ -70,6 +72,9 @@ pub fn starts() -> Vec<f64> {
 const LEAST: f64 = 1e-13;
 /// Of the nearest reading one start in so many is run once more, by all stops in turn.
 const AGAIN: usize = 3;
+
+/// How many times the cap of the nearest reading a run is given that this ends.
+pub const LONGER: usize = 10;
 
 /// The paper's elements with its algorithms.
 pub fn shown() -> impl Iterator<Item = (Element, Iteration)> {
@@ -93,6 +98,16 @@ pub fn courses(readings: &[Reading]) -> Result<Vec<Course>, Error> {
     Ok(parts.par_iter().map(on).collect::<Result<Vec<_>, _>>()?.concat())
 }
 
+impl Example {
+    /// Elements of its mesh, on what.
+    fn elements(self) -> (usize, &'static str) {
+        match self {
+            Self::Cylinder => (8, "on Hertz's half-width"),
+            Self::PinRod => (12, "on 10 mm of arc"),
+        }
+    }
+}
+
 impl Site {
     /// All of an example under a reading; line and node elements have no thickness.
     fn all(reading: &Reading, example: Example) -> impl Iterator<Item = Self> {
@@ -105,10 +120,7 @@ impl Site {
 
     /// The mesh with its condensed system; candidates that end with a contact without a closed form have to be looked for.
     fn discretised(&self) -> Result<Discretisation, Error> {
-        let elements = match self.example {
-            Example::Cylinder => 8,
-            Example::PinRod => 12,
-        };
+        let (elements, _) = self.example.elements();
         let (elements, order) = match self.mesh {
             Mesh::Sweep => (elements, Order::Quadratic),
             Mesh::Linear => (elements, Order::Linear),
@@ -131,8 +143,9 @@ impl Site {
     /// All starts; kinematic load looks at the tolerance, and is run for each stop. Of the others one run tells of all.
     fn course(&self, discretisation: &Discretisation, stops: &[Stop]) -> Result<Course, Error> {
         let is_kinematic = self.algorithm == Iteration::Kinematic;
+        let Reading { stop: nearest, cap, .. } = Reading::nearest();
         let met = |stiffness: f64| match is_kinematic {
-            true => stops.iter().map(|stop| self.alone(discretisation, stiffness, stop)).collect(),
+            true => stops.iter().map(|stop| self.alone(discretisation, stiffness, stop, cap)).collect(),
             false => self.together(discretisation, stiffness, stops),
         };
         let met = starts().into_iter().map(met).collect::<Result<Vec<Vec<Option<Met>>>, Error>>()?;
@@ -140,10 +153,27 @@ impl Site {
         let again = if is_nearest && !is_kinematic { starts() } else { Vec::new() };
         let pair = |(start, stiffness): (usize, f64)| {
             let stop = (start + self.element as usize) % stops.len();
-            Ok([met[start][stop], self.alone(discretisation, stiffness, &stops[stop])?])
+            Ok([met[start][stop], self.alone(discretisation, stiffness, &stops[stop], cap)?])
         };
         let alone = again.into_iter().enumerate().step_by(AGAIN).map(pair).collect::<Result<_, Error>>()?;
-        Ok(Course { site: *self, retained: discretisation.condensed.retained(), stops: stops.into(), met, alone })
+        let own = stops.iter().position(|stop| *stop == nearest).filter(|_| is_nearest);
+        let ended: Vec<bool> = met.iter().map(|met| own.is_some_and(|own| met[own].is_none())).collect();
+        let is_last = |start: &usize| {
+            ended[*start] && (ended[..*start].last() == Some(&false) || ended.get(start + 1) == Some(&false))
+        };
+        let later = |start: usize| {
+            let stiffness = starts()[start];
+            Ok((stiffness, self.alone(discretisation, stiffness, &nearest, LONGER * cap)?))
+        };
+        let later = (0..ended.len()).filter(is_last).map(later).collect::<Result<_, Error>>()?;
+        Ok(Course {
+            site: *self,
+            retained: discretisation.condensed.retained(),
+            stops: stops.into(),
+            met,
+            alone,
+            later,
+        })
     }
 
     /// One run, and where it passed each stop: it ends by the hardest of them where they are of one criterion, else by nothing visible.
@@ -153,7 +183,9 @@ impl Site {
             1 => Stop { tolerance: least, ..stops[0] },
             _ => Stop { criterion: Criterion::Error, tolerance: LEAST },
         };
-        let history = self.solved(on, stiffness, &hardest)?.map_or(Vec::new(), |solution| solution.history);
+        let history = self
+            .solved(on, stiffness, &hardest, Reading::nearest().cap)?
+            .map_or(Vec::new(), |solution| solution.history);
         let met = |stop: &Stop| {
             let is_met = |one: &Iterated| stop.criterion.of(&one.seen).is_some_and(|seen| seen <= stop.tolerance);
             let at = history.iter().position(is_met)?;
@@ -163,17 +195,18 @@ impl Site {
     }
 
     /// A run of its own that stops by a criterion.
-    fn alone(&self, on: &Discretisation, stiffness: f64, stop: &Stop) -> Result<Option<Met>, Error> {
+    fn alone(&self, on: &Discretisation, stiffness: f64, stop: &Stop, cap: usize) -> Result<Option<Met>, Error> {
         let ended = |solution: &Solution| [Outcome::Converged, Outcome::Stopped].contains(&solution.outcome);
-        let solution = self.solved(on, stiffness, stop)?.filter(ended);
+        let solution = self.solved(on, stiffness, stop, cap)?.filter(ended);
         Ok(solution.map(|one| Met { iterations: one.work.iterations, error: one.error().peak }))
     }
 
     /// A solution; none where no spring holds, the named error.
-    fn solved(&self, on: &Discretisation, stiffness: f64, stop: &Stop) -> Result<Option<Solution>, Error> {
+    fn solved(&self, on: &Discretisation, stiffness: f64, stop: &Stop, cap: usize) -> Result<Option<Solution>, Error> {
         let Self { element, algorithm, rule: Rule { rule, leeway }, thickness: layer_thickness, .. } = *self;
         let plain = Formulation::new(element, algorithm);
-        let settings = Settings { criterion: stop.criterion, tolerance: stop.tolerance, ..plain.settings };
+        let Stop { criterion, tolerance } = *stop;
+        let settings = Settings { criterion, tolerance, max_iterations: cap, ..plain.settings };
         match on.solve(&Formulation { rule, leeway, stiffness, layer_thickness, settings, ..plain }) {
             Err(Error { kind: Kind::NoSpringLeft { .. } | Kind::SpringsTooSoft, .. }) => Ok(None),
             solution => solution.map(Some),
@@ -280,7 +313,11 @@ pub fn statements(courses: &[Course]) -> Vec<Statement> {
             Sentence::Agrees => Fared::agreement(courses),
             _ => Fared::by(|reading| sentence.holds(&both(reading)), agrees),
         };
-        statement(sentence, &nearest, &fared)
+        let one = statement(sentence, &nearest, &fared);
+        match sentence {
+            Sentence::Fails => Statement { measured: format!("{}. {}", one.measured, ended_later(courses)), ..one },
+            _ => one,
+        }
     };
     Sentence::ALL.map(judged).into()
 }
@@ -311,21 +348,69 @@ fn statement(sentence: Sentence, nearest: &[Seen; 2], fared: &Fared) -> Statemen
         false => format!("it {otherwise} with another {}", axes.join(", or ")),
     };
     let cap = match sentence {
-        Sentence::Fails => format!(" by a cap of {}", Reading::nearest().cap),
+        Sentence::Fails => format!(
+            " by a cap of {}{}",
+            Reading::nearest().cap,
+            if CAPS.into_iter().all(|cap| cap <= Reading::nearest().cap) {
+                ", the largest of all departures"
+            } else {
+                ""
+            }
+        ),
         _ => String::new(),
     };
     let starts = sentence.starts(nearest).map_or(String::new(), |starts| starts + "; ");
-    let numbers = format!("{starts}{}", sentence.numbers(nearest));
+    let on = match sentence {
+        Sentence::LineAlways | Sentence::Proviso | Sentence::KinematicAlways => format!(", {}", scenes()),
+        _ => String::new(),
+    };
+    let numbers = format!("{starts}{}{on}", sentence.numbers(nearest));
     Statement {
         text: sentence.name(),
         clause: format!(
-            "{starts}holds at {count} of {} tolerances{cap}; of {} departures counted {flips}",
+            "{starts}holds at {count} of {} tolerances{cap}{on}; of {} departures counted {flips}",
             fared.held.len(),
             fared.counted
         ),
         measured: sentences(&[numbers, fared.at(), fared.told()].join("; ")),
         judgement: fared.judgement(sentence),
     }
+}
+
+/// The scenes on which the paper's cases are run here, with the mesh of the nearest reading.
+fn scenes() -> String {
+    let told = |example: Example| {
+        let (elements, on) = example.elements();
+        format!("{} ({}, {elements} {on})", example.name(), Reading::nearest().mesh.name())
+    };
+    format!("on {}", Example::ALL.map(told).join(" and "))
+}
+
+/// When runs that the cap of the nearest reading ends do end by a larger one.
+pub fn later(courses: &[Course]) -> String {
+    let told = |course: &Course| {
+        let Site { example, element, algorithm, .. } = course.site;
+        let after = |met: &Option<Met>| met.map_or("not".into(), |met| format!("after {} iterations", met.iterations));
+        let each = course.later.iter().map(|(stiffness, met)| format!("{} from κ₀ = {stiffness:e}", after(met)));
+        let each: Vec<String> = each.collect();
+        let of = || format!("{} by {} + {} {}", example.name(), element.name(), algorithm.name(), each.join(" and "));
+        (!each.is_empty()).then(of)
+    };
+    courses.iter().filter_map(told).collect::<Vec<_>>().join("; ")
+}
+
+/// How many of these end by the larger cap, and after how many iterations.
+fn ended_later(courses: &[Course]) -> String {
+    let all = || courses.iter().flat_map(|course| &course.later);
+    let mut ended: Vec<usize> = all().filter_map(|(_, met)| Some((*met)?.iterations)).collect();
+    ended.sort_unstable();
+    let after = |most: &usize| format!(", after {} to {most} iterations", ended[0]);
+    format!(
+        "Of {} starts that the cap ends beside one that it does not, {} end by one {LONGER} times as large{}",
+        all().count(),
+        ended.len(),
+        ended.last().map_or(String::new(), after)
+    )
 }
 
 /// What is parted by semicolons, as sentences.

@@ -1,5 +1,5 @@
-//! Speed against accuracy: what each accuracy costs, in seconds and in counted work. Seconds are believed only while the errors and
-//! counts recorded beside them are still the code's own: these the claims compute again. A folder, since what measures seconds and what
+//! Speed against accuracy: what each accuracy costs, in seconds and in counted work. Our seconds are believed only while our errors
+//! and counts recorded beside them are still the code's own: these the claims compute again. A folder, since what measures seconds and what
 //! keeps them are two things.
 //!
 //! * `precision` — on which meshes truncated Hertz is solved; error against seconds and work, ours and of codes on meshes of their own.
@@ -23,8 +23,8 @@ use crate::solve::{Element, Formulation, Iteration};
 use crate::study::about::{About, Found, Planned, Study};
 use crate::study::drawn::picture;
 use crate::study::target;
-use crate::study::timings::growth::{Growth, exponent};
-use crate::study::timings::precision::{LOADS, Point, Series, TOLERANCE, cells};
+use crate::study::timings::growth::{Growth, RECOUNTED, exponent};
+use crate::study::timings::precision::{LOADS, Point, Series, TOLERANCE, cells, meshes_of, ours_tried};
 use crate::study::timings::record::{Beside, COMPARED, Record, cheapest, front, ours, sound, targets};
 
 pub use record::Record as Numbers;
@@ -34,14 +34,14 @@ impl Study for Record {
     const ABOUT: About = About {
         title: "Speed against accuracy",
         asked: "What an accuracy costs, in seconds and in counted work, here and in other codes.",
-        limits: "Seconds are those of one machine. Errors and counts are computed again by the tests, seconds are not.",
+        limits: "Seconds are those of one machine. Our errors and counts are computed again by the tests; seconds, and what other codes printed, are not.",
     };
 
     fn plan() -> Vec<Planned<Self>> {
         vec![Planned::new("speed against accuracy", "the record", || Record::read().map(Record::in_one_run))]
     }
 
-    /// Seconds are of their machine; that errors and counts are still those of the code is claimed by the tests.
+    /// Seconds are of their machine; that our errors and counts are still those of the code is claimed by the tests.
     fn judge(&self) -> Result<Vec<Judged>, Error> {
         Ok(vec![])
     }
@@ -86,11 +86,27 @@ fn machine(record: &Record) -> String {
         threads = machine.threads,
         system = machine.system,
         compiler = machine.compiler,
-        versions = versions.join(", ")
+        versions = versions.join(", "),
+        again = again(record)
     ) + "\n";
     let skipped = record.measured.absent.iter().map(|(code, why)| format!("Skipped: {code}: {why}.\n\n"));
     let beside = beside(record).into_iter().map(|sentence| sentence + "\n\n");
     text + &skipped.chain(beside).collect::<String>()
+}
+
+/// How many recorded points and meshes are computed again, and how many are not.
+fn again(record: &Record) -> String {
+    let Record { measured, points } = record;
+    let theirs = points.iter().filter(|point| Series::CODES.contains(&point.series)).count();
+    let meshes = || measured.growth.iter().chain(&measured.revolved);
+    let large = meshes().filter(|one| one.counts.dofs > RECOUNTED).count();
+    format!(
+        "the errors and counts of {} points of ours, and the counts of {} of the {} meshes below *Growth*, those up to {RECOUNTED} dofs. \
+         The {theirs} points of other codes are as these printed them",
+        points.len() - theirs,
+        meshes().count() - large,
+        meshes().count()
+    )
 }
 
 fn precision(record: &Record) -> String {
@@ -99,6 +115,8 @@ fn precision(record: &Record) -> String {
         loads = LOADS,
         tolerance = TOLERANCE,
         methods = methods(record),
+        tried = tried(record),
+        own = of_their_own(record),
         parabola = significant(PARABOLA, 1)
     ) + "\n";
     "\n".to_owned() + &text + &picture(FRONTS[0], FRONTS[1]) + &picture(CLOUD[0], CLOUD[1])
@@ -204,6 +222,42 @@ fn methods(record: &Record) -> String {
         format!("{} {version} {by}", code.name())
     };
     record.measured.beside.iter().map(told).collect::<Vec<_>>().join(", ")
+}
+
+/// How many meshes each has.
+fn tried(record: &Record) -> String {
+    let told = |code: Series| {
+        let (meshes, runs) = (meshes_of(code).len(), record.of(code).count());
+        format!("{} {meshes} meshes by {} methods each", code.name(), runs / meshes)
+    };
+    let asked = Series::CODES.into_iter().filter(|code| record.of(*code).next().is_some()).map(told);
+    format!(
+        "Ours are {}; each of the others has one rule of grading: {}.",
+        ours_tried(),
+        asked.collect::<Vec<_>>().join(", ")
+    )
+}
+
+/// What of another code's seconds is in its own assembly and in its own linear solver, on the mesh on which it is compared; the rest is our Python.
+fn of_their_own(record: &Record) -> String {
+    let told = |code: Series| {
+        let best = cheapest(record.of(code), Point::worst, COMPARED)?;
+        let [assembly, linear] = [best.assembly?, best.linear?].map(|own| 100.0 * own / best.seconds);
+        Some(format!(
+            "{}'s {} {:.0} % are in its own assembly and {:.0} % in its own linear solver, {:.0} % in our Python around them",
+            code.name(),
+            milliseconds(best.seconds),
+            assembly,
+            linear,
+            100.0 - assembly - linear
+        ))
+    };
+    let all: Vec<String> = Series::CODES.into_iter().filter_map(told).collect();
+    if all.is_empty() {
+        String::new()
+    } else {
+        format!(" To {} under the worst load, of {}.", percent(), all.join("; of "))
+    }
 }
 
 /// The seconds of the cheapest of some points within an error, and the error that it has.

@@ -10,12 +10,13 @@ use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
 use crate::case::library::TruncatedHertz;
+use crate::checkout::root;
 use crate::error::Error;
 use crate::measure::larger;
 use crate::mesh::{Order, Resolution};
 use crate::named::named_enum;
 use crate::oracle::analytic::hertz::Hertz;
-use crate::oracle::cross_code::process::{Told, run};
+use crate::oracle::cross_code::process::{Told, run, run_by};
 use crate::scene::{Grading, Scene};
 use crate::solve::{Discretisation, Fitted, Formulation, Iteration, Run};
 use crate::study::differences::errors;
@@ -130,6 +131,10 @@ pub struct Point {
     pub converged: usize,
     /// Seconds from the scene to the pressures, all meshes on the way included: median.
     pub seconds: f64,
+    /// Of another code's, those in its own assembly and in its own linear solver, medians; none where they were not told apart.
+    pub assembly: Option<f64>,
+    /// The latter.
+    pub linear: Option<f64>,
     /// Error of p₀: median and worst.
     pub peak: f64,
     /// Worst.
@@ -151,6 +156,8 @@ impl Point {
             operations: f64::NAN,
             converged: 0,
             seconds: f64::NAN,
+            assembly: None,
+            linear: None,
             peak: peak.median,
             peak_worst: peak.most,
             half_width: half_width.median,
@@ -254,10 +261,9 @@ pub fn cells(code: Series) -> String {
 
 /// Asks a code for truncated Hertz on all its meshes, under the loads of our own; the reason where it is not installed.
 pub fn precision(code: Series) -> Result<Told, Error> {
-    let (script, arguments, meshes) = if code == Series::Ngsolve {
-        ("ngsolve_precision.py", vec![], &HIGH_ORDER[..])
-    } else {
-        ("work_precision.py", vec![code.name().into()], &TRIANGLES[..])
+    let (script, arguments) = match code {
+        Series::Ngsolve => ("ngsolve_precision.py", vec![]),
+        _ => ("work_precision.py", vec![code.name().into()]),
     };
     let nominal = TruncatedHertz::default();
     let request = json!({
@@ -266,19 +272,49 @@ pub fn precision(code: Series) -> Result<Told, Error> {
             "size": nominal.size, "stretch": nominal.stretch, "young": nominal.young,
         },
         "half_widths": half_widths(ACROSS),
-        "meshes": meshes,
+        "meshes": meshes_of(code),
         "repeats": 3,
     });
-    run(script, &arguments, &request.to_string())
+    let (request, newest) = (request.to_string(), root().join(NEWEST));
+    match code == Series::Dolfinx && newest.is_file() {
+        true => run_by(&newest, &root().join("oracles/peers").join(script), &arguments, &request),
+        false => run(script, &arguments, &request),
+    }
+}
+
+/// Interpreter of today's dolfinx, where `oracles/setup.sh` found a Python for it; Debian's answers where it is not there.
+const NEWEST: &str = "oracles/.python/newest/bin/python";
+
+/// Meshes of another code, all by one rule of grading.
+pub fn meshes_of(code: Series) -> &'static [[usize; 2]] {
+    if code == Series::Ngsolve { &HIGH_ORDER } else { &TRIANGLES }
+}
+
+/// How many meshes of ours are tried.
+pub fn ours_tried() -> String {
+    let graded =
+        |is_steep: bool| Series::OURS.iter().filter(|one| one.order().is_some() && one.is_steep() == is_steep).count();
+    let kinds = [false, true].map(graded);
+    format!(
+        "{} meshes of {} kinds of cells in each of {} gradings, and {} fitted ones",
+        ELEMENTS.len(),
+        kinds[0],
+        kinds.len(),
+        DIGITS.len()
+    )
 }
 
 /// What a code printed of one of its meshes.
 pub fn answered(code: Series, mesh: usize, line: &Value) -> Point {
     let [peak, half_width, seconds] = ["peak_error", "half_width_error", "seconds"].map(|key| spread(line, key));
+    let [assembly, linear] =
+        ["stiffness", "linear"].map(|key| Some(spread(line, key).median).filter(|one| one.is_finite()));
     Point {
         dofs: line["freedoms"].as_u64().unwrap_or(0) as usize,
         converged: if peak.most.is_finite() { LOADS } else { 0 },
         seconds: seconds.median,
+        assembly,
+        linear,
         ..Point::of(code, mesh, [peak, half_width])
     }
 }

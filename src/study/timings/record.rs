@@ -84,7 +84,11 @@ impl Record {
         let own = ours(&self.points).map_or(f64::NAN, |own| own.seconds);
         for Beside { code, seconds, .. } in &self.measured.beside {
             let of_code = self.points.iter_mut().filter(|point| point.series == *code);
-            of_code.for_each(|point| point.seconds *= own / seconds.median);
+            let times = |all: f64| all * own / seconds.median;
+            of_code.for_each(|point| {
+                point.seconds = times(point.seconds);
+                [point.assembly, point.linear] = [point.assembly, point.linear].map(|part| part.map(times));
+            });
         }
         self
     }
@@ -105,7 +109,7 @@ impl Record {
 }
 
 /// Columns of the points, the fields of [`Point`].
-const POINTS: [&str; 11] = [
+const POINTS: [&str; 13] = [
     "series",
     "mesh",
     "formulation",
@@ -113,6 +117,8 @@ const POINTS: [&str; 11] = [
     "operations",
     "converged",
     "seconds",
+    "assembly",
+    "linear",
     "peak",
     "peak_worst",
     "half_width",
