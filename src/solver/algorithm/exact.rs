@@ -49,7 +49,7 @@ impl Exact {
     pub fn of(problem: &ContactProblem, law: Law, start: &[bool]) -> Option<Self> {
         let mut search = Search::of(problem, law);
         let all = vec![true; problem.points.len()];
-        search.from(start.to_vec()).or_else(|| search.from(all))
+        search.at_once(start.to_vec()).or_else(|| search.from(start.to_vec())).or_else(|| search.from(all))
     }
 
     /// Equilibrium with a set of points closed, whatever sign their pressures have; none where it leaves a body free.
@@ -85,41 +85,55 @@ impl<'a> Search<'a> {
         Self { problem, law, holding: holding(problem, law), seen: Vec::new() }
     }
 
-    /// Changes a set until it stands.
-    fn from(&mut self, mut closed: Vec<bool>) -> Option<Exact> {
+    /// Changes a set until it stands, all points that are wrong at once, by springs that hand nothing over before it seems to; none where a set
+    /// returns, as those of points do that are more than displacements can follow.
+    fn at_once(&mut self, mut closed: Vec<bool>) -> Option<Exact> {
         self.seen.clear();
-        let mut one_by_one = false;
-        let mut violations: Vec<f64> = Vec::new();
-        let mut held: Option<Vec<bool>> = None;
         for _ in 0..SETS {
-            let Some(mut holding) = self.held(&closed) else {
-                // Too many points were opened at once.
-                closed = held.take()?;
-                one_by_one = true;
-                flip_worst(&mut closed, &violations)?;
-                continue;
-            };
-            // What springs yield matters where a set seems to stand.
-            let stands = |violations: &[f64]| violations.iter().all(|violation| *violation <= 0.0);
-            violations = self.violations(&closed, &holding.equilibrium())?;
+            let mut held = self.held(&closed)?;
+            let mut violations = self.violations(&closed, &held.equilibrium())?;
             if stands(&violations) {
-                let iterate = holding.handed_over();
+                let iterate = held.handed_over();
                 violations = self.violations(&closed, &iterate)?;
                 if stands(&violations) {
                     return Some(Exact { closed, iterate });
                 }
             }
+            if self.seen.contains(&closed) {
+                return None;
+            }
+            self.seen.push(closed.clone());
+            flip_all(&mut closed, &violations);
+        }
+        None
+    }
+
+    /// Changes a set until it stands, one point at a time where a set returns.
+    fn from(&mut self, mut closed: Vec<bool>) -> Option<Exact> {
+        self.seen.clear();
+        let mut one_by_one = false;
+        let mut violations: Vec<f64> = Vec::new();
+        let mut before: Option<Vec<bool>> = None;
+        for _ in 0..SETS {
+            let Some(mut held) = self.held(&closed) else {
+                // Too many points were opened at once.
+                closed = before.take()?;
+                one_by_one = true;
+                flip_worst(&mut closed, &violations)?;
+                continue;
+            };
+            let iterate = held.handed_over();
+            violations = self.violations(&closed, &iterate)?;
+            if stands(&violations) {
+                return Some(Exact { closed, iterate });
+            }
             one_by_one |= self.seen.contains(&closed);
             self.seen.push(closed.clone());
-            held = Some(closed.clone());
+            before = Some(closed.clone());
             if one_by_one {
                 flip_worst(&mut closed, &violations)?;
             } else {
-                closed
-                    .iter_mut()
-                    .zip(&violations)
-                    .filter(|(_, v)| **v > 0.0)
-                    .for_each(|(closed, _)| *closed = !*closed);
+                flip_all(&mut closed, &violations);
             }
         }
         None
@@ -192,6 +206,16 @@ impl Held<'_> {
         }
         self.equilibrium()
     }
+}
+
+fn stands(violations: &[f64]) -> bool {
+    violations.iter().all(|violation| *violation <= 0.0)
+}
+
+/// Changes every point that is wrong.
+fn flip_all(closed: &mut [bool], violations: &[f64]) {
+    let wrong = closed.iter_mut().zip(violations).filter(|(_, violation)| **violation > 0.0);
+    wrong.for_each(|(closed, _)| *closed = !*closed);
 }
 
 /// Changes the point that is most wrong.

@@ -339,7 +339,7 @@ fn answered(own: &Record) -> String {
 /// The table of answers.
 const COLUMNS: [Column<Row>; 10] = [
     ("scenes", |(family, ..)| family.title().into()),
-    ("asked", |(_, asked, _)| format!("{} %", 100.0 * asked)),
+    ("asked", |(_, asked, _)| format!("{} %", accuracy::in_percent(*asked))),
     ("answers", |(.., own)| own.len().to_string()),
     ("called met", |(.., own)| format!("{:.0} %", 100.0 * met(own).count() as f64 / own.len() as f64)),
     ("falsely met", |(.., own)| own.iter().filter(|record| record.is_falsely_met()).count().to_string()),
