@@ -302,7 +302,7 @@ pub fn coded(appended: bool, raw: bool, zlib: bool, wide: bool, ints: &str) -> V
     let [width, packer] =
         [if wide { "UInt64" } else { "UInt32" }, if zlib { " compressor=\"vtkZLibDataCompressor\"" } else { "" }];
     let mut text = format!(
-        "<VTKFile type=\"UnstructuredGrid\" byte_order=\"LittleEndian\" header_type=\"{width}\"{packer}><UnstructuredGrid>\
+        "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"{width}\"{packer}><UnstructuredGrid>\
          <Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">",
         points.len(),
         cells.len()

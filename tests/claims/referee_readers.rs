@@ -15,7 +15,7 @@ use flate2::write::GzEncoder;
 
 use crate::ellipse::{self, NODES, gap, place, pressure};
 use crate::foreign::{Frd, coded, forces, vtk};
-use crate::referee_wild::{parsed, tiny, usual};
+use crate::referee_wild::{judged, parsed, tiny, usual};
 use crate::workbench::refused;
 
 /// What a unit is in ours, by its definition.
@@ -211,6 +211,23 @@ fn legacy_grids_of_every_version_and_coding_say_the_same() {
             let text = format!("# vtk DataFile Version 3.0\n-\n{coding}\nDATASET UNSTRUCTURED_GRID\n{head}");
             assert!(parsed("a.vtk", text, &usual).is_err());
         }
+    }
+}
+
+#[test]
+fn grids_of_vtk_are_read_where_the_crate_that_writes_ours_refuses_them() {
+    let legacy = |text: &str| vtkio::Vtk::parse_legacy_be(text.as_bytes());
+    let [plain, beyond] =
+        [1e9, 2.15].map(|end| vtk::ascii(&|s| if s > end { "nan".into() } else { format!("{:e}", pressure(s)) }));
+    let narrow = plain.replace("OFFSETS vtktypeint64", "OFFSETS vtktypeint32");
+    assert!(legacy(&plain).is_ok() && legacy(&beyond).is_err() && legacy(&narrow).is_err());
+    let [coded, raw] = [false, true].map(|is_raw| coded(is_raw, is_raw, false, false, "Int32"));
+    let xml = |bytes: &[u8]| vtkio::Vtk::parse_xml(bytes).map(|_| ());
+    assert!(xml(&coded).is_ok(), "{:?}", xml(&coded));
+    assert!(xml(&raw).is_err(), "{:?}", xml(&raw));
+    let ours = [("a.vtk", beyond.into_bytes()), ("a.vtk", narrow.into_bytes()), ("a.vtu", raw)];
+    for (name, bytes) in ours {
+        assert!(judged(parsed(name, bytes, &usual()).expect("read")).expect("judged").met());
     }
 }
 
