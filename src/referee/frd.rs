@@ -22,6 +22,11 @@ const CONTACT: &str =
 /// How they are written such that their nodes are there.
 const EXPANDED: &str = "write *CONTACT FILE and *NODE FILE with OUTPUT=3D, so that the file has the nodes into which ccx expands plane elements and those \
                         of the contact are among them; or hand in a .csv of positions and nodal forces";
+/// How they are written where the file has the expanded nodes, and those of the contact are of the plane, as of a surface of nodes.
+const IN_PLANE: &str = "leave OUTPUT=3D out, so that the file has the nodes of the plane elements, by which the contact names its own; or hand in a \
+                        .csv of positions and nodal forces";
+/// What to do about a node with two kinds of numbers.
+const TWICE: &str = "keep one line a node, that of the side and state which are judged, or run ccx again";
 /// What to do where they are there, and have no values.
 const BETWEEN: &str =
     "hand in values at every node up to where nothing presses, as `*CONTACT PAIR, TYPE=SURFACE TO SURFACE` has them";
@@ -73,7 +78,12 @@ pub fn parse(file: &Path, text: &str, scene: &Scene, asked: &Asked) -> Result<An
             nodes.len(),
             pair.name
         );
-        return Err(source.refused(message, if strange > 0 { EXPANDED } else { BETWEEN }));
+        let remedy = match (strange, plane.is_slice) {
+            (0, _) => BETWEEN,
+            (_, true) => IN_PLANE,
+            (_, false) => EXPANDED,
+        };
+        return Err(source.refused(message, remedy));
     }
     side.all_pressed(&source, (pair, scene.plane.radial()), &places, |node, _| value(node))?;
     let order = asked.order.unwrap_or(side.order());
@@ -173,7 +183,7 @@ fn block(source: &Source, head: &Head) -> Result<Block, Error> {
             if let Some((_, line, values)) = rows.iter().find(|(.., values)| values.len() != components.len()) {
                 return Err(wrong(source, line, &format!("{} of {} components", values.len(), components.len())));
             }
-            return Ok(Block { components, rows: rows.into_iter().map(|(node, _, values)| (node, values)).collect() });
+            return Ok(Block { components, rows: once(source, head.name, rows)? });
         }
         match (line.strip_prefix(" -2"), rows.last_mut()) {
             // More than six components go on in the next line.
@@ -187,6 +197,19 @@ fn block(source: &Source, head: &Head) -> Result<Block, Error> {
         }
     }
     Err(source.refused(format!("its block {} has no end", head.name), AGAIN))
+}
+
+/// The numbers of each node; where parts of a mesh meet a node may be written twice, with the same ones.
+fn once(source: &Source, block: &str, rows: Vec<(usize, &str, Vec<f64>)>) -> Result<BTreeMap<usize, Vec<f64>>, Error> {
+    let mut known = BTreeMap::new();
+    for (node, line, values) in rows {
+        let before = known.entry(node).or_insert_with(|| values.clone());
+        if *before != values {
+            let message = format!("its block {block} has other numbers of node {node} before this line");
+            return Err(source.at(line, message, TWICE));
+        }
+    }
+    Ok(known)
 }
 
 fn wrong(source: &Source, line: &str, what: &str) -> Error {
@@ -251,6 +274,8 @@ struct Plane {
     /// Their places.
     places: Vec<[f64; 2]>,
     cells: Vec<Cell>,
+    /// Whether cells were expanded ones.
+    is_slice: bool,
 }
 
 impl Plane {
@@ -261,7 +286,7 @@ impl Plane {
             all.insert(number, [if is_turned { radius } else { x }, y]);
             turned.extend(is_turned.then_some((number, [x / radius, z / radius])));
         }
-        let mut plane = Self { all, turned, of: BTreeMap::new(), places: vec![], cells: vec![] };
+        let mut plane = Self { all, turned, of: BTreeMap::new(), places: vec![], cells: vec![], is_slice: false };
         let mut lines = source.text.lines().skip_while(|line| !line.starts_with("    3C")).skip(1).peekable();
         while let Some(head) = lines.next_if(|line| line.starts_with(" -1")) {
             let kind = head.split_whitespace().nth(2).unwrap_or_default();
@@ -333,6 +358,7 @@ impl Plane {
             self.of.extend(group.iter().map(|number| (*number, index)));
         }
         self.cells.push(Cell { nodes: found, corners: *corners });
+        self.is_slice |= in_plane < all;
         Some(())
     }
 
@@ -378,11 +404,14 @@ fn nodes(source: &Source) -> Result<BTreeMap<usize, [f64; 3]>, Error> {
     if lines.next().is_none() {
         return Err(source.refused("it has no block of nodes", AGAIN));
     }
-    let mut nodes = BTreeMap::new();
+    let mut rows = Vec::new();
     for line in lines.take_while(|line| line.starts_with(" -1")) {
         let (node, place) = record(source, line)?;
-        let place = <[f64; 3]>::try_from(place);
-        nodes.insert(node, place.map_err(|place| wrong(source, line, &format!("{} of 3 coordinates", place.len())))?);
+        if place.len() != 3 {
+            return Err(wrong(source, line, &format!("{} of 3 coordinates", place.len())));
+        }
+        rows.push((node, line, place));
     }
-    Ok(nodes)
+    let place = |(node, place): (usize, Vec<f64>)| (node, [place[0], place[1], place[2]]);
+    Ok(once(source, "of nodes", rows)?.into_iter().map(place).collect())
 }

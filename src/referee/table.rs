@@ -26,8 +26,7 @@ const HEADER: &str = "begin with a line of names and units such as `position [mm
 const PLACES: &str = "it lists nodes by their numbers: write their places beside them, as Abaqus does with COORD, Ansys with LOCX and LOCY; or hand in a \
                       grid, or the .frd";
 /// What to do about a line with other cells than the head.
-const WRONG_CELLS: &str =
-    "the file is cut, or a cell is missing: write it again; numbers with decimal commas need semicolons between them";
+const WRONG_CELLS: &str = "the file is cut, or a cell is missing: write it again; numbers with decimal commas need semicolons between them, or quotes";
 /// What to do about numbers of rows that no name stands above.
 const ROW_NUMBERS: &str =
     "name the first column too, such as `row`, or write the table without the numbers of its rows";
@@ -127,6 +126,8 @@ const SEEN: usize = 1000;
 const TIMES: [&str; 2] = ["time", "inst"];
 /// What the coordinates of bodies of revolution are called.
 const RADIUS_AND_AXIS: [&str; 2] = ["r", "z"];
+/// What places along a line are called, which may begin anywhere: read where there are no coordinates.
+const ALONG: [&str; 2] = ["arc_length", "length"];
 /// What comments begin with.
 const COMMENTS: [&str; 6] = ["#", "%", "!", "//", "$", "*"];
 /// What lines below the numbers of a report begin with; `at` where no number follows.
@@ -148,7 +149,7 @@ impl<'a> Table<'a> {
         if lines.is_empty() {
             return Err(source.refused("it holds nothing", HEADER));
         }
-        let is_data = |line: &str, mark: char| comment(line).is_none() && is_data(&cells(line, mark), mark != ',');
+        let is_data = |line: &str, mark: char| comment(line).is_none() && is_data(&cells(line, mark));
         let rows = |mark: &char| lines.iter().take(SEEN).filter(|line| is_data(line, *mark)).count();
         let most = MARKS.iter().map(rows).max().unwrap_or_default();
         let stands = |mark: &char| lines.first().is_some_and(|line| line.trim().contains(*mark));
@@ -187,7 +188,7 @@ impl<'a> Table<'a> {
             }
             let own = fitting(line, mark, head.len());
             // What begins like a number is of a row, which is refused where it is none.
-            let is_word = |cell: &String| is_unit(cell) || number(cell, mark != ',').is_none() && !is_like_number(cell);
+            let is_word = |cell: &String| is_unit(cell) || number(cell).is_none() && !is_like_number(cell);
             match first.is_some_and(|first| k < first) && own.iter().all(is_word) {
                 true if own.len() == head.len() && own.iter().any(|cell| is_known_unit(inner(cell))) => {
                     // Units of columns that are not read need not be known.
@@ -222,7 +223,7 @@ impl<'a> Table<'a> {
         }
         // ParaView writes zeros where a line leaves the grid, and masks them.
         if let Some(mask) = head.iter().position(|title| title.eq_ignore_ascii_case("vtkValidPointMask")) {
-            rows.retain(|(_, cells)| cells.get(mask).and_then(|cell| number(cell, false)) != Some(0.0));
+            rows.retain(|(_, cells)| cells.get(mask).and_then(|cell| number(cell)) != Some(0.0));
         }
         // Of several times the last one is judged, as of grids.
         let column = head.iter().position(|title| TIMES.iter().any(|time| split(title).0.eq_ignore_ascii_case(time)));
@@ -231,9 +232,8 @@ impl<'a> Table<'a> {
         }
         let mut chosen = None;
         if let Some(column) = column.filter(|_| !rows.is_empty()) {
-            let time = |cells: &[String]| {
-                cells.get(column).and_then(|cell| number(cell, mark != ',')).filter(|time| time.is_finite())
-            };
+            let time =
+                |cells: &[String]| cells.get(column).and_then(|cell| number(cell)).filter(|time| time.is_finite());
             if let Some((line, cells)) = rows.iter().find(|(_, cells)| time(cells).is_none()) {
                 let own = cells.get(column).map_or("", String::as_str);
                 let message = format!("`{}` is `{own}`, which is no number", head[column]);
@@ -253,15 +253,16 @@ impl<'a> Table<'a> {
             }
             chosen = Some((state, states));
         }
+        // Where commas separate cells, one within a cell stood in quotes.
+        let has_comma = |cell: &String| cell.contains(',') && number(&cell.replace([',', '.'], "")).is_some();
         let commas = || {
-            rows.iter()
-                .flat_map(|(line, own)| own.iter().map(move |cell| (line, cell)))
-                .filter(|(_, cell)| cell.contains(','))
+            let all = rows.iter().flat_map(|(line, own)| own.iter().map(move |cell| (line, cell)));
+            all.filter(|(_, cell)| has_comma(cell))
         };
-        let comma = mark != ',' && commas().next().is_some();
-        let has_marks = |(_, cell): &(_, &String)| is_like_number(cell) && cell.matches(',').count() > 1;
+        let comma = commas().next().is_some();
+        let has_marks = |(_, cell): &(_, &String)| cell.matches(',').count() > 1;
         let may_be = || commas().next().filter(|_| commas().all(|(_, cell)| is_of_thousands(cell)));
-        if let Some((line, cell)) = commas().find(has_marks).or_else(may_be).filter(|_| comma) {
+        if let Some((line, cell)) = commas().find(has_marks).or_else(may_be) {
             let message = format!("`{cell}` may be a number with a decimal comma, or one with marks between thousands");
             return Err(source.at(line, message, "write numbers with a decimal point, and no mark between thousands"));
         }
@@ -368,7 +369,7 @@ fn head(above: &[&str], mark: char, count: Option<usize>, asked: &Asked) -> Opti
         // Names may have blanks between where numbers have commas.
         let blank = Some(fit(' ')).filter(|names| Some(names.len()) == count && is_head(names, asked));
         let names = Some(fit(mark)).filter(|names| Some(names.len()) == count).or(blank).unwrap_or_else(|| fit(mark));
-        let is_no_name = |cell: &String| is_unit(cell) || number(cell, mark != ',').is_some();
+        let is_no_name = |cell: &String| is_unit(cell) || number(cell).is_some();
         (!names.iter().all(is_no_name) && count.is_none_or(|count| names.len() == count)).then_some((k, names))
     };
     let all: Vec<(usize, Vec<String>)> = above.iter().enumerate().filter_map(candidate).collect();
@@ -384,7 +385,7 @@ fn is_below(line: &str, mark: char) -> bool {
     let mut words = line.split(|letter: char| letter == mark || letter.is_whitespace()).filter(|word| !word.is_empty());
     let word = words.next().unwrap_or_default().trim_matches('"').to_lowercase();
     // `At Node 12`, and no point that is called `at 12`.
-    let is_called = word == "at" && words.next().is_some_and(|next| number(next, mark != ',').is_some());
+    let is_called = word == "at" && words.next().is_some_and(|next| number(next).is_some());
     BELOW.contains(&word.as_str()) && !is_called
 }
 
@@ -442,21 +443,18 @@ fn fitting(line: &str, mark: char, wanted: usize) -> Vec<String> {
 }
 
 /// Whether the cells are those of a row: two numbers or more, and fewer names.
-fn is_data(cells: &[String], comma: bool) -> bool {
+fn is_data(cells: &[String]) -> bool {
     let (numbers, others): (Vec<&String>, Vec<&String>) =
-        cells.iter().partition(|cell| number(cell, comma).is_some_and(f64::is_finite));
+        cells.iter().partition(|cell| number(cell).is_some_and(f64::is_finite));
     numbers.len() > 1.max(others.len())
         && others.iter().all(|cell| !cell.starts_with(|first: char| first.is_ascii_digit()))
 }
 
-/// A number with a point or, where it may be, a comma; its exponent may begin with the D of Fortran.
-fn number(cell: &str, comma: bool) -> Option<f64> {
+/// A number with a point or a comma; its exponent may begin with the D of Fortran.
+fn number(cell: &str) -> Option<f64> {
     let plain = cell.replace(['D', 'd'], "E").replace('−', "-");
-    let has_comma = plain.contains(',');
-    if has_comma && (!comma || plain.contains('.')) {
-        return None;
-    }
-    plain.replacen(',', ".", 1).parse().ok()
+    // Where both stand in it, one may be between thousands.
+    if plain.contains(',') && plain.contains('.') { None } else { plain.replacen(',', ".", 1).parse().ok() }
 }
 
 /// Whether a cell begins as numbers do, or stands for one that is not there.
@@ -557,7 +555,9 @@ fn columns(source: &Source, head: &[String], scene: &Scene, asked: &Asked) -> Re
             Some(_) => named(role),
             None if is_passed_over => Vec::new(),
             None => {
-                let plain = role.usual().iter().filter(|name| !RADIUS_AND_AXIS.contains(*name)).copied();
+                let has_x = head.iter().any(|title| asked.means(Role::X, title));
+                let is_other = |name: &str| RADIUS_AND_AXIS.contains(&name) || has_x && ALONG.contains(&name);
+                let plain = role.usual().iter().copied().filter(|name| !is_other(name));
                 // What x and y are of bodies of revolution.
                 let own = scene.plane.radial().and_then(|radial| match role {
                     Role::X => Some(RADIUS_AND_AXIS[radial]),
@@ -664,7 +664,7 @@ impl Reader<'_> {
         let Some(column) = column else { return Ok(None) };
         let text = &cells[column.index];
         let mixed = self.comma && text.contains('.');
-        match number(text, self.comma).filter(|_| !mixed) {
+        match number(text).filter(|_| !mixed) {
             Some(value) if value.is_finite() => Ok(Some(column.factor * value)),
             // Far from the other side there is no gap.
             Some(value) if column.role == Role::Gap && value == f64::INFINITY => Ok(Some(value)),

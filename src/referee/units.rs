@@ -40,13 +40,31 @@ impl Role {
     /// They are our own, and those of ParaView, MOOSE, Abaqus, Ansys, COMSOL, code_aster and CalculiX.
     pub fn usual(self) -> &'static [&'static str] {
         match self {
-            Self::Position => &["position"],
-            Self::X => {
-                &["x", "points:0", "points_0", "coord.coor1", "coor1", "x location", "x coordinate", "coor_x", "r"]
-            }
-            Self::Y => {
-                &["y", "points:1", "points_1", "coord.coor2", "coor2", "y location", "y coordinate", "coor_y", "z"]
-            }
+            Self::Position => &["position", "arc_length", "length"],
+            Self::X => &[
+                "x",
+                "points:0",
+                "points_0",
+                "coord.coor1",
+                "coor1",
+                "x location",
+                "x coordinate",
+                "coor_x",
+                "locx",
+                "r",
+            ],
+            Self::Y => &[
+                "y",
+                "points:1",
+                "points_1",
+                "coord.coor2",
+                "coor2",
+                "y location",
+                "y coordinate",
+                "coor_y",
+                "locy",
+                "z",
+            ],
             Self::Pressure => {
                 &["contact_pressure", "contact pressure", "cpress", "solid.tn", "pressure", "pres", "lags_c", "tn", "p"]
             }

@@ -8,6 +8,7 @@ use contact_vv::accuracy::{self, Answer, Asked, Quantity, fitted, percentage};
 use contact_vv::case::library::{Cylinder, PinPlate, PressFit, TruncatedHertz, find};
 use contact_vv::case::solved::met;
 use contact_vv::case::{Case, Verdict};
+use contact_vv::error::Kind;
 use contact_vv::measure::{larger, relative_error};
 use contact_vv::mesh::{Order, Resolution};
 use contact_vv::scene::{Material, PlaneHypothesis, Scene};
@@ -263,6 +264,16 @@ fn what_cannot_be_met_is_said_with_the_best_that_was_found() {
     hasty.settings.max_iterations = 1;
     let answer = accuracy::solve(&cylinder, &hasty, &Asked::new(1e-2)).expect("a result, not an error");
     assert!(answer.unmet.is_some_and(|why| why.contains("not converged")));
+}
+
+#[test]
+fn cells_that_no_gentler_growth_mends_are_refused_as_they_are() {
+    // So far from y = 0 that round-off takes the height of the first ones.
+    let contact = "gap = { parabola = 50 }\norigin = [0, 1e12]\nstretch = 3e-4\n[mesh]\nelements = 8\nper = 1e-4";
+    let near = block_text([0.0, 60.0], 60.0, "traction = { at = \"far\", force = [0, -2000] }", contact);
+    let scene = parsed(&near.replace("y = [0, 60]", "y = [1e12, 1000000000060]")).scene;
+    let error = accuracy::solve(&scene, &kinematic(), &Asked::new(1e-2)).expect_err("no mesh");
+    assert!(error.kind == Kind::DegenerateCell && error.message.contains("Jacobian determinant 0"), "{error}");
 }
 
 #[test]

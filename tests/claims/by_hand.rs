@@ -27,6 +27,7 @@ use serde_json::Value;
 use vtkio::IOBuffer;
 
 use crate::balance;
+use crate::ellipse::{NODES, place};
 use crate::foreign::{self, Frd, fixed, record};
 use crate::outputs::{contact_vv, json, piece, scene};
 use crate::program::Folder;
@@ -267,8 +268,8 @@ fn points_of_a_cell_of_high_order_are_written_evenly_spaced() {
 
 #[test]
 fn displacements_of_a_frd_are_those_of_its_last_state() {
-    // Every node moves by 1 and 2 µm in the first state, by 3 and 4 µm in the last.
-    let plain = Frd::plain().text();
+    // Every node moves by 1 and 2 µm in the first state, by 3 and 4 µm in the last; places are in metres.
+    let plain = Frd { length: 1000.0, ..Frd::plain() }.text();
     let nodes = plain.lines().skip_while(|line| !line.starts_with("    2C")).skip(1);
     let numbers: Vec<&str> = nodes.take_while(|line| line.starts_with(" -1")).map(|line| line[3..13].trim()).collect();
     let block = |state: usize| {
@@ -280,7 +281,7 @@ fn displacements_of_a_frd_are_those_of_its_last_state() {
     };
     let text = plain.replace(" 9999\n", &(block(1) + &block(2) + " 9999\n"));
     let case = find("truncated-hertz", None).expect("a case");
-    let units = [(Role::Position, "mm"), (Role::Displacement, "um")].map(|(role, unit)| (role, unit.to_owned()));
+    let units = [(Role::Position, "m"), (Role::Displacement, "um")].map(|(role, unit)| (role, unit.to_owned()));
     let asked = Asked { units: units.into(), ..Asked::default() };
     let source = Source { file: Path::new("a.frd"), text: &text };
     let field = frd::displacements((&source, &case.scene), &asked, None, None).expect("read").expect("a field");
@@ -288,6 +289,9 @@ fn displacements_of_a_frd_are_those_of_its_last_state() {
         assert_relative_eq!(x, 3e-3, max_relative = 1e-12);
         assert_relative_eq!(y, 4e-3, max_relative = 1e-12);
     }
+    let furthest = |along: usize| field.points.iter().map(|place| place[along]).fold(0.0, f64::max);
+    assert_relative_eq!(furthest(0), place(NODES - 1), max_relative = 1e-5);
+    assert_relative_eq!(furthest(1), 0.5, max_relative = 1e-5);
 }
 
 #[test]

@@ -77,6 +77,18 @@ fn misspelt_names_are_answered_with_the_one_that_was_meant() {
     let (sound, _, error) = contact_vv(&["solve", "zzz"]);
     assert!(!sound && !error.contains("did you mean") && error.contains("choose one of"), "{error}");
     refuses(&["solve", &scene("pres-fit")], &["did you mean", "press-fit.toml`?"]);
+    // A link that leads nowhere is not meant, neither by itself nor by its neighbours.
+    #[cfg(unix)]
+    {
+        let folder = Folder::made();
+        std::os::unix::fs::symlink("/nowhere/gone.toml", folder.at("scene.toml")).expect("a link");
+        refuses(
+            &["solve", &folder.at("scene.toml")],
+            &["is missing", "it is a link to `/nowhere/gone.toml`: correct it"],
+        );
+        let (_, _, error) = contact_vv(&["solve", &folder.at("scenes.toml")]);
+        assert!(error.contains("is missing") && !error.contains("did you mean"), "{error}");
+    }
     for (typed, meant) in [("lst", "list"), ("solv", "solve")] {
         refuses(&[typed], &[&format!("'{meant}'")]);
     }

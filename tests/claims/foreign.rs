@@ -149,6 +149,8 @@ pub struct Frd {
     pub warp: f64,
     /// How far all nodes lie off along y.
     pub below: f64,
+    /// The unit of places \[mm\].
+    pub length: f64,
     /// Step, increment, time and share of the pressures.
     pub states: Vec<(usize, usize, f64, f64)>,
 }
@@ -163,6 +165,7 @@ impl Frd {
             skew: 0.0,
             warp: 0.0,
             below: 0.0,
+            length: 1.0,
             states: vec![(1, 1, 1.0, 1.0)],
         }
     }
@@ -184,7 +187,8 @@ impl Frd {
         for layer in 0..if self.slice || self.layer > 0 { 2 } else { 1 } {
             for (k, [x, y]) in points.iter().enumerate() {
                 let off = if k < NODES && (0.7..1.5).contains(x) { self.warp } else { 0.0 };
-                text += &row(k + 1 + 100 * layer, &[x + layer as f64 * self.skew, y + off + self.below, layer as f64]);
+                let place = [x + layer as f64 * self.skew, y + off + self.below, layer as f64];
+                text += &row(k + 1 + 100 * layer, &place.map(|x| x / self.length));
             }
         }
         text += " -3\n    3C                            24                                     1\n";
@@ -298,7 +302,7 @@ pub fn coded(appended: bool, raw: bool, zlib: bool, wide: bool, ints: &str) -> V
     let [width, packer] =
         [if wide { "UInt64" } else { "UInt32" }, if zlib { " compressor=\"vtkZLibDataCompressor\"" } else { "" }];
     let mut text = format!(
-        "<VTKFile type=\"UnstructuredGrid\" byte_order=\"LittleEndian\" header_type=\"{width}\"{packer}><UnstructuredGrid>\
+        "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"{width}\"{packer}><UnstructuredGrid>\
          <Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">",
         points.len(),
         cells.len()

@@ -127,6 +127,20 @@ fn ring_on_a_flat_is_the_same_however_it_is_modelled() {
 }
 
 #[test]
+fn pressure_on_a_part_of_a_bore_in_centimetres_is_carried_by_the_contact() {
+    // 50 MPa on 30° on both sides of a bore of 80 mm, 10 mm thick: 2 p r t sin 30°.
+    let [peak, width, resultant] = numbers(&balance::text("tube-on-plane"));
+    assert_relative_eq!(resultant, 2.0 * 50.0 * 80.0 * 10.0 * 0.5, max_relative = 2e-6);
+    // As the same tube whose lengths are in millimetres.
+    let lengths = [("length", "\"mm\""), ("thickness", "10"), ("stretch", "10"), ("per", "3")];
+    let millimetres =
+        lengths.iter().fold(balance::text("tube-on-plane"), |text, (key, value)| with_key(&text, key, value));
+    let centre = millimetres.replace("[0, 15]", "[0, 150]").replace("inner = 8, outer = 15", "inner = 80, outer = 150");
+    let other = numbers(&centre.replace("circle = 15", "circle = 150"));
+    assert_alike([peak, width, resultant], other, 1e-9, "in centimetres");
+}
+
+#[test]
 fn ring_on_a_flat_takes_every_option_and_its_own_answer_is_met() {
     let folder = Folder::made();
     let (at, file) = (|name: &str| folder.at(name), folder.with("ring.toml", ring(&[])));

@@ -15,11 +15,11 @@ use flate2::write::GzEncoder;
 
 use crate::ellipse::{self, NODES, gap, place, pressure};
 use crate::foreign::{Frd, coded, forces, vtk};
-use crate::referee_wild::{parsed, tiny, usual};
+use crate::referee_wild::{judged, parsed, tiny, usual};
 use crate::workbench::refused;
 
 /// What a unit is in ours, by its definition.
-const UNITS: [(Role, &str, f64); 30] = [
+const UNITS: [(Role, &str, f64); 31] = [
     (Role::Position, "mm", 1.0),
     (Role::Position, "m", 1000.0),
     (Role::Position, "um", 0.001),
@@ -34,6 +34,7 @@ const UNITS: [(Role, &str, f64); 30] = [
     (Role::Pressure, "Pa", 0.000_001),
     (Role::Pressure, "N/m^2", 0.000_001),
     (Role::Pressure, "GPa", 1000.0),
+    (Role::Pressure, "kN/mm2", 1000.0),
     (Role::Pressure, "bar", 0.1),
     (Role::Pressure, "psi", 0.006_894_757_293),
     (Role::Pressure, "ksi", 6.894_757_293),
@@ -141,14 +142,11 @@ fn fields_in_a_unit(asked: Role, unit: &str, ours: f64) {
     let mut units = usual();
     units.units.iter_mut().filter(|(role, _)| *role == asked).for_each(|(_, own)| *own = unit.into());
     let factor = |role: Role| if role == asked { ours } else { 1.0 };
-    for (name, text) in [("a.vtk", vtk::plain()), ("a.frd", Frd::plain().text())] {
+    // Places lie on the contact side in their own unit only.
+    let length = factor(Role::Position);
+    let grid = vtk::points(&|x, y| [x / length, y / length]);
+    for (name, text) in [("a.vtk", grid), ("a.frd", Frd { length, ..Frd::plain() }.text())] {
         let scaled = parsed(name, &text, &units);
-        // Only where places are as in the file they lie on the contact side.
-        if asked == Role::Position && (ours - 1.0).abs() > 0.0 {
-            let points = vtk::points(&|x, y| [x / ours, y / ours]);
-            ellipse::assert(&parsed("a.vtk", points, &units).expect(unit), 1e-6);
-            continue;
-        }
         for (k, point) in scaled.expect(unit).contacts[0].points.iter().enumerate() {
             let s = place(k);
             assert_relative_eq!(point.value, factor(Role::Pressure) * pressure(s), max_relative = 2e-5, epsilon = 1e-9);
@@ -213,6 +211,23 @@ fn legacy_grids_of_every_version_and_coding_say_the_same() {
             let text = format!("# vtk DataFile Version 3.0\n-\n{coding}\nDATASET UNSTRUCTURED_GRID\n{head}");
             assert!(parsed("a.vtk", text, &usual).is_err());
         }
+    }
+}
+
+#[test]
+fn grids_of_vtk_are_read_where_the_crate_that_writes_ours_refuses_them() {
+    let legacy = |text: &str| vtkio::Vtk::parse_legacy_be(text.as_bytes());
+    let [plain, beyond] =
+        [1e9, 2.15].map(|end| vtk::ascii(&|s| if s > end { "nan".into() } else { format!("{:e}", pressure(s)) }));
+    let narrow = plain.replace("OFFSETS vtktypeint64", "OFFSETS vtktypeint32");
+    assert!(legacy(&plain).is_ok() && legacy(&beyond).is_err() && legacy(&narrow).is_err());
+    let [coded, raw] = [false, true].map(|is_raw| coded(is_raw, is_raw, false, false, "Int32"));
+    let xml = |bytes: &[u8]| vtkio::Vtk::parse_xml(bytes).map(|_| ());
+    assert!(xml(&coded).is_ok(), "{:?}", xml(&coded));
+    assert!(xml(&raw).is_err(), "{:?}", xml(&raw));
+    let ours = [("a.vtk", beyond.into_bytes()), ("a.vtk", narrow.into_bytes()), ("a.vtu", raw)];
+    for (name, bytes) in ours {
+        assert!(judged(parsed(name, bytes, &usual()).expect("read")).expect("judged").met());
     }
 }
 

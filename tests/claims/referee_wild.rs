@@ -121,6 +121,9 @@ fn tables_say_the_same_whatever_their_marks_numbers_and_names() {
         "// solved by hand\n! twice\nposition (mm),Tn (MPa)\n",
         "x/mm,p/N/mm2\n",
         "x_mm,contact_pressure_MPa\n",
+        "LOCX [mm],PRES [MPa]\n",
+        "arc_length [mm],contact_pressure [MPa]\n",
+        "Length [mm],Pressure [MPa]\n",
         "# position,pressure\n# mm,MPa\n",
         "# x [mm] CPRESS [MPa]\n",
         "x [mm],p [MPa]\nmm,MPa\n",
@@ -134,6 +137,7 @@ fn tables_say_the_same_whatever_their_marks_numbers_and_names() {
         format!("position [mm]   pressure [MPa]\n{}", row("   ", comma)),
         format!("# x [mm] p [MPa]\n{}", row(" ", fortran)),
         format!("x in mm p in MPa\n{}", row(" ", plain)),
+        format!("x [mm],p [MPa]\n\"{}\"\n", row("\",\"", comma).trim_end().replace('\n', "\"\n\"")),
         format!("$ x (mm)  Contact Pressure (MPa)\n{}", row("  ", plain)),
         format!(
             "***\nField Output Report, written Mon Nov 23 10:21:07\n\n  Node    COORD.COOR1 [mm]    CPRESS [MPa]\n  Label              @Loc 1          @Loc 1\n-----\n{}\n\n  \
@@ -155,6 +159,11 @@ fn tables_say_the_same_whatever_their_marks_numbers_and_names() {
     let masked = row(",", plain).lines().map(|line| format!("{line},1\n")).collect::<String>();
     let masked = format!("Position [mm],Pressure [MPa],vtkValidPointMask\n{masked}0.001,0,0\n");
     ellipse::assert(&parsed("theirs.csv", masked, &Asked::default()).expect("read"), 1e-5);
+    // Of a line that begins elsewhere than the contact does, coordinates go before the length.
+    let begun = row(",", plain).lines().enumerate().map(|(k, line)| format!("{k},{line},0\n")).collect::<String>();
+    for names in ["arc_length,Points:0 [mm],contact_pressure [MPa],Points:1", "Length,LOCX [mm],PRES [MPa],LOCY"] {
+        ellipse::assert(&parsed("theirs.csv", format!("{names}\n{begun}"), &Asked::default()).expect(names), 1e-5);
+    }
     // A column that is not used needs no unit.
     let more = row(",", plain).lines().map(|line| format!("{line},7,0\n")).collect::<String>();
     let more = format!("position [mm],pressure [MPa],force,Points:1\n{more}");
@@ -220,6 +229,13 @@ fn nodes_of_an_expanded_slice_are_judged_as_those_of_the_plane() {
     }
     // Where the contact's nodes are there, at the same place, though the cells are plane.
     ellipse::assert(&parsed("theirs.frd", Frd { layer: 1, ..Frd::plain() }.text(), &usual()).expect("read"), 1e-5);
+    // Where the contact names nodes that neither has, the other way of writing is advised.
+    for (slice, advised) in
+        [(true, "leave OUTPUT=3D out"), (false, "write *CONTACT FILE and *NODE FILE with OUTPUT=3D")]
+    {
+        let text = Frd { slice, layer: 2, ..Frd::plain() }.text();
+        refused("theirs.frd", text, &usual(), &["values at 49 nodes, 49 of which the file does not have", advised]);
+    }
     let skew = Frd { slice: true, skew: 0.05, ..Frd::plain() };
     refused("theirs.frd", skew.text(), &usual(), &["do not lie in pairs at the same x and y"]);
 }
@@ -244,6 +260,19 @@ fn numbers_of_a_frd_are_read_whatever_their_width_and_no_part_of_one_is() {
     for wrong in ["9.94987E1X", "9.94987E1 7.0", "--1", "nan", "9.94987E", "9.94987E1E2", "9.9.4", "9,94987E1"] {
         let spoiled = text.replacen("9.94987E1", wrong, 1);
         refused("theirs.frd", spoiled, &usual(), &[&format!("theirs.frd:{line}"), "this line is cut, or holds no"]);
+    }
+}
+
+#[test]
+fn a_node_of_a_frd_that_is_written_twice_has_one_place_and_one_pressure() {
+    let text = Frd::plain().text();
+    for part in ["1.00000E-1", "9.98749E1"] {
+        let row = text.lines().find(|line| line.starts_with(" -1") && line.contains(part)).expect("a row");
+        let twice = |second: &str| text.replacen(row, &format!("{row}\n{second}"), 1);
+        ellipse::assert(&parsed("theirs.frd", twice(row), &usual()).expect("read"), 1e-5);
+        let line = text.lines().position(|line| line == row).expect("a row") + 2;
+        let other = twice(&row.replace(&part[..6], "5.0000"));
+        refused("theirs.frd", other, &usual(), &[&format!("theirs.frd:{line}"), "has other numbers of node"]);
     }
 }
 

@@ -1,6 +1,8 @@
 //! Several contacts in one scene: each is what it would be alone where they do not meet, and all of them balance.
 
 use std::path::Path;
+use std::process::Stdio;
+use std::time::Duration;
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use contact_vv::accuracy::{self, Asked};
@@ -13,8 +15,10 @@ use contact_vv::mesh::size::{cells_of, expected};
 use contact_vv::scene::Scene;
 use contact_vv::solution::Work;
 use contact_vv::solve::{Change, Discretisation, Element, Formulation, Iteration, Run};
+use contact_vv::study::timings::growth::largest_memory;
 
 use crate::balance::{scene, solved_as_it_says};
+use crate::program::{Folder, program};
 use crate::scene_file::{case, text_of};
 use crate::workbench::{parsed, refused, spoiled};
 
@@ -314,9 +318,65 @@ fn sparse_stiffness_of_many_bodies_gives_what_one_dense_matrix_gives() {
             let size = b.iter().fold(0.0_f64, |size, f| size.max(f.abs()));
             a.iter().zip(&b).for_each(|(a, b)| assert_abs_diff_eq!(a, b, epsilon = 1e-12 * size));
         }
+        // Factors that are made again recover what those that are kept do, whatever was recovered before.
+        let kept = discretisation.system.condense().expect("condensed");
+        let twice: Vec<f64> = one.iter().map(|u| 2.0 * u).collect();
+        for (share, retained) in [(1.0, &one), (1.0, &one), (0.5, &one), (0.5, &twice), (1.0, &one)] {
+            let [again, plain] =
+                [&discretisation.condensed, &kept].map(|bodies| bodies.recover(share, retained).concat());
+            let size = plain.iter().fold(0.0_f64, |size, u| size.max(u.abs()));
+            again.iter().zip(&plain).for_each(|(a, b)| assert_abs_diff_eq!(a, b, epsilon = 1e-12 * size));
+        }
         // Without springs nothing holds the bodies.
         let open = vec![0.0; points.len()];
         assert!([sparse, &dense].into_iter().all(|stiffness| solve(stiffness, &open).is_none()), "{upright}");
+    }
+}
+
+/// Memory of 400 contacts of two bodies each, with bars \[bytes\].
+const OF_400: f64 = 2e9;
+
+#[test]
+fn memory_of_many_contacts_of_two_bodies_each_is_bounded() {
+    const CONTACTS: usize = 100;
+    let pair = |k: usize| {
+        let body = |name: &str, young: &str, [from, to]: [i32; 2], side: &str, more: &str| {
+            format!(
+                "[[body]]\nname = \"{name}{k}\"\nyoung = {young}\npoisson = 0.3\n\
+                 shape = {{ rectangle = {{ x = [{}, {}], y = [{from}, {to}], contact = \"{side}\" }} }}\n\
+                 supports = [{{ at = \"left\", component = \"x\" }}{more}\n",
+                20 * k,
+                20 * k + 10
+            )
+        };
+        let pressed = "]\nloads = [{ traction = { at = \"far\", value = [0, -1] } }]";
+        let upper = body("b", "1e5", [0, 10], "bottom", pressed);
+        let lower = body("g", "2e5", [-10, 0], "top", ", { at = \"far\", component = \"y\" }]");
+        format!(
+            "{upper}{lower}[[contact]]\nname = \"c{k}\"\nfirst = \"b{k}\"\nsecond = \"g{k}\"\norigin = [{}, 0]\n\
+             gap = {{ parabola = 500 }}\nstretch = 5\n",
+            20 * k
+        )
+    };
+    let pairs: String = (0..CONTACTS).map(pair).collect();
+    let folder = Folder::made();
+    let text = format!("plane = \"strain\"\nthickness = 1\n{pairs}[mesh]\nelements = 8\nper = 1\n");
+    let scene = folder.with("pairs.toml", text);
+    let mut solve = program(&["solve", &scene]);
+    // Every thread solves a mesh of the bars.
+    let mut solve = solve.env("RAYON_NUM_THREADS", "2").stdout(Stdio::null()).spawn().expect("started");
+    let (process, mut most) = (solve.id().to_string(), None);
+    let ended = loop {
+        most = largest_memory(&process).or(most);
+        match solve.try_wait().expect("it runs") {
+            Some(ended) => break ended,
+            None => std::thread::sleep(Duration::from_millis(5)),
+        }
+    };
+    assert!(ended.success(), "{ended}");
+    match most {
+        Some(bytes) => assert!(bytes <= OF_400 * CONTACTS as f64 / 400.0, "{bytes:.2e} bytes"),
+        None => eprintln!("skipped: the system does not tell the memory of a process"),
     }
 }
 

@@ -62,9 +62,10 @@ impl Case {
     pub fn read(file: &Path) -> Result<Self, Error> {
         let remedy = "give a scene file; `solve --help` says where its keys are described";
         let failed = |error: std::io::Error| Error::unreadable(file, error, remedy);
-        let missing = || match nearest_to(file) {
-            Some(meant) => Error::missing_file(file, format!("did you mean `{}`? {remedy}", meant.display())),
-            None => Error::missing_file(file, remedy),
+        let missing = || match (std::fs::read_link(file), nearest_to(file)) {
+            (Ok(to), _) => Error::missing_file(file, format!("it is a link to `{}`: correct it", to.display())),
+            (_, Some(meant)) => Error::missing_file(file, format!("did you mean `{}`? {remedy}", meant.display())),
+            (_, None) => Error::missing_file(file, remedy),
         };
         if !file.exists() {
             return Err(missing());

@@ -5,11 +5,12 @@ use std::path::{Path, PathBuf};
 use crate::error::Error;
 use crate::error::nearest;
 
-/// The file of a folder whose name is most like that of one that is not there.
+/// The file of a folder whose name is most like that of one that is not there; links that lead nowhere are none.
 pub fn nearest_to(missing: &Path) -> Option<PathBuf> {
     let folder = missing.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let files = files_in(folder).ok()?;
-    let names: Vec<String> = files.iter().filter_map(|file| Some(file.file_name()?.to_str()?.to_owned())).collect();
+    let files = files.iter().filter(|file| file.exists());
+    let names: Vec<String> = files.filter_map(|file| Some(file.file_name()?.to_str()?.to_owned())).collect();
     let meant = nearest(missing.file_name()?.to_str()?, names.iter().map(String::as_str))?;
     Some(missing.with_file_name(meant))
 }

@@ -140,6 +140,7 @@ fn check_keys(keys: &[Key], table: &DeTable, place: Range<usize>) -> Result<(), 
 
 fn check_choice(known: &[(&str, Form)], value: &Spanned<DeValue>) -> Result<(), Mistake> {
     let wrong = |message: &str| Err((value.span(), message.into()));
+    let names = || listed(known.iter().map(|(name, _)| *name));
     let form = |name: &str, place: Range<usize>| match known.iter().find(|(other, _)| *other == name) {
         Some((_, form)) => Ok(form),
         None => Err((place, unknown("variant", name, known.iter().map(|(name, _)| *name)))),
@@ -153,8 +154,12 @@ fn check_choice(known: &[(&str, Form)], value: &Spanned<DeValue>) -> Result<(), 
             let mut entries = table.iter();
             match (entries.next(), entries.next()) {
                 (Some((name, value)), None) => form(name.get_ref(), name.span())?.check(value),
-                (None, _) => wrong("wanted exactly 1 element, found 0 elements"),
-                (Some(_), Some(_)) => wrong("wanted exactly 1 element, more than 1 element"),
+                (None, _) => wrong(&format!("one of {} is wanted here, and this is empty", names())),
+                (Some(_), Some(_)) => {
+                    table.keys().try_for_each(|name| form(name.get_ref(), name.span()).map(|_| ()))?;
+                    let own = listed(table.keys().map(|name| name.get_ref().as_ref()));
+                    wrong(&format!("one of {own} is wanted here, and not all of them"))
+                }
             }
         }
         _ => wrong("wanted string or table"),

@@ -1,18 +1,25 @@
 //! One body, its interior eliminated.
 
+use std::ops::Range;
+use std::sync::Arc;
+
 use faer::linalg::matmul::triangular::{BlockStructure, matmul};
+use faer::sparse::SparseColMat;
 use faer::{Accum, Mat, Par};
 
 use crate::clock::{Clock, Stage};
 use crate::condensation::factor::{self, Factor};
-use crate::elasticity::BodySystem;
-use crate::error::Error;
+use crate::elasticity::{BodySystem, Index};
+use crate::error::{Error, Place};
 
 /// `K + σ I_c = L Lᵀ` with the retained dofs last, and `y = L⁻¹ f`.
 ///
 /// The shift σ, of the size of the retained diagonal, makes bodies supported by contact alone definite; it is taken off S again.
 #[derive(Debug)]
 pub struct Eliminated {
+    place: Place,
+    stiffness: Arc<SparseColMat<Index, f64>>,
+    /// Without its values where it is made again to recover unknowns.
     factor: Factor,
     /// `L_cc`: the last rows and columns of L.
     trailing: Mat<f64>,
@@ -22,19 +29,23 @@ pub struct Eliminated {
 }
 
 impl Eliminated {
-    /// Factorises once.
-    pub fn of(body: &BodySystem, clock: &mut Clock) -> Result<Self, Error> {
+    /// Factorises once, and keeps the factor or makes it again whenever unknowns are recovered: of many bodies those take most of the memory.
+    pub fn of(body: &BodySystem, keeps: bool, clock: &mut Clock) -> Result<Self, Error> {
         let pattern = body.stiffness.symbolic();
         let symbolic = clock.time(Stage::Analysis, || factor::analyse(pattern, &body.place))?;
-        let (factor, shift) = clock.time(Stage::Factorisation, || {
-            let (values, shift) = shifted(body);
-            Factor::new(symbolic, pattern, &values, &body.place).map(|factor| (factor, shift))
+        let (mut factor, shift) = clock.time(Stage::Factorisation, || {
+            let (values, shift) = shifted(&body.stiffness, body.dofs.retained.clone());
+            Factor::new(Arc::new(symbolic), pattern, &values, &body.place).map(|factor| (factor, shift))
         })?;
         Ok(clock.time(Stage::ForwardElimination, || {
             let trailing = factor.trailing_block(body.dofs.retained.len());
             let mut forward = body.force.clone();
             factor.solve_lower(&mut forward);
-            Self { factor, trailing, forward, shift }
+            if !keeps {
+                factor.forget();
+            }
+            let (place, stiffness) = (body.place.clone(), body.stiffness.clone());
+            Self { place, stiffness, factor, trailing, forward, shift }
         }))
     }
 
@@ -77,7 +88,14 @@ impl Eliminated {
             u
         };
         let mut all: Vec<Vec<f64>> = retained.iter().map(right).collect();
-        self.factor.solve_upper(&mut all);
+        if self.factor.is_kept() {
+            self.factor.solve_upper(&mut all);
+        } else {
+            let first = self.forward.len() - self.trailing.nrows();
+            let (values, _) = shifted(&self.stiffness, first..self.forward.len());
+            let again = Factor::new(self.factor.symbolic(), self.stiffness.symbolic(), &values, &self.place);
+            again.expect("it was factorised before").solve_upper(&mut all);
+        }
         all
     }
 
@@ -88,11 +106,11 @@ impl Eliminated {
 }
 
 /// Values of `K + σ I_c`, and σ: the mean diagonal of the retained dofs.
-pub(super) fn shifted(body: &BodySystem) -> (Vec<f64>, f64) {
-    let (starts, mut values) = (body.stiffness.symbolic().col_ptr(), body.stiffness.val().to_vec());
+pub(super) fn shifted(stiffness: &SparseColMat<Index, f64>, retained: Range<usize>) -> (Vec<f64>, f64) {
+    let (starts, mut values) = (stiffness.symbolic().col_ptr(), stiffness.val().to_vec());
     // The rows of a column ascend from the diagonal on.
-    let diagonal = || body.dofs.retained.clone().map(|column| starts[column] as usize);
-    let shift = diagonal().map(|at| values[at]).sum::<f64>() / body.dofs.retained.len().max(1) as f64;
+    let diagonal = || retained.clone().map(|column| starts[column] as usize);
+    let shift = diagonal().map(|at| values[at]).sum::<f64>() / retained.len().max(1) as f64;
     diagonal().for_each(|at| values[at] += shift);
     (values, shift)
 }

@@ -1,6 +1,7 @@
 //! Sparse Cholesky factorisation of matrices whose unknowns are numbered in the order of elimination.
 
 use std::ops::Range;
+use std::sync::Arc;
 
 use faer::dyn_stack::{MemBuffer, MemStack, StackReq};
 use faer::linalg::solvers::LltError;
@@ -15,7 +16,7 @@ use crate::error::{Error, Place};
 /// `L` of `A = L Lᵀ`, in supernodes: neighbouring columns with the same rows below, stored densely.
 #[derive(Debug)]
 pub struct Factor {
-    symbolic: Symbolic,
+    symbolic: Arc<Symbolic>,
     values: Vec<f64>,
 }
 
@@ -25,7 +26,7 @@ pub type Symbolic = supernodal::SymbolicSupernodalCholesky<Index>;
 impl Factor {
     /// Factorises the matrix of a pattern (lower triangle, in the order of elimination) and values.
     pub fn new(
-        symbolic: Symbolic,
+        symbolic: Arc<Symbolic>,
         pattern: SymbolicSparseColMatRef<Index>,
         values: &[f64],
         body: &Place,
@@ -59,7 +60,22 @@ impl Factor {
 
     /// Entries of L.
     pub fn entries(&self) -> usize {
-        self.values.len()
+        self.symbolic.len_val()
+    }
+
+    /// Where it has entries.
+    pub fn symbolic(&self) -> Arc<Symbolic> {
+        self.symbolic.clone()
+    }
+
+    /// Drops its values.
+    pub fn forget(&mut self) {
+        self.values = Vec::new();
+    }
+
+    /// Whether it has its values.
+    pub fn is_kept(&self) -> bool {
+        self.values.len() == self.symbolic.len_val()
     }
 
     /// `x ← L⁻¹ x`.

@@ -27,6 +27,7 @@ pub mod stiffness;
 pub mod trailing;
 
 use std::ops::Range;
+use std::sync::{Mutex, PoisonError};
 
 use faer::Mat;
 
@@ -49,7 +50,12 @@ pub struct Condensed {
     /// First retained dof of each body.
     pub offsets: Vec<usize>,
     bodies: Vec<Eliminated>,
+    /// What was recovered last, of bodies whose factors are made again for that.
+    recovered: Mutex<Option<Recovered>>,
 }
+
+/// Share of the load, retained dofs, and all unknowns of each body.
+type Recovered = (f64, Vec<f64>, Vec<Vec<f64>>);
 
 /// Two bodies that a contact couples, each with those of its retained dofs that take part.
 pub type Coupled = [(usize, Range<usize>); 2];
@@ -62,24 +68,26 @@ impl ElasticSystem {
 
     /// The same, its stages timed; given which retained dofs contacts couple, each with its body, S may be sparse.
     pub fn condense_timed(&self, contacts: Option<&[Coupled]>, clock: &mut Clock) -> Result<Condensed, Error> {
-        let bodies = self.bodies.iter().map(|body| Eliminated::of(body, clock)).collect::<Result<Vec<_>, _>>()?;
+        let sizes = || self.bodies.iter().map(|body| body.dofs.retained.len() as f64);
+        let contacts = contacts.filter(|_| is_sparse(sizes));
+        let eliminated = |body| Eliminated::of(body, contacts.is_none(), clock);
+        let bodies = self.bodies.iter().map(eliminated).collect::<Result<Vec<_>, _>>()?;
         clock.time(Stage::SchurComplement, || self.gathered(bodies, contacts))
     }
 
-    /// The condensed bodies side by side.
+    /// The condensed bodies side by side, sparse where it is told which dofs are coupled.
     fn gathered(&self, bodies: Vec<Eliminated>, contacts: Option<&[Coupled]>) -> Result<Condensed, Error> {
         let mut offsets = vec![0];
         for body in &self.bodies {
             offsets.push(offsets[offsets.len() - 1] + body.dofs.retained.len());
         }
         let load = bodies.iter().flat_map(Eliminated::load).collect();
-        let sizes = || self.bodies.iter().map(|body| body.dofs.retained.len() as f64);
-        if let Some(contacts) = contacts.filter(|_| is_sparse(sizes)) {
+        if let Some(contacts) = contacts {
             let of_body = |(body, dofs): &(usize, Range<usize>)| offsets[*body] + dofs.start..offsets[*body] + dofs.end;
             let coupled: Vec<_> = contacts.iter().map(|sides| sides.each_ref().map(of_body)).collect();
             let blocks: Vec<_> = bodies.iter().map(Eliminated::stiffness).collect();
             let stiffness = Stiffness::Sparse(Blocks::of(&blocks, &offsets, &coupled)?);
-            return Ok(Condensed { stiffness, load, offsets, bodies });
+            return Ok(Condensed { stiffness, load, offsets, bodies, recovered: Mutex::default() });
         }
         let total = offsets[offsets.len() - 1];
         let mut stiffness = Mat::zeros(total, total);
@@ -87,7 +95,7 @@ impl ElasticSystem {
             let m = ends[1] - ends[0];
             stiffness.submatrix_mut(ends[0], ends[0], m, m).copy_from(body.stiffness());
         }
-        Ok(Condensed { stiffness: Stiffness::Dense(stiffness), load, offsets, bodies })
+        Ok(Condensed { stiffness: Stiffness::Dense(stiffness), load, offsets, bodies, recovered: Mutex::default() })
     }
 }
 
@@ -110,7 +118,18 @@ impl Condensed {
     /// All unknowns of each body from the retained ones under `factor` times the load, by one back-substitution:
     /// `K_ii u_i = f_i − K_ic u_c`.
     pub fn recover(&self, factor: f64, retained: &[f64]) -> Vec<Vec<f64>> {
-        self.recover_all(factor, &[retained]).into_iter().flatten().collect()
+        let again = || self.recover_all(factor, &[retained]).into_iter().flatten().collect::<Vec<_>>();
+        if self.stiffness.is_dense() {
+            return again();
+        }
+        let mut last = self.recovered.lock().unwrap_or_else(PoisonError::into_inner);
+        let is_it = |(of, own, _): &&Recovered| of.total_cmp(&factor).is_eq() && own == retained;
+        if let Some((.., unknowns)) = last.as_ref().filter(is_it) {
+            return unknowns.clone();
+        }
+        let unknowns = again();
+        *last = Some((factor, retained.to_vec(), unknowns.clone()));
+        unknowns
     }
 
     /// The same for several solutions in one pass through the factors: body after body, solution after solution.

@@ -28,7 +28,7 @@ impl Plain {
         let n = equations.len();
         let mut row_of = vec![0; n];
         equations.iter().enumerate().for_each(|(row, &equation)| row_of[equation] = row);
-        let (values, _) = shifted(body);
+        let (values, _) = shifted(&body.stiffness, body.dofs.retained.clone());
         let (starts, rows) = (body.stiffness.symbolic().col_ptr(), body.stiffness.symbolic().row_idx());
         let entry = |column: usize, at: usize| {
             let (i, j) = (row_of[rows[at] as usize], row_of[column]);

@@ -43,6 +43,8 @@ pub mod rigid_motion;
 pub mod shape_functions;
 pub mod stress;
 
+use std::sync::Arc;
+
 use faer::sparse::{SparseColMat, SparseColMatRef};
 
 use crate::error::{Error, Place};
@@ -65,7 +67,7 @@ pub struct BodySystem {
     /// The body, as errors name it.
     pub place: Place,
     /// Lower triangle of the stiffness matrix `K` [N/mm].
-    pub stiffness: SparseColMat<Index, f64>,
+    pub stiffness: Arc<SparseColMat<Index, f64>>,
     /// Applied forces at each node, in x and y, as [`loads::at_nodes`] has them \[N\].
     pub applied: Vec<[f64; 2]>,
     /// Load vector `f`, prescribed displacements included \[N\].
@@ -127,7 +129,7 @@ impl BodySystem {
     ) -> Result<Self, Error> {
         let applied = loads::at_nodes(scene, mesh, body)?;
         let mut force = loads::vector(scene, mesh, body, &dofs, &applied)?;
-        let stiffness = assembly::stiffness(scene, mesh, body, (graph, &dofs), factor, &mut force)?;
+        let stiffness = Arc::new(assembly::stiffness(scene, mesh, body, (graph, &dofs), factor, &mut force)?);
         Ok(Self { place: scene.place_of_body(body), stiffness, applied, force, dofs })
     }
 
@@ -154,12 +156,12 @@ impl BodySystem {
 
     /// `|K| |u|` for a vector of unknowns: the size of the terms in `K u` \[N\].
     pub fn terms_of_product(&self, u: &[f64]) -> Vec<f64> {
-        summed(self.stiffness.as_ref(), u, f64::abs)
+        summed(SparseColMat::as_ref(&self.stiffness), u, f64::abs)
     }
 
     /// `K u` for a vector of unknowns \[N\].
     pub fn product(&self, u: &[f64]) -> Vec<f64> {
-        summed(self.stiffness.as_ref(), u, |term| term)
+        summed(SparseColMat::as_ref(&self.stiffness), u, |term| term)
     }
 }
 

@@ -9,7 +9,7 @@ use crate::scene::{Body, ContactPair, Face, Path, Scene, Shape};
 
 /// Most cells, and most candidate elements whose nodes share one dense matrix: a solve with its bars then stays within about 8 GB.
 pub const MOST: [f64; 2] = [500e3, 2e3];
-/// Bytes of a solve with its bars by the cell, and by the square of the candidate elements: 7e3 to 14e3 by the cell of 400 small bodies and
+/// Bytes of a solve with its bars by the cell, and by the square of the candidate elements: 5e3 to 14e3 by the cell of 400 small bodies and
 /// of a large one, and four matrices of two nodes an element on each body.
 const BYTES: [f64; 2] = [12e3, 512.0];
 

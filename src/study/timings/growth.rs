@@ -188,10 +188,14 @@ pub fn memory_of_one_solve(elements: usize, refinement: u32) -> Result<f64, Erro
     let discretisation = discretised(CYLINDER, elements, refinement)?;
     let solution = discretisation.solve(&Formulation::verification())?;
     std::hint::black_box(discretisation.condensed.recover(1.0, &solution.displacement));
-    let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
-    let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"));
-    let kilobytes = line.and_then(|text| text.trim().strip_suffix("kB")?.trim().parse::<f64>().ok());
-    Ok(kilobytes.map_or(f64::NAN, |kilobytes| 1024.0 * kilobytes))
+    Ok(largest_memory("self").unwrap_or(f64::NAN))
+}
+
+/// The largest memory of a process so far \[bytes\]; none where the system does not tell.
+pub fn largest_memory(process: &str) -> Option<f64> {
+    let status = std::fs::read_to_string(format!("/proc/{process}/status")).ok()?;
+    let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"))?;
+    Some(1024.0 * line.trim().strip_suffix("kB")?.trim().parse::<f64>().ok()?)
 }
 
 /// All nine formulations at their own defaults on one condensation over the single node + kinematic solve.
