@@ -376,7 +376,7 @@ pub(super) fn section(recorded: &[Record], beside: &[Beside]) -> String {
         own.filter(|record| record.is_falsely_met()).count()
     };
     let over_cheapest: Vec<f64> = beside.iter().map(|one| one.own().dofs as f64 / one.cheapest() as f64).collect();
-    let searches = |of: fn(&Record) -> f64| recorded.iter().map(of).collect::<Vec<f64>>();
+    let searches = |of: fn(&Record) -> f64| met(recorded).map(of).collect::<Vec<f64>>();
     let targets = [
         ("dofs of the answer over those of the cheapest mesh that the truth allows", over_cheapest, [1.5, 4.0]),
         (
