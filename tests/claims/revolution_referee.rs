@@ -1,5 +1,6 @@
 //! Answers on bodies of revolution: judged by rings, usual mistakes named, spoiled ones refused; what `export` writes of them.
 
+use std::collections::BTreeMap;
 use std::f64::consts::{PI, TAU};
 use std::path::Path;
 
@@ -10,12 +11,14 @@ use contact_vv::cli::new::Template;
 use contact_vv::mesh::{Order, Resolution};
 use contact_vv::referee::export::{deck, own};
 use contact_vv::referee::judge::ENGINEERING;
-use contact_vv::referee::{Asked, Truth, calculix, verdicts};
+use contact_vv::referee::{Asked, Truth, calculix, read, verdicts};
 use contact_vv::solve::{Discretisation, Element, Formulation, Iteration, Run};
 
 use crate::foreign::{self, fixed, record};
-use crate::handed::{PRESSURES, failed, judged, judged_as, moved, read, table};
-use crate::workbench::refused;
+use crate::handed::{self, PRESSURES, failed, judged, judged_as, moved, table};
+use crate::program::Folder;
+use crate::referee_export::{blocks, ccx};
+use crate::workbench::{parsed, refused};
 
 fn sphere() -> Case {
     Case::parse(Path::new("sphere.toml"), Template::Sphere.text()).expect("a case")
@@ -154,7 +157,7 @@ fn spoiled_answers_on_bodies_of_revolution_are_refused_by_name() {
         (text.replace("[MPa]", "[N/mm]"), "the unit `N/mm`"),
         (forces(&run, |_, force| force).replace("[N]", "[N/mm]"), "the unit `N/mm`"),
     ] {
-        let read = read(&truth.case, "theirs.csv", text, &Asked::default());
+        let read = handed::read(&truth.case, "theirs.csv", text, &Asked::default());
         refused(read.and_then(|answer| verdicts(&truth, answer, ENGINEERING)), &[says]);
     }
 }
@@ -180,6 +183,56 @@ fn exported_decks_of_revolution_have_whole_loads_and_give_whole_forces() {
     let found = judged(&truth, answer.expect("read"));
     assert!(found.met() && found.mistakes.is_empty(), "{:?}", failed(&found));
     assert_relative_eq!(found.ruled[0].measures.resultant, 750.0, max_relative = 1e-9);
+}
+
+/// A torus of 200 mm about the axis on a rigid plane.
+const TORUS: &str = "plane = \"axisymmetric\"\n[[body]]\nname = \"torus\"\nyoung = 210e3\npoisson = 0.3\n\
+     shape = { disc = { centre = [200, 5], radius = 5 } }\nloads = [{ traction = { at = \"cut\", force = [0, -1.6e6] } }]\n\
+     [contact]\nfirst = \"torus\"\norigin = [200, 0]\nboth-sides = true\ngap = { circle = 5 }\nstretch = 0.38\n\
+     [mesh]\nelements = 12\nper = 0.2\n";
+
+#[test]
+fn gap_elements_of_rings_are_as_stiff_as_the_arcs_of_their_sector() {
+    for (case, off_axis) in [(parsed(TORUS), 200.0), (sphere(), 0.0)] {
+        let (length, young) = (case.scene.reference.length, case.scene.bodies[0].material.young);
+        let text = deck::text(&case.meshed().expect("meshed").discretisation).expect("a deck");
+        let deck = blocks(&text);
+        let nodes =
+            deck.iter().filter(|(head, _)| ["NODE", "NODE, NSET=ALL"].contains(head)).flat_map(|(_, rows)| rows);
+        let radii: BTreeMap<&str, f64> = nodes.map(|row| (row[0], row[1].parse().expect("a radius"))).collect();
+        let gaps = deck.iter().filter_map(|(head, rows)| Some((head.strip_prefix("GAP, ELSET=GAP")?, rows)));
+        let springs: Vec<(f64, f64)> =
+            gaps.map(|(node, rows)| (radii[node], rows[0][5].parse().expect("a stiffness"))).collect();
+        assert!(
+            springs.len() > 20 && springs.iter().all(|(radius, _)| (radius - off_axis).abs() <= 1.0),
+            "{springs:?}"
+        );
+        for (radius, stiffness) in springs {
+            // Within the reference length the whole circle is no shorter than twice that.
+            let arc = 2f64.to_radians() * radius.max(length / PI);
+            assert_relative_eq!(stiffness, 1e4 * young * arc, max_relative = 1e-6);
+        }
+    }
+}
+
+#[test]
+fn a_torus_far_off_the_axis_is_solved_by_calculix_where_it_is_installed() {
+    let folder = Folder::made();
+    let truth = Truth::of(parsed(TORUS)).expect("solved");
+    let discretisation = truth.case.meshed().expect("meshed").discretisation;
+    folder.with("torus.inp", deck::text(&discretisation).expect("a deck"));
+    if ccx(folder.path(), "torus").is_none() {
+        return;
+    }
+    let answer = read::read(&folder.path().join("torus.dat"), &truth.case, &Asked::default()).expect("read");
+    let found = judged(&truth, answer);
+    assert!(found.met() && found.mistakes.is_empty(), "{:?}", failed(&found));
+    // Springs as soft as those of a punch as wide as the reference length make it 2.5 % wider.
+    let (theirs, ours) = (&found.ruled[0].measures, &truth.run.contacts[0].measures);
+    assert_relative_eq!(theirs.second_moment_width, ours.second_moment_width, max_relative = 1e-3);
+    // Displacements that ccx writes in the plane have 1.3 % more.
+    let energy = found.ruled[0].judged.iter().find(|one| one.check.quantity.to_string().starts_with("strain energy"));
+    assert!(energy.expect("an energy").error <= 3e-3, "{energy:?}");
 }
 
 #[test]
