@@ -199,14 +199,14 @@ fn called(scene: &Scene, handed: &Handed) -> Vec<(String, [f64; 2])> {
         all.push((format!("positions are doubled: {doubled}"), places_alone(handed, is_circle, 0.5)));
         all.push((format!("positions are halved: {halved}"), places_alone(handed, is_circle, 2.0)));
     }
-    if is_circle && handed.forces {
+    if scene.is_of_revolution() && handed.forces {
         all.push(("nodal forces are per radian: 2π is forgotten".into(), [TAU, 1.0]));
         all.extend(SECTORS.map(|angle| {
             let by = 360.0 / angle;
             (format!("nodal forces are those of a sector of {angle}°: they are to be multiplied by {by}"), [by, 1.0])
         }));
     }
-    if handed.forces && !is_circle && (scene.thickness - 1.0).abs() > 0.0 {
+    if handed.forces && (scene.thickness - 1.0).abs() > 0.0 {
         let text = format!("forces are per unit thickness, but the scene is {} mm thick", scene.thickness);
         all.push((text, [scene.thickness, 1.0]));
     }
