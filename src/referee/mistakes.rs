@@ -11,7 +11,7 @@ use crate::mesh::Order;
 use crate::referee::answer::{Handed, Point, places};
 use crate::referee::judge::{fails_by_width, judge};
 use crate::referee::norm;
-use crate::referee::profile::{Profile, ended, tributary};
+use crate::referee::profile::{Profile, ended, from_axis, tributary};
 use crate::referee::truth::Truth;
 use crate::referee::units::{Role, Units, is_angle};
 use crate::scene::{ContactPair, PlaneHypothesis, Scene};
@@ -43,7 +43,12 @@ pub fn explain(truth: &Truth, handed: &Handed, beside: (&Units, bool), tolerance
         |number: &Quantity| matches!(number, Quantity::Resultant | Quantity::SecondMomentWidth | Quantity::Centre);
     let are_sums = || own.iter().all(|judged| judged.check.quantity.number().is_some_and(is_sum));
     let may_have = plain.order == Order::Linear && plain.edges.is_empty() && (plain.forces || are_sums());
-    let mid_sides = may_have.then(|| (MID_SIDES.into(), Handed { order: Order::Quadratic, ..plain.clone() }));
+    let quadratic = || {
+        let points =
+            from_axis((&truth.case.scene, plain.contact), plain.points.clone(), Order::Quadratic, plain.forces);
+        Handed { order: Order::Quadratic, points, ..plain.clone() }
+    };
+    let mid_sides = may_have.then(|| (MID_SIDES.into(), quadratic()));
     let is_it = |(says, corrected): Correction| (sound(&corrected) && meets(&corrected)).then_some(says);
     let found: Vec<String> = corrections(truth, &plain, beside).chain(mid_sides).filter_map(is_it).collect();
     if !found.is_empty() || plain.points.iter().map(|point| point.value).sum::<f64>() >= 0.0 {

@@ -322,3 +322,40 @@ fn sectors_of_ccx_are_turned_into_the_plane() {
         assert!(field.points.iter().any(|point| (point[0] - 5.00001).abs() <= 1e-9), "{:?}", field.points);
     }
 }
+
+/// A node on the axis has no area, and a force of 0 whatever presses there: answers that leave it out are as right as those that have it.
+#[test]
+fn forces_without_that_on_the_axis_are_read_with_it() {
+    let (truth, _, run) = solved();
+    let all = forces(&run, |_, force| force);
+    let text = all.replacen("\n0e0,0e0\n", "\n", 1);
+    assert!(text != all, "{text}");
+    let found = judged_as(&truth, "theirs.csv", &text, &by_nodes());
+    assert!(found.met() && found.mistakes.is_empty(), "{:?}", failed(&found));
+    // Where the order is not told they are taken for corners, and the order is named.
+    let found = judged_as(&truth, "theirs.csv", &text, &Asked::default());
+    assert!(!found.met() && found.mistakes.iter().any(|told| told.contains("--order 2")), "{:?}", found.mistakes);
+    // A corner that is lacking elsewhere is none of the axis.
+    let spoiled: String =
+        all.lines().enumerate().filter(|(k, _)| *k != 3).map(|(_, line)| format!("{line}\n")).collect();
+    refused(handed::read(&truth.case, "theirs.csv", spoiled, &by_nodes()), &["no whole number of edges"]);
+}
+
+#[test]
+fn nodal_forces_of_rings_that_are_those_of_a_sector_are_named() {
+    let truth = Truth::of(parsed(TORUS)).expect("solved");
+    let run = truth.case.solve().expect("solved").1;
+    let own = run.solution.points_of(0).iter().map(|point| [point.position, point.weight * point.pressure]);
+    let own: Vec<[f64; 2]> = own.collect();
+    for (by, says) in [
+        (TAU, "2π is forgotten"),
+        (360.0, "sector of 1°"),
+        (180.0, "sector of 2°"),
+        (4.0, "sector of 90°"),
+        (2.0, "sector of 180°"),
+    ] {
+        let text = table("position [mm],force [N]", own.iter().map(|[place, force]| [*place, force / by]));
+        let found = judged_as(&truth, "theirs.csv", &text, &by_nodes());
+        assert!(!found.met() && found.mistakes.iter().any(|told| told.contains(says)), "{says}: {:?}", found.mistakes);
+    }
+}
