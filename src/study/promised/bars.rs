@@ -266,7 +266,7 @@ pub fn within(recorded: &[Record]) -> Judged {
         "of each number of each of the first {} families on each kind of cells, an unknown bar being outside",
         JUDGED.len()
     );
-    smallest(by_cells(recorded, &JUDGED), |_| true, quantity, "closed forms", because)
+    smallest(by_cells(recorded, JUDGED), |_| true, quantity, "closed forms", because)
 }
 
 /// Bodies of revolution whose bars are judged where they are told alone: the smallest share within them, one that is unknown being outside.
