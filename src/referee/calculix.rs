@@ -127,7 +127,7 @@ fn size_of_set(deck: &str, set: &str) -> usize {
 }
 
 /// Places of the nodes of a deck.
-fn nodes_of_deck(source: &Source) -> Result<BTreeMap<usize, [f64; 2]>, Error> {
+pub fn nodes_of_deck(source: &Source) -> Result<BTreeMap<usize, [f64; 2]>, Error> {
     let mut nodes = BTreeMap::new();
     let mut inside = false;
     for line in source.text.lines() {

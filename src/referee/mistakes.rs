@@ -11,7 +11,7 @@ use crate::mesh::Order;
 use crate::referee::answer::{Handed, Point, places};
 use crate::referee::judge::{fails_by_width, judge};
 use crate::referee::norm;
-use crate::referee::profile::{Profile, ended, tributary};
+use crate::referee::profile::{Profile, ended, from_axis, tributary};
 use crate::referee::truth::Truth;
 use crate::referee::units::{Role, Units, is_angle};
 use crate::scene::{ContactPair, PlaneHypothesis, Scene};
@@ -43,7 +43,12 @@ pub fn explain(truth: &Truth, handed: &Handed, beside: (&Units, bool), tolerance
         |number: &Quantity| matches!(number, Quantity::Resultant | Quantity::SecondMomentWidth | Quantity::Centre);
     let are_sums = || own.iter().all(|judged| judged.check.quantity.number().is_some_and(is_sum));
     let may_have = plain.order == Order::Linear && plain.edges.is_empty() && (plain.forces || are_sums());
-    let mid_sides = may_have.then(|| (MID_SIDES.into(), Handed { order: Order::Quadratic, ..plain.clone() }));
+    let quadratic = || {
+        let points =
+            from_axis((&truth.case.scene, plain.contact), plain.points.clone(), Order::Quadratic, plain.forces);
+        Handed { order: Order::Quadratic, points, ..plain.clone() }
+    };
+    let mid_sides = may_have.then(|| (MID_SIDES.into(), quadratic()));
     let is_it = |(says, corrected): Correction| (sound(&corrected) && meets(&corrected)).then_some(says);
     let found: Vec<String> = corrections(truth, &plain, beside).chain(mid_sides).filter_map(is_it).collect();
     if !found.is_empty() || plain.points.iter().map(|point| point.value).sum::<f64>() >= 0.0 {
@@ -199,14 +204,14 @@ fn called(scene: &Scene, handed: &Handed) -> Vec<(String, [f64; 2])> {
         all.push((format!("positions are doubled: {doubled}"), places_alone(handed, is_circle, 0.5)));
         all.push((format!("positions are halved: {halved}"), places_alone(handed, is_circle, 2.0)));
     }
-    if is_circle && handed.forces {
+    if scene.is_of_revolution() && handed.forces {
         all.push(("nodal forces are per radian: 2π is forgotten".into(), [TAU, 1.0]));
         all.extend(SECTORS.map(|angle| {
             let by = 360.0 / angle;
             (format!("nodal forces are those of a sector of {angle}°: they are to be multiplied by {by}"), [by, 1.0])
         }));
     }
-    if handed.forces && !is_circle && (scene.thickness - 1.0).abs() > 0.0 {
+    if handed.forces && (scene.thickness - 1.0).abs() > 0.0 {
         let text = format!("forces are per unit thickness, but the scene is {} mm thick", scene.thickness);
         all.push((text, [scene.thickness, 1.0]));
     }

@@ -233,9 +233,21 @@ pub fn handed(
     refused: impl Fn(String, &str) -> Error,
 ) -> Result<Handed, Error> {
     let pair = &scene.contacts[contact];
+    let points = from_axis((scene, contact), points, order.unwrap_or(Order::Linear), forces);
     let points = ordered(points, order.unwrap_or(Order::Linear), pair, refused)?;
     let order = order.unwrap_or_else(|| order_of_areas(scene, pair, &points));
     Ok(Handed { contact, points, order, edges: vec![], forces })
+}
+
+/// Forces, or pressures with areas, with those of the axis, which are 0, where they lack to make edges of an order whole: answers leave them out.
+pub fn from_axis((scene, contact): (&Scene, usize), mut points: Vec<Point>, order: Order, forces: bool) -> Vec<Point> {
+    let lacks = order != Order::Linear && points.len().is_multiple_of(usize::from(order.number()));
+    let are_known = forces || points.iter().all(|point| point.area.is_some());
+    let first = points.iter().copied().min_by(|a, b| a.position.total_cmp(&b.position));
+    let first = first.filter(|first| lacks && are_known && first.position > 0.0 && scene.is_around_axis(contact));
+    points.extend(first.map(|first| Point { position: 0.0, value: 0.0, area: first.area.map(|_| 0.0), ..first }));
+    points.sort_by(|a, b| a.position.total_cmp(&b.position));
+    points
 }
 
 /// Part of the largest area by which areas may be off from those of an order.

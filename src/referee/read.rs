@@ -108,7 +108,9 @@ fn exported(file: &Path, table: &str, scene: &Scene, asked: &Asked) -> Result<An
     if fields.exists() {
         let read = bytes(&fields)?;
         let source = Source { file: &fields, text: &text(&fields, &read)? };
-        answer.field = frd::displacements((&source, scene), asked, calculix::is_ours(&deck).then_some("mm"), state)?;
+        let places = calculix::nodes_of_deck(&Source { file: &file.with_extension("inp"), text: &deck })?;
+        let of_deck = (calculix::is_ours(&deck).then_some("mm"), &places);
+        answer.field = frd::displacements((&source, scene), asked, of_deck, state)?;
         answer.read.extend(answer.field.is_some().then(|| "displacements from the .frd of the same name".into()));
     }
     Ok(answer)

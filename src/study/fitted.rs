@@ -1,5 +1,5 @@
-//! Cells of high order fitted to the end of the contact: how many digits of peak and second-moment width they give, for
-//! how many degrees of freedom.
+//! Cells of high order fitted to the end of the contact: how many digits of peak, second-moment width and half-width they give,
+//! for how many degrees of freedom.
 
 use rayon::prelude::*;
 
@@ -8,18 +8,20 @@ use crate::case::{self, Case, Check, Judged, Reference};
 use crate::checkout::root;
 use crate::error::Error;
 use crate::markdown::{self, Column};
-use crate::measure::{Quantity, larger};
+use crate::measure::{Quantity, larger, relative_error};
 use crate::mesh::Order;
 use crate::scene::Scene;
-use crate::solve::{Fitted, Formulation};
+use crate::solve::{Fitted, Formulation, Run};
 use crate::study::about::{About, Found, Planned, Study};
-use crate::study::differences::{errors, peak_and_width};
 use crate::study::random::{Family, Site};
 
 /// What is asked: digits that order and layers are chosen for, relative error of peak and second-moment width.
 pub const ASKED: [(usize, f64); 3] = [(4, 1e-4), (5, 1e-5), (6, 1e-6)];
 /// The same of the truncated sphere.
 pub const ASKED_OF_REVOLUTION: [(usize, f64); 4] = [(3, 1e-3), ASKED[0], ASKED[1], ASKED[2]];
+/// Times that error within which the half-width is: it is the place of the mesh line, which the search leaves before peak and second-moment
+/// width, which depend on it in second order, are at rest.
+pub const OF_END: f64 = 3.0;
 /// Relative error that is asked of other scenes.
 const ASKED_ELSEWHERE: f64 = 1e-5;
 /// Fitted meshes of which nothing is asked.
@@ -82,7 +84,8 @@ impl Study for Numbers {
                 false => Reference::own("cells of order 8, three layers", 0.0),
             };
             let because = "five digits of a contact that no mesh knew the ends of";
-            of(Some(mesh), scene, reference, (ASKED_ELSEWHERE, because))
+            // Of peak and second-moment width.
+            of(Some(mesh), scene, reference, (ASKED_ELSEWHERE, because)).into_iter().take(2)
         });
         Ok(own.chain(revolved).chain(elsewhere).collect())
     }
@@ -93,6 +96,7 @@ impl Study for Numbers {
         Ok(format!(
             include_str!("fitted.md"),
             loads = LOADS.len(),
+            of_end = OF_END,
             meshes = markdown::columns(&MESHES, findings.iter().flat_map(|found| &found.numbers.meshes)),
             revolved = markdown::columns(&MESHES, findings.iter().flat_map(|found| &found.numbers.revolved)),
             dofs = scenes.map(|(_, mesh)| mesh.dofs).max().unwrap_or_default()
@@ -109,8 +113,8 @@ pub struct Mesh {
     pub dofs: usize,
     /// Those of all meshes that were solved on the way, with its own.
     pub in_all: usize,
-    /// Relative errors of peak pressure and second-moment width; NaN where a run did not converge.
-    pub errors: [f64; 2],
+    /// Relative errors of peak pressure, second-moment width and half-width; NaN where a run did not converge.
+    pub errors: [f64; 3],
     /// Whether a closed form says so, and not the best mesh.
     pub exact: bool,
 }
@@ -123,19 +127,19 @@ fn numbers() -> Result<Numbers, Error> {
     let plane = |factor: f64| {
         let drawn = TruncatedHertz::default().under(factor);
         let hertz = drawn.closed_form();
-        (drawn.scene(), [hertz.peak_pressure(), hertz.half_width()])
+        (drawn.scene(), [hertz.peak_pressure(), hertz.half_width(), hertz.half_width()])
     };
     let of_revolution = |factor: f64| {
         let full = Indented::by_sphere(TruncatedHertz::default().a_over_r);
         let drawn = full.contact.radius;
         let block = Indented { drawn, ..Indented::by_sphere(factor * TruncatedHertz::default().a_over_r) };
-        (block.scene(), [block.contact.peak_pressure(), block.contact.radius])
+        (block.scene(), [block.contact.peak_pressure(), block.contact.radius, block.contact.radius])
     };
     Ok(Numbers { meshes: on_all(plane)?, revolved: on_all(of_revolution)?, scenes: elsewhere()? })
 }
 
-/// A scene under a part of the load that it is drawn for, by its half-width, with its peak pressure and half-width.
-type Drawn = fn(f64) -> (Scene, [f64; 2]);
+/// A scene under a part of the load that it is drawn for, by its half-width, with its peak pressure and both widths, which are one there.
+type Drawn = fn(f64) -> (Scene, [f64; 3]);
 
 /// A mesh under the worst of all loads.
 fn worst(fitted: Fitted, drawn: Drawn) -> Result<Mesh, Error> {
@@ -144,14 +148,14 @@ fn worst(fitted: Fitted, drawn: Drawn) -> Result<Mesh, Error> {
     let worse = |one: Mesh, other: Mesh| Mesh {
         dofs: one.dofs.max(other.dofs),
         in_all: one.in_all.max(other.in_all),
-        errors: [0, 1].map(|k| larger(one.errors[k], other.errors[k])),
+        errors: [0, 1, 2].map(|k| larger(one.errors[k], other.errors[k])),
         ..one
     };
     Ok(all.into_iter().reduce(worse).expect("there are loads"))
 }
 
 /// A mesh under one load.
-fn solved(fitted: Fitted, (scene, truth): (Scene, [f64; 2])) -> Result<Mesh, Error> {
+fn solved(fitted: Fitted, (scene, truth): (Scene, [f64; 3])) -> Result<Mesh, Error> {
     let answer = fitted.solve(&scene, &Formulation::verification())?;
     let errors = errors(&answer.run, truth).map(|error| (error / ROUND_OFF).round() * ROUND_OFF);
     let in_all = answer.tried.iter().map(|one| one.dofs).sum();
@@ -168,9 +172,9 @@ fn elsewhere() -> Result<Vec<(String, Mesh)>, Error> {
     let cylinders = drawn("two-cylinders.toml")?;
     let eccentric = drawn("eccentric-to-accuracy.toml")?;
     let off_centre = Site { family: Family::Polynomial, number: OFF_CENTRE }.sample()?;
-    let truth = [Quantity::PeakPressure, Quantity::SecondMomentWidth].map(|quantity| off_centre.truth(0, &quantity));
+    let truth = QUANTITIES.map(|quantity| off_centre.truth(0, &quantity));
     let peak_off = "block under a pressure with its peak off the centre";
-    let all: Vec<(String, Scene, Fitted, Option<[f64; 2]>)> = vec![
+    let all: Vec<(String, Scene, Fitted, Option<[f64; 3]>)> = vec![
         pin(30.0),
         pin(60.0),
         pin(80.0),
@@ -181,30 +185,47 @@ fn elsewhere() -> Result<Vec<(String, Mesh)>, Error> {
     let solved = all.into_par_iter().map(|(name, scene, fitted, truth)| {
         let on = |fitted: Fitted| fitted.solve_with_ends(&scene, &Formulation::verification(), AT_REST);
         let run = on(fitted)?.run;
-        let right = truth.map_or_else(|| on(BEST).map(|best| peak_and_width(&best.run)), Ok)?;
+        let right = truth.map_or_else(|| on(BEST).map(|best| found(&best.run)), Ok)?;
         let errors = errors(&run, right);
         Ok((name, Mesh { fitted, dofs: run.dofs, in_all: run.dofs, errors, exact: truth.is_some() }))
     });
     solved.collect()
 }
 
-/// Both errors of a mesh.
-fn of(mesh: Option<&Mesh>, at: &str, reference: Reference, (most, because): (f64, &'static str)) -> [Judged; 2] {
+/// What is asked of a mesh.
+const QUANTITIES: [Quantity; 3] = [Quantity::PeakPressure, Quantity::SecondMomentWidth, Quantity::HalfWidth];
+
+/// Those of a run; NaN, which no check passes, where it did not converge.
+fn found(run: &Run) -> [f64; 3] {
+    QUANTITIES.map(|one| if run.solution.converged() { one.of(run.measures()) } else { f64::NAN })
+}
+
+/// Their relative errors.
+fn errors(run: &Run, truth: [f64; 3]) -> [f64; 3] {
+    let found = found(run);
+    [0, 1, 2].map(|k| relative_error(found[k], truth[k]))
+}
+
+/// The errors of a mesh.
+fn of(mesh: Option<&Mesh>, at: &str, reference: Reference, (most, because): (f64, &'static str)) -> [Judged; 3] {
     let error = |name: &'static str, k: usize| {
+        let most = if k == 2 { OF_END * most } else { most };
         let check = Check::error(case::Quantity::at(name, at), reference.clone(), most, because);
         check.judge(mesh.map_or(f64::NAN, |mesh| mesh.errors[k]))
     };
     [
         error("relative error of the peak pressure on a mesh fitted to the contact", 0),
         error("relative error of the second-moment width on a mesh fitted to the contact", 1),
+        error("relative error of the half-width on a mesh fitted to the contact", 2),
     ]
 }
 
 /// Columns of the meshes of truncated Hertz.
-const MESHES: [Column<Mesh>; 5] = [
+const MESHES: [Column<Mesh>; 6] = [
     ("cells", |Mesh { fitted, .. }| format!("fitted, order {}, layers {}", fitted.order.number(), fitted.layers)),
     ("degrees of freedom", |mesh| mesh.dofs.to_string()),
     ("those of all meshes on the way", |mesh| mesh.in_all.to_string()),
     ("error of p₀, worst load", |mesh| markdown::error(mesh.errors[0])),
-    ("error of a, worst load", |mesh| markdown::error(mesh.errors[1])),
+    ("error of the second-moment width, worst load", |mesh| markdown::error(mesh.errors[1])),
+    ("error of the half-width, worst load", |mesh| markdown::error(mesh.errors[2])),
 ];

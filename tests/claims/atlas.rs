@@ -6,7 +6,7 @@ use contact_vv::solve::Ended;
 use contact_vv::solve::{Discretisation, Element, Iteration};
 use contact_vv::stability::halving::SOFT;
 use contact_vv::study::Study;
-use contact_vv::study::atlas::{Chart, Numbers, Plane, Record, Site, plane, run};
+use contact_vv::study::atlas::{self, Chart, Numbers, Plane, Record, Site, plane, run};
 use contact_vv::study::method::Method;
 use contact_vv::study::records;
 use rayon::prelude::*;
@@ -230,6 +230,33 @@ fn a_digest_takes_what_converges_everywhere_and_the_best_of_the_worst() {
     let row = charts[0].rows.iter_mut().find(|row| row[0].method == method).expect("a row");
     row.iter_mut().filter(|r| r.stiffness >= best).for_each(|r| r.class = Ended::Capped);
     assert!(of(&charts).is_none_or(|now| now.to < best));
+}
+
+#[test]
+fn what_is_told_of_bodies_of_revolution_is_what_their_own_record_says() {
+    let told = |spoil: &dyn Fn(&mut Record)| {
+        let mut charts = Plane::ALL.map(|plane| Chart::read(plane).expect("records"));
+        let own = charts.iter_mut().filter(|chart| chart.plane == Plane::Sphere);
+        own.flat_map(|chart| chart.rows.iter_mut().flatten()).for_each(spoil);
+        atlas::revolution(&charts.iter().collect::<Vec<_>>())
+    };
+    let says = |text: &str, parts: [&str; 3]| assert!(parts.iter().all(|part| text.contains(part)), "{text}");
+    let [law, map] = ["the halving law holds", "the averaged map holds"];
+    says(&told(&|_| ()), ["have the recommendation of plane scenes", law, map]);
+    let is = |record: &Record, algorithm| record.method.algorithm == algorithm;
+    let kinematic = told(&|record| {
+        if is(record, Iteration::Kinematic) {
+            record.class = Ended::Capped;
+        }
+    });
+    says(&kinematic, ["have another recommendation", "the halving law does not hold", map]);
+    says(&kinematic, ["ends right for no κ₀", "those of plane scenes do for κ₀ from", map]);
+    let constant = told(&|record| {
+        if is(record, Iteration::Constant) {
+            record.class = Ended::Cycling;
+        }
+    });
+    says(&constant, ["have the recommendation of plane scenes", law, "the averaged map does not hold"]);
 }
 
 #[test]

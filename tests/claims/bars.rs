@@ -6,13 +6,14 @@ use contact_vv::accuracy::{self, Asked, Barred, Bars, Quantity, Told, bars};
 use contact_vv::algorithm::StiffnessRule;
 use contact_vv::case::library::{self, Cylinder};
 use contact_vv::case::{Case, Judged, Scope, Verdict};
+use contact_vv::error::Error;
 use contact_vv::mesh::{Order, Resolution};
 use contact_vv::oracle::ReferenceKind;
 use contact_vv::scene::{Component, Place, Scene, Support};
 use contact_vv::solve::{Discretisation, Displaced, Element, Fitted, Formulation, Iteration, Run};
 use contact_vv::study::Study;
 use contact_vv::study::promised::Numbers;
-use contact_vv::study::promised::bars::{Record, SURVEY, beyond, narrow, setup, told, within};
+use contact_vv::study::promised::bars::{Record, SURVEY, beyond, narrow, of_revolution, setup, told, within};
 use contact_vv::study::random::{Family, Site};
 use contact_vv::study::records::Millionths;
 
@@ -528,4 +529,18 @@ fn a_contact_cut_short_is_refused_or_its_end_is_within_a_bar_or_unknown() {
         }
     }
     assert!(refusals >= 18, "{refusals}");
+}
+
+/// What is told of powers of the radius counts an unknown bar against them.
+#[test]
+fn share_that_is_told_of_powers_of_the_radius_falls_with_every_bar_that_is_not_known() -> Result<(), Error> {
+    let mut all = SURVEY.read()?;
+    all.retain(|one| one.site.family == Family::Indented);
+    let told = of_revolution(&all);
+    assert!(told.contains("peak pressure") && !told.contains(" 0 of"), "{told}");
+    let lost: Vec<Record> = all.iter().map(|one| widened(one, f64::NAN)).collect();
+    let lost = of_revolution(&lost);
+    assert!(lost.contains(" 0.0 % of the true errors") && lost != told, "{lost}");
+    assert!(of_revolution(&[]).is_empty());
+    Ok(())
 }

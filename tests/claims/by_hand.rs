@@ -1,5 +1,6 @@
 //! Numbers that a planted fault could move unseen, against what a line of calculation by hand gives.
 
+use std::collections::BTreeMap;
 use std::f64::consts::{PI, TAU};
 use std::path::Path;
 
@@ -284,7 +285,9 @@ fn displacements_of_a_frd_are_those_of_its_last_state() {
     let units = [(Role::Position, "m"), (Role::Displacement, "um")].map(|(role, unit)| (role, unit.to_owned()));
     let asked = Asked { units: units.into(), ..Asked::default() };
     let source = Source { file: Path::new("a.frd"), text: &text };
-    let field = frd::displacements((&source, &case.scene), &asked, None, None).expect("read").expect("a field");
+    let field = frd::displacements((&source, &case.scene), &asked, (None, &BTreeMap::new()), None)
+        .expect("read")
+        .expect("a field");
     for [x, y] in field.displacement {
         assert_relative_eq!(x, 3e-3, max_relative = 1e-12);
         assert_relative_eq!(y, 4e-3, max_relative = 1e-12);

@@ -1,9 +1,11 @@
 //! Reactions: what the supports exert balances loads and contact, with the sign of a force on the body.
 
 use approx::assert_relative_eq;
-use contact_vv::accuracy::{Barred, Quantity, bars};
+use contact_vv::accuracy::{self, Asked, Barred, Quantity, bars};
+use contact_vv::case::Case;
+use contact_vv::error::Error;
 use contact_vv::solution::Solution;
-use contact_vv::solve::Discretisation;
+use contact_vv::solve::{Discretisation, Formulation};
 
 use crate::balance::solved_as_it_says;
 use crate::scene_file::text_of;
@@ -139,4 +141,47 @@ fn force_that_a_point_takes_beside_a_side_has_no_bar() {
             assert!(one.bar.total().is_nan() && one.unknown.is_some_and(|why| why.contains("at a point")), "{one:?}");
         }
     }
+}
+
+/// A block on a parabola, held at a point.
+fn block(plane: &str, body: &str) -> Case {
+    let second = if body.contains("[[body]]") { "second = \"base\"\n" } else { "" };
+    parsed(&format!(
+        "{plane}\n[[body]]\nname = \"block\"\nyoung = 210e3\npoisson = 0.3\n\
+         shape = {{ rectangle = {{ x = [0, 20], y = [0, 20], contact = \"bottom\" }} }}\n{body}\n\
+         [contact]\nfirst = \"block\"\n{second}gap = {{ parabola = 100 }}\nstretch = 2\n[mesh]\nelements = 8\nper = 1\n"
+    ))
+}
+
+/// What a point takes beside the contact it takes from it: as its part vanishes, so does the bar of all that the contact tells.
+#[test]
+fn contact_that_shares_its_force_with_a_point_has_no_bar() -> Result<(), Error> {
+    let [strain, revolution] = ["plane = \"strain\"\nthickness = 1", "plane = \"axisymmetric\""];
+    let (line, above) = ("{ at = \"left\", component = \"x\" }", "{ at = [0, 20], component = \"y\"");
+    let load = "loads = [{ traction = { at = \"far\", force = [0, -3000] } }]";
+    let base = "[[body]]\nname = \"base\"\nyoung = 210e3\npoisson = 0.3\n\
+         shape = { rectangle = { x = [0, 20], y = [-20, 0], contact = \"top\" } }\n\
+         supports = [{ at = \"left\", component = \"x\" }, { at = [0, -20], component = \"y\" }]";
+    for (plane, body, has_bars) in [
+        (strain, format!("supports = [{line}, {above}, value = -0.1 }}]"), false),
+        (strain, format!("supports = [{line}, {above} }}]\n{load}"), false),
+        (revolution, format!("supports = [{above} }}]\n{load}"), false),
+        // A point that takes nothing, or what the load alone gives.
+        (strain, format!("supports = [{line}, {{ at = [20, 20], component = \"x\" }}]\n{load}"), true),
+        (strain, format!("supports = [{line}]\n{}\n{base}", load.replace("3000", "1000")), true),
+    ] {
+        let case = block(plane, &body);
+        let (discretisation, run) = solved_as_it_says(&case);
+        let all = bars(&discretisation, &run, &[])?.all;
+        for quantity in [Quantity::PeakPressure, Quantity::HalfWidth, Quantity::Resultant] {
+            let one = all.iter().find(|one| one.quantity == quantity).expect("a number");
+            let why = one.unknown.is_some_and(|why| why.contains("at a point"));
+            assert_eq!((one.bar.total().is_finite(), why), (has_bars, !has_bars), "{body}: {one:?}");
+        }
+        if !has_bars {
+            let answer = accuracy::solve(&case.scene, &Formulation::verification(), &Asked::new(0.05))?;
+            assert!(answer.unmet.is_some_and(|why| why.contains("at a point")), "{body}");
+        }
+    }
+    Ok(())
 }

@@ -219,7 +219,7 @@ fn bodies_and_contacts_whose_names_a_deck_cannot_tell_apart_have_their_numbers_i
 }
 
 /// The blocks of a deck: a keyword with its options, and rows of words.
-fn blocks(deck: &str) -> Vec<(&str, Vec<Vec<&str>>)> {
+pub fn blocks(deck: &str) -> Vec<(&str, Vec<Vec<&str>>)> {
     let mut all: Vec<(&str, Vec<Vec<&str>>)> = Vec::new();
     for line in deck.lines().filter(|line| !line.starts_with("**")) {
         match (line.strip_prefix('*'), all.last_mut()) {
@@ -361,7 +361,7 @@ fn exported_decks_prescribe_what_the_scene_does_and_their_equations_hold_of_our_
 }
 
 /// What ccx prints of a deck; none where it is not installed.
-fn ccx(folder: &Path, job: &str) -> Option<()> {
+pub fn ccx(folder: &Path, job: &str) -> Option<()> {
     let run = Command::new("ccx").arg(job).current_dir(folder).env("OMP_NUM_THREADS", "1").output().ok()?;
     let said = String::from_utf8_lossy(&run.stdout).into_owned();
     assert!(said.contains("Job finished"), "{said}");

@@ -162,7 +162,7 @@ fn a_curve_beyond_its_uncertainty_turns_red_and_one_that_is_absent_is_not_run() 
 /// A mesh fitted to the contact, as far off as may be.
 fn mesh(digits: usize, error: f64) -> fitted::Mesh {
     let fitted = Fitted::of_digits(digits);
-    fitted::Mesh { fitted, dofs: 1000, in_all: 1000, errors: [error; 2], exact: false }
+    fitted::Mesh { fitted, dofs: 1000, in_all: 1000, errors: [error, error, fitted::OF_END * error], exact: false }
 }
 
 #[test]
@@ -176,17 +176,19 @@ fn a_fitted_mesh_that_errs_more_than_is_asked_turns_red() {
         let judge = |meshes: &[fitted::Mesh], revolved: &[fitted::Mesh], scenes: &[(String, fitted::Mesh)]| {
             let numbers = fitted::Numbers { meshes: meshes.into(), revolved: revolved.into(), scenes: scenes.into() };
             let judged = numbers.judge().expect("judged");
-            assert_eq!(judged.len(), 14 + 2 * scenes.len());
+            assert_eq!(judged.len(), 21 + 2 * scenes.len());
             fails(&judged)
         };
         // Of the block, of the one of revolution, and of another scene; without their meshes no number of the blocks could pass.
-        [judge(&meshes, &[], &[]) - 8, judge(&[], &revolved, &[]) - 6, judge(&[], &[], &scenes) - 14]
+        [judge(&meshes, &[], &[]) - 12, judge(&[], &revolved, &[]) - 9, judge(&[], &[], &scenes) - 21]
     };
     assert_eq!(judge(|_| {}), [0, 0, 0]);
     assert_eq!(judge(|mesh| mesh.errors[0] *= 1.01), [3, 4, 1]);
     assert_eq!(judge(|mesh| mesh.errors[1] *= 1.01), [3, 4, 1]);
+    // Of other scenes the half-width is not asked.
+    assert_eq!(judge(|mesh| mesh.errors[2] *= 1.01), [3, 4, 0]);
     assert_eq!(judge(|mesh| mesh.errors[0] = f64::NAN), [3, 4, 1]);
-    assert_eq!(judge(|mesh| mesh.errors = [f64::NAN; 2]), [6, 8, 2]);
+    assert_eq!(judge(|mesh| mesh.errors = [f64::NAN; 3]), [9, 12, 2]);
     // A mesh that was not solved.
-    assert_eq!(judge(|mesh| mesh.fitted.layers = 9)[..2], [6, 8]);
+    assert_eq!(judge(|mesh| mesh.fitted.layers = 9)[..2], [9, 12]);
 }

@@ -127,7 +127,7 @@ fn shape(plane: PlaneHypothesis, across: bool, given: Value) -> Result<Shape, Er
     let (name, table) = given.only();
     match name {
         "rectangle" => rectangle(given, table),
-        "disc" => disc(across, table),
+        "disc" => disc(plane, across, table),
         "ring" => ring(across, table),
         "blocks" => blocks::shape(given, table),
         name if mesh_file::SHAPES.contains(&name) => mesh_file::shape(plane.is_of_revolution(), table),
@@ -146,22 +146,26 @@ fn rectangle(given: Value, table: Value) -> Result<Shape, Error> {
 }
 
 /// A disc, in a contact on one side of x = 0 or across it.
-fn disc(across: bool, table: Value) -> Result<Shape, Error> {
+fn disc(plane: PlaneHypothesis, across: bool, table: Value) -> Result<Shape, Error> {
     Ok(Shape::Disc {
         centre: table.at("centre").point()?,
         radius: table.at("radius").length()?,
-        sector: sector(across, table)?,
+        sector: sector(plane, across, table)?,
         contact: table.get("contact").map_or(Ok(Face::Bottom), |side| side.choice("side of a disc", &FACES))?,
     })
 }
 
 /// The part of a disc that is modelled: one side of x = 0, or both.
-fn sector(across: bool, table: Value) -> Result<Sector, Error> {
+fn sector(plane: PlaneHypothesis, across: bool, table: Value) -> Result<Sector, Error> {
     match (across, table.asked("half"), table.asked("whole")) {
         (_, Some(_), Some(whole)) => Err(whole.refused("the disc is `half` and `whole`", "leave one of them out")),
         (true, Some(half), None) => {
             let remedy = "leave `half` out for the lower half, or give `whole = true`; or leave out `both-sides`";
             Err(half.refused("the right half of a disc touches on one side of x = 0 only", remedy))
+        }
+        (false, None, Some(whole)) if plane.is_of_revolution() => {
+            let message = "a whole disc goes on beyond the axis, on which its contact begins";
+            Err(whole.refused(message, "give `half = true`: its right half makes the whole sphere"))
         }
         (false, None, Some(whole)) => {
             let remedy = "add `both-sides = true` to [contact], or give `half = true` for its right half";

@@ -12,6 +12,7 @@
 //! whose nodes belong to no cell, are those of the sector.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::f64::consts::PI;
 use std::fmt::Write;
 
 use crate::contact::interface::ContactNode;
@@ -291,17 +292,20 @@ impl Deck<'_> {
         let discretisation = self.discretisation;
         let scene = &discretisation.scene;
         let ReferenceValues { pressure, length, .. } = scene.reference;
-        // Of a sector that of a punch as wide as the reference length.
-        let across = if scene.is_of_revolution() { 2.0 * length / SECTORS } else { scene.thickness };
-        let stiffness = STIFFNESS * across * scene.bodies.iter().map(|body| body.material.young).fold(0.0, f64::max);
-        let (mut held, weak) = (false, WEAK * stiffness / STIFFNESS);
-        let tail = TAIL * pressure * length * across;
+        // Of a sector the arc through the node, and of nodes near the axis that of a punch as wide as the reference length.
+        let across = |radius: f64| match scene.is_of_revolution() {
+            true => 2.0 * length.max(PI * radius) / SECTORS,
+            false => scene.thickness,
+        };
+        let young = scene.bodies.iter().map(|body| body.material.young).fold(0.0, f64::max);
+        let mut held = false;
         for (contact, interface) in discretisation.interfaces.iter().enumerate() {
             let (mut fixed, open) = (Vec::new(), interface.nodes.iter().all(|node| node.gap > 0.0));
             for node in interface.nodes.iter().filter(|node| node.gap.is_finite()) {
                 let (moved, still) = (self.nodes + 1, self.nodes + 2);
                 (self.nodes, self.elements) = (still, self.elements + 1);
                 let [x, y] = node.point;
+                let (stiffness, tail) = (STIFFNESS * young * across(x), TAIL * pressure * length * across(x));
                 self.line(format!("*NODE\n{moved}, {x:.12e}, {y:.12e}\n{still}, {x:.12e}, {y:.12e}"));
                 self.equation(&[vec![(moved, 0, -1.0)], approach(discretisation, node)].concat());
                 self.line(format!("*BOUNDARY\n{moved}, 2, 3\n{still}, 1, 3"));
@@ -320,7 +324,7 @@ impl Deck<'_> {
             self.set(&gaps_of(scene, contact), fixed);
         }
         if held {
-            self.line(format!("*SPRING, ELSET={WEAK_SET}\n1\n{weak:.6e}"));
+            self.line(format!("*SPRING, ELSET={WEAK_SET}\n1\n{:.6e}", WEAK * young * across(0.0)));
         }
     }
 

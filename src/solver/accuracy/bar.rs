@@ -115,6 +115,16 @@ impl Barred {
         }
     }
 
+    /// Whether it depends on what a support at a point takes.
+    pub(super) fn is_at_point(&self) -> bool {
+        self.unknown == Some(AT_POINT)
+    }
+
+    /// Leaves it unknown for that.
+    pub(super) fn yields(&mut self) {
+        (self.unknown, self.told, self.bar.mesh) = (Some(AT_POINT), None, f64::NAN);
+    }
+
     /// Whether it is of this number of this contact.
     pub fn is_of(&self, contact: usize, quantity: &Quantity) -> bool {
         self.contact == contact && self.quantity == *quantity
@@ -195,8 +205,23 @@ pub fn of_family(
     let mut all = of_pressures(discretisation, run, family);
     if let Some(wanted) = wanted {
         all.extend(of_displacements(discretisation, run, family, wanted)?);
+        yield_at_points(&mut all);
     }
     Ok(all)
+}
+
+/// Leaves numbers unknown of contacts that share their force with a support at a point, whose part vanishes as the mesh is refined.
+fn yield_at_points(all: &mut [Barred]) {
+    let is_reaction = |one: &Barred| matches!(one.quantity, Quantity::Reaction { .. });
+    if !all.iter().any(|one| is_reaction(one) && one.is_at_point()) {
+        return;
+    }
+    let is_shared =
+        |one: &&Barred| one.quantity == Quantity::Resultant && one.told.is_some_and(|told| told.is_of_mesh(one.value));
+    let contacts: Vec<usize> = all.iter().filter(is_shared).map(|one| one.contact).collect();
+    for one in all.iter_mut().filter(|one| !is_reaction(one) && contacts.contains(&one.contact)) {
+        one.yields();
+    }
 }
 
 /// Numbers of the contacts.
@@ -309,7 +334,7 @@ fn of_displacements(
             Quantity::ShearDepth { body } => told.and(flat(*contact, *body)),
             _ => told,
         };
-        let is_shared = |body: usize| told.is_of_mesh(reading) && yields(body);
+        let is_shared = |body: usize| told.is_of_mesh(reading.scale) && yields(body);
         let without_limit = match quantity {
             Quantity::Reaction { body, support } if is_torn(*body, *support) => Some(TORN),
             Quantity::VonMises { body } if torn[*body].contains(&true) => Some(TORN),

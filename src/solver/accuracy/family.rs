@@ -144,9 +144,9 @@ impl Evidence {
         factor * self.apart + hidden * self.hidden + self.rest
     }
 
-    /// Whether meshes find a force otherwise, which statics alone do not give then.
-    pub(super) fn is_of_mesh(&self, force: &Reading) -> bool {
-        self.apart > STATICS * ROUND_OFF * force.scale.abs()
+    /// Whether meshes find a force otherwise, which statics alone do not give then; round-off of it is relative to a force.
+    pub(super) fn is_of_mesh(&self, scale: f64) -> bool {
+        self.apart > STATICS * ROUND_OFF * scale.abs()
     }
 
     /// The same with more that is known otherwise.

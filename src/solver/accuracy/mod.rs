@@ -44,8 +44,8 @@ mod watch;
 
 use crate::error::{Error, Place};
 use crate::mesh::Resolution;
-use crate::scene::Scene;
-use crate::solve::{Formulation, Iteration};
+use crate::scene::{Place as At, Scene};
+use crate::solve::{Discretisation, Formulation, Iteration};
 
 pub use crate::measure::Quantity;
 pub use answer::{Answer, Asked, Tried, TriedContact};
@@ -98,7 +98,30 @@ pub fn solve_telling(scene: &Scene, formulation: &Formulation, asked: &Asked, te
     }
     let kinematic = formulation.algorithm == Iteration::Kinematic;
     let solve = if kinematic { search::solve } else { slow::solve };
-    solve(scene, formulation, asked, tell)
+    beside_points(solve(scene, formulation, asked, tell)?, asked)
+}
+
+/// The same unmet, its errors unknown, where contacts share their force with a support at a point.
+fn beside_points(mut answer: Answer, asked: &Asked) -> Result<Answer, Error> {
+    let scene = &answer.scene;
+    if !scene.bodies.iter().flat_map(|body| &body.supports).any(|support| matches!(support.at, At::Point(_))) {
+        return Ok(answer);
+    }
+    let discretisation = Discretisation::of(scene.clone(), answer.resolution)?;
+    let (readings, _) = reading::recovered(&discretisation, &answer.run, &[])?;
+    let yields = |body: usize| readings.iter().any(|one| one.is_force_at_point(scene, body));
+    if !(0..scene.bodies.len()).any(yields) {
+        return Ok(answer);
+    }
+    let bars = bars_up_to(asked.most_dofs, &discretisation, &answer.run, &[])?;
+    let at_point: Vec<&Barred> = bars.all.iter().filter(|one| one.is_at_point()).collect();
+    for one in &mut answer.estimates {
+        if at_point.iter().any(|other| other.is_of(one.contact, &one.quantity)) {
+            one.yields();
+            answer.unmet = one.unknown.map(str::to_owned);
+        }
+    }
+    Ok(answer)
 }
 
 /// The scene on the first mesh of the search.

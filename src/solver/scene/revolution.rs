@@ -1,8 +1,8 @@
 //! What a scene of bodies of revolution cannot have.
 
-use crate::error::{Error, Part, Place};
+use crate::error::{self, Error, Part};
 use crate::scene::contact_pair::ROUNDING;
-use crate::scene::{Path, Scene};
+use crate::scene::{Path, Place, Scene};
 
 impl Scene {
     /// Refuses a thickness, and contacts that are not where bodies of revolution have them, or are halves that are none.
@@ -10,7 +10,25 @@ impl Scene {
         let Some(radial) = self.plane.radial() else { return Ok(()) };
         if (self.thickness - 1.0).abs() > 0.0 {
             let expected = "bodies of revolution have none: loads are whole forces";
-            return Err(Error::value(Place::from(self.name.as_str()), "thickness", self.thickness, expected, "use 1"));
+            return Err(Error::value(
+                error::Place::from(self.name.as_str()),
+                "thickness",
+                self.thickness,
+                expected,
+                "use 1",
+            ));
+        }
+        for (index, body) in self.bodies.iter().enumerate() {
+            for support in &body.supports {
+                let Place::Point(at) = support.at else { continue };
+                let is_on_axis = at[radial].abs() <= ROUNDING * self.contact_of(index).stretch;
+                if is_on_axis && support.component.index() != radial && support.value.abs() > 0.0 {
+                    let key = format!("value of the support at {at:?}");
+                    let expected = "a point on the axis gives way to any force: no body follows it";
+                    let remedy = "prescribe it on a side, or give its force on a `rigid-face`";
+                    return Err(Error::value(self.place_of_body(index), &key, support.value, expected, remedy));
+                }
+            }
         }
         for (contact, pair) in self.contacts.iter().enumerate() {
             let refused =

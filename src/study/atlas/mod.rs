@@ -16,14 +16,14 @@ pub mod plane;
 pub mod run;
 
 use crate::algorithm::logarithms::STOOD;
-use crate::case::Judged;
+use crate::case::{Judged, Verdict};
 use crate::drawing::Drawing;
 use crate::error::Error;
 use crate::markdown::{self, Column};
 use crate::solve::{Element, Formulation, Iteration, Settings};
 use crate::study::about::{About, Found, Planned, Study};
 use crate::study::atlas::plane::{Digest, STRETCH, Safe, digests, obstacle};
-use crate::study::atlas::run::{ENOUGH, FACTOR, HALVINGS, agreement, charts};
+use crate::study::atlas::run::{ENOUGH, FACTOR, HALVINGS, HARD, agreement, averaged, charts, halved};
 use crate::study::drawn::picture;
 use crate::study::method::Method;
 
@@ -77,6 +77,7 @@ impl Study for Numbers {
                 "atlas-sphere.svg",
                 "The same on a body of revolution, over initial stiffness and candidate surface"
             ),
+            revolution = revolution(&charts),
             predictions = predictions(&charts)
         );
         Ok(page + "\n\n" + &in_the_paper(findings))
@@ -105,6 +106,33 @@ fn ranges(all: &[Digest], method: Method) -> String {
     };
     let own = all.iter().filter(|digest| digest.method == Method { element: digest.method.element, ..method });
     own.map(range).collect::<Vec<_>>().join("; ")
+}
+
+/// Whether what is told of plane scenes holds of bodies of revolution.
+pub fn revolution(charts: &[&Chart]) -> String {
+    let (revolved, plane): (Vec<&Chart>, Vec<&Chart>) = charts.iter().partition(|chart| chart.plane == Plane::Sphere);
+    let [own, others] = [&revolved, &plane].map(|charts| digests(charts));
+    let Some((own_advice, advice)) = recommended(&own).zip(recommended(&others)) else { return String::new() };
+    let follow = match own_advice == advice {
+        true => format!("*Bodies of revolution* have the recommendation of plane scenes, `{advice}`"),
+        false => format!(
+            "*Bodies of revolution* have another recommendation than plane scenes, `{own_advice}` for `{advice}`"
+        ),
+    };
+    let range = |digests: &[Digest]| {
+        let safe = digests.iter().find(|digest| digest.method == advice).and_then(|digest| digest.safe);
+        safe.map_or("no κ₀".into(), |Safe { from, to, .. }| format!("κ₀ from {from:e} to {to:e}"))
+    };
+    let hold = |judge: fn(&Chart) -> Judged| revolved.iter().all(|chart| judge(chart).verdict == Verdict::Pass);
+    let holds = |law: &str, does: bool| format!("{law} {}", if does { "holds" } else { "does not hold" });
+    format!(
+        "{follow}: every run of it ends right for {}, where those of plane scenes do for {}. Of them too {} from hard starts on, κ₀ ≥ {HARD}, and {} \
+         of constant stiffness with correction, none of whose runs may diverge or cycle.",
+        range(&own),
+        range(&others),
+        holds("the halving law", hold(halved)),
+        holds("the averaged map", hold(averaged))
+    )
 }
 
 /// How often each prediction fails, by method.

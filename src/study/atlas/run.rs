@@ -171,7 +171,7 @@ pub(super) const FACTOR: f64 = 2.5;
 pub(super) const HALVINGS: f64 = 1.0;
 /// From this κ₀ on starts are hard of a body of revolution too: where soft ones cease is known of plane scenes, and on candidates that are
 /// little longer than the contact of the sphere κ₀ = 1 is still as soft.
-const HARD: f64 = 10.0;
+pub(super) const HARD: f64 = 10.0;
 /// Fewer iterations than this are over before a rate matters.
 const FEW: usize = 20;
 
@@ -299,7 +299,7 @@ fn predicted(chart: &Chart) -> Vec<Judged> {
 
 /// Kinematic load on nodes against the halving law; soft starts not where their threshold was taken, nor of bodies of revolution. The last closed point of the
 /// pin–rod is that of the solved contact.
-fn halved(chart: &Chart) -> Judged {
+pub(super) fn halved(chart: &Chart) -> Judged {
     let (which, least) = match chart.plane {
         Plane::Cylinder | Plane::PinRod => ("any start", 0.0),
         Plane::Sphere => ("hard starts", HARD),
@@ -315,7 +315,7 @@ fn halved(chart: &Chart) -> Judged {
 }
 
 /// Constant stiffness with correction, by itself: whatever the scene and the start, it neither diverges nor cycles.
-fn averaged(chart: &Chart) -> Judged {
+pub(super) fn averaged(chart: &Chart) -> Judged {
     let plain = Element::ALL.map(|element| Method::usual(element, Iteration::Constant));
     let own: Vec<&Record> = chart.rows.iter().flatten().filter(|r| plain.contains(&r.method)).collect();
     let wrong = own.iter().filter(|r| [Ended::Diverged, Ended::Cycling].contains(&r.class)).count();

@@ -24,7 +24,8 @@ impl Study for Numbers {
     const ABOUT: About = About {
         title: "Limits of validity",
         asked: "Where everything but the methods stops being right, and what the user then sees.",
-        limits: "One scene a limit: another scene has its onset elsewhere.",
+        limits: "One scene a limit: another scene has its onset elsewhere. Bodies of revolution about y = 0 cannot be exported: other codes \
+                 turn them about x = 0.",
     };
 
     /// A trial for each limit.

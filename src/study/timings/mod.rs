@@ -148,7 +148,25 @@ fn growth(record: &Record) -> String {
     let rows: Vec<Vec<String>> = stages.into_iter().chain(WHOLE.map(|(name, of)| row(name.into(), &of))).collect();
     let sizes = growth.iter().map(|one| format!("{} dofs, {} iterations", one.counts.dofs, one.counts.iterations));
     let head: Vec<String> = std::iter::once("".into()).chain(sizes).chain(["exponent".into()]).collect();
-    format!(include_str!("growth.md"), table = markdown::table(&head, &rows)) + "\n"
+    let revolved = growth.first().zip(record.measured.revolved.first());
+    let revolved = revolved.map(of_revolution).unwrap_or_default();
+    format!(include_str!("growth.md"), table = markdown::table(&head, &rows), revolved = revolved) + "\n"
+}
+
+/// Why the contact solve of a body of revolution is another multiple of the plain one than that of the plane on as many dofs.
+fn of_revolution((plane, revolved): (&Growth, &Growth)) -> String {
+    let seconds = |of: fn(&Growth) -> f64| [revolved, plane].map(|one| format!("{} ms", significant(1e3 * of(one), 3)));
+    let [own_plain, plain] = seconds(|one| one.plain.median);
+    let [own_factor, factor] = seconds(|one| one.seconds(&[Stage::Factorisation]));
+    let [own_rest, rest] = seconds(|one| one.contact.median - one.seconds(&[Stage::Factorisation]));
+    let [own_steps, steps] = seconds(|one| one.seconds(&[Stage::Iteration]));
+    let (dofs, ratios) = (revolved.counts.dofs, [revolved, plane].map(|one| significant(one.ratio.median, 4)));
+    format!(
+        " Of {dofs} dofs the contact solve of the sphere takes {} times its plain solve, that of the cylinder {}: of as many entries the plain solve \
+         takes {own_plain} there and {plain} here, its factorisation {own_factor} and {factor}, while all else of the contact solve takes {own_rest} \
+         and {rest}, {own_steps} and {steps} of them the iteration.",
+        ratios[0], ratios[1]
+    )
 }
 
 /// Who is compared on the front page: a name, whose points, and a colour.
