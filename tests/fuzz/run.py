@@ -2,17 +2,20 @@
 """Runs the fuzz targets of the readers by libFuzzer and records what they found in snapshots/fuzz.json.
 
 Run as `python3 tests/fuzz/run.py [TARGET…]` with a stable toolchain and a C++ compiler; a million executions of each target,
-`--executions N` for another number. `--keep` then copies the smallest input of each kind of answer into the corpus.
+`--executions N` for another number. `--old` tries those alone whose readers have changed since, or that made fewer executions, the oldest
+first, for so long as `--minutes` says once all are built. `--keep` then copies the smallest input of each kind of answer into the corpus.
 """
 import argparse
 import hashlib
 import json
+import math
 import os
 import pathlib
 import re
 import subprocess
 import sys
 import tempfile
+import time
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 from digest import date, digest
@@ -44,6 +47,8 @@ COVERAGE = ["--cfg", "fuzzing", "-Cpasses=sancov-module", "-Ccodegen-units=1"] +
 ]
 # Seconds after which an input is called a hang, and megabytes after which it takes too much memory.
 PATIENCE, MEMORY = 10, 2048
+# Seconds that are left where a target is begun.
+LEAST = 10
 # Crashes after which a target is given up.
 ENOUGH = 20
 # Files of the corpus by --keep, of a target.
@@ -92,18 +97,19 @@ def dictionary(target):
     return file
 
 
-def fuzz(program, target, executions, seed):
-    """Runs a target until it has made so many executions; every input that broke it is kept beside the corpus."""
+def fuzz(program, target, executions, seed, until):
+    """Runs a target until it has made so many executions, or up to a time; every input that broke it is kept beside the corpus."""
     grown, broken = WORK / "corpus" / target, WORK / "broken" / target
     for folder in (grown, broken):
         folder.mkdir(parents=True, exist_ok=True)
     for file in seeds(target):
         (grown / hashlib.sha256(file.read_bytes()).hexdigest()).write_bytes(file.read_bytes())
     made, breaks = 0, []
-    while made < executions and len(breaks) < ENOUGH:
+    while made < executions and len(breaks) < ENOUGH and (seconds := until - time.monotonic()) > 1:
         command = [program / target, grown, f"-runs={executions - made}", f"-seed={seed + len(breaks)}",
                    f"-max_len={TARGETS[target][1]}", f"-timeout={PATIENCE}", f"-rss_limit_mb={MEMORY}",
-                   f"-dict={dictionary(target)}", f"-artifact_prefix={broken}/", "-print_final_stats=1", "-close_fd_mask=1"]
+                   f"-dict={dictionary(target)}", f"-artifact_prefix={broken}/", "-print_final_stats=1", "-close_fd_mask=1",
+                   *([f"-max_total_time={int(seconds)}"] if seconds < math.inf else [])]
         run = told_by(command)
         counted = re.search(r"stat::number_of_executed_units:\s+(\d+)", run.stderr)
         if not counted:
@@ -160,12 +166,13 @@ def main():
     parser.add_argument("targets", nargs="*", choices=[[], *TARGETS])
     parser.add_argument("--executions", type=int, default=1_000_000)
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--old", action="store_true", help="only targets whose readers have changed since")
+    parser.add_argument("--old", action="store_true", help="only targets whose readers have changed since, or that made fewer")
+    parser.add_argument("--minutes", type=float, default=math.inf)
     parser.add_argument("--keep", action="store_true", help="only choose files of the corpus from what a run has grown")
     wanted = parser.parse_args()
-    program = build()
     chosen = wanted.targets or list(TARGETS)
     if wanted.keep:
+        program = build()
         for target in chosen:
             keep(program, target)
         return
@@ -173,14 +180,23 @@ def main():
     version = re.search(r'name = "libfuzzer-sys"\nversion = "(.*)"', (HERE / "Cargo.lock").read_text())[1]
     by = {"program": f"libFuzzer of libfuzzer-sys {version}", "rustc": output("rustc", "--version").split()[1]}
     if wanted.old:
-        chosen = [target for target in chosen if kept.get(target, {}).get("sources") != digest(bound(target))]
+        is_old = lambda one: one["sources"] != digest(bound(one["target"])) or one["executions"] < wanted.executions
+        chosen = [target for target in chosen if target not in kept or is_old(kept[target])]
+        chosen.sort(key=lambda target: kept.get(target, {}).get("date") or "")
+    if not chosen:
+        return print("none is old")
+    program, tried = build(), []
+    until = time.monotonic() + 60 * wanted.minutes
     for target in chosen:
-        found = fuzz(program, target, wanted.executions, wanted.seed)
+        if until - time.monotonic() < LEAST:
+            break
+        tried.append(target)
+        found = fuzz(program, target, wanted.executions, wanted.seed, until)
         kept[target] = found | by | {"bound": bound(target), "sources": digest(bound(target)), "date": date()}
         print(f"{target}: {found}", flush=True)
         record = [kept[target] for target in TARGETS if target in kept]
         RECORD.write_text(json.dumps({"record": record}, indent=1, ensure_ascii=False) + "\n")
-    if any(kept[target]["broke"] for target in chosen):
+    if any(kept[target]["broke"] for target in tried):
         sys.exit(f"inputs that broke a reader are in {WORK / 'broken'}: mend it and keep them in tests/fuzz/corpus")
 
 
