@@ -15,6 +15,8 @@ use contact_vv::study::timings::record::{Record, cheapest, front, sound};
 use contact_vv::study::timings::{COMPARED_CODES, conclusion, front_of};
 use svg::node::element::path::{Command, Data};
 
+use crate::letters;
+
 /// Linear red, green and blue (IEC 61966-2-1, as in WCAG 2.1).
 fn linear(Rgb(red, green, blue): Rgb) -> [f64; 3] {
     [red, green, blue].map(|channel| {
@@ -283,18 +285,14 @@ fn signs(svg: &str) -> Vec<Bounds> {
     all
 }
 
-/// The boxes of the texts of a drawing, their letters narrower than any font sets them, with the texts.
+/// The boxes of the texts of a drawing with the texts.
 fn texts(svg: &str) -> Vec<(String, Bounds)> {
     let parts = svg.split("<text").skip(1).filter_map(|part| part.split_once('>'));
     let of = |(tag, rest): (&str, &str)| {
         let words = rest.split('<').next().unwrap_or_default().trim().replace("&gt;", ">");
         let [x, y] = ["x", "y"].map(|name| number(tag, name).expect("a number"));
         let size = number(tag, "font-size").unwrap_or(11.0);
-        let letter = if attribute(tag, "font-weight").is_some() { 0.56 } else { 0.45 };
-        // Digits are as wide as one another, 0.64 in the widest of the usual fonts.
-        let digits = words.chars().filter(char::is_ascii_digit).count() as f64;
-        let others = words.chars().count() as f64 - digits;
-        let (width, half) = ((0.64 * digits + letter * others) * size, 0.35 * size);
+        let (width, half) = (letters::width(&words, attribute(tag, "font-weight").is_some()) * size, 0.35 * size);
         let (from, to) = match attribute(tag, "text-anchor") {
             Some("middle") => (-0.5 * width, 0.5 * width),
             Some(_) => (-width, 0.0),
