@@ -307,7 +307,7 @@ fn texts(svg: &str) -> Vec<(String, Bounds)> {
 }
 
 /// Texts that cover a sign, or one another.
-fn covered(svg: &str) -> Vec<String> {
+pub fn covered(svg: &str) -> Vec<String> {
     let overlap = |a: &Bounds, b: &Bounds| a[0] < b[2] && b[0] < a[2] && a[1] < b[3] && b[1] < a[3];
     let (signs, texts) = (signs(svg), texts(svg));
     let mut covered = Vec::new();
