@@ -306,14 +306,18 @@ fn texts(svg: &str) -> Vec<(String, Bounds)> {
     parts.map(of).collect()
 }
 
-/// Texts that cover a sign, or one another.
+/// Texts that cover a sign, or one another, or go beyond the card.
 pub fn covered(svg: &str) -> Vec<String> {
     let overlap = |a: &Bounds, b: &Bounds| a[0] < b[2] && b[0] < a[2] && a[1] < b[3] && b[1] < a[3];
     let (signs, texts) = (signs(svg), texts(svg));
+    let [across, down] = ["width", "height"].map(|name| number(svg, name).expect("a size"));
     let mut covered = Vec::new();
     for (k, (words, bounds)) in texts.iter().enumerate() {
         if signs.iter().any(|sign| overlap(sign, bounds)) {
             covered.push(format!("`{words}` on a sign"));
+        }
+        if bounds[0] < 0.0 || bounds[1] < 0.0 || bounds[2] > across || bounds[3] > down {
+            covered.push(format!("`{words}` beyond the card"));
         }
         let others = texts[k + 1..].iter().filter(|(_, other)| overlap(other, bounds));
         covered.extend(others.map(|(other, _)| format!("`{words}` on `{other}`")));
@@ -349,6 +353,8 @@ fn words_beside_points_give_way_to_signs_and_to_one_another() {
     let [x, y] = [0.5 * (left + right), 0.5 * (top + bottom)];
     let spoiled = svg.replace("</svg>", &format!("<circle cx=\"{x}\" cy=\"{y}\" fill=\"#0072B2\" r=\"4\"/></svg>"));
     assert_eq!(covered(&spoiled), ["`some words` on a sign"]);
+    let narrower = svg.replacen(&format!("width=\"{}\"", number(&svg, "width").expect("a size")), "width=\"300\"", 1);
+    assert!(covered(&narrower).iter().any(|one| one.ends_with("beyond the card")));
 }
 
 /// The outlines of a path that moves from point to point.
