@@ -3,7 +3,7 @@
 
 Run as `python3 tests/fuzz/run.py [TARGET…]` with a stable toolchain and a C++ compiler; a million executions of each target,
 `--executions N` for another number. `--old` tries those alone whose readers have changed since, or that made fewer executions, the oldest
-first, for so long as `--minutes` says once all are built. `--keep` then copies the smallest input of each kind of answer into the corpus.
+first, for so long as `--minutes` says once the first is built. `--keep` then copies the smallest input of each kind of answer into the corpus.
 """
 import argparse
 import hashlib
@@ -61,11 +61,12 @@ def bound(target):
     return [*READERS[target], f"tests/fuzz/read.rs: {head}"]
 
 
-def build():
+def build(targets):
     host = re.search(r"host: (\S+)", output("rustc", "-vV"))[1]
     environment = os.environ | {"RUSTFLAGS": " ".join(COVERAGE), "CARGO_TARGET_DIR": str(WORK / "build")}
     # With a target named, build scripts are compiled without coverage.
-    subprocess.run(["cargo", "build", "--release", "--quiet", "--target", host], cwd=HERE, env=environment, check=True)
+    only = [word for target in targets for word in ("--bin", target)]
+    subprocess.run(["cargo", "build", "--release", "--quiet", "--target", host, *only], cwd=HERE, env=environment, check=True)
     return WORK / "build" / host / "release"
 
 
@@ -172,7 +173,7 @@ def main():
     wanted = parser.parse_args()
     chosen = wanted.targets or list(TARGETS)
     if wanted.keep:
-        program = build()
+        program = build(chosen)
         for target in chosen:
             keep(program, target)
         return
@@ -185,11 +186,12 @@ def main():
         chosen.sort(key=lambda target: kept.get(target, {}).get("date") or "")
     if not chosen:
         return print("none is old")
-    program, tried = build(), []
-    until = time.monotonic() + 60 * wanted.minutes
+    tried, until = [], None
     for target in chosen:
-        if until - time.monotonic() < LEAST:
+        if until and until - time.monotonic() < LEAST:
             break
+        program = build([target])
+        until = until or time.monotonic() + 60 * wanted.minutes
         tried.append(target)
         found = fuzz(program, target, wanted.executions, wanted.seed, until)
         kept[target] = found | by | {"bound": bound(target), "sources": digest(bound(target)), "date": date()}
