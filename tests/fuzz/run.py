@@ -2,8 +2,8 @@
 """Runs the fuzz targets of the readers by libFuzzer and records what they found in snapshots/fuzz.json.
 
 Run as `python3 tests/fuzz/run.py [TARGET…]` with a stable toolchain and a C++ compiler; a million executions of each target,
-`--executions N` for another number. `--old` tries those alone whose readers have changed since, or that made fewer executions, the oldest
-first, for so long as `--minutes` says once the first is built. `--keep` then copies the smallest input of each kind of answer into the corpus.
+`--executions N` for another number. `--old` tries those alone whose readers have changed since, the oldest first,
+`--minutes` for so long once the first is built: what was not executed often enough is not recorded, and goes on the next time. `--keep` then copies the smallest input of each kind of answer into the corpus.
 """
 import argparse
 import hashlib
@@ -98,14 +98,14 @@ def dictionary(target):
     return file
 
 
-def fuzz(program, target, executions, seed, until):
+def fuzz(program, target, executions, seed, until, made):
     """Runs a target until it has made so many executions, or up to a time; every input that broke it is kept beside the corpus."""
     grown, broken = WORK / "corpus" / target, WORK / "broken" / target
     for folder in (grown, broken):
         folder.mkdir(parents=True, exist_ok=True)
     for file in seeds(target):
         (grown / hashlib.sha256(file.read_bytes()).hexdigest()).write_bytes(file.read_bytes())
-    made, breaks = 0, []
+    breaks = []
     while made < executions and len(breaks) < ENOUGH and (seconds := until - time.monotonic()) > 1:
         command = [program / target, grown, f"-runs={executions - made}", f"-seed={seed + len(breaks)}",
                    f"-max_len={TARGETS[target][1]}", f"-timeout={PATIENCE}", f"-rss_limit_mb={MEMORY}",
@@ -167,7 +167,7 @@ def main():
     parser.add_argument("targets", nargs="*", choices=[[], *TARGETS])
     parser.add_argument("--executions", type=int, default=1_000_000)
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--old", action="store_true", help="only targets whose readers have changed since, or that made fewer")
+    parser.add_argument("--old", action="store_true", help="only targets whose readers have changed since")
     parser.add_argument("--minutes", type=float, default=math.inf)
     parser.add_argument("--keep", action="store_true", help="only choose files of the corpus from what a run has grown")
     wanted = parser.parse_args()
@@ -181,8 +181,7 @@ def main():
     version = re.search(r'name = "libfuzzer-sys"\nversion = "(.*)"', (HERE / "Cargo.lock").read_text())[1]
     by = {"program": f"libFuzzer of libfuzzer-sys {version}", "rustc": output("rustc", "--version").split()[1]}
     if wanted.old:
-        is_old = lambda one: one["sources"] != digest(bound(one["target"])) or one["executions"] < wanted.executions
-        chosen = [target for target in chosen if target not in kept or is_old(kept[target])]
+        chosen = [target for target in chosen if kept.get(target, {}).get("sources") != digest(bound(target))]
         chosen.sort(key=lambda target: kept.get(target, {}).get("date") or "")
     if not chosen:
         return print("none is old")
@@ -193,12 +192,20 @@ def main():
         program = build([target])
         until = until or time.monotonic() + 60 * wanted.minutes
         tried.append(target)
-        found = fuzz(program, target, wanted.executions, wanted.seed, until)
+        begun, sources = WORK / f"{target}.begun.json", digest(bound(target))
+        before = json.loads(begun.read_text()) if begun.exists() else {}
+        made = before["executions"] if before.get("sources") == sources else 0
+        found = fuzz(program, target, wanted.executions, wanted.seed, until, made)
+        if found["executions"] < wanted.executions and not found["broke"]:
+            begun.write_text(json.dumps({"executions": found["executions"], "sources": sources}))
+            print(f"{target}: {found['executions']} of {wanted.executions} executions, which go on the next time", flush=True)
+            continue
+        begun.unlink(missing_ok=True)
         kept[target] = found | by | {"bound": bound(target), "sources": digest(bound(target)), "date": date()}
         print(f"{target}: {found}", flush=True)
         record = [kept[target] for target in TARGETS if target in kept]
         RECORD.write_text(json.dumps({"record": record}, indent=1, ensure_ascii=False) + "\n")
-    if any(kept[target]["broke"] for target in tried):
+    if any(kept.get(target, {}).get("broke") for target in tried):
         sys.exit(f"inputs that broke a reader are in {WORK / 'broken'}: mend it and keep them in tests/fuzz/corpus")
 
 
