@@ -344,15 +344,12 @@ pub fn rooms() -> Result<Vec<Room>, Error> {
 
 /// Whether some entries are of the present sources, how many are not, and the oldest day of any.
 pub fn sources(entries: &[Entry]) -> String {
-    let old = entries.iter().filter(|entry| !entry.is_current()).count();
     // What has no day is older than what has one.
     let oldest = entries.iter().map(|entry| entry.date.as_deref().unwrap_or_default()).min();
-    let oldest = oldest.map(|day| if day.is_empty() { "earlier" } else { day });
-    match (oldest, old) {
-        (None, _) => "–".into(),
-        (Some(day), 0) => format!("✓ oldest {day}"),
-        (Some(day), _) => format!("○ {old} of {}, oldest {day}", entries.len()),
-    }
+    let Some(day) = oldest.map(|day| if day.is_empty() { "earlier" } else { day }) else { return "–".into() };
+    let old = entries.iter().filter(|entry| !entry.is_current()).count();
+    let sign = if old == 0 { "✓".into() } else { format!("○ {old} of {},", entries.len()) };
+    format!("{sign} oldest {day}")
 }
 
 /// How many of all mutants a truth alone catches, in words.
