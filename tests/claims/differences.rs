@@ -261,6 +261,13 @@ fn failures_against_truths_come_first_and_stale_records_are_one_last_line() {
     let same = recounted("faults", "of 421, mutant");
     assert!(!same.laxer && !same.text(9).contains("renamed"), "{}", same.text(9));
     assert!(recounted("faults", "of 421, fault").laxer && recounted("atlas", "of 421, mutant").laxer);
+    // What counts nothing is another check at another number.
+    let at = |place: &str| tree(&[of("rings", place, if place.ends_with('2') { 1e-3 } else { 2e-3 })]);
+    assert!(Difference::of(&at("contact 2"), &at("contact 3")).laxer);
+    // A bar at round-off has few digits.
+    let small = |tolerance: f64, bar: f64| tree(&[CheckRow { tolerance, bar: Some(bar), ..check("a", "b", "c", 0.0) }]);
+    assert!(!Difference::of(&small(2.501e-9, 3e-9), &small(3.501e-9, 4e-9)).laxer);
+    assert!(Difference::of(&small(2.501e-9, 3e-9), &small(9e-9, 4e-9)).laxer);
     // What follows a bar alone is not laxer; what is gone is.
     let mut rows = checks();
     (rows[1].tolerance, rows[1].bar) = (2.0 * rows[1].tolerance, rows[1].bar.map(|bar| 2.0 * bar));
