@@ -41,6 +41,12 @@ def date():
     return subprocess.run(["git", "log", "-1", "--format=%cs"], cwd=ROOT, check=True, capture_output=True, text=True).stdout.strip()
 
 
+def changed_since(base):
+    """Files that differ from a commit."""
+    told = subprocess.run(["git", "diff", "--name-only", base], cwd=ROOT, check=True, capture_output=True, text=True)
+    return told.stdout.splitlines()
+
+
 def collect(root, path):
     """Paths of the files at or below a path."""
     if not (root / path).is_dir():

@@ -6,6 +6,7 @@ name has `::`, else a trial of the suite.
 import collections
 import hashlib
 import json
+import math
 import os
 import pathlib
 import re
@@ -18,7 +19,7 @@ import time
 import tomllib
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent / "mutants"))
-from spoiled import ROOT, Run
+from watched import ROOT, Run
 from switch import MOST, SWITCH, refused
 
 CRATES = ["src/lib.rs", "src/solver/lib.rs", "src/drawing/lib.rs"]
@@ -163,13 +164,15 @@ class Switched:
             return last or names[0], {"broken off": (run.broken() or "it broke off").replace(f"{self.tree}/", "")}
         return None
 
-    def reach(self, by_number, pool, longest):
-        """Which changes each test reaches and in what time; of those that are known only what has changed is run."""
+    def reach(self, by_number, pool, longest, until=math.inf):
+        """Which changes each test reaches and in what time; none where there is no time to know. What is known is not run again."""
         names = self.names()
         text = lambda name: ROOT / "tests/claims" / f"{name.split('::')[0]}.rs"
         mark = lambda name: hashlib.sha256(text(name).read_bytes()).hexdigest()[:16] if text(name).exists() else ""
 
         def record(name):
+            if time.monotonic() > until:
+                return None
             with tempfile.NamedTemporaryFile("r", suffix=".reached") as log:
                 begin = time.monotonic()
                 red = self.red([name], longest, MUTANT_LOG=log.name)
@@ -183,8 +186,11 @@ class Switched:
             name: one for name, one in self.kept["reach"].items() if name in names and one["mark"] == mark(name) and not one["red"]}
         left = [name for name in names if name not in known]
         for name, one in zip(left, pool.map(record, left)):
-            known[name] = one
-            self.save()
+            if one:
+                known[name] = one
+                self.save()
+        if len(known) < len(names):
+            return None
         reaching = collections.defaultdict(list)
         for name, one in sorted(known.items(), key=lambda item: item[1]["seconds"]):
             for key in () if one["red"] else one["reached"]:

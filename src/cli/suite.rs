@@ -12,7 +12,7 @@ use crate::cli::json::{Answer, Line};
 use crate::cli::terminal::{progress, say, table_on, width};
 use crate::error::Error;
 use crate::report::{study_page, told};
-use crate::study::{self, Finding, Trial};
+use crate::study::{self, Finding, Study, Trial, faults};
 
 /// Runs some trials, those of a page.
 pub fn of(trials: &[Trial]) -> Result<Vec<Finding>, Error> {
@@ -104,7 +104,10 @@ pub fn text(findings: &[Finding], columns: u16) -> String {
     let [pass, fail, not_run] = told::tally(told::each(findings));
     let studies = studies(findings, columns);
     let remedy = if fail > 0 { AFTER_FAILURE } else { "" };
-    format!("{told}{studies}\n\n{remedy}checks: {pass} passed, {fail} failed, {not_run} not run")
+    let is_of_faults = findings.iter().any(|finding| finding.study == faults::Numbers::NAME);
+    let rooms = is_of_faults.then(faults::rooms).and_then(Result::ok);
+    let spoiled = rooms.map_or_else(String::new, |rooms| faults::by_truths_alone(&rooms) + "\n");
+    format!("{told}{studies}\n\n{remedy}{spoiled}checks: {pass} passed, {fail} failed, {not_run} not run")
 }
 
 /// Where to go from a failure.

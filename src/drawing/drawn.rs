@@ -23,14 +23,17 @@ impl Chart {
     pub fn drawing(&self) -> Drawing {
         let mut canvas = Canvas::new();
         let (legend, whole) = (Legend::of([self]), WIDTH - 2.0 * EDGE);
-        let is_below = legend.is_row_of(whole);
-        let width = if is_below { whole - OF_GUIDES } else { PLOT_WIDTH };
+        let row = legend.row().filter(|row| *row <= whole);
+        let width = if row.is_some() { whole - OF_GUIDES } else { PLOT_WIDTH };
         let outer = Frame { left: EDGE, top: TITLE, right: EDGE + width, bottom: TITLE + PLOT_HEIGHT };
         let plot = Plot::new(self, outer, Plot::headroom(self))?;
         plot.draw(&mut canvas);
-        let (right, bottom) = match is_below {
-            true => (outer.right, legend.draw(&mut canvas, (plot.frame.left, outer.bottom + OF_AXIS), whole).1),
-            false => legend.draw(&mut canvas, (outer.right + EDGE, plot.frame.top - 4.0), 0.0),
+        let (right, bottom) = match row {
+            Some(row) => {
+                let left = plot.frame.left.min(EDGE + whole - row);
+                (outer.right, legend.draw(&mut canvas, (left, outer.bottom + OF_AXIS), whole).1)
+            }
+            None => legend.draw(&mut canvas, (outer.right + EDGE, plot.frame.top - 4.0), 0.0),
         };
         canvas.drawing(&self.title, (right, bottom.max(outer.bottom)), &self.notes)
     }

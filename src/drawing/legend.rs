@@ -71,9 +71,9 @@ impl Legend {
         }
     }
 
-    /// Whether its entries stand side by side within a width.
-    pub fn is_row_of(&self, width: f64) -> bool {
-        !self.entries.is_empty() && self.entries.len() as f64 * self.pitch() <= width
+    /// Width of its entries side by side; none of none.
+    pub fn row(&self) -> Option<f64> {
+        (!self.entries.is_empty()).then(|| self.entries.len() as f64 * self.pitch())
     }
 
     /// Width of an entry and of the room to the next.

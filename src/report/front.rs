@@ -9,7 +9,7 @@ use crate::drawing::palette::{self, Dash, Marker, Style};
 use crate::drawing::{Axis, Chart, Direction, Drawing, Guide, Series};
 use crate::markdown::{self, Column};
 use crate::oracle::ReferenceKind;
-use crate::report::links::{CHECKS, to_page as link};
+use crate::report::links::{CHECKS, PAGES, to_page as link};
 use crate::report::{case_page, matrix, record, statements, study_page, symbols, told};
 use crate::solve::{Element, Iteration};
 use crate::study::atlas;
@@ -21,7 +21,7 @@ use crate::study::paper::statement::{Judgement, Statement};
 use crate::study::paper::{self, NOT_COVERED};
 use crate::study::timings::record::Record;
 use crate::study::timings::{self, FRONTS, conclusion};
-use crate::study::{Finding, Room, Study, cases, limits, measured, promised, scoreboard};
+use crate::study::{Finding, Room, Study, cases, faults, limits, measured, promised, scoreboard};
 
 /// The page.
 pub fn page(findings: &[Finding]) -> String {
@@ -89,15 +89,23 @@ pub fn right(findings: &[Finding]) -> String {
         _ => None,
     });
     format!(
-        "{verdict}{} {} How they end by criteria of their own, {}.\n\n{}",
+        "{verdict}{} {} How they end by criteria of their own, {}.\n\n{}{}",
         bars.collect::<String>(),
         how_stopped(),
         to_study("the paper's statements tell", paper::Numbers::NAME),
+        spoiled(),
         picture(
             "pressure-cylinder.svg",
             "Contact pressure on the cylinder by all nine formulations, and their difference to Hertz",
         )
     )
+}
+
+/// What changes that a program makes in the code turn red; none where that is not recorded.
+fn spoiled() -> String {
+    let link = to_study("planted faults and mutants", faults::Numbers::NAME);
+    faults::rooms()
+        .map_or_else(|_| String::new(), |rooms| format!("* {} ({link}).\n\n", faults::by_truths_alone(&rooms)))
 }
 
 /// Counts of checks by kind, the truths with the agreement with each, and what no measurement has seen.
@@ -114,14 +122,15 @@ pub fn against(findings: &[Finding]) -> String {
         vec![format!("{against} ({kind})"), shows.into(), own(kind).count().to_string(), share, pass, fail, absent]
     });
     let head = ["held against", "what it can show", "checks", "%", "pass", "fail", "not run"].map(String::from);
-    let (mut truths, mut others, mut of_one) = (Vec::new(), Vec::new(), 0);
+    let (mut truths, mut others, mut exact) = (Vec::new(), Vec::new(), Vec::new());
     for kind in [ReferenceKind::Analytic, ReferenceKind::CrossCode, ReferenceKind::Measured] {
         let all = agreements(own(kind).collect());
         let (named, rest) = all.split_at(all.len().min(NAMED));
         truths.extend_from_slice(named);
-        let (several, single): (Vec<_>, Vec<_>) = rest.iter().partition(|(_, all)| all.len() > 1);
-        others.extend(several.iter().map(|(name, all)| format!("{name} ({})", all.len())));
-        of_one += single.len();
+        others.extend(rest.iter().map(|(name, all)| format!("{name} ({}, {})", all.len(), told::error(all[0]))));
+        let passed = own(kind).filter(|one| one.verdict == Verdict::Pass).map(|one| &*one.reference.name);
+        let unnamed = counted(passed).into_iter().filter(|(name, _)| all.iter().all(|(other, _)| other != name));
+        exact.extend(unnamed.map(|(name, count)| format!("{name} ({count})")));
     }
     let columns: [Column<Agreement>; 4] = [
         ("truth", |(name, all)| format!("{name} ({})", all[0].reference.kind)),
@@ -130,20 +139,20 @@ pub fn against(findings: &[Finding]) -> String {
         ("loosest", |(_, all)| told_agreement(all.last())),
     ];
     format!(
-        "{}\nOf what other codes answer {of_codes} more checks are made: {}. {} {}. Of each kind the {NAMED} with the most numbers that agree with them, not by round-off alone:\n\n{}\n{}\n",
+        "{}\nOf what other codes answer {of_codes} more checks are made: {}. {} {}. Of each kind the {NAMED} with the most numbers that agree with them, not by round-off alone:\n\n{}{}",
         markdown::table(&head, &rows),
         to_study("the scoreboard", scoreboard::Numbers::NAME),
         experiments(findings),
         link("Each check, and how near it is to its limit", CHECKS),
         markdown::columns(&columns, &truths),
-        match others.is_empty() {
-            true => String::new(),
-            false => format!(
-                "Further truths, each with how many numbers agree with it: {}; and {of_one} with one each.",
-                others.join(", ")
-            ),
-        },
+        further("Further truths, each with how many numbers agree with it and the tightest agreement", &others)
+            + &further("Truths that are met to round-off, or held as a bound alone, with how many numbers", &exact),
     )
+}
+
+/// What else there is, in a line of its own; nothing of none.
+fn further(what: &str, all: &[String]) -> String {
+    if all.is_empty() { String::new() } else { format!("\n{what}: {}.\n", all.join(" · ")) }
 }
 
 /// A truth with the passed checks against it that have a relative error, by this.
@@ -247,14 +256,12 @@ fn advice(findings: &[Finding]) -> String {
 /// The paper's statements: judgement and one measured clause.
 fn paper_statements(findings: &[Finding]) -> String {
     let judged = statements::judge(findings);
-    let row = |one: &Statement| {
-        let judgement = format!("**{}**", one.judgement.brief());
-        let is_open = matches!(one.judgement, Judgement::Undecidable(_));
-        let source = format!("{}#sources", study_page::file(paper::Numbers::NAME));
-        let judgement = if is_open { link(&judgement, &source) } else { judgement };
-        vec![one.text.into(), judgement, one.clause.clone()]
-    };
-    let words = counted(judged.iter().map(|one| one.judgement.word()));
+    let sources = format!("{PAGES}/{}#sources", study_page::file(paper::Numbers::NAME));
+    let row = |one: &Statement| vec![one.text.into(), statements::linked(&one.judgement, &sources), one.clause.clone()];
+    let words = counted(judged.iter().map(|one| match one.judgement {
+        Judgement::Undecidable(_) => format!("[{}]({sources})", one.judgement.word()),
+        _ => one.judgement.word().into(),
+    }));
     let words: Vec<String> = words.iter().map(|(word, count)| format!("{count} {word}")).collect();
     let together = findings.iter().find_map(|finding| Some(paper::together(finding.numbers::<paper::Numbers>()?)));
     format!(

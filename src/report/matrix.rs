@@ -25,51 +25,53 @@ fn by_case<'a>(findings: impl Iterator<Item = &'a Finding>) -> Vec<Case<'a>> {
 }
 
 /// Element and algorithm.
-pub type Column = (Element, Iteration);
+pub type Formulated = (Element, Iteration);
 
-/// All columns, the recommended one first.
-fn columns(first: Option<Column>) -> Vec<Column> {
+/// All, the recommended one first.
+fn formulations(first: Option<Formulated>) -> Vec<Formulated> {
     let all = Element::ALL.into_iter().flat_map(|e| Iteration::ALL.map(move |a| (e, a)));
-    let (mut columns, rest): (Vec<Column>, Vec<Column>) = all.partition(|column| Some(*column) == first);
-    columns.extend(rest);
-    columns
+    let (recommended, rest): (Vec<Formulated>, Vec<Formulated>) = all.partition(|one| Some(*one) == first);
+    [recommended, rest].concat()
 }
 
-fn is_of(finding: &Finding, (element, algorithm): Column) -> bool {
+fn is_of(finding: &Finding, (element, algorithm): Formulated) -> bool {
     run(finding).is_some_and(|run| run.formulation.element == element && run.formulation.algorithm == algorithm)
 }
 
-/// Element and algorithm, and what the program adds to it, below one another.
-fn told(&(element, algorithm): &Column) -> String {
+/// Element and algorithm, and what the program adds to it.
+fn told(&(element, algorithm): &Formulated) -> String {
     let acceleration = Formulation::accelerated(element, algorithm).acceleration;
     let added = match acceleration {
         Acceleration::None => String::new(),
-        added => format!("<br>+ {}", added.name()),
+        added => format!(" + {}", added.name()),
     };
-    format!("{}<br>{}{added}", element.name(), algorithm.name())
+    format!("{} {}{added}", element.name(), algorithm.name())
 }
 
 /// Cases with a run of every formulation, and the others.
 fn full_and_others(findings: &[Finding]) -> (Vec<Case<'_>>, Vec<Case<'_>>) {
     let cases = by_case(findings.iter().filter(|finding| run(finding).is_some()));
-    let is_full =
-        |(_, members): &Case| columns(None).iter().all(|column| members.iter().any(|one| is_of(one, *column)));
+    let is_full = |(_, members): &Case| {
+        formulations(None).iter().all(|formulation| members.iter().any(|one| is_of(one, *formulation)))
+    };
     cases.into_iter().partition(is_full)
 }
 
-/// The verdict matrix in Markdown: sign and iterations of the cases that all formulations solve, the recommended one first; `link`
-/// names a case and links its page.
-pub fn verdict_matrix(findings: &[Finding], first: Option<Column>, link: impl Fn(&Finding) -> String) -> String {
-    let columns = columns(first);
-    let head: Vec<String> = std::iter::once("case".into()).chain(columns.iter().map(told)).collect();
-    let row = |(_, members): &Case| {
-        let own =
-            |column: &Column| members.iter().filter(|one| is_of(one, *column)).map(|one| sign(one)).collect::<Vec<_>>();
-        let cells = columns.iter().map(|column| own(column).join(", "));
-        std::iter::once(link(members[0])).chain(cells).collect()
+/// The verdict matrix in Markdown: sign and iterations of the cases that all formulations solve, a row each formulation, the recommended one
+/// first; `link` names a case and links its page.
+pub fn verdict_matrix(findings: &[Finding], first: Option<Formulated>, link: impl Fn(&Finding) -> String) -> String {
+    let cases = full_and_others(findings).0;
+    let head: Vec<String> =
+        std::iter::once("formulation".into()).chain(cases.iter().map(|(_, members)| link(members[0]))).collect();
+    let row = |formulation: &Formulated| {
+        let cell = |(_, members): &Case| {
+            let own = members.iter().filter(|one| is_of(one, *formulation)).map(|one| sign(one));
+            own.collect::<Vec<_>>().join(", ")
+        };
+        std::iter::once(told(formulation)).chain(cases.iter().map(cell)).collect()
     };
-    let rows: Vec<Vec<String>> = full_and_others(findings).0.iter().map(row).collect();
-    if rows.is_empty() { String::new() } else { markdown::table(&head, &rows) }
+    let rows: Vec<Vec<String>> = formulations(first).iter().map(row).collect();
+    if cases.is_empty() { String::new() } else { markdown::table(&head, &rows) }
 }
 
 /// All other cases, a row each: name, sign, runs, and their iterations.

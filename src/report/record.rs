@@ -29,7 +29,7 @@ pub const RUNS: &str = "snapshots/runs.csv";
 pub const STATEMENTS: &str = "snapshots/statements.csv";
 
 /// Errors are written in steps of this: below half of it they are round-off, which differs from machine to machine, and 0.
-const ROUND_OFF: f64 = 1e-9;
+pub const ROUND_OFF: f64 = 1e-9;
 
 /// The record as files: their paths below the project folder, and their texts.
 pub fn files(findings: &[Finding]) -> Result<Vec<(String, String)>, Error> {

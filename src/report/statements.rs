@@ -43,7 +43,10 @@ pub fn section(findings: &[Finding]) -> String {
     let columns: [Column<Statement>; 3] = [
         ("statement", |one| one.text.into()),
         ("measured", |one| markdown::capitalised(&one.measured)),
-        ("judgement", |one| format!("**{}**", one.judgement)),
+        ("judgement", |one| match &one.judgement {
+            Judgement::Undecidable(why) => format!("{}: it {why}", linked(&one.judgement, "paper.md#sources")),
+            judgement => format!("**{judgement}**"),
+        }),
     ];
     let table = markdown::columns(&columns, &judge(findings));
     format!(
@@ -84,6 +87,12 @@ pub fn two_stops() -> String {
 
 fn of_case<'a>(findings: &'a [Finding], case: &str) -> impl Iterator<Item = &'a Finding> {
     findings.iter().filter(move |finding| finding.case == case)
+}
+
+/// A judgement in short, with the link to what would decide it where that is not at hand.
+pub fn linked(judgement: &Judgement, sources: &str) -> String {
+    let told = format!("**{}**", judgement.brief());
+    if matches!(judgement, Judgement::Undecidable(_)) { format!("[{told}]({sources})") } else { told }
 }
 
 /// A statement by its clause, what was measured, and the judgement; not judged where nothing was found.

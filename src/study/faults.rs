@@ -141,11 +141,10 @@ impl Study for Numbers {
             faults = markdown::columns(&columns, &faults),
             rooms = markdown::columns(&ROOMS, &rooms),
             caught = together(&rooms, "src", |room| &room.by_claims),
-            of_truths = together(&rooms, "src", |room| &room.by_truths),
+            truths_alone = by_truths_alone(&rooms),
             of_solver = together(&rooms, SOLVER, |room| &room.by_claims),
             of_solver_by_truths = together(&rooms, SOLVER, |room| &room.by_truths),
             untried = if untried.is_empty() { "no folder".into() } else { untried.join(", ") },
-            stale = rooms.iter().map(|room| room.stale).sum::<usize>(),
             unviable = rooms.iter().map(|room| room.unviable).sum::<usize>(),
             missed = markdown::columns(&MISSED, missed),
             fuzzed = markdown::columns(&FUZZED, &fuzzed()?)
@@ -154,12 +153,13 @@ impl Study for Numbers {
 }
 
 /// The table of mutants.
-const ROOMS: [Column<Room>; 5] = [
+const ROOMS: [Column<Room>; 6] = [
     ("folder", |room| format!("`{}`", room.room)),
     ("mutants", |room| room.mutants.to_string()),
     ("equivalent", |room| room.equivalent.to_string()),
     ("caught by any test", |room| room.by_claims.shown()),
     ("by truths alone", |room| room.by_truths.shown()),
+    ("sources", |room| sources(&room.tried)),
 ];
 
 /// The table of mutants that no test caught, each named by its file, its change and the text of its line.
@@ -239,13 +239,13 @@ pub struct Made {
 
 /// The record of planted faults.
 pub const FAULTS: Made =
-    Made { entry: "planted fault", file: "snapshots/faults.json", renew: "run `python3 tests/faults/plant.py`" };
+    Made { entry: "planted fault", file: "snapshots/faults.json", renew: "run `python3 tests/faults/plant.py --old`" };
 
 /// All of them.
 pub const MADE: [Made; 3] = [
     FAULTS,
-    Made { entry: "fuzz target", file: "snapshots/fuzz.json", renew: "run `python3 tests/fuzz/run.py`" },
-    Made { entry: "mutant", file: "snapshots/mutants.json", renew: "run `python3 tests/mutants/run.py`" },
+    Made { entry: "fuzz target", file: "snapshots/fuzz.json", renew: "run `python3 tests/fuzz/run.py --old`" },
+    Made { entry: "mutant", file: "snapshots/mutants.json", renew: "run `python3 tests/mutants/room.py --old`" },
 ];
 
 /// A record: entries with what is told of each.
@@ -292,8 +292,9 @@ pub struct Room {
     pub room: String,
     /// All of its mutants.
     pub mutants: usize,
-    /// Entries whose function is another by now.
-    pub stale: usize,
+    /// What is recorded of those that were tried.
+    #[serde(skip)]
+    pub tried: Vec<Entry>,
     /// Those that the compiler refused.
     pub unviable: usize,
     /// Those that no test can catch.
@@ -350,12 +351,46 @@ pub fn together(rooms: &[Room], folder: &str, of: fn(&Room) -> &Share) -> String
     format!("{share:.0} % ({low:.0} to {high:.0} %; {caught} of {all} tried)")
 }
 
-/// The rooms of the record of mutants.
+/// The record of mutants: the scores of rooms, and entries.
+#[derive(Deserialize)]
+struct Mutants {
+    rooms: Vec<Room>,
+    record: Vec<Mutant>,
+}
+
+/// An entry of it.
+#[derive(Deserialize)]
+struct Mutant {
+    mutant: String,
+    #[serde(flatten)]
+    entry: Entry,
+}
+
+/// The rooms of the record of mutants, each with the entries of the mutants in it.
 pub fn rooms() -> Result<Vec<Room>, Error> {
     let [.., Made { file, renew, .. }] = MADE;
-    let file = root().join(file);
-    let mut record: serde_json::Value = read_json(&file, renew)?;
-    serde_json::from_value(record["rooms"].take()).map_err(|error| Error::unreadable(&file, error, renew))
+    let Mutants { mut rooms, record } = read_json(&root().join(file), renew)?;
+    for Mutant { mutant, entry } in record {
+        let file = Path::new(mutant.split(": ").next().unwrap_or_default());
+        let around = rooms.iter_mut().filter(|room| file.starts_with(&room.room));
+        around.max_by_key(|room| room.room.len()).into_iter().for_each(|room| room.tried.push(entry.clone()));
+    }
+    Ok(rooms)
+}
+
+/// Whether some entries are of the present sources, how many are not, and the oldest day of any.
+pub fn sources(entries: &[Entry]) -> String {
+    // What has no day is older than what has one.
+    let oldest = entries.iter().map(|entry| entry.date.as_deref().unwrap_or_default()).min();
+    let Some(day) = oldest.map(|day| if day.is_empty() { "earlier" } else { day }) else { return "–".into() };
+    let old = entries.iter().filter(|entry| !entry.is_current()).count();
+    let sign = if old == 0 { "✓".into() } else { format!("○ {old} of {},", entries.len()) };
+    format!("{sign} oldest {day}")
+}
+
+/// How many of all mutants a truth alone catches, in words.
+pub fn by_truths_alone(rooms: &[Room]) -> String {
+    format!("Mutants caught by a truth alone: {}", together(rooms, "src", |room| &room.by_truths))
 }
 
 /// What libFuzzer found of a reader (`tests/fuzz/run.py`).

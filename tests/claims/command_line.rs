@@ -277,6 +277,7 @@ fn what_did_not_pass_is_told_first_and_passes_are_summed_up() {
         assert!(text.contains("report diff"), "a failure says where to go from it: {text}");
         let whole = text.split_whitespace().collect::<Vec<_>>().join(" ");
         assert!(!whole.contains("first number"), "{text}");
+        assert!(whole.contains("Mutants caught by a truth alone: "), "{text}");
     }
     let text = suite::text(&findings[..1], 120);
     let study = text.lines().rfind(|line| line.contains("faults")).expect("a row of the study");

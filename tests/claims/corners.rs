@@ -166,7 +166,7 @@ fn asperity_narrower_than_an_element_is_noted() {
         let case = scene("far", &[[was, gap], ["elements = 6", elements]]);
         let (_, run) = solved(&case, &kinematic());
         let notes = notes::of(&run, 0);
-        let found = notes.iter().any(|note| note.contains("between contact points, at s = 0.600000 mm"));
+        let found = notes.iter().any(|note| note.contains("between contact points, at s = 0.6 mm"));
         assert_eq!(found, told, "{elements}: {notes:?}");
     }
 }

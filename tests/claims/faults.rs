@@ -47,9 +47,9 @@ fn what_is_listed_as_held_against_a_truth_is_a_claim() {
 fn folders_count_by_their_mutants_and_those_of_which_none_was_tried_do_not() {
     let room = |mutants, caught, of, interval| {
         let share = || Share { caught, of, interval };
-        let [stale, unviable, equivalent] = [0; 3];
-        let (room, missed) = ("src/one".into(), Vec::new());
-        Room { room, mutants, stale, unviable, equivalent, by_claims: share(), by_truths: share(), missed }
+        let [unviable, equivalent] = [0; 2];
+        let (room, tried, missed) = ("src/one".into(), Vec::new(), Vec::new());
+        Room { room, mutants, tried, unviable, equivalent, by_claims: share(), by_truths: share(), missed }
     };
     let rooms = [room(3000, 1, 2, Some([0.1, 0.8])), room(2000, 10, 10, Some([0.7, 1.0])), room(900, 0, 0, None)];
     // 0.6/2 + 0.4, less √((0.6·0.4)² + (0.4·0.3)²), and 0.6·0.3 more.
@@ -154,6 +154,18 @@ fn an_entry_of_other_sources_is_told_with_their_number() {
     assert!(is_not_run(&[sound[0].clone(), old], "1 of 2 are of other sources or tests"));
     assert!(is_not_run(&[unbound, gone], "2 of 2 are of other sources or tests"));
     assert!(is_not_run(&[], "none is recorded"));
+    let on = |day: &str, entry: &Entry| Entry { date: Some(day.into()), ..entry.clone() };
+    let both = [on("2026-02-03", &sound[0]), on("2026-01-31", &sound[1])];
+    assert_eq!([faults::sources(&[]), faults::sources(&both)], ["–", "✓ oldest 2026-01-31"]);
+    let stale = Entry { sources: Some("another".into()), ..sound[0].clone() };
+    assert_eq!(faults::sources(&[both[0].clone(), on("2026-01-30", &stale)]), "○ 1 of 2, oldest 2026-01-30");
+    assert_eq!(faults::sources(&[both[0].clone(), stale]), "○ 1 of 2, oldest earlier");
+}
+
+#[test]
+fn every_mutant_that_was_tried_is_told_in_its_folder() {
+    let tried: usize = faults::rooms().expect("recorded").iter().map(|room| room.tried.len()).sum();
+    assert_eq!(tried, MADE[2].read().expect("recorded").record.len());
 }
 
 #[test]

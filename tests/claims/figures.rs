@@ -15,6 +15,8 @@ use contact_vv::study::timings::record::{Record, cheapest, front, sound};
 use contact_vv::study::timings::{COMPARED_CODES, conclusion, front_of};
 use svg::node::element::path::{Command, Data};
 
+use crate::letters;
+
 /// Linear red, green and blue (IEC 61966-2-1, as in WCAG 2.1).
 fn linear(Rgb(red, green, blue): Rgb) -> [f64; 3] {
     [red, green, blue].map(|channel| {
@@ -283,18 +285,14 @@ fn signs(svg: &str) -> Vec<Bounds> {
     all
 }
 
-/// The boxes of the texts of a drawing, their letters narrower than any font sets them, with the texts.
+/// The boxes of the texts of a drawing with the texts.
 fn texts(svg: &str) -> Vec<(String, Bounds)> {
     let parts = svg.split("<text").skip(1).filter_map(|part| part.split_once('>'));
     let of = |(tag, rest): (&str, &str)| {
         let words = rest.split('<').next().unwrap_or_default().trim().replace("&gt;", ">");
         let [x, y] = ["x", "y"].map(|name| number(tag, name).expect("a number"));
         let size = number(tag, "font-size").unwrap_or(11.0);
-        let letter = if attribute(tag, "font-weight").is_some() { 0.56 } else { 0.45 };
-        // Digits are as wide as one another, 0.64 in the widest of the usual fonts.
-        let digits = words.chars().filter(char::is_ascii_digit).count() as f64;
-        let others = words.chars().count() as f64 - digits;
-        let (width, half) = ((0.64 * digits + letter * others) * size, 0.35 * size);
+        let (width, half) = (letters::width(&words, attribute(tag, "font-weight").is_some()) * size, 0.35 * size);
         let (from, to) = match attribute(tag, "text-anchor") {
             Some("middle") => (-0.5 * width, 0.5 * width),
             Some(_) => (-width, 0.0),
@@ -308,14 +306,18 @@ fn texts(svg: &str) -> Vec<(String, Bounds)> {
     parts.map(of).collect()
 }
 
-/// Texts that cover a sign, or one another.
-fn covered(svg: &str) -> Vec<String> {
+/// Texts that cover a sign, or one another, or go beyond the card.
+pub fn covered(svg: &str) -> Vec<String> {
     let overlap = |a: &Bounds, b: &Bounds| a[0] < b[2] && b[0] < a[2] && a[1] < b[3] && b[1] < a[3];
     let (signs, texts) = (signs(svg), texts(svg));
+    let [across, down] = ["width", "height"].map(|name| number(svg, name).expect("a size"));
     let mut covered = Vec::new();
     for (k, (words, bounds)) in texts.iter().enumerate() {
         if signs.iter().any(|sign| overlap(sign, bounds)) {
             covered.push(format!("`{words}` on a sign"));
+        }
+        if bounds[0] < 0.0 || bounds[1] < 0.0 || bounds[2] > across || bounds[3] > down {
+            covered.push(format!("`{words}` beyond the card"));
         }
         let others = texts[k + 1..].iter().filter(|(_, other)| overlap(other, bounds));
         covered.extend(others.map(|(other, _)| format!("`{words}` on `{other}`")));
@@ -351,6 +353,8 @@ fn words_beside_points_give_way_to_signs_and_to_one_another() {
     let [x, y] = [0.5 * (left + right), 0.5 * (top + bottom)];
     let spoiled = svg.replace("</svg>", &format!("<circle cx=\"{x}\" cy=\"{y}\" fill=\"#0072B2\" r=\"4\"/></svg>"));
     assert_eq!(covered(&spoiled), ["`some words` on a sign"]);
+    let narrower = svg.replacen(&format!("width=\"{}\"", number(&svg, "width").expect("a size")), "width=\"300\"", 1);
+    assert!(covered(&narrower).iter().any(|one| one.ends_with("beyond the card")));
 }
 
 /// The outlines of a path that moves from point to point.

@@ -6,6 +6,7 @@ mod checks;
 mod ellipse;
 mod foreign;
 mod iterate;
+mod letters;
 mod primary;
 mod sheared;
 mod spacing;

@@ -256,6 +256,27 @@ fn table_tells_the_reactions_the_error_bars_and_the_notes_of_the_document() {
 }
 
 #[test]
+fn lines_of_a_solve_are_as_exact_as_the_bars() {
+    let said = |name: &str| {
+        let (well, text, error) = contact_vv(&["solve", name]);
+        assert!(well, "{text}{error}");
+        text.split_whitespace().collect::<Vec<_>>().join(" ")
+    };
+    // A closed form is told to the digits of the bar, and what is within that is not off.
+    let disc = said(&scene("whole-disc"));
+    assert!(disc.contains("half-width: 1.0000 mm, within the bar"), "{disc}");
+    let cylinder = said("cylinder");
+    assert!(cylinder.contains("half-width: 2.500 mm, within the bar"), "{cylinder}");
+    assert!(cylinder.contains("peak pressure: 5769.2 MPa, 0.056 % off"), "{cylinder}");
+    // Small numbers have one exponent for value and bar.
+    let pin = said(&scene("rigid-pin"));
+    let approach = pin.split("approach ").nth(1).expect("told");
+    assert!(approach.starts_with("(1.4041") && approach.contains(")e-5 mm"), "{pin}");
+    // Places end with their last digit that is not 0.
+    assert!(said("flat-punch").contains("pressed at s = 1 mm:"));
+}
+
+#[test]
 fn bar_of_a_mesh_made_elsewhere_is_unknown() {
     let (_, table, _) = contact_vv(&["solve", &scene("rings-from-gmsh"), "--all"]);
     assert!(table.contains("± unknown") && table.contains("`--accuracy`"), "{table}");

@@ -11,8 +11,9 @@ use contact_vv::report::front::{self, against, cumulated, right};
 use contact_vv::report::links::{CHARTS, PAGES};
 use contact_vv::report::{Only, case_page, diff, difference, page, record, study_page, symbols, told, write};
 use contact_vv::study::sheet::SHEETS;
-use contact_vv::study::{Files, Finding, Room, Study, Trial, cases, drawn};
+use contact_vv::study::{Files, Finding, Room, Study, Trial, cases, drawn, paper};
 
+use crate::letters;
 use crate::program::{Folder, ended, program};
 use crate::workbench::spoiled;
 
@@ -80,6 +81,69 @@ fn no_page_shows_a_number_that_is_none() {
 fn front_page_is_short() {
     let lines = text(&root().join(page::PAGE)).lines().count();
     assert!(lines <= LINES, "{lines} lines");
+}
+
+/// What a reader sees of a cell: links without their addresses, no marks.
+fn seen(cell: &str) -> String {
+    let mut parts = cell.split("](");
+    let first = parts.next().unwrap_or_default().to_owned();
+    let rest = parts.map(|part| part.split_once(')').map_or(part, |(_, behind)| behind));
+    std::iter::once(first).chain(rest.map(String::from)).collect::<String>().replace(['[', '*'], "")
+}
+
+/// Least width at which a browser sets a table of these lines in GitHub's style: letters of 16, 13 left and right of what a cell holds, a line
+/// of 1 between cells \[px\]. Words are not parted, and code is set smaller.
+fn least_width(lines: &[&str]) -> f64 {
+    let row = |line: &&str| line.trim_matches('|').split(" | ").map(seen).collect::<Vec<_>>();
+    let rows: Vec<Vec<String>> = lines.iter().filter(|line| !line.starts_with("|---")).map(row).collect();
+    let wide = |cell: &String, is_head: bool| {
+        let words = cell.split("<br>").flat_map(str::split_whitespace);
+        let of = |word: &str| match word.contains('`') {
+            true => 0.85 * 0.61 * word.chars().count() as f64,
+            false => letters::width(word, is_head),
+        };
+        words.map(of).fold(0.0, f64::max)
+    };
+    let columns = (0..rows[0].len()).map(|k| {
+        let cells = rows.iter().enumerate().filter_map(|(r, row)| Some(wide(row.get(k)?, r == 0)));
+        16.0 * cells.fold(0.0, f64::max) + 27.0
+    });
+    1.0 + columns.sum::<f64>()
+}
+
+#[test]
+fn every_table_of_the_front_page_fits_the_width_of_github() {
+    let text = text(&root().join(page::PAGE));
+    let lines: Vec<&str> = text.lines().collect();
+    let parts = lines.chunk_by(|a, b| a.starts_with('|') == b.starts_with('|'));
+    let tables: Vec<&[&str]> = parts.filter(|lines| lines[0].starts_with('|')).collect();
+    assert!(tables.len() > 5);
+    for table in tables {
+        let width = least_width(table);
+        assert!(width <= 960.0, "{width:.0} px: {}", table[0]);
+    }
+    // Nine formulations beside one another do not.
+    let heads = ["line", "layer", "node"].map(|element| {
+        ["kinematic", "varying<br>+ newton", "constant<br>+ newton"].map(|way| format!("{element}<br>{way}"))
+    });
+    let head = format!("| case | {} |", heads.concat().join(" | "));
+    let row = format!("| [truncated sphere](case.md) |{}", " ✓ 1203 |".repeat(9));
+    assert!(least_width(&[&head, &row]) > 960.0, "{}", least_width(&[&head, &row]));
+}
+
+#[test]
+fn what_the_reference_12_of_the_paper_is_cited_for_links_it() {
+    for page in [root().join(page::PAGE), root().join(PAGES).join(study_page::file(paper::Numbers::NAME))] {
+        let text = text(&page);
+        // But where it is named in full.
+        let mentions = text.match_indices("[12]").filter(|(at, _)| !text[..*at].ends_with("\n* "));
+        let is_plain = |at: &usize| !text[at + 4..].trim_start_matches('*').starts_with("](");
+        let plain: Vec<&str> = mentions
+            .filter(|(at, _)| is_plain(at))
+            .map(|(at, _)| text[..at].lines().last().unwrap_or_default())
+            .collect();
+        assert!(text.contains("[12]") && plain.is_empty(), "{}: {plain:?}", page.display());
+    }
 }
 
 #[test]
@@ -231,12 +295,14 @@ fn checks_without_an_error_are_beyond_every_share_of_their_tolerance() {
 }
 
 #[test]
-fn checks_of_cases_alone_have_error_bars_so_that_the_page_of_what_is_promised_needs_no_other() {
+fn numbers_of_cases_alone_have_error_bars_so_that_the_page_of_what_is_promised_needs_no_other() {
     let table = text(&root().join(record::CHECKS));
     let mut rows = csv::Reader::from_reader(table.as_bytes());
     let head: Vec<String> = rows.headers().expect("columns").iter().map(String::from).collect();
     let at = |name: &str| head.iter().position(|column| column == name).expect("a column");
-    let barred: Vec<csv::StringRecord> = rows.records().flatten().filter(|row| !row[at("bar")].is_empty()).collect();
+    // What is itself an error has no true one to hold its bar against.
+    let is_number = |row: &csv::StringRecord| !row[at("bar")].is_empty() && &row[at("relation")] != "error";
+    let barred: Vec<csv::StringRecord> = rows.records().flatten().filter(is_number).collect();
     assert!(barred.len() > 50, "{} checks have a bar", barred.len());
     for row in barred {
         assert_eq!(&row[at("study")], cases::Numbers::NAME, "{row:?}");

@@ -10,6 +10,7 @@ use contact_vv::report::pictures::{deformed, solve};
 use contact_vv::solve::{Discretisation, Run};
 
 use crate::balance::solved_as_it_says;
+use crate::figures::covered;
 use crate::outputs::{contact_vv, json, refuses};
 use crate::program::{Folder, ended};
 use crate::scene_file::{self, text_of};
@@ -31,6 +32,15 @@ impl Solved {
         let sheet = solve::sheet(&self.problem, &self.discretisation, &self.run).expect("composed");
         sheet.drawing().expect("drawn")
     }
+}
+
+#[test]
+fn no_text_of_a_sheet_covers_a_sign_or_another_text() {
+    let mut found = Vec::new();
+    for name in ["cylinder-on-block", "whole-disc", "three-rings", "moment", "rigid-pin", "roller-between-plates"] {
+        found.extend(covered(&solved(name).svg()).into_iter().map(|one| format!("{name}: {one}")));
+    }
+    assert!(found.is_empty(), "{}", found.join("\n"));
 }
 
 /// Closed outlines in all paths of an SVG.

@@ -19,8 +19,8 @@ fn node_that_nothing_faces_is_refused_with_its_coordinate() {
     let mut shorter = mesh.clone();
     shorter.bodies[1].candidates.pop();
     let late = spoiled(&mesh, |mesh| mesh.bodies[1].candidates[0].coordinate += 0.01);
-    let end = format!("{:.6}°", scene.contact().stretch.to_degrees());
-    for (wrong, at) in [(shorter, end.as_str()), (late, "0.000000°")] {
+    let end = format!("s = {}°", scene.contact().stretch.to_degrees().round());
+    for (wrong, at) in [(shorter, end.as_str()), (late, "s = 0°")] {
         let error = Interface::between(&scene, &wrong, &condensed, 0).expect_err("nothing faces a node");
         let text = error.to_string();
         assert!(matches!(error.place, Place::Contact { contact: 0, part: Part::Second, .. }), "{text}");

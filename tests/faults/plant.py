@@ -12,15 +12,14 @@ import csv
 import json
 import math
 import pathlib
-import subprocess
 import sys
 import threading
 import time
 import tomllib
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
-from digest import date, digest
-from spoiled import ROOT
+from digest import changed_since, date, digest
+from watched import ROOT
 from switched import OF_CLAIMS, TRUTHS, Switched, is_claim
 from switch import Spoiled, plant
 
@@ -118,7 +117,7 @@ def main():
     chosen = [fault for fault in chosen if not asked.old or is_old(fault)]
     if not chosen:
         return print("none is old" if asked.old else "no such fault")
-    changed = subprocess.run(["git", "diff", "--name-only", asked.base], cwd=ROOT, check=True, capture_output=True, text=True).stdout.splitlines()
+    changed = changed_since(asked.base)
     chosen.sort(key=lambda fault: (fault["file"] not in changed, known.get(fault["name"], {}).get("date") or ""))
     switched = Switched("faults", lambda tree, some: plant(tree, some, Spoiled), ["claims", "suite"])
     switched.kept["refused"] = {}

@@ -2,17 +2,20 @@
 """Runs the fuzz targets of the readers by libFuzzer and records what they found in snapshots/fuzz.json.
 
 Run as `python3 tests/fuzz/run.py [TARGET…]` with a stable toolchain and a C++ compiler; a million executions of each target,
-`--executions N` for another number. `--keep` then copies the smallest input of each kind of answer into the corpus.
+`--executions N` for another number. `--old` tries those alone whose readers have changed since, the oldest first,
+`--minutes` for so long once the first is built: what was not executed often enough is not recorded, and goes on the next time. `--keep` then copies the smallest input of each kind of answer into the corpus.
 """
 import argparse
 import hashlib
 import json
+import math
 import os
 import pathlib
 import re
 import subprocess
 import sys
 import tempfile
+import time
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 from digest import date, digest
@@ -44,6 +47,8 @@ COVERAGE = ["--cfg", "fuzzing", "-Cpasses=sancov-module", "-Ccodegen-units=1"] +
 ]
 # Seconds after which an input is called a hang, and megabytes after which it takes too much memory.
 PATIENCE, MEMORY = 10, 2048
+# Seconds that are left where a target is begun.
+LEAST = 10
 # Crashes after which a target is given up.
 ENOUGH = 20
 # Files of the corpus by --keep, of a target.
@@ -56,11 +61,12 @@ def bound(target):
     return [*READERS[target], f"tests/fuzz/read.rs: {head}"]
 
 
-def build():
+def build(targets):
     host = re.search(r"host: (\S+)", output("rustc", "-vV"))[1]
     environment = os.environ | {"RUSTFLAGS": " ".join(COVERAGE), "CARGO_TARGET_DIR": str(WORK / "build")}
     # With a target named, build scripts are compiled without coverage.
-    subprocess.run(["cargo", "build", "--release", "--quiet", "--target", host], cwd=HERE, env=environment, check=True)
+    only = [word for target in targets for word in ("--bin", target)]
+    subprocess.run(["cargo", "build", "--release", "--quiet", "--target", host, *only], cwd=HERE, env=environment, check=True)
     return WORK / "build" / host / "release"
 
 
@@ -92,18 +98,19 @@ def dictionary(target):
     return file
 
 
-def fuzz(program, target, executions, seed):
-    """Runs a target until it has made so many executions; every input that broke it is kept beside the corpus."""
+def fuzz(program, target, executions, seed, until, made):
+    """Runs a target until it has made so many executions, or up to a time; every input that broke it is kept beside the corpus."""
     grown, broken = WORK / "corpus" / target, WORK / "broken" / target
     for folder in (grown, broken):
         folder.mkdir(parents=True, exist_ok=True)
     for file in seeds(target):
         (grown / hashlib.sha256(file.read_bytes()).hexdigest()).write_bytes(file.read_bytes())
-    made, breaks = 0, []
-    while made < executions and len(breaks) < ENOUGH:
+    breaks = []
+    while made < executions and len(breaks) < ENOUGH and (seconds := until - time.monotonic()) > 1:
         command = [program / target, grown, f"-runs={executions - made}", f"-seed={seed + len(breaks)}",
                    f"-max_len={TARGETS[target][1]}", f"-timeout={PATIENCE}", f"-rss_limit_mb={MEMORY}",
-                   f"-dict={dictionary(target)}", f"-artifact_prefix={broken}/", "-print_final_stats=1", "-close_fd_mask=1"]
+                   f"-dict={dictionary(target)}", f"-artifact_prefix={broken}/", "-print_final_stats=1", "-close_fd_mask=1",
+                   *([f"-max_total_time={int(seconds)}"] if seconds < math.inf else [])]
         run = told_by(command)
         counted = re.search(r"stat::number_of_executed_units:\s+(\d+)", run.stderr)
         if not counted:
@@ -161,11 +168,12 @@ def main():
     parser.add_argument("--executions", type=int, default=1_000_000)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--old", action="store_true", help="only targets whose readers have changed since")
+    parser.add_argument("--minutes", type=float, default=math.inf)
     parser.add_argument("--keep", action="store_true", help="only choose files of the corpus from what a run has grown")
     wanted = parser.parse_args()
-    program = build()
     chosen = wanted.targets or list(TARGETS)
     if wanted.keep:
+        program = build(chosen)
         for target in chosen:
             keep(program, target)
         return
@@ -174,13 +182,30 @@ def main():
     by = {"program": f"libFuzzer of libfuzzer-sys {version}", "rustc": output("rustc", "--version").split()[1]}
     if wanted.old:
         chosen = [target for target in chosen if kept.get(target, {}).get("sources") != digest(bound(target))]
+        chosen.sort(key=lambda target: kept.get(target, {}).get("date") or "")
+    if not chosen:
+        return print("none is old")
+    tried, until = [], None
     for target in chosen:
-        found = fuzz(program, target, wanted.executions, wanted.seed)
+        if until and until - time.monotonic() < LEAST:
+            break
+        program = build([target])
+        until = until or time.monotonic() + 60 * wanted.minutes
+        tried.append(target)
+        begun, sources = WORK / f"{target}.begun.json", digest(bound(target))
+        before = json.loads(begun.read_text()) if begun.exists() else {}
+        made = before["executions"] if before.get("sources") == sources else 0
+        found = fuzz(program, target, wanted.executions, wanted.seed, until, made)
+        if found["executions"] < wanted.executions and not found["broke"]:
+            begun.write_text(json.dumps({"executions": found["executions"], "sources": sources}))
+            print(f"{target}: {found['executions']} of {wanted.executions} executions, which go on the next time", flush=True)
+            continue
+        begun.unlink(missing_ok=True)
         kept[target] = found | by | {"bound": bound(target), "sources": digest(bound(target)), "date": date()}
         print(f"{target}: {found}", flush=True)
         record = [kept[target] for target in TARGETS if target in kept]
         RECORD.write_text(json.dumps({"record": record}, indent=1, ensure_ascii=False) + "\n")
-    if any(kept[target]["broke"] for target in chosen):
+    if any(kept.get(target, {}).get("broke") for target in tried):
         sys.exit(f"inputs that broke a reader are in {WORK / 'broken'}: mend it and keep them in tests/fuzz/corpus")
 
 

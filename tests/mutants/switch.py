@@ -241,6 +241,13 @@ def plant(tree, changes, of=Source):
     return sources
 
 
+def called(span):
+    """Where the macro stands that an error is in, else the place itself."""
+    while span.get("expansion"):
+        span = span["expansion"]["span"]
+    return span
+
+
 def refused(command, options, sources):
     """Compiles; the mutants that the compiler refuses: of themselves, or because a switch cannot stand there. None where all is compiled."""
     told = subprocess.run([*command, "--message-format=json"], **options, capture_output=True, text=True)
@@ -252,7 +259,8 @@ def refused(command, options, sources):
         if message.get("level") != "error" or not message.get("spans"):
             continue
         found = False
-        for span in sorted(message["spans"], key=lambda span: not span["is_primary"]):
+        spans = [called(span) for span in sorted(message["spans"], key=lambda span: not span["is_primary"])]
+        for span in spans:
             source = sources.get(span["file_name"])
             holding = source and [one for one in source.ranges if one[0] <= span["byte_start"] < one[1]]
             if holding:
@@ -261,7 +269,7 @@ def refused(command, options, sources):
                 found = True
                 break
         if not found:
-            places = [(sources.get(span["file_name"]), span["byte_start"]) for span in message["spans"] if span["file_name"] in sources]
+            places = [(sources.get(span["file_name"]), span["byte_start"]) for span in spans if span["file_name"] in sources]
             for source, place in places:
                 around.update(source.function_at(place))
             if not places:

@@ -4,7 +4,6 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::case::{self, Case};
-use crate::markdown;
 use crate::measure::{Quantity, relative_error};
 use crate::oracle::ReferenceKind;
 use crate::solve::run::{Contact, Run};
@@ -25,9 +24,12 @@ pub struct OracleReading {
     pub reference: f64,
     /// Relative error.
     pub error: f64,
-    /// Name of the quantity in a sentence, and the reference in the unit that it is shown in.
+    /// Index of the contact, and the quantity.
     #[serde(skip)]
-    pub told: String,
+    pub of: (usize, Quantity),
+    /// Name of the quantity in a sentence.
+    #[serde(skip)]
+    pub called: String,
 }
 
 /// The numbers that oracles are asked for, with their names in JSON and in a sentence.
@@ -53,10 +55,9 @@ fn of_contact(problem: &Case, run: &Run, contact: usize) -> Vec<OracleReading> {
             _ => of.of(measures),
         };
         let reference = problem.reading(contact, &of);
-        let (unit, factor) = of.unit(!pair.path.is_straight());
         let is_width = matches!(of, Quantity::HalfWidth | Quantity::SecondMomentWidth);
-        let on_scene = case::Quantity::on(&problem.scene, contact, of);
-        let name = if is_width { on_scene.name() } else { name };
+        let on_scene = case::Quantity::on(&problem.scene, contact, of.clone());
+        let called = if is_width { on_scene.name().into() } else { name.into() };
         OracleReading {
             contact: pair.name.clone(),
             name: reference.name,
@@ -64,7 +65,8 @@ fn of_contact(problem: &Case, run: &Run, contact: usize) -> Vec<OracleReading> {
             quantity,
             reference: reference.value,
             error: relative_error(value, reference.value),
-            told: format!("{name}: {} {unit}", markdown::value(factor * reference.value)),
+            of: (contact, of),
+            called,
         }
     });
     all.into_iter().filter(|reading| reading.reference.is_finite()).collect()

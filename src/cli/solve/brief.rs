@@ -4,7 +4,7 @@ use comfy_table::ColumnConstraint;
 
 use crate::accuracy::Barred;
 use crate::case::{self, Judged, Verdict};
-use crate::cli::json::oracle;
+use crate::cli::json::{OracleReading, oracle};
 use crate::cli::solve::found::Found;
 use crate::cli::terminal::{say, table_on, width};
 use crate::cli::{accuracy, verify};
@@ -24,6 +24,8 @@ const ROUND_OFF: f64 = 1e-9;
 const FINE: f64 = 1e-3;
 /// Difference of pressures over the largest within which they are uniform.
 const EVEN: f64 = 1e-2;
+/// A number below this has an exponent.
+const SMALL: f64 = 1e-4;
 /// Digits of a number of which no bar is known.
 const DIGITS: usize = 3;
 /// What is quoted of a closed form.
@@ -152,9 +154,7 @@ fn of_oracles(found: &Found) -> impl Iterator<Item = [String; 2]> + '_ {
     for [contact, name] in names {
         let own = all.iter().filter(|one| one.contact == contact && one.name == name);
         let own = own.filter(|one| COMPARED.contains(&one.quantity));
-        let away =
-            |error: f64| if error <= ROUND_OFF { "met to round-off".into() } else { markdown::error(error) + " off" };
-        let off: Vec<String> = own.map(|one| format!("{}, {}", one.told, away(one.error))).collect();
+        let off: Vec<String> = own.map(|one| beside(found, one)).collect();
         let of = if several { format!("`{contact}`, ") } else { String::new() };
         let row = ["closed form".into(), format!("{of}{name}: {}", off.join("; "))];
         if !off.is_empty() && !told.contains(&row) {
@@ -162,6 +162,23 @@ fn of_oracles(found: &Found) -> impl Iterator<Item = [String; 2]> + '_ {
         }
     }
     told.into_iter()
+}
+
+/// A number of a closed form, and how far ours is from it: as exactly as its bar tells.
+fn beside(
+    found: &Found,
+    OracleReading { called, reference, error, of: (contact, quantity), .. }: &OracleReading,
+) -> String {
+    let ours = Number::of(found, *contact, quantity);
+    let theirs = ours.factor * reference;
+    let bar = ours.bar.filter(|bar| bar.is_finite() && *bar > EXACT * ours.value.abs());
+    let value = bar.map_or_else(|| markdown::value(theirs), |bar| to_bound(theirs, bar));
+    let away = match bar {
+        Some(bar) if (ours.value - theirs).abs() <= bar => "within the bar".into(),
+        _ if *error <= ROUND_OFF => "met to round-off".into(),
+        _ => markdown::error(*error) + " off",
+    };
+    format!("{called}: {value} {}, {away}", ours.unit)
 }
 
 /// Checks that do not pass, and how many do.
@@ -234,6 +251,11 @@ impl Number {
             None => markdown::value(value),
             Some(bar) if bar.is_nan() => significant(value, DIGITS),
             Some(bar) if bar <= EXACT * value.abs() => markdown::value(value),
+            Some(bar) if bar.max(value.abs()) < SMALL => {
+                let exponent = bar.max(value.abs()).log10().floor() as i32;
+                let [value, bar] = [value, bar].map(|number| number / 10_f64.powi(exponent));
+                format!("({} ± {})e{exponent}", unsigned(to_bound(value, bar)), to_bound(bar, bar))
+            }
             Some(bar) => format!("{} ± {}", unsigned(to_bound(value, bar)), to_bound(bar, bar)),
         };
         format!("{told} {unit}")

@@ -36,9 +36,13 @@ pub fn print(found: &Found) {
     for check in checks {
         say_in_lines(&verify::told("check", check));
     }
-    for OracleReading { contact, name, kind, told, error, .. } in oracle::readings(problem, run) {
+    for OracleReading { contact, name, kind, called, reference, error, of: (index, number), .. } in
+        oracle::readings(problem, run)
+    {
         let of = if several { format!("contact `{contact}`: ") } else { String::new() };
-        say_in_lines(&format!("{of}{name} ({kind}) {told}, error {}", markdown::error(error)));
+        let (unit, factor) = number.unit(!problem.scene.contacts[index].path.is_straight());
+        let (reference, error) = (markdown::value(factor * reference), markdown::error(error));
+        say_in_lines(&format!("{of}{name} ({kind}) {called}: {reference} {unit}, error {error}"));
     }
     found.notes().iter().for_each(|note| say_in_lines(&format!("note: {note}")));
 }

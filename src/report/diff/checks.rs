@@ -10,7 +10,7 @@ use super::told::{Change, Told};
 use crate::case::Relation;
 use crate::markdown::{self, significant};
 use crate::oracle::ReferenceKind;
-use crate::report::record::{CheckRow, Mark};
+use crate::report::record::{CheckRow, Mark, ROUND_OFF};
 use crate::study::grouped::{joined, largest_first};
 
 /// Folders of what is recorded.
@@ -46,8 +46,21 @@ impl<'a> Pairs<'a> {
             gone: all.values().filter_map(|[old, new]| old.filter(|_| new.is_none())).collect(),
             came: all.values().filter_map(|[old, new]| new.filter(|_| old.is_none())).collect(),
         };
+        pairs.recount();
         pairs.rename();
         pairs
+    }
+
+    /// Matches what differs in nothing but the count of what it is asked of, where no other check would do.
+    fn recount(&mut self) {
+        let both = joined([&self.gone, &self.came].map(|rows| {
+            let counted = largest_first(rows.iter().map(|&row| (uncounted(row), row)));
+            counted.into_iter().filter_map(|(key, rows)| <[&CheckRow; 1]>::try_from(rows).ok().map(|[row]| (key, row)))
+        }));
+        let found: Vec<Pair> = both.into_values().filter_map(|[old, new]| Some([old?, new?])).collect();
+        self.gone.retain(|row| !found.iter().any(|pair| ptr::eq(pair[0], *row)));
+        self.came.retain(|row| !found.iter().any(|pair| ptr::eq(pair[1], *row)));
+        self.both.extend(found);
     }
 
     /// Matches what is left over: first those of the same tolerance, then those that were renamed and loosened at once; of these
@@ -72,6 +85,23 @@ impl<'a> Pairs<'a> {
         }
     }
 }
+
+/// The key of a check, with no count in a place that says of how many.
+fn uncounted(row: &CheckRow) -> [String; 6] {
+    let is_count = |word: &str| {
+        let digits = word.trim_end_matches(',');
+        !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit())
+    };
+    let words: Vec<&str> = row.place.split(' ').collect();
+    let says = words.windows(2).any(|pair| pair[0] == "of" && is_count(pair[1]));
+    let words: Vec<&str> = words.into_iter().map(|word| if says && is_count(word) { "#" } else { word }).collect();
+    let mut key = row.key().map(String::from);
+    key[PLACE] = words.join(" ");
+    key
+}
+
+/// Part of a key that says where, and of how many.
+const PLACE: usize = 4;
 
 fn parts_kept([before, after]: &Pair) -> usize {
     before.key().iter().zip(after.key()).filter(|(old, new)| **old == *new).count()
@@ -118,7 +148,7 @@ pub fn told(pairs: &Pairs) -> Vec<Told> {
         moved("Checks asked of FEWER runs", is_asked_less, |pair| {
             number(pair, |row| row.runs as f64, |row| format!("{} runs", row.runs))
         }),
-        moved("Checks renamed, with the same numbers", |[before, after]| before.key() != after.key(), name),
+        moved("Checks renamed, with the same numbers", |[before, after]| uncounted(before) != uncounted(after), name),
         moved("Numbers that moved", |pair| is_moved(pair) && pair[0].verdict == pair[1].verdict, share),
         moved(
             "Error bars that moved",
@@ -231,8 +261,10 @@ fn is_loosened(pair: &Pair) -> bool {
 
 /// Whether tolerance and error bar of a check became wider by one factor: the tolerance is a multiple of the bar.
 fn is_loosened_as_bar(pair: &Pair) -> bool {
-    let [before, after] = pair.map(|row| row.bar.unwrap_or(f64::NAN) / row.tolerance);
-    is_loosened(pair) && pair[0].relation == pair[1].relation && (after - before).abs() <= ROUNDING * before.abs()
+    let [before, after] = pair.map(|row| row.bar.unwrap_or(f64::NAN));
+    let expected = before / pair[0].tolerance * pair[1].tolerance;
+    let follows = (after - expected).abs() <= ROUNDING * expected.abs() + ROUND_OFF;
+    is_loosened(pair) && pair[0].relation == pair[1].relation && follows
 }
 
 fn is_loosened_by_hand(pair: &Pair) -> bool {

@@ -135,9 +135,11 @@ impl Coordinate {
 
 impl fmt::Display for Coordinate {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        // Six decimals, without the zeros at their end.
+        let rounded = |x: f64| (1e6 * x).round() / 1e6 + 0.0;
         match self {
-            Self::Length(length) => write!(f, "{length:.6} mm"),
-            Self::Angle(angle) => write!(f, "{:.6}°", angle.to_degrees()),
+            Self::Length(length) => write!(f, "{} mm", rounded(*length)),
+            Self::Angle(angle) => write!(f, "{}°", rounded(angle.to_degrees())),
         }
     }
 }

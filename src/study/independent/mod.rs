@@ -12,15 +12,15 @@ use std::fmt::Write;
 
 use crate::case::{Check, Judged, Quantity, Reference, covered};
 use crate::drawing::palette::{self, Dash, Marker, Style};
-use crate::drawing::{Axis, Chart, Drawing, Series, panels};
+use crate::drawing::{Axis, Chart, Drawing, Series};
 use crate::error::Error;
 use crate::markdown;
+use crate::measure::larger;
 use crate::oracle::ReferenceKind;
 use crate::oracle::cross_code::independent::{Folder, Independent, Script};
-use crate::scene::ReferenceValues;
 use crate::study::about::{About, Found, Planned, Study};
 use crate::study::drawn::picture;
-use crate::study::independent::run::{Benchmark, Compared, KAPPA, Other, STATIONS, Scene};
+use crate::study::independent::run::{Compared, KAPPA, Other, STATIONS, Scene};
 use crate::uncertainty::{COVERAGE, Comparison};
 
 pub use run::Compared as Numbers;
@@ -72,19 +72,18 @@ impl Study for Compared {
             entered = entered.join(", ")
         );
         text += "\n";
-        text += &picture("difference-independent.svg", "Difference of the profiles of independent codes to ours");
+        text += &picture(PICTURE, "Relative difference of independent codes to ours, a sign a scene");
         Ok(text)
     }
 
-    /// One panel a scene.
+    /// How far each script is from us, a row a script and a sign a scene.
     fn pictures(findings: &[Found<Self>]) -> Result<Vec<(String, Drawing)>, Error> {
-        let charts: Vec<Chart> = findings.iter().map(|found| profiles(found.numbers)).collect();
-        Ok(vec![(
-            "difference-independent.svg".into(),
-            panels("Independent codes: difference of the pressure to ours", &charts, 3),
-        )])
+        Ok(vec![(PICTURE.into(), apart(findings).drawing())])
     }
 }
+
+/// The chart of differences.
+const PICTURE: &str = "difference-independent.svg";
 
 /// Peak and width as they are told: noun, unit with the symbol where that differs from scene to scene, factor from MPa, mm or rad to it.
 fn numbers(scene: Scene) -> [(&'static str, &'static str, f64); 2] {
@@ -189,34 +188,39 @@ fn demanded(scene: Scene, script: Script) -> ([Option<f64>; 2], f64) {
     }
 }
 
-/// Differences of the profiles to ours, in per cent of what the scene is measured by.
-fn profiles(compared: &Compared) -> Chart {
-    let scene = compared.scene;
-    let [pressures, abscissa] = match scene {
-        Scene::Cylinder | Scene::WiderCylinder | Scene::TruncatedHertz => ["p₀", "place over half-width x / a [–]"],
-        Scene::PinRod => ["F/(R t)", "θ from the load line [°]"],
-        Scene::PinPlate => ["F/(R t)", "φ from the load line [°]"],
+/// Relative differences to ours: of the profile, the peak, and the width.
+fn differences(compared: &Compared, other: &Other) -> [f64; 3] {
+    let of = |k: usize| (other.found.measured[k][0] / compared.ours.measured[k][0] - 1.0).abs();
+    [l2(&compared.ours.profile, &other.found.profile), of(0), of(1)]
+}
+
+/// The largest of each is told, and every one drawn.
+fn apart(findings: &[Found<Compared>]) -> Chart {
+    let all = || findings.iter().flat_map(|found| found.numbers.others.iter().map(move |one| (found.numbers, one)));
+    let mut rows: Vec<Script> =
+        Script::ALL.into_iter().filter(|script| all().any(|(_, one)| one.script == *script)).collect();
+    rows.reverse();
+    let most = |of: fn([f64; 3]) -> f64| {
+        markdown::error(all().map(|(ours, one)| of(differences(ours, one))).fold(0.0, f64::max))
     };
-    let axis = Axis::linear(&format!("difference [% of {pressures}]"));
-    let mut chart = Chart::new(scene.name(), Axis::linear(abscissa), axis);
-    let Benchmark { physical, case, .. } = scene.benchmark();
-    let ReferenceValues { length, pressure, .. } = case.scene.reference;
-    let scale = if scene.is_arc() { 180.0 / PI } else { 1.0 / length };
-    chart.series.extend(compared.others.iter().map(|other| {
-        let differences = other.found.profile.iter().zip(&compared.ours.profile).map(|(p, q)| p - q);
-        let points = physical.stations.iter().zip(differences).map(|(s, p)| [scale * s, 100.0 * p / pressure]);
-        Series::new(other.script.title(), points, style(other.script))
-    }));
+    let [profile, numbers] = [most(|[profile, ..]| profile), most(|[_, peak, width]| larger(peak, width))];
+    let title = format!("Other codes differ from ours by up to {numbers} in peak and width, {profile} in the profile");
+    let names = rows.iter().map(|script| script.title().to_owned()).collect();
+    let mut chart = Chart::new(&title, Axis::log("relative difference to ours [–]"), Axis::rows(names));
+    let signs = [
+        ("profile, root mean square", palette::LAYER, Marker::Square),
+        ("peak", palette::NODE, Marker::Diamond),
+        ("second-moment width", palette::LINE, Marker::Circle),
+    ];
+    for (k, (label, colour, marker)) in signs.into_iter().enumerate() {
+        let place =
+            |script: Script| rows.iter().position(|one| *one == script).map_or(f64::NAN, |row| row as f64 + 1.0);
+        let points =
+            all().map(|(ours, one)| (differences(ours, one)[k], place(one.script) + BESIDE * (1.0 - k as f64)));
+        chart.series.push(Series::new(label, points, Style::run(colour, Dash::Absent, marker)));
+    }
     chart
 }
 
-fn style(script: Script) -> Style {
-    match script {
-        Script::Ufl | Script::Pairs => Style::run(palette::LAYER, Dash::Dotted, Marker::Square),
-        Script::Facets => Style::run(palette::LINE, Dash::Dashed, Marker::Circle),
-        Script::Nitsche => Style::run(palette::PURPLE, Dash::DashDot, Marker::Diamond),
-        Script::HalfPlane => Style::run(palette::NODE, Dash::Solid, Marker::Triangle),
-        Script::Augmented => Style::run(palette::ORANGE, Dash::Solid, Marker::Wedge),
-        Script::Gaps => Style::run(palette::LAYER, Dash::Dashed, Marker::Triangle),
-    }
-}
+/// Between the signs of a row.
+const BESIDE: f64 = 0.22;

@@ -85,9 +85,9 @@ impl Study for Numbers {
         let judged = own_contact.map(|code| {
             let error = format!("error of {}'s own contact at its best", code.name());
             let because = "the bar of the truth, what its parameter leaves, the force of the edge in which the contact ends, and what straight cells leave where it needs them";
-            let check =
-                Check::error(Quantity::at(error, self.case.clone()), self.truth.clone(), self.allowed(code), because);
-            check.judge(self.own(code)[1].map_or(f64::NAN, Row::error))
+            let bar = self.allowed(code);
+            let check = Check::error(Quantity::at(error, self.case.clone()), self.truth.clone(), bar, because);
+            Judged { bar: Some(bar), ..check.judge(self.own(code)[1].map_or(f64::NAN, Row::error)) }
         });
         Ok(judged.collect())
     }
