@@ -107,13 +107,17 @@ fn beside_points(mut answer: Answer, asked: &Asked) -> Result<Answer, Error> {
     if !scene.bodies.iter().flat_map(|body| &body.supports).any(|support| matches!(support.at, At::Point(_))) {
         return Ok(answer);
     }
-    let discretisation = Discretisation::of(scene.clone(), answer.resolution)?;
+    let held = answer.discretisation.take();
+    let discretisation = held.map_or_else(|| Discretisation::of(scene.clone(), answer.resolution), Ok)?;
     let (readings, _) = reading::recovered(&discretisation, &answer.run, &[])?;
     let yields = |body: usize| readings.iter().any(|one| one.is_force_at_point(scene, body));
     if !(0..scene.bodies.len()).any(yields) {
+        answer.discretisation = Some(discretisation);
         return Ok(answer);
     }
-    let bars = bars_up_to(asked.most_dofs, &discretisation, &answer.run, &[])?;
+    let judge = answer.judge.as_ref().map(|(finer, judge)| (finer, judge));
+    let bars = bars_up_to(asked.most_dofs, judge, &discretisation, &answer.run, &[])?;
+    answer.discretisation = Some(discretisation);
     let at_point: Vec<&Barred> = bars.all.iter().filter(|one| one.is_at_point()).collect();
     for one in &mut answer.estimates {
         if at_point.iter().any(|other| other.is_of(one.contact, &one.quantity)) {
