@@ -10,7 +10,6 @@
 //! of equal springs that stiffen.
 
 use crate::algorithm::{ContactProblem, Iterate, Springs};
-use crate::condensation::stiffness::SystemFactor;
 use crate::solution::Work;
 
 /// What a closed point does.
@@ -29,6 +28,8 @@ pub struct Exact {
     pub closed: Vec<bool>,
     /// Displacements, approaches, pressures.
     pub iterate: Iterate,
+    /// Sets that were tried.
+    pub sets: usize,
 }
 
 /// Springs that hold closed points of the mean area of their contact, over what both bodies resist there, one behind the other. What
@@ -49,13 +50,12 @@ impl Exact {
     pub fn of(problem: &ContactProblem, law: Law, start: &[bool]) -> Option<Self> {
         let mut search = Search::of(problem, law);
         let all = vec![true; problem.points.len()];
-        search.at_once(start.to_vec()).or_else(|| search.from(start.to_vec())).or_else(|| search.from(all))
+        search.from(start.to_vec()).or_else(|| search.from(all))
     }
 
     /// Equilibrium with a set of points closed, whatever sign their pressures have; none where it leaves a body free.
     pub fn bilateral(problem: &ContactProblem, closed: &[bool]) -> Option<Iterate> {
-        let mut held = Search::of(problem, Law::Rigid).held(closed)?;
-        Some(held.handed_over())
+        Search::of(problem, Law::Rigid).solved(closed)
     }
 }
 
@@ -85,67 +85,52 @@ impl<'a> Search<'a> {
         Self { problem, law, holding: holding(problem, law), seen: Vec::new() }
     }
 
-    /// Changes a set until it stands, all points that are wrong at once, by springs that hand nothing over before it seems to; none where a set
-    /// returns, as those of points do that are more than displacements can follow.
-    fn at_once(&mut self, mut closed: Vec<bool>) -> Option<Exact> {
-        self.seen.clear();
-        for _ in 0..SETS {
-            let mut held = self.held(&closed)?;
-            let mut violations = self.violations(&closed, &held.equilibrium())?;
-            if stands(&violations) {
-                let iterate = held.handed_over();
-                violations = self.violations(&closed, &iterate)?;
-                if stands(&violations) {
-                    return Some(Exact { closed, iterate });
-                }
-            }
-            if self.seen.contains(&closed) {
-                return None;
-            }
-            self.seen.push(closed.clone());
-            flip_all(&mut closed, &violations);
-        }
-        None
-    }
-
-    /// Changes a set until it stands, one point at a time where a set returns.
+    /// Changes a set until it stands.
     fn from(&mut self, mut closed: Vec<bool>) -> Option<Exact> {
         self.seen.clear();
         let mut one_by_one = false;
         let mut violations: Vec<f64> = Vec::new();
-        let mut before: Option<Vec<bool>> = None;
-        for _ in 0..SETS {
-            let Some(mut held) = self.held(&closed) else {
+        let mut held: Option<Vec<bool>> = None;
+        for sets in 1..=SETS {
+            let Some(iterate) = self.solved(&closed) else {
                 // Too many points were opened at once.
-                closed = before.take()?;
+                closed = held.take()?;
                 one_by_one = true;
                 flip_worst(&mut closed, &violations)?;
                 continue;
             };
-            let iterate = held.handed_over();
             violations = self.violations(&closed, &iterate)?;
-            if stands(&violations) {
-                return Some(Exact { closed, iterate });
+            if violations.iter().all(|violation| *violation <= 0.0) {
+                return Some(Exact { closed, iterate, sets });
             }
             one_by_one |= self.seen.contains(&closed);
             self.seen.push(closed.clone());
-            before = Some(closed.clone());
+            held = Some(closed.clone());
             if one_by_one {
                 flip_worst(&mut closed, &violations)?;
             } else {
-                flip_all(&mut closed, &violations);
+                closed
+                    .iter_mut()
+                    .zip(&violations)
+                    .filter(|(_, v)| **v > 0.0)
+                    .for_each(|(closed, _)| *closed = !*closed);
             }
         }
         None
     }
 
-    /// Springs that hold a set of points closed; none where that leaves a body free.
-    fn held(&self, closed: &[bool]) -> Option<Held<'a>> {
+    /// Equilibrium with a set of points closed; none where it leaves a body free.
+    fn solved(&self, closed: &[bool]) -> Option<Iterate> {
+        let work = &mut Work::default();
         let stiffness: Vec<f64> =
             self.holding.iter().zip(closed).map(|(k, closed)| if *closed { *k } else { 0.0 }).collect();
-        let factor = self.problem.factorise(&stiffness, &mut Work::default())?;
-        let springs = Springs { force: vec![0.0; stiffness.len()], stiffness };
-        Some(Held { problem: self.problem, law: self.law, factor, springs })
+        let factor = self.problem.factorise(&stiffness, work)?;
+        let mut springs = Springs { force: vec![0.0; stiffness.len()], stiffness };
+        let handed = if self.law == Law::Rigid { HANDED } else { 0 };
+        for _ in 0..handed {
+            springs.force = self.problem.equilibrium(&factor, &springs, |point| point.gap, work).pressure;
+        }
+        Some(self.problem.equilibrium(&factor, &springs, |point| point.gap, work))
     }
 
     /// By how much each point is in the wrong state, over the largest pressure of its contact; 0 where it is right, none
@@ -183,39 +168,6 @@ impl<'a> Search<'a> {
         let finite = iterate.pressure.iter().chain(&iterate.approach).all(|x| x.is_finite());
         finite.then_some(each)
     }
-}
-
-/// A set of points that springs hold closed.
-struct Held<'a> {
-    problem: &'a ContactProblem<'a>,
-    law: Law,
-    factor: SystemFactor,
-    springs: Springs,
-}
-
-impl Held<'_> {
-    fn equilibrium(&self) -> Iterate {
-        self.problem.equilibrium(&self.factor, &self.springs, |point| point.gap, &mut Work::default())
-    }
-
-    /// The same once what the springs yield is round-off; initial springs yield as they do.
-    fn handed_over(&mut self) -> Iterate {
-        let handed = if self.law == Law::Rigid { HANDED } else { 0 };
-        for _ in 0..handed {
-            self.springs.force = self.equilibrium().pressure;
-        }
-        self.equilibrium()
-    }
-}
-
-fn stands(violations: &[f64]) -> bool {
-    violations.iter().all(|violation| *violation <= 0.0)
-}
-
-/// Changes every point that is wrong.
-fn flip_all(closed: &mut [bool], violations: &[f64]) {
-    let wrong = closed.iter_mut().zip(violations).filter(|(_, violation)| **violation > 0.0);
-    wrong.for_each(|(closed, _)| *closed = !*closed);
 }
 
 /// Changes the point that is most wrong.
