@@ -212,12 +212,12 @@ fn matrix_types_of_libraries_stay_inside_the_numerics() {
 
 /// Lines that a room may have; raised only by a commit that says what for.
 const BUDGETS: [(&str, usize); 9] = [
-    ("solver", 23_689),
+    ("solver", 23_725),
     ("drawing", 2_910),
     ("case", 8_119),
     ("oracle", 1_426),
     ("study", 14_966),
-    ("referee", 7_306),
+    ("referee", 7_320),
     ("report", 3_216),
     ("cli", 4_728),
     ("live", 417),

@@ -145,9 +145,9 @@ pub fn outcome((asked, answer): &(Asked, Answer)) -> String {
 fn ended(answer: &Answer) -> String {
     match &answer.unmet {
         None => format!(
-            "met with {} dofs; {} meshes were tried, with {} dofs in all, those of the coarser ones of their bars among them",
+            "met with {} dofs; {} tried, with {} dofs in all, those of the coarser ones of their bars among them",
             answer.run.dofs,
-            answer.tried.len(),
+            if answer.tried.len() == 1 { "one mesh was".into() } else { format!("{} meshes were", answer.tried.len()) },
             answer.dofs_in_all()
         ),
         Some(why) => format!("NOT met: {why}; the result is the best that was found"),

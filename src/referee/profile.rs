@@ -239,18 +239,24 @@ pub fn handed(
     Ok(Handed { contact, points, order, edges: vec![], forces })
 }
 
-/// Forces, or pressures with areas, with those of the axis, which are 0, where they lack to make edges of an order whole: answers leave them out.
+/// Forces, or pressures with areas, of 8-node cells with that of the axis, which is 0, where it alone lacks to make edges whole, the first one
+/// being in the middle of an edge: answers leave it out.
 pub fn from_axis((scene, contact): (&Scene, usize), mut points: Vec<Point>, order: Order, forces: bool) -> Vec<Point> {
-    let lacks = order != Order::Linear && points.len().is_multiple_of(usize::from(order.number()));
-    let are_known = forces || points.iter().all(|point| point.area.is_some());
-    let first = points.iter().copied().min_by(|a, b| a.position.total_cmp(&b.position));
-    let first = first.filter(|first| lacks && are_known && first.position > 0.0 && scene.is_around_axis(contact));
-    points.extend(first.map(|first| Point { position: 0.0, value: 0.0, area: first.area.map(|_| 0.0), ..first }));
     points.sort_by(|a, b| a.position.total_cmp(&b.position));
+    let are_known = forces || points.iter().all(|point| point.area.is_some());
+    let lacks =
+        order == Order::Quadratic && points.len().is_multiple_of(2) && are_known && scene.is_around_axis(contact);
+    if let [first, second, ..] = points[..]
+        && lacks
+        && first.position > 0.0
+        && (first.position / second.position - 0.5).abs() <= OFF
+    {
+        points.insert(0, Point { position: 0.0, value: 0.0, area: first.area.map(|_| 0.0), ..first });
+    }
     points
 }
 
-/// Part of the largest area by which areas may be off from those of an order.
+/// Part of the largest area, or of an edge, by which areas, or its middle, may be off from those of an order.
 const OFF: f64 = 0.01;
 
 /// The order of the edges of which the areas of points tell: 2 where they are theirs and not those of edges with two nodes; else 1.

@@ -255,9 +255,17 @@ impl<'a> Table<'a> {
         }
         // Where commas separate cells, one within a cell stood in quotes.
         let has_comma = |cell: &String| cell.contains(',') && number(&cell.replace([',', '.'], "")).is_some();
+        // A list in a column that is not read is none.
+        let is_read = |k: usize| {
+            let is = |role: &Role| {
+                let number = asked.column(*role).and_then(|column| column.parse().ok());
+                head.get(k).is_none_or(|title| asked.means(*role, title)) || number == Some(k + 1)
+            };
+            Role::OF_TABLES.iter().any(is)
+        };
         let commas = || {
-            let all = rows.iter().flat_map(|(line, own)| own.iter().map(move |cell| (line, cell)));
-            all.filter(|(_, cell)| has_comma(cell))
+            let all = rows.iter().flat_map(|(line, own)| own.iter().enumerate().map(move |(k, cell)| (k, line, cell)));
+            all.filter(|(k, _, cell)| has_comma(cell) && is_read(*k)).map(|(_, line, cell)| (line, cell))
         };
         let comma = commas().next().is_some();
         let has_marks = |(_, cell): &(_, &String)| cell.matches(',').count() > 1;

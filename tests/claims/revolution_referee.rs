@@ -335,6 +335,10 @@ fn forces_without_that_on_the_axis_are_read_with_it() {
     // Where the order is not told they are taken for corners, and the order is named.
     let found = judged_as(&truth, "theirs.csv", &text, &Asked::default());
     assert!(!found.met() && found.mistakes.iter().any(|told| told.contains("--order 2")), "{:?}", found.mistakes);
+    // Nodes that are lacking besides are not made up.
+    let lines: Vec<&str> = text.lines().collect();
+    let fewer = [&lines[..1], &lines[3..]].concat().join("\n") + "\n";
+    refused(handed::read(&truth.case, "theirs.csv", fewer, &by_nodes()), &["no whole number of edges"]);
     // A corner that is lacking elsewhere is none of the axis.
     let spoiled: String =
         all.lines().enumerate().filter(|(k, _)| *k != 3).map(|(_, line)| format!("{line}\n")).collect();

@@ -12,7 +12,7 @@ use rayon::prelude::*;
 
 use crate::balance::{scene, solved_on};
 use crate::scene_file::case;
-use crate::workbench::{kinematic, resolution};
+use crate::workbench::{kinematic, parsed, resolution};
 
 /// `√(3/2 s : s)` of the deviator s \[MPa\]: von Mises 1913.
 fn von_mises([x, y, xy]: [f64; 3], z: f64) -> f64 {
@@ -177,6 +177,37 @@ fn no_stress_is_quoted_beside_a_force_at_a_point_nor_a_corner_nor_a_pressure_wit
         let near = |[x, y]: [f64; 2]| (x - at[0]).abs() < 0.2 && (y - at[1]).abs() < 0.2;
         assert!(without_limit.iter().any(|one| one.because == because && near(one.at)), "{because}: {without_limit:?}");
     }
+}
+
+/// Parts that follow one another end nowhere between, one that goes on to a free corner not there, and complementary shear stresses are no end.
+#[test]
+fn shear_that_goes_on_ends_nowhere() {
+    let far = |part: &str| format!("{{ traction = {{ at = \"far\", {part}value = [10, -50] }} }}");
+    let part = |from: f64, to: f64| far(&format!("part = {{ along = \"x\", from = {from}, to = {to} }}, "));
+    let ends = |loads: &[String], supports: &str, elements: usize| -> Vec<[f64; 2]> {
+        let text = format!(
+            "plane = \"strain\"\nthickness = 1\n[[body]]\nname = \"block\"\nyoung = 210e3\npoisson = 0.3\n\
+             shape = {{ rectangle = {{ x = [0, 20], y = [0, 20], contact = \"bottom\" }} }}\n\
+             supports = [{{ at = \"left\", component = \"x\" }}{supports}]\nloads = [{}]\n\
+             [contact]\nfirst = \"block\"\ngap = {{ parabola = 100 }}\nstretch = 2\n[mesh]\nelements = {elements}\nper = 2\n",
+            loads.join(", ")
+        );
+        let all = stresses(&parsed(&text)).1.swap_remove(0).without_limit;
+        all.into_iter().filter(|one| one.because.starts_with("a shear")).map(|one| one.at).collect()
+    };
+    let at_line = vec![[0.0, 20.0]];
+    assert_eq!(ends(&[far("")], "", 8), at_line);
+    for at in [9.3, 10.0, 10.00001] {
+        assert_eq!(ends(&[part(0.0, at), part(at, 20.0)], "", 8), at_line, "{at}");
+    }
+    assert_eq!(ends(&[part(0.0, 20.0)], "", 8), at_line);
+    // Sides of one edge, whose corners are next to one another.
+    assert_eq!(ends(&[far("")], "", 1), at_line);
+    let right = "{ traction = { at = \"right\", value = [0, 20] } }".to_owned();
+    let top = "{ traction = { at = \"far\", value = [20, 0] } }".to_owned();
+    let held = ", { at = \"far\", component = \"y\", value = -0.01 }";
+    assert!(!ends(&[right.clone(), top], held, 8).contains(&[20.0, 20.0]));
+    assert_eq!(ends(&[right], held, 8), [[20.0, 20.0]]);
 }
 
 #[test]

@@ -131,9 +131,9 @@ def main():
     switched.clear()
     save()
     if asked.in_diff:
-        print(f"{len(drawn) - len(known)} were not tried")
         missed = [key for key, one in known.items() if one["tests"] == PASSED]
-        sys.exit("\n".join(["missed:", *missed]) if missed else None)
+        left = [key for key in drawn if key not in known]
+        sys.exit("\n".join(["missed:", *missed, "not tried:", *left]) if missed or left else None)
 
 
 if __name__ == "__main__":

@@ -205,19 +205,32 @@ pub fn of_family(
     let mut all = of_pressures(discretisation, run, family);
     if let Some(wanted) = wanted {
         all.extend(of_displacements(discretisation, run, family, wanted)?);
-        yield_at_points(&mut all);
+        yield_at_points(&discretisation.scene, &mut all);
     }
     Ok(all)
 }
 
-/// Leaves numbers unknown of contacts that share their force with a support at a point, whose part vanishes as the mesh is refined.
-fn yield_at_points(all: &mut [Barred]) {
+/// Leaves numbers unknown of contacts that share their force with a support at a point, whose part vanishes as the mesh is refined: those of the
+/// body that it holds, and of others that touch this one, directly or through others.
+fn yield_at_points(scene: &Scene, all: &mut [Barred]) {
     let is_reaction = |one: &Barred| matches!(one.quantity, Quantity::Reaction { .. });
-    if !all.iter().any(|one| is_reaction(one) && one.is_at_point()) {
-        return;
+    let held = all.iter().filter(|one| one.is_at_point()).filter_map(|one| match one.quantity {
+        Quantity::Reaction { body, .. } => Some(body),
+        _ => None,
+    });
+    let mut reached: Vec<usize> = held.collect();
+    for _ in &scene.contacts {
+        let touching = scene.contacts.iter().filter(|pair| pair.bodies().any(|body| reached.contains(&body)));
+        let more: Vec<usize> = touching.flat_map(|pair| pair.bodies()).collect();
+        reached.extend(more);
+        reached.sort_unstable();
+        reached.dedup();
     }
-    let is_shared =
-        |one: &&Barred| one.quantity == Quantity::Resultant && one.told.is_some_and(|told| told.is_of_mesh(one.value));
+    let touches = |contact: usize| scene.contacts[contact].bodies().any(|body| reached.contains(&body));
+    let is_shared = |one: &&Barred| {
+        let is_of_mesh = || one.told.is_some_and(|told| told.is_of_mesh(one.value));
+        one.quantity == Quantity::Resultant && touches(one.contact) && is_of_mesh()
+    };
     let contacts: Vec<usize> = all.iter().filter(is_shared).map(|one| one.contact).collect();
     for one in all.iter_mut().filter(|one| !is_reaction(one) && contacts.contains(&one.contact)) {
         one.yields();

@@ -57,10 +57,18 @@ pub struct Traction {
 impl Traction {
     /// The one that reaches an end of an edge, its first or its last.
     pub fn at(&self, edge: &Edge, end: usize) -> Option<[f64; 2]> {
-        let (xi, traction) = self.ends[end];
-        (self.edge == edge[..2] && xi.abs() == 1.0).then_some(traction)
+        let (_, traction) = self.ends[end];
+        (self.edge == edge[..2] && self.reaches(end)).then_some(traction)
+    }
+
+    /// Whether it goes on to the first or the last node of its edge, but for a part that no stress sees.
+    pub fn reaches(&self, end: usize) -> bool {
+        1.0 - self.ends[end].0.abs() <= UNSEEN
     }
 }
+
+/// Part of an edge that no stress sees.
+pub const UNSEEN: f64 = 1e-3;
 
 /// The tractions of every load of a body.
 pub fn tractions(scene: &Scene, mesh: &Mesh, body: usize) -> Result<Vec<Vec<Traction>>, Error> {

@@ -1,7 +1,7 @@
 //! The outline of a body: its edges, the angles between them, and how they are fixed.
 
 use std::collections::HashMap;
-use std::f64::consts::PI;
+use std::f64::consts::{FRAC_PI_4, PI};
 
 use crate::elasticity::{axis, shape_functions};
 use crate::mesh::{Edge, Mesh};
@@ -76,10 +76,11 @@ impl<'a> Outline<'a> {
         [arriving[0], leaving[1]].map(|node| self.turn(node))
     }
 
-    /// Whether it is smooth at a node: an arc drawn by chords turns at each of its nodes, a corner more than the nodes next to it.
+    /// Whether it is smooth at a node: an arc drawn by chords turns at each of its nodes, a corner more than the nodes next to it, or far.
     pub(super) fn is_smooth(&self, node: usize) -> bool {
         let [before, after] = self.next_turns(node);
-        self.turn(node).abs() <= before.abs() + after.abs() + TURN
+        let turn = self.turn(node).abs();
+        turn <= before.abs() + after.abs() + TURN && turn < FRAC_PI_4
     }
 
     fn turn(&self, node: usize) -> f64 {

@@ -12,7 +12,7 @@
 //! A side fixed along its normal is a line of symmetry, beside which the corner is one of 2θ. Finite tractions change none of it but where
 //! the shear stress τ on a smooth side leaps: there `σ = (2 Δτ/π) ln 1/r` along the side, Δτ being 2τ beside a line of symmetry at a right angle.
 
-use std::collections::HashSet;
+use std::collections::{BTreeMap, HashSet};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
 use crate::elasticity::loads::{self, Traction};
@@ -165,19 +165,31 @@ impl Discretisation {
             let is_right = || outline.angle(node).is_some_and(|angle| (angle - FRAC_PI_2).abs() <= TURN);
             match edges.map(|edge| side(&outline, edge)) {
                 [Free, Free] if outline.is_smooth(node) => Some(before + after),
-                [Free, Normal] if is_right() => Some(2.0 * before),
-                [Normal, Free] if is_right() => Some(2.0 * after),
+                [Free, Normal] if is_right() => Some(2.0 * (before - after)),
+                [Normal, Free] if is_right() => Some(2.0 * (after - before)),
                 _ => None,
             }
         };
         let has_leap = |leap: f64| leap.abs() > LEAP * largest;
         let at_nodes = outline.nodes().into_iter().filter(|&node| leap(node).is_some_and(has_leap));
         let mut all: Vec<WithoutLimit> = at_nodes.map(|node| self.at_node(node, SHEAR)).collect();
+        // Loads that follow one another within an edge leave no leap.
+        let mut within: BTreeMap<usize, Vec<(f64, f64)>> = BTreeMap::new();
         for one in loads.iter().flatten() {
             let Some(edge) = outline.leaving.get(&one.edge[0]) else { continue };
-            for end in one.ends.into_iter().filter(|end| end.0.abs() < 1.0 && has_leap(shear(edge, *end))) {
-                let (_, at, _) = shape_functions::on_edge(&self.mesh, edge, end.0);
-                all.push(WithoutLimit { at, nodes: edge[..2].to_vec(), because: SHEAR });
+            for end in [0, 1].into_iter().filter(|end| !one.reaches(*end)) {
+                let leap = shear(edge, one.ends[end]) * if end == 0 { 1.0 } else { -1.0 };
+                within.entry(edge[0]).or_default().push((one.ends[end].0, leap));
+            }
+        }
+        for (node, mut leaps) in within {
+            let edge = &outline.leaving[&node];
+            leaps.sort_by(|a, b| a.0.total_cmp(&b.0));
+            for near in leaps.chunk_by(|a, b| b.0 - a.0 <= loads::UNSEEN) {
+                if has_leap(near.iter().map(|(_, leap)| leap).sum()) {
+                    let (_, at, _) = shape_functions::on_edge(&self.mesh, edge, near[0].0);
+                    all.push(WithoutLimit { at, nodes: edge[..2].to_vec(), because: SHEAR });
+                }
             }
         }
         Ok(all)
