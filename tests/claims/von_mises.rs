@@ -184,30 +184,38 @@ fn no_stress_is_quoted_beside_a_force_at_a_point_nor_a_corner_nor_a_pressure_wit
 fn shear_that_goes_on_ends_nowhere() {
     let far = |part: &str| format!("{{ traction = {{ at = \"far\", {part}value = [10, -50] }} }}");
     let part = |from: f64, to: f64| far(&format!("part = {{ along = \"x\", from = {from}, to = {to} }}, "));
-    let ends = |loads: &[String], supports: &str, elements: usize| -> Vec<[f64; 2]> {
+    let ends = |loads: &[String], supports: &str, [shape, mesh]: [&str; 2]| -> Vec<[f64; 2]> {
         let text = format!(
-            "plane = \"strain\"\nthickness = 1\n[[body]]\nname = \"block\"\nyoung = 210e3\npoisson = 0.3\n\
-             shape = {{ rectangle = {{ x = [0, 20], y = [0, 20], contact = \"bottom\" }} }}\n\
+            "plane = \"strain\"\nthickness = 1\n[[body]]\nname = \"block\"\nyoung = 210e3\npoisson = 0.3\nshape = {shape}\n\
              supports = [{{ at = \"left\", component = \"x\" }}{supports}]\nloads = [{}]\n\
-             [contact]\nfirst = \"block\"\ngap = {{ parabola = 100 }}\nstretch = 2\n[mesh]\nelements = {elements}\nper = 2\n",
+             [contact]\nfirst = \"block\"\ngap = {{ parabola = 100 }}\nstretch = 5\n{mesh}",
             loads.join(", ")
         );
         let all = stresses(&parsed(&text)).1.swap_remove(0).without_limit;
         all.into_iter().filter(|one| one.because.starts_with("a shear")).map(|one| one.at).collect()
     };
     let at_line = vec![[0.0, 20.0]];
-    assert_eq!(ends(&[far("")], "", 8), at_line);
-    for at in [9.3, 10.0, 10.00001] {
-        assert_eq!(ends(&[part(0.0, at), part(at, 20.0)], "", 8), at_line, "{at}");
+    let rectangle = "{ rectangle = { x = [0, 20], y = [0, 20], contact = \"bottom\" } }";
+    let [fine, coarse] =
+        ["[mesh]\nelements = 8\nper = 2\n", "[mesh]\nelements = 1\nper = 2\n"].map(|mesh| [rectangle, mesh]);
+    // Cells that no part of a load divides.
+    let blocks = "{ blocks = [{ corners = [[0, 0], [20, 0], [20, 20], [0, 20]], elements = [8, 8], \
+        bottom = \"contact\", left = \"left\", top = \"far\" }] }";
+    for on in [fine, [blocks, ""]] {
+        assert_eq!(ends(&[far("")], "", on), at_line, "{on:?}");
+        for at in [9.3, 10.0, 10.00001] {
+            assert_eq!(ends(&[part(0.0, at), part(at, 20.0)], "", on), at_line, "{at}: {on:?}");
+        }
+        assert_eq!(ends(&[part(0.0, 20.0)], "", on), at_line, "{on:?}");
     }
-    assert_eq!(ends(&[part(0.0, 20.0)], "", 8), at_line);
+    assert_eq!(ends(&[part(0.0, 9.3)], "", [blocks, ""]).len(), 2);
     // Sides of one edge, whose corners are next to one another.
-    assert_eq!(ends(&[far("")], "", 1), at_line);
+    assert_eq!(ends(&[far("")], "", coarse), at_line);
     let right = "{ traction = { at = \"right\", value = [0, 20] } }".to_owned();
     let top = "{ traction = { at = \"far\", value = [20, 0] } }".to_owned();
     let held = ", { at = \"far\", component = \"y\", value = -0.01 }";
-    assert!(!ends(&[right.clone(), top], held, 8).contains(&[20.0, 20.0]));
-    assert_eq!(ends(&[right], held, 8), [[20.0, 20.0]]);
+    assert!(!ends(&[right.clone(), top], held, fine).contains(&[20.0, 20.0]));
+    assert_eq!(ends(&[right], held, fine), [[20.0, 20.0]]);
 }
 
 #[test]

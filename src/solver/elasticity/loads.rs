@@ -63,7 +63,7 @@ impl Traction {
 
     /// Whether it goes on to the first or the last node of its edge, but for a part that no stress sees.
     pub fn reaches(&self, end: usize) -> bool {
-        1.0 - self.ends[end].0.abs() <= UNSEEN
+        (self.ends[end].0 - [-1.0, 1.0][end]).abs() <= UNSEEN
     }
 }
 
@@ -198,7 +198,7 @@ impl<'a> LoadedSide<'a> {
         }
     }
 
-    /// What acts at the ends of every piece.
+    /// What acts at the ends of every piece that a stress sees.
     fn at_ends(&self, action: &Action) -> Vec<Traction> {
         let traction = self.traction(action);
         let at = |edge: &Edge, xi: f64| {
@@ -207,7 +207,7 @@ impl<'a> LoadedSide<'a> {
         };
         let of =
             |(edge, ends): &(&Edge, [f64; 2])| Traction { edge: [edge[0], edge[1]], ends: ends.map(|xi| at(edge, xi)) };
-        self.pieces.iter().map(of).collect()
+        self.pieces.iter().filter(|(_, [begin, end])| end - begin > UNSEEN).map(of).collect()
     }
 
     /// Area of the side \[mm²\].
