@@ -210,6 +210,10 @@ pub fn of_family(
     Ok(all)
 }
 
+/// Bar of a contact's force over that, up to which what a point takes of it has settled: it vanishes by the logarithm of the elements alone, which on
+/// meshes within reach is no more than that.
+const SETTLED: f64 = 0.01;
+
 /// Leaves numbers unknown of contacts that share their force with a support at a point, whose part vanishes as the mesh is refined: those of the
 /// body that it holds, and of others that touch this one, directly or through others.
 fn yield_at_points(scene: &Scene, all: &mut [Barred]) {
@@ -228,8 +232,7 @@ fn yield_at_points(scene: &Scene, all: &mut [Barred]) {
     }
     let touches = |contact: usize| scene.contacts[contact].bodies().any(|body| reached.contains(&body));
     let is_shared = |one: &&Barred| {
-        let is_of_mesh = || one.told.is_some_and(|told| told.is_of_mesh(one.value));
-        one.quantity == Quantity::Resultant && touches(one.contact) && is_of_mesh()
+        one.quantity == Quantity::Resultant && touches(one.contact) && one.bar.mesh > SETTLED * one.value.abs()
     };
     let contacts: Vec<usize> = all.iter().filter(is_shared).map(|one| one.contact).collect();
     for one in all.iter_mut().filter(|one| !is_reaction(one) && contacts.contains(&one.contact)) {

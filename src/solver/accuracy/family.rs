@@ -133,8 +133,6 @@ pub struct Evidence {
     pub apart: f64,
     /// What an element is over the contact, `(h/a)^s`, times the scale of the number.
     pub hidden: f64,
-    /// Difference to the next finer mesh, where that tells the number; what it is counted on with is known otherwise.
-    pub next: f64,
     /// What is known otherwise; NaN where no mesh tells.
     pub rest: f64,
 }
@@ -148,7 +146,7 @@ impl Evidence {
 
     /// Whether meshes find a force otherwise, which statics alone do not give then; round-off of it is relative to a force.
     pub(super) fn is_of_mesh(&self, scale: f64) -> bool {
-        self.apart.max(self.next) > STATICS * ROUND_OFF * scale.abs()
+        self.apart > STATICS * ROUND_OFF * scale.abs()
     }
 
     /// The same with more that is known otherwise.
@@ -411,7 +409,7 @@ impl Family {
             let is_top = row.kind == Kind::Peak && self.circles[contact] && self.smoothed[contact];
             let [factor, read] = [factor, read].map(|told| if is_top { SMOOTHED * told } else { told });
             let rest = factor * apart + (misfit + ROUND_OFF) * scale + read + cusp + of_other;
-            return Evidence { row, apart: 0.0, hidden: 0.0, next: apart, rest };
+            return Evidence { row, apart: 0.0, hidden: 0.0, rest };
         }
         let [hidden, missed] = match self.on_ends {
             // What statics give is the same wherever the contact ends.
@@ -441,7 +439,7 @@ impl Family {
         };
         let apart = surface * factor * known.into_iter().fold(0.0, f64::max);
         let hidden = surface * hidden * scale.abs();
-        let told = Evidence { row, apart, hidden, next: 0.0, rest: (missed + ROUND_OFF) * scale.abs() + read };
+        let told = Evidence { row, apart, hidden, rest: (missed + ROUND_OFF) * scale.abs() + read };
         // Meshes that read an end at a node that they share agree by that alone.
         let is_read = row.kind == Kind::End
             && (measures.across || discrete.abs() > 0.0)
