@@ -108,6 +108,26 @@ fn mesh_that_judges_one_is_the_next_that_is_judged() {
     assert_eq!(orders[orders.len() - 2].dofs, answer.run.dofs);
 }
 
+/// What was too coarse by the bars that the next mesh told is good enough by the distance from a finer one.
+#[test]
+fn mesh_that_a_finer_one_shows_to_be_good_enough_is_answered() {
+    for (family, asked, most) in [
+        (Family::Wedge, 1e-2, 1_000),
+        (Family::Wedge, 1e-3, 2_000),
+        (Family::Skew, 1e-2, 3_000),
+        (Family::Skew, 1e-3, 5_000),
+        (Family::Skew, 1e-4, 7_000),
+    ] {
+        let site = Site { family, number: family::FIRST + 1 };
+        let sample = site.sample().expect("a scene");
+        let answer = accuracy::solve(&sample.scene, &Formulation::verification(), &Asked::new(asked)).expect("solved");
+        let record = Record::of(&site, asked, &sample, &answer);
+        assert!(record.met && !record.is_falsely_met() && record.error() <= answer.estimate(), "{record:?}");
+        let (judge, last) = (&answer.judge.as_ref().expect("held").1, answer.tried.last().expect("solved"));
+        assert!(judge.dofs < last.dofs && record.dofs <= most, "{} of {}, {record:?}", judge.dofs, last.dofs);
+    }
+}
+
 /// The answer to an accuracy with so many dofs at most, and the dofs of all meshes that were told of.
 fn bounded(scene: &Scene, formulation: &Formulation, relative: f64, most: usize) -> (Answer, Vec<usize>) {
     let told = Mutex::new(Vec::new());

@@ -2,7 +2,7 @@
 //!
 //! They know where the contact ends, and where the curvature of its gap leaps, by mesh lines; 8-node cells know it by pressures alone, so
 //! that these take three times as many dofs to tell the half-width. Each mesh is judged by the next one, which is then the one that is
-//! judged.
+//! judged. Once one is good enough, those before it are judged by it, and the cheapest that is good enough is answered.
 
 use crate::accuracy::coarser::finer;
 use crate::accuracy::longest::longest;
@@ -48,10 +48,11 @@ pub(super) fn applies(scene: &Scene, formulation: &Formulation, asked: &Asked) -
     asked.high_order && is_meshed && formulation.element == Element::Node && asked.quantities.iter().all(known)
 }
 
-/// The first such mesh whose bars, by the next one, are within what is asked, held with that, or else the best of them.
+/// The cheapest of such meshes that is good enough, as the first whose bars, by the next one, are within what is asked shows, held with what judges
+/// it; or else the best of them.
 pub(super) fn found(scene: &Scene, rungs: &mut Rungs) -> Result<Option<(Rung, Option<Held>)>, Error> {
     let asked = rungs.asked.relative;
-    let mut best: Option<Rung> = None;
+    let mut cheaper: Vec<(Discretisation, Rung)> = Vec::new();
     let mut mesh = first(scene, rungs);
     let (mut stalled, mut before) = (0, f64::INFINITY);
     while let Some((discretisation, mut rung)) = mesh {
@@ -59,11 +60,16 @@ pub(super) fn found(scene: &Scene, rungs: &mut Rungs) -> Result<Option<(Rung, Op
         rungs.judge((&discretisation, &mut rung), next.as_ref())?;
         let estimate = rung.error;
         if estimate <= asked {
-            return Ok(Some((rung, Some((discretisation, next.map(|(finer, judge)| (finer, judge.run)))))));
+            let is_enough = |(_, own): &mut (Discretisation, Rung)| rungs.is_enough(own, &rung);
+            return Ok(Some(match cheaper.iter_mut().position(is_enough) {
+                Some(at) => {
+                    let (own, cheapest) = cheaper.swap_remove(at);
+                    (cheapest, Some((own, Some((discretisation, rung.run)))))
+                }
+                None => (rung, Some((discretisation, next.map(|(finer, judge)| (finer, judge.run))))),
+            }));
         }
-        if best.as_ref().is_none_or(|best| best.error.is_nan() || estimate < best.error) {
-            best = Some(rung);
-        }
+        cheaper.push((discretisation, rung));
         // What is not smooth within a cell gains nothing by its order, and may by smaller cells.
         stalled = if estimate <= SLOW * before { 0 } else { stalled + 1 };
         if stalled > PATIENCE {
@@ -71,7 +77,10 @@ pub(super) fn found(scene: &Scene, rungs: &mut Rungs) -> Result<Option<(Rung, Op
         }
         (mesh, before) = (next, estimate);
     }
-    Ok(best.map(|best| (best, None)))
+    // None is good enough.
+    let is_better = |rung: &Rung, best: &Rung| best.error.is_nan() || rung.error < best.error;
+    let all = cheaper.into_iter().map(|(_, rung)| rung);
+    Ok(all.reduce(|best, rung| if is_better(&rung, &best) { rung } else { best }).map(|best| (best, None)))
 }
 
 /// The first mesh, whose lines lie on the ends of the contact that the cheap one shows; a coarser one where the iteration does not converge on

@@ -3,7 +3,7 @@
 use crate::accuracy::answer::{largest, quoted};
 use crate::accuracy::bar::{judged, of_contacts};
 use crate::accuracy::watch::{Tell, Watch};
-use crate::accuracy::{Answer, Asked, Barred, Quantity, Tried, TriedContact, fitted};
+use crate::accuracy::{Answer, Asked, Bar, Barred, Quantity, Tried, TriedContact, fitted};
 use crate::error::{Error, Kind};
 use crate::measure::larger;
 use crate::mesh::Resolution;
@@ -103,6 +103,23 @@ impl<'a> Rungs<'a> {
         self.limit(discretisation, rung)?;
         self.take(&judged(discretisation, &rung.run, (finer, &judge.run)), rung);
         Ok(())
+    }
+
+    /// Whether a mesh is good enough by its distance from a finer one, to which the bar there is added; its estimates are these then.
+    pub(super) fn is_enough(&mut self, rung: &mut Rung, finer: &Rung) -> bool {
+        let by_finer = |one: &Barred| {
+            let judge = finer.estimates.iter().find(|other| other.is_of(one.contact, &one.quantity));
+            let mesh = judge.map_or(f64::NAN, |judge| (one.value - judge.value).abs() + judge.bar.total());
+            Barred { bar: Bar { mesh, ..one.bar }, unknown: None, ..one.clone() }
+        };
+        let estimates: Vec<Barred> = rung.estimates.iter().map(by_finer).collect();
+        let error = largest(&estimates);
+        let is_enough = error <= self.asked.relative;
+        if is_enough {
+            (rung.estimates, rung.error) = (estimates, error);
+            self.tried[rung.number].estimate = error;
+        }
+        is_enough
     }
 
     /// Looks at whether the peaks of a mesh have a limit.
