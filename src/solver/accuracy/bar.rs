@@ -6,15 +6,16 @@
 //! `u = F max |f₀ − fᵢ| / (rᵢ^q − 1) + C (h/a)^s + D`,
 //!
 //! where `counted` has the constants of each kind of number, and with it what the growth leaves where a body bends, and what the error of
-//! its force leaves in the other numbers of a contact (`family`). It takes the worst of four neighbours instead of extrapolating: the
+//! its force leaves in the other numbers of a contact (`evidence`). It takes the worst of four neighbours instead of extrapolating: the
 //! end of a contact lies at another place of its element on each mesh, and two of them may agree by accident. A series that
 //! oscillates or has not begun to converge makes it wider. On cells of order 4 to 8 that end with the contact errors fall from order to
 //! order, and the next finer mesh tells them: `u = F |f₀ − f₁| + D`, F of a peak and of what else pressures tell, under smooth gaps and others,
-//! being `family::BY_NEXT`. Where a maximum lies is known no better than how high it is: it may be wherever the pressure comes near it.
+//! being `evidence::BY_NEXT`. Where a maximum lies is known no better than how high it is: it may be wherever the pressure comes near it.
 //!
 //! The parts of iteration and penalty are differences to the solution of the same discrete problem, which is exact.
 
-use crate::accuracy::family::{Evidence, Family, LOST, discrete_of, lost_balance};
+use crate::accuracy::evidence::Evidence;
+use crate::accuracy::family::{Family, LOST, discrete_of, lost_balance};
 use crate::accuracy::longest::longest;
 use crate::accuracy::reading::{self, Reading, of_discrete, recovered, value_of};
 use crate::accuracy::watch::up_to;

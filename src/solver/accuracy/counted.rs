@@ -3,7 +3,7 @@
 //! `u = F max |f₀ − fᵢ| / (rᵢ^q − 1) + C (h/a)^s + D`: the finest value f₀, those of meshes of the sizes `rᵢ h`, the part C that
 //! the end of a contact may hide, as it lies somewhere within an element of each mesh and all of them may agree by accident, and
 //! what is known otherwise, D: of a peak how far two readings of it are apart on the mesh itself, what a top narrower than its elements
-//! hides (`family`).
+//! hides (`evidence`).
 //!
 //! F and C are the narrowest that hold on random scenes of closed form: the study *coverage* records those scenes, a test derives
 //! the constants from the record again, and other scenes judge them. q is no claim of an order: pressures at the points of line and

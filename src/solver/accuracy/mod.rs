@@ -2,7 +2,9 @@
 //!
 //! * [`reading`] — the numbers that are quoted of a run.
 //! * [`mod@bar`] — how far each may be from the truth, and how it is told: of what, its name, and its unit.
-//! * [`mod@family`] — what coarser meshes say of it.
+//! * [`mod@family`] — the same run on the meshes that tell it.
+//! * [`mod@evidence`] — what those say of each number.
+//! * `elements` — what of a mesh that depends on.
 //! * [`mod@coarser`] — the same scene on coarser meshes.
 //! * [`counted`] — how far differences between meshes tell the error.
 //! * [`answer`] — what is asked, and what is answered.
@@ -11,7 +13,7 @@
 //! * [`mod@longest`] — how far candidates may go.
 //! * `evenly` — several contacts, and bodies whose mesh is given.
 //! * `rungs` — the meshes of a search, each solved from the active set of the one before.
-//! * `by_order` — cells of higher and higher order that end with the contacts, each mesh judged by the next.
+//! * `by_order` — cells of higher and higher order that end with the contacts, each mesh judged by a finer one.
 //! * `search` — finer and finer meshes of one of the two families, until the bars of one are within what is asked.
 //! * [`mod@reference`] — numbers to five digits, by meshes fitted to the contact.
 //! * `watch` — which meshes are solved, and what is told of each before it is.
@@ -30,7 +32,9 @@ pub mod bar;
 mod by_order;
 pub mod coarser;
 pub mod counted;
+mod elements;
 mod evenly;
+pub mod evidence;
 pub mod family;
 pub mod fitted;
 mod length;
@@ -50,7 +54,8 @@ use crate::solve::{Discretisation, Formulation, Iteration};
 pub use crate::measure::Quantity;
 pub use answer::{Answer, Asked, Tried, TriedContact};
 pub use bar::{Bar, Barred, Bars, Told, bars, bars_up_to, of_family};
-pub use family::{Evidence, Family};
+pub use evidence::Evidence;
+pub use family::Family;
 pub use watch::{Next, Tell};
 
 /// Smallest and largest relative error that may be asked for.

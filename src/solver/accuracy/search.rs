@@ -90,9 +90,8 @@ fn refine(
     let loose = if other.is_some() { BESIDE } else { 0.0 };
     let elements = layout.begins(rungs.asked.relative.max(loose));
     let mut elements = begins.map_or(elements, |begins| elements.min(begins.max(fitted::FEWEST)));
-    let mut best: Option<Rung> = None;
+    let mut course = Course::default();
     let mut why = "the mesh leaves too large an error".to_owned();
-    let (mut idle, mut far, mut last) = (0, 0, [f64::NAN; 2]);
     for _ in 0..MOST {
         let laid = layout.laid(elements);
         let solved = match rungs.too_large(&laid) {
@@ -110,7 +109,7 @@ fn refine(
         };
         let (discretisation, mut rung) = match solved {
             Ok(solved) => solved,
-            Err(_) if best.is_none() && elements > fitted::FEWEST => {
+            Err(_) if course.best.is_none() && elements > fitted::FEWEST => {
                 elements = (elements / 2).max(fitted::FEWEST);
                 continue;
             }
@@ -121,58 +120,25 @@ fn refine(
         };
         if !rung.run.solution.converged() {
             why = format!("the iteration ended so on the last mesh: {}", rung.run.solution.outcome);
-            best = best.or(Some(rung));
+            course.best = course.best.or(Some(rung));
             break;
         }
         if layout.looks(&rung.scene, &rung.run) {
             continue;
         }
         rungs.look(&discretisation, &mut rung)?;
-        if rung.is_open() {
-            return rungs.answer(
-                rung,
-                Some((discretisation, None)),
-                Some("no contact: every candidate is open".into()),
-            );
+        let is_open = rung.is_open();
+        if is_open || rung.error <= rungs.asked.relative {
+            let unmet = is_open.then(|| "no contact: every candidate is open".into());
+            return rungs.answer(rung, Some((discretisation, None)), unmet);
         }
-        let (error, dofs) = (rung.error, rung.run.dofs as f64);
-        if error <= rungs.asked.relative {
-            return rungs.answer(rung, Some((discretisation, None)), None);
-        }
-        elements = layout.finer(elements, ratio(error / rungs.asked.relative));
-        let before = best.as_ref().map_or(f64::NAN, |best| best.error);
-        let (falls, patience) = IDLE;
-        idle = if before.is_nan() || error < falls * before { 0 } else { idle + 1 };
-        // Numbers that a finer mesh moves by more than their bars, or does not know, were too coarse to tell how far they are off.
-        if before.is_nan()
-            || error.is_nan()
-            || error < before
-            || best.as_ref().is_some_and(|best| best.is_refuted_by(&rung))
-        {
-            best = Some(rung);
-        }
-        if other.as_ref().is_some_and(|other| dofs > other.run.dofs as f64 && error > HOPELESS * other.error) {
-            why = format!(
-                "cells of high order leave less than 8-node cells, which leave {} %",
-                percent_rounded_up(error)
-            );
+        elements = layout.finer(elements, ratio(rung.error / rungs.asked.relative));
+        if let Some(reason) = course.ends_with(rung, other.as_ref(), rungs.asked.relative) {
+            why = reason;
             break;
         }
-        if idle >= patience {
-            why = "on finer meshes the error bars are no smaller".into();
-            break;
-        }
-        far = if is_far(last, [dofs, error], rungs.asked.relative) { far + 1 } else { 0 };
-        if far > 1 {
-            why = match error.is_nan() {
-                true => "large meshes tell no error bar either",
-                false => "as its bars fall from mesh to mesh, one that is fine enough would be far too large",
-            }
-            .into();
-            break;
-        }
-        last = [dofs, error];
     }
+    let best = course.best;
     let is_better = |other: &Rung| best.as_ref().is_none_or(|best| best.error.is_nan() || other.error < best.error);
     match other.filter(is_better).or(best).or_else(|| rungs.first.take().map(|(_, first)| first)) {
         Some(best) => rungs.answer(best, None, Some(why)),
@@ -180,6 +146,51 @@ fn refine(
             let remedy = "give `elements` and `per` instead of the accuracy";
             Err(Error::at(Place::Solve(scene.name.clone()), why, remedy))
         }
+    }
+}
+
+/// What finer and finer meshes have come to, none of which was enough.
+struct Course {
+    best: Option<Rung>,
+    /// Meshes in a row whose bars are no smaller.
+    idle: usize,
+    /// Meshes in a row whose bars tell that far larger ones would be needed.
+    far: usize,
+    /// Dofs and largest relative bar of the last one.
+    last: [f64; 2],
+}
+
+impl Default for Course {
+    fn default() -> Self {
+        Self { best: None, idle: 0, far: 0, last: [f64::NAN; 2] }
+    }
+}
+
+impl Course {
+    /// Takes a mesh beside the best one of high order; why it is the last one, if it is.
+    fn ends_with(&mut self, rung: Rung, other: Option<&Rung>, asked: f64) -> Option<String> {
+        let (error, dofs) = (rung.error, rung.run.dofs as f64);
+        let before = self.best.as_ref().map_or(f64::NAN, |best| best.error);
+        let (falls, patience) = IDLE;
+        self.idle = if before.is_nan() || error < falls * before { 0 } else { self.idle + 1 };
+        self.far = if is_far(self.last, [dofs, error], asked) { self.far + 1 } else { 0 };
+        self.last = [dofs, error];
+        // Numbers that a finer mesh moves by more than their bars, or does not know, were too coarse to tell how far they are off.
+        let is_refuted = |best: &Rung| best.is_refuted_by(&rung);
+        if before.is_nan() || error.is_nan() || error < before || self.best.as_ref().is_some_and(is_refuted) {
+            self.best = Some(rung);
+        }
+        if other.is_some_and(|other| dofs > other.run.dofs as f64 && error > HOPELESS * other.error) {
+            let left = percent_rounded_up(error);
+            return Some(format!("cells of high order leave less than 8-node cells, which leave {left} %"));
+        }
+        if self.idle >= patience {
+            return Some("on finer meshes the error bars are no smaller".into());
+        }
+        (self.far > 1).then(|| match error.is_nan() {
+            true => "large meshes tell no error bar either".into(),
+            false => "as its bars fall from mesh to mesh, one that is fine enough would be far too large".into(),
+        })
     }
 }
 
