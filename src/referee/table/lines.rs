@@ -1,0 +1,281 @@
+//! Lines of a table as names and rows of cells: what separates them, where the names stand, and which rows are of the state that is judged.
+
+use crate::error::Error;
+use crate::referee::answer::FEWEST;
+use crate::referee::asked::Asked;
+use crate::referee::source::Source;
+use crate::referee::state::State;
+use crate::referee::table::cells::{
+    cells, comment, fitting, inner, is_data, is_known_unit, is_like_number, is_of_thousands, is_rule, is_unit, number,
+    split,
+};
+use crate::referee::table::columns::HEADER;
+use crate::referee::units::Role;
+
+/// What to do about a second table.
+pub(super) const ONE: &str = "keep the table of the side, step and frame that is to be judged, and remove the others; of one that was printed in pages remove the \
+                   lines between them";
+
+/// What to do about a column of times that is none.
+const TIMED: &str =
+    "write the time of its state as a number beside every point, or leave the column out where all are of one state";
+
+/// What separates cells: the mark by which most lines are rows of numbers.
+const MARKS: [char; 4] = [';', '\t', ',', ' '];
+/// Lines by which what separates cells is found.
+const SEEN: usize = 1000;
+/// What columns of times are called, by code_aster too.
+const TIMES: [&str; 2] = ["time", "inst"];
+/// What lines below the numbers of a report begin with; `at` where no number follows.
+const BELOW: [&str; 4] = ["minimum", "maximum", "total", "at"];
+
+/// A file as names and lines of cells.
+pub(super) struct Table<'a> {
+    pub(super) head: Vec<String>,
+    pub(super) rows: Vec<(&'a str, Vec<String>)>,
+    /// Whether numbers have a decimal comma.
+    pub(super) comma: bool,
+    /// The time whose rows it has, and all times of the file.
+    pub(super) states: Option<(State, Vec<State>)>,
+}
+
+impl<'a> Table<'a> {
+    pub(super) fn of(source: &Source<'a>, asked: &Asked) -> Result<Self, Error> {
+        let lines: Vec<&str> = source.text.lines().filter(|line| !is_rule(line)).collect();
+        if lines.is_empty() {
+            return Err(source.refused("it holds nothing", HEADER));
+        }
+        let begins = Begins::of(&lines, asked);
+        let (begin, head) = begins.names(source, &lines, asked)?;
+        let mut table = Self { head, rows: Vec::new(), comma: false, states: None };
+        table.read(source, (&lines, begin), begins, asked)?;
+        // ParaView writes zeros where a line leaves the grid, and masks them.
+        if let Some(mask) = table.head.iter().position(|title| title.eq_ignore_ascii_case("vtkValidPointMask")) {
+            table.rows.retain(|(_, cells)| cells.get(mask).and_then(|cell| number(cell)) != Some(0.0));
+        }
+        table.choose_state(source, asked)?;
+        table.comma = table.has_decimal_commas(source, asked)?;
+        Ok(table)
+    }
+
+    /// Takes the lines behind the names: rows of units before the numbers, and rows of numbers up to what stands below them.
+    fn read(
+        &mut self,
+        source: &Source<'a>,
+        (lines, begin): (&[&'a str], usize),
+        Begins { mark, first, .. }: Begins,
+        asked: &Asked,
+    ) -> Result<(), Error> {
+        let (names, wanted) = (self.head.clone(), self.head.len());
+        for (k, line) in lines.iter().enumerate().skip(begin) {
+            let is_above = first.is_some_and(|first| k < first);
+            if let Some(said) = comment(line) {
+                let own = fitting(said, mark, wanted);
+                if is_above && are_units(&own, wanted) {
+                    self.head = with_units(&self.head, &own);
+                }
+                continue;
+            }
+            let own = fitting(line, mark, wanted);
+            // What begins like a number is of a row, which is refused where it is none.
+            let is_word = |cell: &String| is_unit(cell) || number(cell).is_none() && !is_like_number(cell);
+            match is_above && own.iter().all(is_word) {
+                true if own.len() == wanted && own.iter().any(|cell| is_known_unit(inner(cell))) => {
+                    self.take_units(source, line, &own, asked)?;
+                }
+                // The second line of a head of two.
+                true => {}
+                false if is_below(line, mark) => {
+                    let is_row = |line: &str| is_row(line, mark) && !is_below(line, mark);
+                    let is_more = |line: &&&str| is_row(line) && fitting(line, mark, wanted).len() == wanted;
+                    let more = lines[k..].iter().find(is_more);
+                    return more.map_or(Ok(()), |more| Err(source.at(more, ANOTHER, ONE)));
+                }
+                false if own == names => return Err(source.at(line, ANOTHER, ONE)),
+                false => self.rows.push((line, own)),
+            }
+        }
+        Ok(())
+    }
+
+    /// Takes a row of units; those of columns that are not read need not be known.
+    fn take_units(&mut self, source: &Source, line: &str, units: &[String], asked: &Asked) -> Result<(), Error> {
+        let is_read =
+            |title: &str| [Role::Position, Role::X, Role::Pressure].into_iter().any(|role| asked.means(role, title));
+        let unknown = self.head.iter().zip(units).find(|(title, cell)| !is_unit(cell) && is_read(title));
+        if let Some((_, unknown)) = unknown {
+            let message = format!("this row of units has `{unknown}`, which is none that is known");
+            let remedy = "write units that `--help` tells, or remove the row and name them by --unit";
+            return Err(source.at(line, message, remedy));
+        }
+        self.head = with_units(&self.head, units);
+        Ok(())
+    }
+
+    /// Keeps the rows of the time that is asked for; of several times the last one is judged, as of grids.
+    fn choose_state(&mut self, source: &Source, asked: &Asked) -> Result<(), Error> {
+        let is_time = |title: &String| TIMES.iter().any(|time| split(title).0.eq_ignore_ascii_case(time));
+        let column = self.head.iter().position(is_time);
+        if asked.has_state() && column.is_none() {
+            return Err(State::only(source.file));
+        }
+        let Some(column) = column.filter(|_| !self.rows.is_empty()) else { return Ok(()) };
+        let time = |cells: &[String]| cells.get(column).and_then(|cell| number(cell)).filter(|time| time.is_finite());
+        if let Some((line, cells)) = self.rows.iter().find(|(_, cells)| time(cells).is_none()) {
+            let own = cells.get(column).map_or("", String::as_str);
+            let message = format!("`{}` is `{own}`, which is no number", self.head[column]);
+            return Err(source.at(line, message, TIMED));
+        }
+        let time = |cells: &[String]| time(cells).unwrap_or(f64::NAN);
+        let mut states: Vec<State> =
+            self.rows.iter().map(|(_, cells)| State { step: None, time: time(cells) }).collect();
+        let last = states.iter().map(|state| state.time).fold(f64::NEG_INFINITY, f64::max);
+        states.dedup_by(|a, b| a.is_at(b.time));
+        let asked = Asked { time: asked.time.or(Some(last)), ..asked.clone() };
+        let state = states[State::chosen(source, &states, &asked)?];
+        self.rows.retain(|(_, cells)| state.is_at(time(cells)));
+        if self.rows.len() < FEWEST {
+            let message = format!("{} of its rows are of {state}, and a profile needs {FEWEST}", self.rows.len());
+            return Err(source.refused(message, TIMED));
+        }
+        self.states = Some((state, states));
+        Ok(())
+    }
+
+    /// Whether numbers have decimal commas: where commas separate cells, one within a cell stood in quotes. A list in a column that is not read
+    /// has none.
+    fn has_decimal_commas(&self, source: &Source, asked: &Asked) -> Result<bool, Error> {
+        let has_comma = |cell: &String| cell.contains(',') && number(&cell.replace([',', '.'], "")).is_some();
+        let is_read = |k: usize| {
+            let is = |role: &Role| {
+                let number = asked.column(*role).and_then(|column| column.parse().ok());
+                self.head.get(k).is_none_or(|title| asked.means(*role, title)) || number == Some(k + 1)
+            };
+            Role::OF_TABLES.iter().any(is)
+        };
+        let all =
+            self.rows.iter().flat_map(|(line, own)| own.iter().enumerate().map(move |(k, cell)| (k, *line, cell)));
+        let commas: Vec<(&str, &String)> =
+            all.filter(|(k, _, cell)| has_comma(cell) && is_read(*k)).map(|(_, line, cell)| (line, cell)).collect();
+        let has_marks = |(_, cell): &&(&str, &String)| cell.matches(',').count() > 1;
+        let may_be = || commas.first().filter(|_| commas.iter().all(|(_, cell)| is_of_thousands(cell)));
+        if let Some((line, cell)) = commas.iter().find(has_marks).or_else(may_be) {
+            let message = format!("`{cell}` may be a number with a decimal comma, or one with marks between thousands");
+            return Err(source.at(line, message, "write numbers with a decimal point, and no mark between thousands"));
+        }
+        Ok(!commas.is_empty())
+    }
+}
+
+/// Where the numbers of a table begin.
+struct Begins {
+    /// What separates cells.
+    mark: char,
+    /// The first row; none where there is none.
+    first: Option<usize>,
+    /// Its cells.
+    count: Option<usize>,
+}
+
+impl Begins {
+    fn of(lines: &[&str], asked: &Asked) -> Self {
+        let rows = |mark: &char| lines.iter().take(SEEN).filter(|line| is_row(line, *mark)).count();
+        let most = MARKS.iter().map(rows).max().unwrap_or_default();
+        let stands = |mark: &char| lines.first().is_some_and(|line| line.trim().contains(*mark));
+        let is_it = |mark: &char| if most > 0 { rows(mark) == most } else { stands(mark) };
+        let mark = MARKS.into_iter().find(is_it).unwrap_or(',');
+        // Where names stand behind a row or two of numbers, such as counts, and none before these, the rows behind them are the first.
+        let is_head = |line: &str| is_head(&cells(comment(line).unwrap_or(line), mark), asked);
+        let data = (0..lines.len()).filter(|&k| is_row(lines[k], mark)).take(FEWEST).collect::<Vec<usize>>();
+        let headed = || data.iter().copied().find(|&k| k > 0 && is_head(lines[k - 1]));
+        let is_plain = data.first().is_some_and(|&first| lines[..first].iter().any(|line| is_head(line)));
+        let first = data.first().map(|&first| if is_plain { first } else { headed().unwrap_or(first) });
+        // What all rows have behind their last mark is no cell.
+        let ends =
+            |first: usize| mark != ' ' && lines[first..].iter().take(SEEN).all(|line| line.trim_end().ends_with(mark));
+        let count = first.map(|first| cells(lines[first], mark).len() - usize::from(ends(first)));
+        Self { mark, first, count }
+    }
+
+    /// The names, and the line behind them.
+    fn names(&self, source: &Source, lines: &[&str], asked: &Asked) -> Result<(usize, Vec<String>), Error> {
+        let &Self { mark, first, count } = self;
+        match (head(&lines[..first.unwrap_or(lines.len().min(1))], mark, count, asked), count) {
+            (Some((index, head)), _) => Ok((index + 1, head)),
+            // Names of columns without a head are their numbers.
+            (None, Some(count)) if !asked.columns.is_empty() => {
+                Ok((first.unwrap_or(0), (1..=count).map(|number| number.to_string()).collect()))
+            }
+            _ => {
+                let shown = lines.first().map_or_else(Vec::new, |line| cells(line, mark)).join("`, `");
+                Err(source.refused(format!("its first line holds no names but `{shown}`"), HEADER))
+            }
+        }
+    }
+}
+
+/// Whether a line is a row of numbers.
+fn is_row(line: &str, mark: char) -> bool {
+    comment(line).is_none() && is_data(&cells(line, mark))
+}
+
+impl Table<'_> {
+    /// Whether a line without numbers, or a blank one, stands before a row.
+    pub(super) fn is_behind_break(&self, text: &str, k: usize) -> bool {
+        let begin = |k: usize| self.rows[k].0.as_ptr() as usize - text.as_ptr() as usize;
+        let before = k.checked_sub(1).map_or(0, |before| begin(before) + self.rows[before].0.len());
+        let between = text.get(before..begin(k)).unwrap_or_default();
+        between.trim_start_matches('\r').strip_prefix('\n').is_some_and(|between| !between.is_empty())
+    }
+}
+
+/// What is said of a second table.
+pub(super) const ANOTHER: &str = "this line begins another table";
+
+/// Whether a line is a row of units for so many columns.
+fn are_units(cells: &[String], wanted: usize) -> bool {
+    cells.len() == wanted && cells.iter().all(|cell| is_unit(cell))
+}
+
+/// Names with the units of a row.
+fn with_units(head: &[String], units: &[String]) -> Vec<String> {
+    let one = |(name, unit): (&String, &String)| match split(name).1 {
+        Some(own) if own == inner(unit) => name.clone(),
+        _ => format!("{name} [{}]", inner(unit)),
+    };
+    head.iter().zip(units).map(one).collect()
+}
+
+/// Whether cells are names of a place and of what presses there.
+fn is_head(cells: &[String], asked: &Asked) -> bool {
+    let has = |roles: [Role; 2]| roles.iter().any(|role| cells.iter().any(|title| asked.means(*role, title)));
+    has([Role::Position, Role::X]) && has([Role::Pressure, Role::Force])
+}
+
+/// The line of names and its place: the last above the numbers that names a place and what presses there; else the last with as many cells as
+/// they have, a comment where there is no other; else the last.
+fn head(above: &[&str], mark: char, count: Option<usize>, asked: &Asked) -> Option<(usize, Vec<String>)> {
+    let candidate = |(k, line): (usize, &&str)| {
+        let fit = |mark: char| fitting(comment(line).unwrap_or(line), mark, count.unwrap_or(0));
+        // Names may have blanks between where numbers have commas.
+        let blank = Some(fit(' ')).filter(|names| Some(names.len()) == count && is_head(names, asked));
+        let names = Some(fit(mark)).filter(|names| Some(names.len()) == count).or(blank).unwrap_or_else(|| fit(mark));
+        let is_no_name = |cell: &String| is_unit(cell) || number(cell).is_some();
+        (!names.iter().all(is_no_name) && count.is_none_or(|count| names.len() == count)).then_some((k, names))
+    };
+    let all: Vec<(usize, Vec<String>)> = above.iter().enumerate().filter_map(candidate).collect();
+    let known = all.iter().rfind(|(_, head)| is_head(head, asked));
+    let is_plain = |k: usize| comment(above[k]).is_none();
+    let last = || all.iter().rfind(|(k, _)| is_plain(*k)).or(all.last());
+    let any = || (0..above.len()).rev().find(|k| is_plain(*k)).map(|k| (k, cells(above[k], mark)));
+    known.or_else(last).cloned().or_else(any)
+}
+
+/// Whether a line stands below the numbers of a report.
+fn is_below(line: &str, mark: char) -> bool {
+    let mut words = line.split(|letter: char| letter == mark || letter.is_whitespace()).filter(|word| !word.is_empty());
+    let word = words.next().unwrap_or_default().trim_matches('"').to_lowercase();
+    // `At Node 12`, and no point that is called `at 12`.
+    let is_called = word == "at" && words.next().is_some_and(|next| number(next).is_some());
+    BELOW.contains(&word.as_str()) && !is_called
+}
