@@ -325,6 +325,11 @@ pub struct Solution {
 }
 
 impl Solution {
+    /// Whether surfaces penetrate one another between two contact points, neither of which sees it.
+    pub fn meets_between_points(&self) -> bool {
+        self.unseen.iter().flatten().any(|one| one.is_candidate)
+    }
+
     /// Contact points of one contact, in the order of the contact coordinate.
     pub fn points_of(&self, contact: usize) -> &[PointState] {
         &self.points[self.contacts[contact].points.clone()]

@@ -114,7 +114,12 @@ fn guess(plan: &Plan, rung: &Rung, longest: f64) -> Result<Option<(usize, f64)>,
         return Err(format!("the first iteration ended so: {}", solution.outcome));
     }
     if pressed == 0 {
-        return Err("no candidate is pressed".into());
+        // Surfaces may meet between two points alone.
+        return if elements < FINEST && solution.meets_between_points() {
+            Ok(Some((2 * elements, stretch)))
+        } else {
+            Err("no candidate is pressed".into())
+        };
     }
     if filled && stretch < longest * (1.0 - 1e-9) {
         return Ok(Some((elements, (2.0 * stretch).min(longest))));

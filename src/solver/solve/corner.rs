@@ -7,7 +7,7 @@ use crate::error::Error;
 use crate::measure::ACTIVE;
 use crate::mesh::{Edge, candidates};
 use crate::scene::{ContactPair, Profile};
-use crate::solution::EdgeState;
+use crate::solution::{EdgeState, PointState};
 use crate::solve::Discretisation;
 use crate::solve::outline::Outline;
 use crate::solve::run::{Run, Unbounded};
@@ -88,11 +88,15 @@ fn is_pressed(run: &Run, contact: usize, pair: &ContactPair, end: &End) -> bool 
     let is_near =
         |edge: &&EdgeState| inwards(edge) > -0.5 * edge.length() && inwards(edge) < (1.0 - SAME) * edge.length();
     let nearest = edges.iter().filter(is_near).min_by(|a, b| inwards(a).abs().total_cmp(&inwards(b).abs()));
-    nearest.is_some_and(|edge| {
-        let on_it = points.iter().filter(|p| edge.ends[0] <= p.position && p.position <= edge.ends[1]);
-        let last = on_it.min_by(|a, b| (a.position - end.at).abs().total_cmp(&(b.position - end.at).abs()));
-        edge.pressure > floor && last.is_some_and(|point| point.pressure > floor)
-    })
+    // Edges beyond the contact may be told of no more, but their points are.
+    let slack = SAME * pair.stretch;
+    let is_inwards =
+        |p: &&PointState| if end.is_last { p.position <= end.at + slack } else { p.position >= end.at - slack };
+    let last = points
+        .iter()
+        .filter(is_inwards)
+        .min_by(|a, b| (a.position - end.at).abs().total_cmp(&(b.position - end.at).abs()));
+    nearest.is_some_and(|edge| edge.pressure > floor) && last.is_some_and(|point| point.pressure > floor)
 }
 
 /// Where the edges of a face begin and end: nodes of one of them alone.

@@ -10,7 +10,9 @@
 //! | one fixed in another direction | π/4, the smallest there is |
 //!
 //! A side fixed along its normal is a line of symmetry, beside which the corner is one of 2θ. Finite tractions change none of it but where
-//! the shear stress τ on a smooth side leaps: there `σ = (2 Δτ/π) ln 1/r` along the side, Δτ being 2τ beside a line of symmetry at a right angle.
+//! the shear stress τ on a smooth side leaps: there `σ = (2 Δτ/π) ln 1/r` along the side, Δτ being 2τ beside a line of symmetry at a right angle. On
+//! a line of symmetry itself it is `(κ+3)/(κ+1) Δτ/π ln 1/r` (Kelvin's force in the whole plane, twice τ a length), Δτ being 2τ where two such lines
+//! meet at a right angle.
 
 use std::collections::{BTreeMap, HashSet};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
@@ -19,6 +21,7 @@ use crate::elasticity::loads::{self, Traction};
 use crate::elasticity::point::shapes_at;
 use crate::elasticity::shape_functions;
 use crate::error::Error;
+use crate::measure::larger;
 use crate::mesh::{Edge, candidates};
 use crate::scene::{Load, Place};
 use crate::solve::outline::{Outline, TURN};
@@ -164,9 +167,11 @@ impl Discretisation {
             let [before, after] = loads.iter().map(of_load).fold([0.0; 2], |[a, b], [c, d]| [a + c, b + d]);
             let is_right = || outline.angle(node).is_some_and(|angle| (angle - FRAC_PI_2).abs() <= TURN);
             match edges.map(|edge| side(&outline, edge)) {
-                [Free, Free] if outline.is_smooth(node) => Some(before + after),
+                [Free, Free] | [Normal, Normal] if outline.is_smooth(node) => Some(before + after),
                 [Free, Normal] if is_right() => Some(2.0 * (before - after)),
                 [Normal, Free] if is_right() => Some(2.0 * (after - before)),
+                // Mirrored at both, either is a line of forces in the whole plane, which turn round there.
+                [Normal, Normal] if is_right() => Some(2.0 * larger(before.abs(), after.abs())),
                 _ => None,
             }
         };
