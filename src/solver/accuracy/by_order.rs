@@ -127,7 +127,7 @@ fn sought(mesh: Fitted, scene: &Scene, rungs: &Rungs) -> Result<edge_fitted::Ans
         Sought { is_near: at_rest >= AT_ONCE, permits: &permits, ..Sought::new(scene, &rungs.formulation, at_rest) };
     let around = rungs.first.as_ref().map(|(_, first)| mesh.around(&first.run, &sought));
     match around {
-        Some(Ok(answer)) if answer.is_where_it_was_sought() => Ok(answer),
+        Some(Ok(answer)) if answer.is_where_it_was_sought(at_rest) => Ok(answer),
         Some(Err(error @ Error { kind: Kind::TooManyDofs { .. }, .. })) => Err(error),
         // The cheap mesh takes two stretches for one, or one that ends elsewhere: ends are sought on finer ones.
         _ => mesh.found(&Sought { is_near: false, ..sought }),

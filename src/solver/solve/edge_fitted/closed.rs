@@ -10,10 +10,10 @@ use crate::algorithm::Exact;
 use crate::contact::ContactPoint;
 use crate::error::{self, Error};
 use crate::measure::stretch::is_at_line;
-use crate::measure::{Measures, Stretch};
+use crate::measure::{Measures, Stretch, larger};
 use crate::mesh::{Order, Resolution};
 use crate::scene::{ContactPair, Ends, Grading, Scene};
-use crate::solution::Part;
+use crate::solution::{Part, PointState};
 use crate::solve::{Discretisation, Formulation, Permits};
 
 /// Growth, and the coarsest cell over the body, of meshes that know where the contact ends.
@@ -182,6 +182,23 @@ pub(super) fn places(stretches: &[Stretch]) -> Vec<f64> {
     places
 }
 
+/// What is counted of such a distance, of which half is taken for the least that an end may be off: it lies as far as the next point from there.
+const ASTRAY: f64 = 4.0;
+
+/// How far from the nearest end of some stretches, over its half-width, a point between is open, or one beyond is pressed: the contact does not end on its
+/// mesh line. Beside a leap of the curvature the pressures of all points between, held closed, may fall towards a line that lies too far out.
+pub(super) fn astray(stretches: &[[f64; 2]], points: &[PointState]) -> f64 {
+    let within = |point: &PointState| {
+        let of = |[begin, end]: &[f64; 2]| 2.0 * (point.position - begin).min(end - point.position) / (end - begin);
+        stretches.iter().map(of).fold(f64::NEG_INFINITY, f64::max)
+    };
+    let astray = |point: &PointState| match within(point) {
+        within if within.abs() <= SAME || (within > 0.0) == (point.pressure > 0.0) => 0.0,
+        within => within.abs(),
+    };
+    points.iter().filter(|point| point.weight > 0.0).map(astray).fold(0.0, f64::max)
+}
+
 /// Largest distance between two readings of the ends of some stretches.
 pub(super) fn apart(stretches: &[Stretch], moves: &[[[f64; 2]; 2]]) -> f64 {
     let of = |(one, ends): (&Stretch, &[[f64; 2]; 2])| one.half_width() * ends[0][1].max(ends[1][1]);
@@ -216,8 +233,9 @@ pub(in crate::solve) fn of_lines(discretisation: &Discretisation, measures: &mut
         }
     }
     closed.moved(&discretisation.scene, &moves);
-    for ((own, stretches), moves) in measures.iter_mut().zip(closed.stretches).zip(&moves) {
-        own.ends_apart = apart(&stretches, moves);
+    for (((own, stretches), moves), part) in measures.iter_mut().zip(closed.stretches).zip(&moves).zip(parts) {
+        let ends: Vec<[f64; 2]> = stretches.iter().map(|one| [one.begin, one.end]).collect();
+        own.ends_apart = larger(apart(&stretches, moves), ASTRAY * astray(&ends, part.points) * own.half_width());
         own.stretches = stretches;
     }
 }

@@ -1,6 +1,6 @@
 //! The ends of the contact sought on coarse fitted meshes, then on the one that is asked for.
 
-use super::closed::{Closed, Moves, places};
+use super::closed::{Closed, Moves, astray, places};
 use super::fitted::{Fitted, REMEDY, on_fitted, refuse_given};
 use crate::error::{Error, Kind};
 use crate::measure::{Stretch, larger};
@@ -8,7 +8,7 @@ use crate::mesh::size::solvable;
 use crate::mesh::{Order, Resolution};
 use crate::scene::{ContactPair, Scene};
 use crate::solution::Outcome;
-use crate::solve::{Change, Discretisation, Formulation, Permits, Run};
+use crate::solve::{Change, Discretisation, Formulation, Iteration, Permits, Run};
 
 /// A mesh on which an end was sought.
 #[derive(Clone, Copy, Debug, serde::Serialize)]
@@ -37,32 +37,22 @@ pub struct Answer {
 }
 
 impl Answer {
-    /// Whether every contact is closed between the ends that were found, and open beyond.
+    /// Whether every contact is closed between the ends that were found, and open beyond, but for so much of the half-width beside them.
     ///
     /// Where a first mesh takes two stretches for one, or one that begins away from a symmetry line for one that begins on it, the
     /// fitted mesh has no line where the contact ends.
-    pub fn is_where_it_was_sought(&self) -> bool {
+    pub fn is_where_it_was_sought(&self, near: f64) -> bool {
         let contacts = self.discretisation.scene.contacts.iter().zip(&self.run.contacts);
         // Every end that is read has its line.
         let mut read = contacts.map(|(pair, found)| places(&found.measures.stretches).len() == pair.ends.places.len());
         read.all(|has_lines| has_lines)
-            && self.stretches.iter().enumerate().all(|(contact, stretches)| {
-                let (mut open, mut within, mut outside, mut force) = (0.0, 0.0, 0.0, 0.0);
-                for point in self.run.solution.points_of(contact) {
-                    let is_in = stretches.iter().any(|[begin, end]| *begin <= point.position && point.position <= *end);
-                    let carried = point.weight * point.pressure;
-                    force += carried;
-                    within += if is_in { point.weight } else { 0.0 };
-                    open += if is_in && point.pressure <= 0.0 { point.weight } else { 0.0 };
-                    outside += if is_in { 0.0 } else { carried };
-                }
-                open <= ELSEWHERE * within && outside <= ELSEWHERE * force
-            })
+            && self
+                .stretches
+                .iter()
+                .enumerate()
+                .all(|(contact, all)| astray(all, self.run.solution.points_of(contact)) <= near)
     }
 }
-
-/// Part of a contact that may be open between its ends, and part of its force that may act beyond them: an end at rest is off by less.
-const ELSEWHERE: f64 = 0.05;
 
 /// Mesh that finds about where the contact is: 8-node cells, so many on the grading's unit of length.
 const FIRST: Resolution = Resolution { elements: 3, refinement: 0, order: Order::Quadratic };
@@ -121,8 +111,11 @@ impl Fitted {
 
     /// The same from nothing but the scene.
     pub fn found(self, sought: &Sought) -> Result<Answer, Error> {
-        let Sought { scene, formulation, permits, .. } = *sought;
+        let Sought { scene, formulation, at_rest, permits, .. } = *sought;
         refuse_given(scene)?;
+        // Other iterations leave points open, and pressed, that the contact conditions do not.
+        let is_exact = formulation.algorithm == Iteration::Kinematic;
+        let near = if is_exact { larger(at_rest, NEAR) } else { f64::INFINITY };
         let mut tried = Vec::new();
         let mut refused = None;
         for halved in 0..=HALVED {
@@ -143,7 +136,7 @@ impl Fitted {
                     tried.append(&mut answer.tried);
                     // An iteration that did not converge says nothing of the mesh.
                     let has_converged = answer.run.solution.outcome == Outcome::Converged;
-                    if !has_converged || answer.is_where_it_was_sought() {
+                    if !has_converged || answer.is_where_it_was_sought(near) {
                         return Ok(Answer { tried, ..answer });
                     }
                     let message = "the contact is not closed where its ends were found: the mesh that it was sought on is too coarse";
