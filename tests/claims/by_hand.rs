@@ -8,7 +8,7 @@ use approx::assert_relative_eq;
 use contact_vv::accuracy::{Quantity, bars};
 use contact_vv::case::library::sphere::model_error;
 use contact_vv::case::library::{PinRod, find};
-use contact_vv::case::{self, Against, Case, Check, plausible};
+use contact_vv::case::{self, Against, Case, Check, notes, plausible};
 use contact_vv::cli::vtu;
 use contact_vv::elasticity::stress;
 use contact_vv::measure::profile;
@@ -20,7 +20,7 @@ use contact_vv::referee::source::Source;
 use contact_vv::referee::units::Role;
 use contact_vv::referee::{Asked, Handed, Profile, calculix, frd, norm, read};
 use contact_vv::scene::{Action, Circle, Load, Material, MonotoneCubic, Path as ScenePath, Scene};
-use contact_vv::solution::{EdgeState, PointState};
+use contact_vv::solution::{EdgeState, PointState, Unseen};
 use contact_vv::solve::Formulation;
 use contact_vv::solve::edge_fitted::{self, Fitted};
 use contact_vv::study::references;
@@ -324,6 +324,32 @@ fn parts_of_an_arc_are_given_in_degrees() {
     };
     assert_relative_eq!(part.from, TAU / 24.0, max_relative = 1e-12);
     assert_relative_eq!(part.to, TAU / 12.0, max_relative = 1e-12);
+}
+
+#[test]
+fn a_mesh_that_is_too_large_is_refused_with_the_bytes_of_its_cells_and_of_the_squares_of_its_candidates() {
+    let (_, _, told) = contact_vv(&["solve", &scene("cylinder-in-metres"), "--resolution", "4096"]);
+    let told = told.split_whitespace().collect::<Vec<_>>().join(" ");
+    let number = |before: &str| {
+        let (_, rest) = told.split_once(before).unwrap_or_else(|| panic!("{before}: {told}"));
+        rest.split(' ').next().and_then(|word| word.parse::<f64>().ok()).unwrap_or_else(|| panic!("{before}: {told}"))
+    };
+    let [cells, candidates, bytes] = ["would have about ", "cells and ", "which take some "].map(number);
+    assert_relative_eq!(candidates, 8192.0);
+    // Told to two digits.
+    assert_relative_eq!(bytes, 12e3 * cells + 512.0 * candidates * candidates, max_relative = 0.06);
+}
+
+#[test]
+fn penetrations_that_no_point_sees_are_told_in_per_cent_of_the_approach() {
+    let (meshed, mut run) = find("truncated-hertz", None).expect("a case").solve().expect("solved");
+    let penetration = 0.05 * run.solution.contacts[0].approach;
+    for (is_candidate, place) in [(true, "between contact points, at s = 1.5 mm"), (false, "beyond the candidates")] {
+        let position = meshed.discretisation.scene.contact().path.reported(1.5);
+        run.solution.unseen = vec![vec![Unseen { position, penetration, is_candidate }]];
+        let notes = notes::of(&run, 0).join("; ");
+        assert!(notes.contains(place) && notes.contains(" mm, 5.0 % of the approach"), "{notes}");
+    }
 }
 
 #[test]

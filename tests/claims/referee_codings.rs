@@ -135,7 +135,10 @@ fn what_stands_beside_the_numbers_of_a_grid_is_passed_over() {
     let mut titled = vtk::binary(true);
     let at = titled.windows(7).position(|window| window == b"\nPOINTS").expect("points");
     // Six letters behind their number, of which the two first bits say that it is one byte.
-    titled.splice(at..at, b"\nFIELD FieldData 1\ntitle 1 1 string\n\xc6run\n 5\n".iter().copied());
+    titled.splice(at..at, b"\nFIELD FieldData 2\ntitle 1 1 string\n\xc6run\n 5\nids 1 2 vtkIdType\n".iter().copied());
+    // Numbers of points and cells have four bytes each.
+    let at = titled.windows(7).position(|window| window == b"\nPOINTS").expect("points");
+    titled.splice(at..at, [0, 0, 0, 1, 0, 0, 0, 2]);
     ellipse::assert(&read("theirs.vtk", titled), 1e-5);
     for (head, what) in [
         ("DATASET UNSTRUCTURED_GRID\n", title.to_owned()),
