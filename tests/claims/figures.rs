@@ -6,8 +6,8 @@ use contact_vv::checkout::root;
 use contact_vv::drawing::palette::{self, CARD, CLASSES, CURVES, Dash, INK, Marker, ON_CLASSES};
 use contact_vv::drawing::theme::Rgb;
 use contact_vv::drawing::{
-    Axis, Bars, Cell, Chart, ClassMap, Colour, ColourMap, Direction, Drawing, Field, Guide, IterationPaths, MapPanel,
-    Path, Remark, Series, Style, Theme, schematic,
+    Axis, Bars, Cell, Chart, ClassMap, Colour, ColourMap, Detail, Direction, Drawing, Field, Guide, IterationPaths,
+    MapPanel, Path, Remark, Series, Style, Theme, Window, schematic,
 };
 use contact_vv::markdown::significant;
 use contact_vv::study::timings::precision::Point;
@@ -536,6 +536,17 @@ fn a_place_of_a_field_has_the_colour_that_the_bar_has_between_the_numbers_around
             k + 1
         );
     }
+    // A detail is as many times as large as what is framed in the whole.
+    let window = Window { x: (0.4, 0.6), y: (0.4, 0.6) };
+    let svg = Field { details: vec![Detail::of(window, 0.0)], ..field }.drawing().expect("drawn");
+    let frame = |pen: &str| {
+        let mut tags = svg.split('<').filter(|tag| attribute(tag, "stroke-width") == Some(pen));
+        let own = tags.find_map(|tag| Some(outlines(attribute(tag, "d")?).concat())).expect("a frame");
+        own.iter().map(|at| at[0]).fold(f64::NEG_INFINITY, f64::max) - own[0][0].min(own[1][0]).min(own[2][0])
+    };
+    let (_, told) = svg.split_once("framed ×").expect("a name");
+    let told: f64 = told.split('<').next().and_then(|text| text.trim().parse().ok()).expect("a number");
+    assert!((told - frame("1.2") / frame("1.4")).abs() < 0.1 && told > 2.0, "{told}");
 }
 
 #[test]

@@ -288,6 +288,18 @@ fn pages_are_written_compared_and_removed_as_a_folder() {
 }
 
 #[test]
+fn rows_of_bounds_tell_how_much_of_them_is_used_and_those_of_errors_how_much_of_the_tolerance() {
+    let bound = || Reference::own("none", 2.0);
+    let least = |name: &'static str, value: f64| Check::at_least(name, bound(), "a reason").judge(value);
+    let most = |name: &'static str, value: f64| Check::at_most(name, bound(), "a reason").judge(value);
+    let near = Check::near("e", Reference::analytic("Hertz", 100.0), 0.1, "a reason").judge(99.0);
+    let mut finding = small();
+    finding.judged = vec![least("a", 8.0), least("b", 1.0), most("c", 0.5), most("d", 4.0), near];
+    let rows = record::rows(&[finding]);
+    assert_eq!(rows.iter().map(|row| row.share).collect::<Vec<f64>>(), [0.25, 2.0, 0.25, 2.0, 0.1]);
+}
+
+#[test]
 fn checks_without_an_error_are_beyond_every_share_of_their_tolerance() {
     let parts = cumulated(&[0.0, 0.1, 2.0, f64::NAN]);
     let at = |share: f64| parts.iter().rfind(|(x, _)| *x <= share * (1.0 + 1e-9)).expect("a share").1;
