@@ -120,6 +120,19 @@ fn angles_are_told_with_their_bars_in_degrees() {
 }
 
 #[test]
+fn of_three_forces_at_points_the_first_is_named_beside_two_more() {
+    let force = |x: f64| format!("{{ force = {{ at = [{x}, 10], value = [0, -100] }} }}");
+    let text = balance::text("pressed-corner");
+    let load = text.lines().find(|line| line.starts_with("loads = ")).expect("loads");
+    let forces = [0.0, 4.0, 8.0].map(force).join(", ");
+    let folder = Folder::made();
+    let three = folder.with("three.toml", text.replace(load, &format!("loads = [{forces}]")));
+    let (_, told, error) = contact_vv(&["solve", &three, "--no-error-bar"]);
+    let told = told.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(told.contains("without limit: a force at a point at (0, 10) mm and 2 more"), "{told}{error}");
+}
+
+#[test]
 fn places_of_largest_stresses_are_told_to_the_size_of_their_cells() {
     for (name, body) in [("pin-rod", "pin"), ("truncated-hertz", "block")] {
         let (meshed, run) = find(name, None).expect("a case").solve().expect("solved");
