@@ -33,7 +33,7 @@ use crate::foreign::{self, Frd, fixed, record};
 use crate::outputs::{contact_vv, json, piece, scene};
 use crate::program::Folder;
 use crate::scene_file::{self, text_of};
-use crate::workbench::parsed;
+use crate::workbench::{kinematic, parsed};
 
 #[test]
 fn smooth_table_of_uneven_points_on_a_parabola_has_its_slope_and_its_gap_between_them() {
@@ -260,6 +260,28 @@ fn the_document_of_a_flat_punch_holds_each_number_under_its_name() {
     ] {
         assert_relative_eq!(found, wanted, max_relative = within);
     }
+}
+
+#[test]
+fn the_document_tells_the_highest_of_its_points_and_what_the_iteration_took() {
+    let document = json(&["solve", "pin-rod", "--no-error-bar"]);
+    let contact = &document["contacts"][0];
+    let number = |value: &Value| value.as_f64().expect("a number");
+    let points = contact["profile"].as_array().expect("points");
+    let highest = points.iter().max_by(|a, b| number(&a["pressure"]).total_cmp(&number(&b["pressure"])));
+    let highest = highest.expect("a point");
+    assert_eq!(contact["largest_point_pressure"], highest["pressure"]);
+    assert_eq!(contact["largest_point_position"], highest["position"]);
+    assert_ne!(contact["peak_position"], highest["position"]);
+    let work = balance::solved(&find("pin-rod", None).expect("a case"), &kinematic()).1.solution.work;
+    for (key, count) in [
+        ("steps", work.iterations),
+        ("factorisations", work.factorisations),
+        ("back_substitutions", work.back_substitutions),
+    ] {
+        assert_eq!(document[key].as_u64(), Some(count as u64), "{key}");
+    }
+    assert_ne!(work.factorisations, work.back_substitutions);
 }
 
 #[test]
