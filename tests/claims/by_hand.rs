@@ -260,6 +260,44 @@ fn the_document_of_a_flat_punch_holds_each_number_under_its_name() {
     ] {
         assert_relative_eq!(found, wanted, max_relative = within);
     }
+    // Over the closed form, and not over ours.
+    let width =
+        document["oracles"].as_array().and_then(|all| all.iter().find(|one| one["quantity"] == "second_moment_width"));
+    let error = number(&width.expect("a closed form")["error"]);
+    assert_relative_eq!(
+        error,
+        (number(&contact["second_moment_width"]) / 2_f64.sqrt() - 1.0).abs(),
+        max_relative = 1e-6
+    );
+    for (name, wanted) in [("half-width ", 1.0), ("by counting ", 1.0), ("second-moment width ", 2_f64.sqrt())] {
+        assert_relative_eq!(printed(&[&scene("flat-punch"), "--all"], name)[0], wanted, max_relative = 2e-3);
+    }
+}
+
+#[test]
+fn an_accuracy_tells_the_parts_of_its_bars_and_the_dofs_of_all_its_meshes() {
+    let document = json(&["solve", &scene("cylinder-to-accuracy")]);
+    let accuracy = &document["accuracy"];
+    let number = |value: &Value| value.as_f64().expect("a number");
+    let list = |value: &Value| value.as_array().expect("a list").clone();
+    for one in list(&accuracy["quantities"]) {
+        let bars = list(&document["error_bars"]);
+        let bar = bars.iter().find(|bar| bar["quantity"] == one["quantity"]).expect("a bar");
+        for part in ["mesh", "iteration", "penalty"] {
+            let own = number(&one[&format!("from_{part}")]);
+            assert_relative_eq!(own, number(&bar[part]) / number(&bar["value"]), max_relative = 1e-9, epsilon = 1e-15);
+        }
+    }
+    assert!(list(&accuracy["quantities"]).iter().any(|one| number(&one["from_iteration"]) > 0.0));
+    let [chosen, all] = ["freedoms", "freedoms_in_all"].map(|key| number(&accuracy[key]));
+    let tried: f64 = list(&accuracy["tried"]).iter().map(|one| number(&one["freedoms"])).sum();
+    assert!(all >= tried && tried > chosen, "{all}, {tried}, {chosen}");
+}
+
+#[test]
+fn hoop_stresses_lie_at_angles_in_degrees() {
+    let quantity = case::Quantity::on_arc(Quantity::HoopStress { at: 0.25 * TAU });
+    assert_eq!(quantity.place().as_deref(), Some("at 90°"));
 }
 
 #[test]
@@ -273,11 +311,13 @@ fn the_document_tells_the_highest_of_its_points_and_what_the_iteration_took() {
     assert_eq!(contact["largest_point_pressure"], highest["pressure"]);
     assert_eq!(contact["largest_point_position"], highest["position"]);
     assert_ne!(contact["peak_position"], highest["position"]);
-    let work = balance::solved(&find("pin-rod", None).expect("a case"), &kinematic()).1.solution.work;
+    let (_, run) = balance::solved(&find("pin-rod", None).expect("a case"), &kinematic());
+    let work = run.solution.work;
     for (key, count) in [
         ("steps", work.iterations),
         ("factorisations", work.factorisations),
         ("back_substitutions", work.back_substitutions),
+        ("retained", run.retained),
     ] {
         assert_eq!(document[key].as_u64(), Some(count as u64), "{key}");
     }

@@ -64,7 +64,8 @@ fn nodes_beyond_the_contact_may_have_no_number_in_grids_as_in_files_of_calculix(
     let within = |s: f64| if s > 1.55 { "nan".into() } else { written(s) };
     // Where the last one is pressed they are beyond what is handed in, as in a table that ends there: as far as the contact does.
     let found = judged(read("theirs.vtu", grid(|x, y| [x, y, 0.0], within)));
-    refused_as(found, &["stop at 1.5", "of the force lies beyond"]);
+    // √(1 − 0.75²) of the largest, and 1 − (2/π)(asin 0.75 + 0.75 √(1 − 0.75²)) of the force.
+    refused_as(found, &["stop at 1.5", "with 66 % of the largest, and 14.4 % of the force lies beyond"]);
     let active = |s: f64| if s > 1.95 { "nan".into() } else { written(s) };
     let listed = table(PRESSURES, (0..20).map(ellipse::place).map(|s| [s, ellipse::pressure(s)]));
     let pressed = Frd { listed: (0..20).collect(), ..Frd::plain() };
