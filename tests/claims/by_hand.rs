@@ -11,11 +11,13 @@ use contact_vv::case::library::{PinRod, find};
 use contact_vv::case::{self, Against, Case, Check, notes, plausible};
 use contact_vv::cli::vtu;
 use contact_vv::elasticity::stress;
+use contact_vv::markdown::significant;
 use contact_vv::measure::profile;
 use contact_vv::mesh::{Mesh, Order, Resolution};
 use contact_vv::oracle::analytic::on_arc::OnArc;
 use contact_vv::oracle::{self, Oracle, Reading};
 use contact_vv::referee::answer::Point;
+use contact_vv::referee::export::own;
 use contact_vv::referee::source::Source;
 use contact_vv::referee::units::Role;
 use contact_vv::referee::{Asked, Handed, Profile, calculix, frd, norm, read};
@@ -292,6 +294,23 @@ fn an_accuracy_tells_the_parts_of_its_bars_and_the_dofs_of_all_its_meshes() {
     let [chosen, all] = ["freedoms", "freedoms_in_all"].map(|key| number(&accuracy[key]));
     let tried: f64 = list(&accuracy["tried"]).iter().map(|one| number(&one["freedoms"])).sum();
     assert!(all >= tried && tried > chosen, "{all}, {tried}, {chosen}");
+}
+
+#[test]
+fn verdicts_tell_how_far_a_reference_may_be_off_and_not_its_standard_uncertainty() {
+    let (made, run) = balance::solved(&find("pin-rod", None).expect("a case"), &kinematic());
+    let folder = Folder::made();
+    let file = folder.with("own.json", serde_json::to_string(&own::answer("pin-rod", &made, &run)).expect("JSON"));
+    let (_, text, _) = contact_vv(&["judge", "pin-rod", &file, "--json"]);
+    let document: Value = serde_json::from_str(&text).expect("JSON");
+    let (_, told, _) = contact_vv(&["judge", "pin-rod", &file, "--markdown"]);
+    let checks = document["checks"].as_array().expect("checks");
+    let bars = checks.iter().filter(|one| one["kind"] == "cross-code").filter_map(|one| one["reference_bar"].as_f64());
+    let bars: Vec<f64> = bars.filter(|bar| *bar > 0.0).collect();
+    assert!(bars.len() >= 2, "{document}");
+    for bar in bars {
+        assert!(told.contains(&format!(" ± {}", significant(bar, 2))), "{bar}: {told}");
+    }
 }
 
 #[test]

@@ -87,6 +87,28 @@ fn nodes_beyond_the_contact_may_have_no_number_in_grids_as_in_files_of_calculix(
 }
 
 #[test]
+fn pixels_are_quadrilaterals_whose_corners_are_listed_row_by_row() {
+    let legacy = vtk::ascii(&written);
+    let (head, rest) = legacy.split_once("CONNECTIVITY vtktypeint64\n").expect("cells");
+    let (cells, rest) = rest.split_once("CELL_TYPES").expect("types");
+    let by_rows = |line: &str| {
+        let [a, b, c, d] = line.split(' ').collect::<Vec<_>>()[..] else { panic!("{line}") };
+        format!("{a} {b} {d} {c}\n")
+    };
+    let by_rows: String = cells.lines().map(by_rows).collect();
+    let types = rest.replace("\n9\n", "\n8\n").replace("\n9\n", "\n8\n");
+    let pixels = format!("{head}CONNECTIVITY vtktypeint64\n{by_rows}CELL_TYPES{types}");
+    let mut asked = usual();
+    asked.columns.push((Role::Displacement, "moved".into()));
+    asked.units.push((Role::Displacement, "mm".into()));
+    let cells = |text: &str| {
+        let field = parsed("theirs.vtk", text, &asked).expect("read").field.expect("displacements");
+        field.cells.into_iter().map(|cell| cell.nodes).collect::<Vec<_>>()
+    };
+    assert_eq!(cells(&pixels), cells(&legacy));
+}
+
+#[test]
 fn components_of_a_stress_are_those_that_the_file_names() {
     for (names, row) in [
         (["XX", "XY", "XZ", "YY", "YZ", "ZZ"], [7, 5, 1, 0, 2, 3]),
