@@ -32,10 +32,11 @@ use vtkio::IOBuffer;
 use crate::balance;
 use crate::ellipse::{NODES, place};
 use crate::foreign::{self, Frd, fixed, record};
+use crate::handed::judged_rows;
 use crate::outputs::{contact_vv, json, piece, scene};
 use crate::program::Folder;
 use crate::scene_file::{self, text_of};
-use crate::workbench::{kinematic, parsed};
+use crate::workbench::{kinematic, parsed, truth};
 
 #[test]
 fn smooth_table_of_uneven_points_on_a_parabola_has_its_slope_and_its_gap_between_them() {
@@ -311,6 +312,23 @@ fn verdicts_tell_how_far_a_reference_may_be_off_and_not_its_standard_uncertainty
     for bar in bars {
         assert!(told.contains(&format!(" ± {}", significant(bar, 2))), "{bar}: {told}");
     }
+}
+
+#[test]
+fn penetrations_around_an_axis_are_told_over_the_approach_of_a_flat_punch_of_that_radius() {
+    let truth = truth("sphere");
+    // Hertz: p₀ = 2E*a/πR, F = 2πa²p₀/3; a punch of the radius a sinks by F/2E*a.
+    let (radius, modulus) = (2.5, 210e3 / 0.91);
+    let peak = 2.0 * modulus * radius / (PI * 50.0);
+    let approach = 2.0 * PI * radius * radius * peak / 3.0 / (2.0 * modulus * radius);
+    let row = |k: usize| {
+        let r = 5.0 * k as f64 / 96.0;
+        [r, peak * (1.0 - (r / radius).powi(2)).max(0.0).sqrt(), if k == 7 { -0.1 * approach } else { 0.0 }]
+    };
+    let found = judged_rows(truth, "position [mm],pressure [MPa],gap [mm]", (0..=96).map(row));
+    let all = &found.ruled[0].judged;
+    let own = all.iter().find(|one| one.check.quantity.to_string().starts_with("largest penetration")).expect("gaps");
+    assert_relative_eq!(own.value, 0.1, max_relative = 0.01);
 }
 
 #[test]

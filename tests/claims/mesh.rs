@@ -386,3 +386,23 @@ fn corners_of_blocks_that_differ_by_rounding_are_one_node_whichever_way_they_dif
         assert_eq!(mesh.points.len(), 6, "{dx}, {dy}");
     }
 }
+
+#[test]
+fn growth_and_coarsest_element_of_finer_meshes_follow_the_order_of_the_cells() {
+    // Of n times as many elements q^(n^−1/p), and the coarsest over n^(1/p); of coarser ones by a ratio the other way, their unit times that.
+    let grading = Grading { unit: 3.0, along: 1.7, depth: 1.4, first: 1.0, coarsest: 0.3, end: 1.0 };
+    for order in [Order::Linear, Order::Quadratic, Order::Octic] {
+        let power = f64::from(order.number()).recip();
+        for (found, ratio, unit) in [
+            (order.refined(&grading, 4.0), 0.25, 3.0),
+            (order.refined(&grading, 0.5), 1.0, 3.0),
+            (order.coarsened(&grading, 2.0), 2.0, 6.0),
+        ] {
+            let faster = f64::powf(ratio, power);
+            assert_relative_eq!(found.along, 1.7_f64.powf(faster), max_relative = 1e-12);
+            assert_relative_eq!(found.depth, 1.4_f64.powf(faster), max_relative = 1e-12);
+            assert_relative_eq!(found.coarsest, 0.3 * faster, max_relative = 1e-12);
+            assert_relative_eq!(found.unit, unit);
+        }
+    }
+}

@@ -273,7 +273,7 @@ fn condensation_pays_by_the_factorisations_of_sparse_matrices_that_it_spares() {
     // Without it every factorisation is of the sparse matrix, with it one, beside those of the dense one.
     let work = &run.solution.work;
     let gain = run.sparse_operations * work.factorisations as f64 / (run.sparse_operations + work.operations);
-    let all = statements::judge(&[finding.clone()]);
+    let all = statements::judge(std::slice::from_ref(&finding));
     let told = all.iter().find(|one| one.text.contains("substructuring")).expect("a statement");
     assert_eq!(told.clause, format!("{gain:.1} to {gain:.0} times the operations without"));
 }
