@@ -332,6 +332,19 @@ fn penetrations_around_an_axis_are_told_over_the_approach_of_a_flat_punch_of_tha
 }
 
 #[test]
+fn the_largest_shear_of_a_pin_is_looked_for_as_deep_as_two_widths_of_its_arc() {
+    let document = json(&["solve", "pin-rod"]);
+    let bars = document["error_bars"].as_array().expect("bars");
+    let value = |quantity: &str| {
+        let one = bars.iter().find(|one| one["of"] == "pin" && one["quantity"] == quantity);
+        one.and_then(|one| one["value"].as_f64()).unwrap_or_else(|| panic!("no {quantity}"))
+    };
+    // At its centre, 10 mm below the arc, of which 2.1 radians are 21 mm.
+    assert_relative_eq!(value("depth of largest shear"), 10.0, max_relative = 0.05);
+    assert!(value("largest shear") > 0.0);
+}
+
+#[test]
 fn hoop_stresses_lie_at_angles_in_degrees() {
     let quantity = case::Quantity::on_arc(Quantity::HoopStress { at: 0.25 * TAU });
     assert_eq!(quantity.place().as_deref(), Some("at 90°"));
