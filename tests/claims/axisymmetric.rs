@@ -7,8 +7,9 @@ use contact_vv::algorithm::Iteration;
 use contact_vv::case::library::Indented;
 use contact_vv::contact::Element;
 use contact_vv::elasticity::element::{CellStiffness, Tabulated};
+use contact_vv::elasticity::loads;
 use contact_vv::measure::{Measures, larger};
-use contact_vv::mesh::{Order, Resolution};
+use contact_vv::mesh::{Mesh, Order, Resolution};
 use contact_vv::scene::{
     Action, BlockShape, Component, Face, Load, Material, Path as Way, PlaneHypothesis, Profile, Scene, Shape,
 };
@@ -103,6 +104,27 @@ fn a_whole_force_is_spread_evenly_over_the_area_of_its_side() {
         }
         let counted = run.measures().half_width_nodes;
         assert!((counted / radius - 1.0).abs() <= 1e-9, "{case}: counted {counted}");
+    }
+}
+
+#[test]
+fn the_weight_of_a_body_of_revolution_is_that_of_its_volume_about_either_axis() {
+    // Guldin: 2π times the radius of the section's centroid times its area.
+    let shape = || Shape::Rectangle { x: [1.0, 3.0], y: [4.0, 9.0], contact: Face::Bottom };
+    for (plane, along, radius) in
+        [(PlaneHypothesis::Axisymmetric, 1, 2.0), (PlaneHypothesis::AxisymmetricAboutX, 0, 6.5)]
+    {
+        let path = Way::Straight { origin: [2.0, 4.0], both_sides: true };
+        let mut scene = turned(plane, shape(), path, 1.0, [0.0; 3], &[]);
+        let mut density = [0.0; 2];
+        density[along] = -1e-3;
+        scene.bodies[0].loads = vec![Load::BodyForce(density)];
+        for order in ORDERS {
+            let mesh = Mesh::of(&scene, Resolution { elements: 2, refinement: 0, order }).expect("meshed");
+            let forces = loads::at_nodes(&scene, &mesh, 0).expect("forces");
+            let weight: f64 = forces.iter().map(|force| force[along]).sum();
+            assert_relative_eq!(weight, -1e-3 * TAU * radius * 10.0, max_relative = 1e-12);
+        }
     }
 }
 

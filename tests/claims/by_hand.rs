@@ -8,19 +8,21 @@ use approx::assert_relative_eq;
 use contact_vv::accuracy::{Quantity, bars};
 use contact_vv::case::library::sphere::model_error;
 use contact_vv::case::library::{PinRod, find};
-use contact_vv::case::{self, Against, Case, Check, plausible};
+use contact_vv::case::{self, Against, Case, Check, notes, plausible};
 use contact_vv::cli::vtu;
 use contact_vv::elasticity::stress;
+use contact_vv::markdown::significant;
 use contact_vv::measure::profile;
 use contact_vv::mesh::{Mesh, Order, Resolution};
 use contact_vv::oracle::analytic::on_arc::OnArc;
 use contact_vv::oracle::{self, Oracle, Reading};
 use contact_vv::referee::answer::Point;
+use contact_vv::referee::export::own;
 use contact_vv::referee::source::Source;
 use contact_vv::referee::units::Role;
 use contact_vv::referee::{Asked, Handed, Profile, calculix, frd, norm, read};
 use contact_vv::scene::{Action, Circle, Load, Material, MonotoneCubic, Path as ScenePath, Scene};
-use contact_vv::solution::{EdgeState, PointState};
+use contact_vv::solution::{EdgeState, PointState, Unseen};
 use contact_vv::solve::Formulation;
 use contact_vv::solve::edge_fitted::{self, Fitted};
 use contact_vv::study::references;
@@ -30,10 +32,11 @@ use vtkio::IOBuffer;
 use crate::balance;
 use crate::ellipse::{NODES, place};
 use crate::foreign::{self, Frd, fixed, record};
+use crate::handed::judged_rows;
 use crate::outputs::{contact_vv, json, piece, scene};
 use crate::program::Folder;
 use crate::scene_file::{self, text_of};
-use crate::workbench::parsed;
+use crate::workbench::{kinematic, parsed, truth};
 
 #[test]
 fn smooth_table_of_uneven_points_on_a_parabola_has_its_slope_and_its_gap_between_them() {
@@ -117,6 +120,19 @@ fn angles_are_told_with_their_bars_in_degrees() {
         assert!((bar - known).abs() <= 0.06 * known, "{bar}: {known}");
         assert!((told - run.contacts[0].measures.half_width().to_degrees()).abs() <= known, "{told}");
     }
+}
+
+#[test]
+fn of_three_forces_at_points_the_first_is_named_beside_two_more() {
+    let force = |x: f64| format!("{{ force = {{ at = [{x}, 10], value = [0, -100] }} }}");
+    let text = balance::text("pressed-corner");
+    let load = text.lines().find(|line| line.starts_with("loads = ")).expect("loads");
+    let forces = [0.0, 4.0, 8.0].map(force).join(", ");
+    let folder = Folder::made();
+    let three = folder.with("three.toml", text.replace(load, &format!("loads = [{forces}]")));
+    let (_, told, error) = contact_vv(&["solve", &three, "--no-error-bar"]);
+    let told = told.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(told.contains("without limit: a force at a point at (0, 10) mm and 2 more"), "{told}{error}");
 }
 
 #[test]
@@ -247,6 +263,115 @@ fn the_document_of_a_flat_punch_holds_each_number_under_its_name() {
     ] {
         assert_relative_eq!(found, wanted, max_relative = within);
     }
+    // Over the closed form, and not over ours.
+    let width =
+        document["oracles"].as_array().and_then(|all| all.iter().find(|one| one["quantity"] == "second_moment_width"));
+    let error = number(&width.expect("a closed form")["error"]);
+    assert_relative_eq!(
+        error,
+        (number(&contact["second_moment_width"]) / 2_f64.sqrt() - 1.0).abs(),
+        max_relative = 1e-6
+    );
+    for (name, wanted) in [("half-width ", 1.0), ("by counting ", 1.0), ("second-moment width ", 2_f64.sqrt())] {
+        assert_relative_eq!(printed(&[&scene("flat-punch"), "--all"], name)[0], wanted, max_relative = 2e-3);
+    }
+}
+
+#[test]
+fn an_accuracy_tells_the_parts_of_its_bars_and_the_dofs_of_all_its_meshes() {
+    let document = json(&["solve", &scene("cylinder-to-accuracy")]);
+    let accuracy = &document["accuracy"];
+    let number = |value: &Value| value.as_f64().expect("a number");
+    let list = |value: &Value| value.as_array().expect("a list").clone();
+    for one in list(&accuracy["quantities"]) {
+        let bars = list(&document["error_bars"]);
+        let bar = bars.iter().find(|bar| bar["quantity"] == one["quantity"]).expect("a bar");
+        for part in ["mesh", "iteration", "penalty"] {
+            let own = number(&one[&format!("from_{part}")]);
+            assert_relative_eq!(own, number(&bar[part]) / number(&bar["value"]), max_relative = 1e-9, epsilon = 1e-15);
+        }
+    }
+    assert!(list(&accuracy["quantities"]).iter().any(|one| number(&one["from_iteration"]) > 0.0));
+    let [chosen, all] = ["freedoms", "freedoms_in_all"].map(|key| number(&accuracy[key]));
+    let tried: f64 = list(&accuracy["tried"]).iter().map(|one| number(&one["freedoms"])).sum();
+    assert!(all >= tried && tried > chosen, "{all}, {tried}, {chosen}");
+}
+
+#[test]
+fn verdicts_tell_how_far_a_reference_may_be_off_and_not_its_standard_uncertainty() {
+    let (made, run) = balance::solved(&find("pin-rod", None).expect("a case"), &kinematic());
+    let folder = Folder::made();
+    let file = folder.with("own.json", serde_json::to_string(&own::answer("pin-rod", &made, &run)).expect("JSON"));
+    let (_, text, _) = contact_vv(&["judge", "pin-rod", &file, "--json"]);
+    let document: Value = serde_json::from_str(&text).expect("JSON");
+    let (_, told, _) = contact_vv(&["judge", "pin-rod", &file, "--markdown"]);
+    let checks = document["checks"].as_array().expect("checks");
+    let bars = checks.iter().filter(|one| one["kind"] == "cross-code").filter_map(|one| one["reference_bar"].as_f64());
+    let bars: Vec<f64> = bars.filter(|bar| *bar > 0.0).collect();
+    assert!(bars.len() >= 2, "{document}");
+    for bar in bars {
+        assert!(told.contains(&format!(" ± {}", significant(bar, 2))), "{bar}: {told}");
+    }
+}
+
+#[test]
+fn penetrations_around_an_axis_are_told_over_the_approach_of_a_flat_punch_of_that_radius() {
+    let truth = truth("sphere");
+    // Hertz: p₀ = 2E*a/πR, F = 2πa²p₀/3; a punch of the radius a sinks by F/2E*a.
+    let (radius, modulus) = (2.5, 210e3 / 0.91);
+    let peak = 2.0 * modulus * radius / (PI * 50.0);
+    let approach = 2.0 * PI * radius * radius * peak / 3.0 / (2.0 * modulus * radius);
+    let row = |k: usize| {
+        let r = 5.0 * k as f64 / 96.0;
+        [r, peak * (1.0 - (r / radius).powi(2)).max(0.0).sqrt(), if k == 7 { -0.1 * approach } else { 0.0 }]
+    };
+    let found = judged_rows(truth, "position [mm],pressure [MPa],gap [mm]", (0..=96).map(row));
+    let all = &found.ruled[0].judged;
+    let own = all.iter().find(|one| one.check.quantity.to_string().starts_with("largest penetration")).expect("gaps");
+    assert_relative_eq!(own.value, 0.1, max_relative = 0.01);
+}
+
+#[test]
+fn the_largest_shear_of_a_pin_is_looked_for_as_deep_as_two_widths_of_its_arc() {
+    let document = json(&["solve", "pin-rod"]);
+    let bars = document["error_bars"].as_array().expect("bars");
+    let value = |quantity: &str| {
+        let one = bars.iter().find(|one| one["of"] == "pin" && one["quantity"] == quantity);
+        one.and_then(|one| one["value"].as_f64()).unwrap_or_else(|| panic!("no {quantity}"))
+    };
+    // At its centre, 10 mm below the arc, of which 2.1 radians are 21 mm.
+    assert_relative_eq!(value("depth of largest shear"), 10.0, max_relative = 0.05);
+    assert!(value("largest shear") > 0.0);
+}
+
+#[test]
+fn hoop_stresses_lie_at_angles_in_degrees() {
+    let quantity = case::Quantity::on_arc(Quantity::HoopStress { at: 0.25 * TAU });
+    assert_eq!(quantity.place().as_deref(), Some("at 90°"));
+}
+
+#[test]
+fn the_document_tells_the_highest_of_its_points_and_what_the_iteration_took() {
+    let document = json(&["solve", "pin-rod", "--no-error-bar"]);
+    let contact = &document["contacts"][0];
+    let number = |value: &Value| value.as_f64().expect("a number");
+    let points = contact["profile"].as_array().expect("points");
+    let highest = points.iter().max_by(|a, b| number(&a["pressure"]).total_cmp(&number(&b["pressure"])));
+    let highest = highest.expect("a point");
+    assert_eq!(contact["largest_point_pressure"], highest["pressure"]);
+    assert_eq!(contact["largest_point_position"], highest["position"]);
+    assert_ne!(contact["peak_position"], highest["position"]);
+    let (_, run) = balance::solved(&find("pin-rod", None).expect("a case"), &kinematic());
+    let work = run.solution.work;
+    for (key, count) in [
+        ("steps", work.iterations),
+        ("factorisations", work.factorisations),
+        ("back_substitutions", work.back_substitutions),
+        ("retained", run.retained),
+    ] {
+        assert_eq!(document[key].as_u64(), Some(count as u64), "{key}");
+    }
+    assert_ne!(work.factorisations, work.back_substitutions);
 }
 
 #[test]
@@ -324,6 +449,32 @@ fn parts_of_an_arc_are_given_in_degrees() {
     };
     assert_relative_eq!(part.from, TAU / 24.0, max_relative = 1e-12);
     assert_relative_eq!(part.to, TAU / 12.0, max_relative = 1e-12);
+}
+
+#[test]
+fn a_mesh_that_is_too_large_is_refused_with_the_bytes_of_its_cells_and_of_the_squares_of_its_candidates() {
+    let (_, _, told) = contact_vv(&["solve", &scene("cylinder-in-metres"), "--resolution", "4096"]);
+    let told = told.split_whitespace().collect::<Vec<_>>().join(" ");
+    let number = |before: &str| {
+        let (_, rest) = told.split_once(before).unwrap_or_else(|| panic!("{before}: {told}"));
+        rest.split(' ').next().and_then(|word| word.parse::<f64>().ok()).unwrap_or_else(|| panic!("{before}: {told}"))
+    };
+    let [cells, candidates, bytes] = ["would have about ", "cells and ", "which take some "].map(number);
+    assert_relative_eq!(candidates, 8192.0);
+    // Told to two digits.
+    assert_relative_eq!(bytes, 12e3 * cells + 512.0 * candidates * candidates, max_relative = 0.06);
+}
+
+#[test]
+fn penetrations_that_no_point_sees_are_told_in_per_cent_of_the_approach() {
+    let (meshed, mut run) = find("truncated-hertz", None).expect("a case").solve().expect("solved");
+    let penetration = 0.05 * run.solution.contacts[0].approach;
+    for (is_candidate, place) in [(true, "between contact points, at s = 1.5 mm"), (false, "beyond the candidates")] {
+        let position = meshed.discretisation.scene.contact().path.reported(1.5);
+        run.solution.unseen = vec![vec![Unseen { position, penetration, is_candidate }]];
+        let notes = notes::of(&run, 0).join("; ");
+        assert!(notes.contains(place) && notes.contains(" mm, 5.0 % of the approach"), "{notes}");
+    }
 }
 
 #[test]

@@ -2,6 +2,7 @@
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use contact_vv::elasticity::element::{self, CellStiffness};
+use contact_vv::elasticity::point::Cells;
 use contact_vv::elasticity::{quadrature, shape_functions};
 use contact_vv::mesh::{Order, lobatto};
 use contact_vv::scene::{LARGEST_POISSON, Material, PlaneHypothesis};
@@ -257,5 +258,19 @@ fn gradients_of_a_linear_field_are_constant_on_any_cell() {
             assert_abs_diff_eq!(slope(1), -3.0, epsilon = 1e-13);
             assert!(determinant > 0.0);
         }
+    }
+}
+
+#[test]
+fn a_point_beside_a_triangle_is_as_far_from_it_as_from_its_nearest_side() {
+    let cells = Cells::of([(3, vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]])]);
+    // Over the distance of the corners from the middle, (1/3, 1/3).
+    let size = 5_f64.sqrt() / 3.0;
+    for (point, away) in [([0.52, 0.52], 0.04 / 2_f64.sqrt()), ([0.4, -0.03], 0.03), ([-0.03, -0.04], 0.05)] {
+        let found = |outside: f64| cells.shapes_at(point, outside / size);
+        assert!(found(1.001 * away).is_some() && found(0.999 * away).is_none(), "{point:?}");
+        let (_, shapes) = found(1.001 * away).expect("beside it");
+        assert_relative_eq!(shapes[1], point[0], epsilon = 1e-12);
+        assert_relative_eq!(shapes[2], point[1], epsilon = 1e-12);
     }
 }

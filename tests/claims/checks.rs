@@ -155,6 +155,13 @@ fn check_that_asks_for_more_than_another_formulation_accepts_is_not_judged_and_a
     };
     assert_eq!(told(&["--element", "node", "--algorithm", "varying"]), (true, true));
     assert_eq!(told(&["--tolerance", "1e-3", "--algorithm", "kinematic"]), (true, false));
+    // What is not judged has not passed.
+    let varying = ["solve", &path, "--no-error-bar", "--element", "node", "--algorithm", "varying"];
+    let document = json(&varying);
+    let checks = document["checks"].as_array().expect("checks");
+    let passed = checks.iter().filter(|one| one["verdict"] == "pass").count();
+    let (_, brief, _) = contact_vv(&varying);
+    assert!(passed < checks.len() && brief.contains(&format!("{passed} of {} pass", checks.len())), "{brief}");
 }
 
 #[test]

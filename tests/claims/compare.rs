@@ -11,7 +11,7 @@ use contact_vv::solve::curve::CurvePoint;
 use serde_json::Value;
 
 use crate::balance::solved_as_it_says;
-use crate::outputs::{contact_vv, refuses, scene};
+use crate::outputs::{contact_vv, json, refuses, scene};
 use crate::program::Folder;
 use crate::scene_file::{scene_alone, text_of};
 use crate::workbench::parsed;
@@ -177,4 +177,17 @@ fn curve_is_written_by_the_command_line() {
         assert_relative_eq!(number(force), 22656.0 * number(share), max_relative = 1e-8);
         assert_eq!((&row[column("outcome")], &row[column("half_width_deg")]), ("converged", ""));
     }
+    // On an arc half-widths are angles in degrees.
+    let file = folder.at("arc.csv");
+    let solved = json(&["solve", "pin-rod", "--no-error-bar", "--increments", "2", "--curve", &file]);
+    let rows = csv::Reader::from_path(&file).expect("written").into_records().collect::<Result<Vec<_>, _>>();
+    let rows = rows.expect("rows");
+    let last = rows.last().expect("a row");
+    let half_angle = solved["contacts"][0]["half_width"].as_f64().expect("an angle").to_degrees();
+    assert_relative_eq!(
+        last[column("half_width_deg")].parse::<f64>().expect("a number"),
+        half_angle,
+        max_relative = 1e-9
+    );
+    assert_eq!(&last[column("half_width_mm")], "");
 }

@@ -121,9 +121,14 @@ fn what_is_missing_broken_or_of_another_scene_is_refused_by_its_file() {
     }
     let error = load(Path::new("no/such/folder")).expect_err("no folder, which is not an absence");
     assert!(error.to_string().contains("no/such/folder"), "{error}");
-    let force = "force_n,force_error_n,half_angle_deg,half_angle_error_deg\n1,0.1,30,1\n";
-    let error = refusal("semi-ellipse.csv", Some(force));
-    assert!(error.to_string().contains("HalfAngle over Force"), "{error}");
+    for (columns, what) in [
+        ("force_n,force_error_n,half_angle_deg,half_angle_error_deg", "HalfAngle over Force"),
+        ("angle_deg,angle_error_deg,half_angle_deg,half_angle_error_deg", "HalfAngle over Angle"),
+        ("force_n,force_error_n,pressure_mpa,pressure_error_mpa", "Pressure over Force"),
+    ] {
+        let error = refusal("semi-ellipse.csv", Some(&format!("{columns}\n1,0.1,30,1\n")));
+        assert!(error.to_string().contains(what), "{error}");
+    }
     let whole = text("provenance.toml");
     let (head, _) = whole.split_once("[[curves]]").expect("the synthetic provenance lists a curve");
     assert_eq!(missing(&refusal("provenance.toml", Some(head))), "curves");

@@ -5,8 +5,8 @@ use std::f64::consts::FRAC_PI_2;
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use contact_vv::case::library::{Cylinder, PinRod};
 use contact_vv::elasticity::{ElasticSystem, Freedom, loads, numbered, reactions};
-use contact_vv::mesh::{Mesh, Order};
-use contact_vv::scene::{Action, Along, Component, Face, Load, Place, Scene, SidePart, VectorField};
+use contact_vv::mesh::{BodyMesh, Mesh, Order};
+use contact_vv::scene::{Action, Along, Component, Face, Load, Path, Place, Scene, Shape, SidePart, VectorField};
 use nalgebra::DVector;
 
 use crate::scene_file::case;
@@ -343,5 +343,49 @@ fn part_of_an_arc_lies_between_two_angles_even_across_the_top() {
         };
         let [coarse, fine] = [0, 2].map(error);
         assert!(coarse <= 1e-3 && fine <= 1e-12 + coarse / 32.0, "{from}, {to}: {coarse}, {fine}");
+    }
+}
+
+#[test]
+fn part_of_a_side_that_turns_back_within_an_edge_lies_on_both_of_its_flanks() {
+    // The upper side of one cell is y = −x²/4 from x = −1 to 2, whose top is no node.
+    let height = |x: f64| -0.25 * x * x;
+    let upper = [2.0, -1.0, 0.5].map(|x| [x, height(x)]);
+    let lower = [[-1.0, -5.0], [2.0, -5.0]];
+    let points = vec![lower[0], lower[1], upper[0], upper[1], [0.5, -5.0], [2.0, -3.0], upper[2], [-1.0, -2.625]];
+    let boundaries = [("top".into(), vec![vec![2, 3, 6]])].into();
+    let (nodes, cells, lines, candidates) = (0..8, 0..1, Default::default(), Vec::new());
+    let body = BodyMesh { nodes, cells, boundaries, lines, candidates };
+    let mesh = Mesh { order: Order::Quadratic, points, connectivity: (0..8).collect(), bodies: vec![body] };
+    let part = Some(SidePart { along: Along::Axis(Component::Y), from: -0.2, to: height(0.5) });
+    let pressure = Action::Stress(VectorField::of(|_| [-3.0, -3.0, 0.0]));
+    let scene = block([3.0, 5.0], vec![], vec![on("top", part, pressure)]);
+    let forces = loads::at_nodes(&scene, &mesh, 0).expect("a part of the side");
+    // From |x| = 0.5 to √0.8 on either flank: what presses sideways cancels.
+    let wanted = -3.0 * scene.thickness * 2.0 * (0.8_f64.sqrt() - 0.5);
+    let [x, y] = [0, 1].map(|k| forces.iter().map(|force| force[k]).sum::<f64>());
+    assert_relative_eq!(y, wanted, max_relative = 1e-12);
+    assert_abs_diff_eq!(x, 0.0, epsilon = 1e-12);
+}
+
+#[test]
+fn a_block_that_supports_stretch_is_strained_evenly_whichever_side_touches() {
+    let (size, stretched) = ([4.0, 3.0], 0.01);
+    for (order, contact) in ORDERS.into_iter().flat_map(|order| [Face::Bottom, Face::Top].map(|face| (order, face))) {
+        let ends = [("left", 0.0), ("right", stretched)].map(|(side, value)| held(side, Component::X, value));
+        let mut scene = block(size, [&ends[..], &[held("far", Component::Y, 0.0)]].concat(), vec![]);
+        scene.bodies[0].shape = Shape::Rectangle { x: [0.0, size[0]], y: [0.0, size[1]], contact };
+        // On the upper side the tangent of the candidates runs against x.
+        let [touching, far] = if contact == Face::Bottom { [0.0, size[1]] } else { [size[1], 0.0] };
+        let pair = &mut scene.contacts[0];
+        (pair.above, pair.path) =
+            (contact == Face::Bottom, Path::Straight { origin: [0.0, touching], both_sides: false });
+        let mesh = Mesh::of(&scene, resolution(2, 0, order)).expect("mesh");
+        // No stress along y: ε_y = −ν/(1 − ν) ε_x in plane strain.
+        let strain = stretched / size[0];
+        for ([u, v], [x, y]) in displaced(&scene, &mesh).into_iter().zip(&mesh.points) {
+            assert_abs_diff_eq!(u, strain * x, epsilon = 1e-12);
+            assert_abs_diff_eq!(v, -0.3 / 0.7 * strain * (y - far), epsilon = 1e-12);
+        }
     }
 }

@@ -295,3 +295,18 @@ fn body_that_nothing_supports_is_refused_by_all_nine_without_a_load_and_by_six_u
     let pulled = limit("supported by contact alone").seen;
     assert!(pulled.starts_with("6 of 9: ") && pulled.contains("; 3: "), "{pulled}");
 }
+
+#[test]
+fn springs_that_are_lost_in_round_off_hold_once_they_are_raised_as_told() {
+    let made = meshed(Cylinder::default().scene(), 4, Order::Quadratic);
+    let with = |stiffness: f64| {
+        let formulation = Formulation { stiffness, ..Formulation::new(Element::Node, Iteration::Varying) };
+        Run::of(&made, &formulation).map(|_| ())
+    };
+    let error = with(1e-12).expect_err("only contact holds the cylinder");
+    assert!(error.kind == Kind::SpringsTooSoft, "{error}");
+    let told = error.remedy.strip_prefix("raise `stiffness` ").and_then(|rest| rest.split(' ').next());
+    let times: f64 = told.and_then(|times| times.parse().ok()).unwrap_or_else(|| panic!("{error}"));
+    // A hundred times as stiff as hold: that is for digits.
+    assert!(with(1e-12 * times).is_ok() && with(0.0101 * 1e-12 * times).is_ok(), "{error}");
+}

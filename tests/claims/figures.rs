@@ -6,8 +6,8 @@ use contact_vv::checkout::root;
 use contact_vv::drawing::palette::{self, CARD, CLASSES, CURVES, Dash, INK, Marker, ON_CLASSES};
 use contact_vv::drawing::theme::Rgb;
 use contact_vv::drawing::{
-    Axis, Bars, Cell, Chart, ClassMap, Colour, ColourMap, Direction, Drawing, Field, Guide, MapPanel, Remark, Series,
-    Style, Theme, schematic,
+    Axis, Bars, Cell, Chart, ClassMap, Colour, ColourMap, Detail, Direction, Drawing, Field, Guide, IterationPaths,
+    MapPanel, Path, Remark, Series, Style, Theme, Window, schematic,
 };
 use contact_vv::markdown::significant;
 use contact_vv::study::timings::precision::Point;
@@ -440,6 +440,37 @@ fn points_stand_where_the_numbers_on_linear_and_logarithmic_axes_say() {
 }
 
 #[test]
+fn an_iteration_walks_upright_to_its_next_spring_and_along_that_to_its_next_state() {
+    // From (1, 1) to (2, 4) on a spring of stiffness 2, whose pressure at w = 1 is 4 − 2 (2 − 1) = 2: a third of the way up.
+    let path = Path {
+        algorithm: "one".into(),
+        dash: Dash::Solid,
+        states: vec![[1.0, 1.0, 1.0], [2.0, 4.0, 2.0]],
+        converged: true,
+    };
+    let drawn = IterationPaths {
+        title: "a walk".into(),
+        axes: ["w".into(), "p".into()],
+        load_line: [(0.0, 5.0), (5.0, 0.0)],
+        gap: 1.5,
+        target: (2.0, 4.0),
+        colour: palette::NODE,
+        paths: vec![path],
+    };
+    let svg = drawn.drawing().expect("drawn");
+    let of_colour = |tag: &&str| attribute(tag, "stroke").map(colour) == Some(palette::NODE.on(Theme::Light));
+    let tags = svg.split('<').filter(|part| part.starts_with("path")).filter(of_colour);
+    let walks: Vec<Vec<[f64; 2]>> = tags.flat_map(|tag| outlines(attribute(tag, "d").expect("a path"))).collect();
+    let [[from, corner, to]] =
+        walks.iter().filter(|walk| walk.len() == 3).map(|walk| [walk[0], walk[1], walk[2]]).collect::<Vec<_>>()[..]
+    else {
+        panic!("{walks:?}")
+    };
+    assert!((corner[0] - from[0]).abs() < 0.2, "upright: {from:?}, {corner:?}");
+    assert!((corner[1] - from[1] - (to[1] - from[1]) / 3.0).abs() < 0.2, "{from:?}, {corner:?}, {to:?}");
+}
+
+#[test]
 fn a_text_of_the_legend_stands_beside_the_sign_of_its_own_curve() {
     let mut chart = Chart::new("legend", Axis::linear("x"), Axis::linear("y"));
     let named = [("the first", palette::LINE), ("the second", palette::NODE), ("the third", palette::PURPLE)];
@@ -505,6 +536,17 @@ fn a_place_of_a_field_has_the_colour_that_the_bar_has_between_the_numbers_around
             k + 1
         );
     }
+    // A detail is as many times as large as what is framed in the whole.
+    let window = Window { x: (0.4, 0.6), y: (0.4, 0.6) };
+    let svg = Field { details: vec![Detail::of(window, 0.0)], ..field }.drawing().expect("drawn");
+    let frame = |pen: &str| {
+        let mut tags = svg.split('<').filter(|tag| attribute(tag, "stroke-width") == Some(pen));
+        let own = tags.find_map(|tag| Some(outlines(attribute(tag, "d")?).concat())).expect("a frame");
+        own.iter().map(|at| at[0]).fold(f64::NEG_INFINITY, f64::max) - own[0][0].min(own[1][0]).min(own[2][0])
+    };
+    let (_, told) = svg.split_once("framed ×").expect("a name");
+    let told: f64 = told.split('<').next().and_then(|text| text.trim().parse().ok()).expect("a number");
+    assert!((told - frame("1.2") / frame("1.4")).abs() < 0.1 && told > 2.0, "{told}");
 }
 
 #[test]

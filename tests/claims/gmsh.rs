@@ -162,6 +162,13 @@ fn chain_of_blocks_is_the_body_they_make() {
         let apart = one.solution.points.iter().zip(&two.solution.points).map(|(a, b)| (a.pressure - b.pressure).abs());
         assert_eq!(one.dofs == two.dofs && apart.fold(0.0, f64::max) <= 1e-8, alike, "{is}");
     }
+    // Cells that grow along the side that both share.
+    let along = ["4], bottom", "4], growth = [1, 1.2], bottom"];
+    let (_, one) = solved(&of_blocks(&ONE_BLOCK.replace(along[0], along[1])).expect("sound"));
+    let (_, two) = solved(&scene("two-blocks", &[along, ["4], left", "4], growth = [1.2, 1], left"]]));
+    for (a, b) in one.solution.points.iter().zip(&two.solution.points) {
+        assert!((a.pressure - b.pressure).abs() <= 1e-8 && one.dofs == two.dofs, "{a:?} {b:?}");
+    }
 }
 
 #[test]

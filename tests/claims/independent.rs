@@ -179,6 +179,10 @@ fn changed_versions_and_numbers_are_named() {
     assert!(told[0].contains("numpy") && told[0].contains("9.9"), "{told:?}");
     assert_eq!(told.len(), 2, "{told:?}");
     assert!(told[1].contains("pin-rod, 8-node, p (group 4)"), "{told:?}");
+    // A library that is not there any more has changed, too.
+    new.versions.remove("numpy");
+    let told = changes(Code::Dolfinx, &old, &new);
+    assert!(told[0].contains(&format!("numpy {}, now absent", old.versions["numpy"])), "{told:?}");
 }
 
 #[test]

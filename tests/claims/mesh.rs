@@ -9,11 +9,11 @@ use contact_vv::case::library::{Cylinder, PinRod, PressFit, TruncatedHertz};
 use contact_vv::elasticity::{element, quadrature};
 use contact_vv::mesh::candidates::candidate_edges;
 use contact_vv::mesh::{Mesh, Order};
-use contact_vv::scene::{Grading, Scene, Sector, Shape};
+use contact_vv::scene::{BlockShape, Grading, Path, Scene, Sector, Shape};
 use contact_vv::solve::{Formulation, Run};
 
 use crate::scene_file::text_of;
-use crate::workbench::{ORDERS, library, meshed, parsed, resolution};
+use crate::workbench::{ORDERS, library, meshed, of_shape, parsed, resolution};
 
 /// Area by quadrature of the Jacobian determinant; 3 × 3 points are exact for 8-node cells.
 fn area(mesh: &Mesh, body: usize) -> f64 {
@@ -364,4 +364,45 @@ fn refinement_of_default_meshes_goes_to_the_solution() {
     };
     assert!((grading(16, "").along - 1.7).abs() < 1e-12 && (grading(64, "").along - 1.7_f64.sqrt()).abs() < 1e-12);
     assert!((grading(64, "growth = { along = 1.4 }\n").along - 1.4).abs() < 1e-12);
+}
+
+#[test]
+fn corners_of_blocks_that_differ_by_rounding_are_one_node_whichever_way_they_differ() {
+    // Nodes are looked up between lines 1e-9 of the size apart: half-way between two of them rounding leads to either.
+    let (at, off) = (1.0 + 1e-9, 1e-12);
+    for (dx, dy) in [(0.0, 1.0), (0.0, -1.0), (1.0, 0.0), (-1.0, 0.0), (1.0, 1.0), (1.0, -1.0), (-1.0, -1.0)] {
+        let corner = |times: f64| [at + times * dx * off, at + times * dy * off];
+        let block = |corners: [[f64; 2]; 4]| BlockShape {
+            corners,
+            arcs: [None; 4],
+            names: [Some("contact".into()), None, None, None],
+            elements: [1, 1],
+            growth: [1.0; 2],
+        };
+        let left = block([[0.0, 0.0], [at, 0.0], corner(-1.0), [0.0, at]]);
+        let right = block([[at, 0.0], [2.0, 0.0], [2.0, at], corner(1.0)]);
+        let scene = of_shape(Shape::Blocks(vec![left, right]), Path::HORIZONTAL, 2.0, vec![], vec![]);
+        let mesh = Mesh::of(&scene, resolution(1, 0, Order::Linear)).expect("meshed");
+        assert_eq!(mesh.points.len(), 6, "{dx}, {dy}");
+    }
+}
+
+#[test]
+fn growth_and_coarsest_element_of_finer_meshes_follow_the_order_of_the_cells() {
+    // Of n times as many elements q^(n^−1/p), and the coarsest over n^(1/p); of coarser ones by a ratio the other way, their unit times that.
+    let grading = Grading { unit: 3.0, along: 1.7, depth: 1.4, first: 1.0, coarsest: 0.3, end: 1.0 };
+    for order in [Order::Linear, Order::Quadratic, Order::Octic] {
+        let power = f64::from(order.number()).recip();
+        for (found, ratio, unit) in [
+            (order.refined(&grading, 4.0), 0.25, 3.0),
+            (order.refined(&grading, 0.5), 1.0, 3.0),
+            (order.coarsened(&grading, 2.0), 2.0, 6.0),
+        ] {
+            let faster = f64::powf(ratio, power);
+            assert_relative_eq!(found.along, 1.7_f64.powf(faster), max_relative = 1e-12);
+            assert_relative_eq!(found.depth, 1.4_f64.powf(faster), max_relative = 1e-12);
+            assert_relative_eq!(found.coarsest, 0.3 * faster, max_relative = 1e-12);
+            assert_relative_eq!(found.unit, unit);
+        }
+    }
 }

@@ -441,14 +441,16 @@ fn parts_are_read_where_their_instances_place_them_and_their_sets_by_instance() 
     let placed = deck
         .replace(&nodes.concat(), &turned.concat())
         .replace("part=BLOCK\n", "part=BLOCK\n1., -3., \n0., 0., 0., 0., 0., 1., 90.\n");
+    // Against the axis that points down a turn is the other one.
+    let from_below = placed.replace("0., 0., 1., 90.", "0., 0., -1., -90.");
+    assert_ne!(placed, from_below);
     let twice = deck
         .replace("*End Instance\n", "*End Instance\n*Instance, name=Other, part=Block\n50., 0., 0.\n*End Instance\n");
     let by_name = |text: String| {
         text.replace("\"body\", contact", "\"Block-1.body\", contact").replace("\"roof\"", "\"Block-1.roof\"")
     };
-    for found in
-        [answer(&deck, &|text| text), answer(&placed, &|text| text), answer(&deck, &by_name), answer(&twice, &by_name)]
-    {
+    let plainly = [&deck, &placed, &from_below].map(|deck| answer(deck, &|text| text));
+    for found in plainly.into_iter().chain([&deck, &twice].map(|deck| answer(deck, &by_name))) {
         assert_eq!(found.len(), 7);
         for [_, pressure] in found {
             assert_relative_eq!(pressure, 5.0, max_relative = 1e-9);

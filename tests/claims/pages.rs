@@ -9,7 +9,7 @@ use contact_vv::checkout::root;
 use contact_vv::oracle::ReferenceKind;
 use contact_vv::report::front::{self, against, cumulated, right};
 use contact_vv::report::links::{CHARTS, PAGES};
-use contact_vv::report::{Only, case_page, diff, difference, page, record, study_page, symbols, told, write};
+use contact_vv::report::{Only, case_page, diff, difference, matrix, page, record, study_page, symbols, told, write};
 use contact_vv::study::sheet::SHEETS;
 use contact_vv::study::{Files, Finding, Room, Study, Trial, cases, drawn, paper};
 
@@ -285,6 +285,32 @@ fn pages_are_written_compared_and_removed_as_a_folder() {
     assert_eq!(told(&after), None);
     std::fs::write(folder.path().join(PAGES).join("one.md"), "other\n").expect("written");
     assert!(told(&after).expect("another text").contains("one.md"));
+}
+
+#[test]
+fn rows_of_bounds_tell_how_much_of_them_is_used_and_those_of_errors_how_much_of_the_tolerance() {
+    let bound = || Reference::own("none", 2.0);
+    let least = |name: &'static str, value: f64| Check::at_least(name, bound(), "a reason").judge(value);
+    let most = |name: &'static str, value: f64| Check::at_most(name, bound(), "a reason").judge(value);
+    let near = Check::near("e", Reference::analytic("Hertz", 100.0), 0.1, "a reason").judge(99.0);
+    let mut finding = small();
+    finding.judged = vec![least("a", 8.0), least("b", 1.0), most("c", 0.5), most("d", 4.0), near];
+    let rows = record::rows(&[finding]);
+    assert_eq!(rows.iter().map(|row| row.share).collect::<Vec<f64>>(), [0.25, 2.0, 0.25, 2.0, 0.1]);
+}
+
+#[test]
+fn the_worst_of_some_runs_is_the_sign_of_their_case_and_failures_that_are_not_named_are_counted() {
+    let failed = || Check::at_most("number", Reference::own("none", 1.0), "a reason").judge(2.0);
+    let fails: Vec<Judged> = (0..5).map(|_| failed()).collect();
+    let told = told::failures(&fails.iter().collect::<Vec<_>>());
+    assert!(told.ends_with("; and 2 more."), "{told}");
+    let [passed, mut broken] = [small(), small()];
+    broken.judged = vec![failed()];
+    for findings in [[passed.clone(), broken.clone()], [broken, passed]] {
+        let row = matrix::other_cases(&findings, |finding| finding.case.clone());
+        assert!(row.contains("| ✗ "), "{row}");
+    }
 }
 
 #[test]

@@ -344,6 +344,20 @@ fn a_solve_is_one_html_file_that_needs_nothing_else() {
             assert!(page.contains(&told), "{told}");
         }
     }
+    // Verdict, requirement, value, reference and error, in this order.
+    for one in document["checks"].as_array().expect("checks") {
+        let told = one["requirement"].as_str().expect("a text").replace('<', "&lt;");
+        let [_, row] = page.split(&format!("<td>{told}</td>")).collect::<Vec<_>>()[..] else { panic!("{told}") };
+        let cells: Vec<&str> = row.split("</td>").map(|cell| cell.trim_start_matches("<td>")).take(3).collect();
+        let number = |k: usize| cells[k].split(' ').next().and_then(|word| word.parse::<f64>().ok());
+        for (k, key) in ["value", "reference"].into_iter().enumerate() {
+            let [found, wanted] = [number(k), one[key].as_f64()];
+            assert!(
+                found.zip(wanted).is_some_and(|(a, b)| (a - b).abs() <= 1e-5 * b.abs() + 1e-12),
+                "{key}: {cells:?}, {one}"
+            );
+        }
+    }
     assert!(page.contains("<svg") && page.contains("prefers-color-scheme: dark") && page.contains("[[body]]"));
     // Written once more it replaces itself, and nothing else.
     assert!(contact_vv(&["solve", &mine, "--html", &html, "--no-error-bar"]).0);

@@ -62,6 +62,9 @@ fn run_that_ends_before_the_last_increment_has_the_reactions_of_its_own_share() 
     assert!(touch[1] > 1.0, "{touch:?}");
     assert_relative_eq!(reactions[0].force, -x - touch[0], max_relative = 1e-9);
     assert_relative_eq!(reactions[1].force, -y - touch[1], max_relative = 1e-9);
+    // Under that share of its loads nothing is left over.
+    let equilibrium = discretisation.equilibrium(run.share(), &run.solution).expect("sums");
+    assert!(equilibrium.iter().all(|one| one.largest() <= 1e-9), "{equilibrium:?}");
     let held = discretisation.mesh.node_at(&discretisation.scene, 0, [10.0, 20.0]).expect("a corner");
     let fields = discretisation.recover_under(run.share(), &run.solution).expect("recovered");
     assert_relative_eq!(fields.displacement[held][1], -0.05 * run.share(), max_relative = 1e-14);

@@ -64,7 +64,8 @@ fn nodes_beyond_the_contact_may_have_no_number_in_grids_as_in_files_of_calculix(
     let within = |s: f64| if s > 1.55 { "nan".into() } else { written(s) };
     // Where the last one is pressed they are beyond what is handed in, as in a table that ends there: as far as the contact does.
     let found = judged(read("theirs.vtu", grid(|x, y| [x, y, 0.0], within)));
-    refused_as(found, &["stop at 1.5", "of the force lies beyond"]);
+    // √(1 − 0.75²) of the largest, and 1 − (2/π)(asin 0.75 + 0.75 √(1 − 0.75²)) of the force.
+    refused_as(found, &["stop at 1.5", "with 66 % of the largest, and 14.4 % of the force lies beyond"]);
     let active = |s: f64| if s > 1.95 { "nan".into() } else { written(s) };
     let listed = table(PRESSURES, (0..20).map(ellipse::place).map(|s| [s, ellipse::pressure(s)]));
     let pressed = Frd { listed: (0..20).collect(), ..Frd::plain() };
@@ -83,6 +84,28 @@ fn nodes_beyond_the_contact_may_have_no_number_in_grids_as_in_files_of_calculix(
     refused("theirs.vtu", grid(|x, y| [x, y, 0.0], at_line), &usual(), &["1 of the 49 nodes", "none is no zero"]);
     let infinite = |s: f64| if s > 2.15 { "inf".into() } else { written(s) };
     refused("theirs.vtu", grid(|x, y| [x, y, 0.0], infinite), &usual(), &["of the 49 nodes", "none is no zero"]);
+}
+
+#[test]
+fn pixels_are_quadrilaterals_whose_corners_are_listed_row_by_row() {
+    let legacy = vtk::ascii(&written);
+    let (head, rest) = legacy.split_once("CONNECTIVITY vtktypeint64\n").expect("cells");
+    let (cells, rest) = rest.split_once("CELL_TYPES").expect("types");
+    let by_rows = |line: &str| {
+        let [a, b, c, d] = line.split(' ').collect::<Vec<_>>()[..] else { panic!("{line}") };
+        format!("{a} {b} {d} {c}\n")
+    };
+    let by_rows: String = cells.lines().map(by_rows).collect();
+    let types = rest.replace("\n9\n", "\n8\n").replace("\n9\n", "\n8\n");
+    let pixels = format!("{head}CONNECTIVITY vtktypeint64\n{by_rows}CELL_TYPES{types}");
+    let mut asked = usual();
+    asked.columns.push((Role::Displacement, "moved".into()));
+    asked.units.push((Role::Displacement, "mm".into()));
+    let cells = |text: &str| {
+        let field = parsed("theirs.vtk", text, &asked).expect("read").field.expect("displacements");
+        field.cells.into_iter().map(|cell| cell.nodes).collect::<Vec<_>>()
+    };
+    assert_eq!(cells(&pixels), cells(&legacy));
 }
 
 #[test]
@@ -135,7 +158,10 @@ fn what_stands_beside_the_numbers_of_a_grid_is_passed_over() {
     let mut titled = vtk::binary(true);
     let at = titled.windows(7).position(|window| window == b"\nPOINTS").expect("points");
     // Six letters behind their number, of which the two first bits say that it is one byte.
-    titled.splice(at..at, b"\nFIELD FieldData 1\ntitle 1 1 string\n\xc6run\n 5\n".iter().copied());
+    titled.splice(at..at, b"\nFIELD FieldData 2\ntitle 1 1 string\n\xc6run\n 5\nids 1 2 vtkIdType\n".iter().copied());
+    // Numbers of points and cells have four bytes each.
+    let at = titled.windows(7).position(|window| window == b"\nPOINTS").expect("points");
+    titled.splice(at..at, [0, 0, 0, 1, 0, 0, 0, 2]);
     ellipse::assert(&read("theirs.vtk", titled), 1e-5);
     for (head, what) in [
         ("DATASET UNSTRUCTURED_GRID\n", title.to_owned()),

@@ -16,6 +16,7 @@ use contact_vv::referee::judge::ENGINEERING;
 use contact_vv::referee::{Asked, Truth, read, verdicts};
 use contact_vv::scene::{Load, Place, Shape};
 use contact_vv::solve::{Discretisation, Formulation, Run};
+use contact_vv::study::described;
 
 use crate::balance::{self, solved, text};
 use crate::handed::{failed, judged_as, moved, read};
@@ -417,4 +418,37 @@ fn exported_scripts_solve_the_case_where_their_codes_are_installed_and_meet_its_
             assert!(verdicts(truth, answer, ENGINEERING).expect("judged").met(), "{}", script.display());
         }
     }
+}
+
+#[test]
+fn codes_in_plane_strain_are_told_the_plane_stress_of_a_scene_and_the_sides_of_its_contact_by_number() {
+    let case = Case::read(&root().join("tests/cases/press-fit.toml")).expect("a case");
+    let mesh = Mesh::of(&case.scene, case.resolution).expect("meshed");
+    let told = described::elsewhere("press-fit", &case.scene, &mesh);
+    let after = |before: &str, from: &str| -> f64 {
+        let (_, rest) = told.split_once(from).unwrap_or_else(|| panic!("{from}: {told}"));
+        let (_, rest) = rest.split_once(before).unwrap_or_else(|| panic!("{before}: {rest}"));
+        let own = rest.split(|mark: char| mark.is_whitespace() || ",;".contains(mark)).next();
+        own.and_then(|word| word.trim_end_matches('.').parse().ok()).unwrap_or_else(|| panic!("{before}: {rest:.40}"))
+    };
+    for body in &case.scene.bodies {
+        // Plane stress is σ_x = E/(1 − ν²) (ε_x + ν ε_y), plane strain (λ + 2μ) ε_x + λ ε_y; of that E = μ(3λ + 2μ)/(λ + μ), ν = λ/2(λ + μ).
+        let (young, poisson) = (body.material.young, body.material.poisson);
+        let [lambda, shear] = [young * poisson / (1.0 - poisson * poisson), 0.5 * young / (1.0 + poisson)];
+        let own = format!("`{}`: λ", body.name);
+        assert!((after("= ", &own) - lambda).abs() <= 1e-3, "{told}");
+        assert!((after("μ = ", &own) - shear).abs() <= 1e-3, "{told}");
+        let of_moose = format!("[{}]\n    type = Compute", body.name);
+        let wanted = [shear * (3.0 * lambda + 2.0 * shear) / (lambda + shear), 0.5 * lambda / (lambda + shear)];
+        for (key, wanted) in ["youngs_modulus = ", "poissons_ratio = "].into_iter().zip(wanted) {
+            assert!((after(key, &of_moose) / wanted - 1.0).abs() <= 1e-12, "{key}: {told}");
+        }
+    }
+    let numbers = gmsh::numbers(&case.scene, &mesh);
+    for (key, side) in [("secondary = ", "inner contact"), ("primary = ", "outer contact")] {
+        let (_, number) = numbers.iter().find(|(name, _)| name == side).expect("a side");
+        assert_eq!(after(key, "[Contact]") as usize, *number, "{side}");
+    }
+    let words = described::scene(&case.scene).concat();
+    assert!(words.contains("counter-clockwise through 90 °") && words.contains("|s| ≤ 90 °"), "{words}");
 }

@@ -10,6 +10,8 @@ use contact_vv::solve::Formulation;
 
 use crate::balance::solved_on;
 use crate::handed::{judged_as, read};
+use crate::outputs::contact_vv;
+use crate::program::Folder;
 use crate::workbench::truth;
 
 /// Meshes that are halved, growth and all.
@@ -53,8 +55,33 @@ fn series_that_goes_elsewhere_is_found_and_one_that_is_not_halved_is_not_extrapo
     let elsewhere = series::all(truth, &answers(truth, &HALVED, 1.05)).pop().expect("a series");
     let peak = elsewhere.along.iter().find(|one| one.name == "peak pressure").expect("a peak");
     assert_eq!(peak.judged.verdict, Verdict::Fail, "{peak:?}");
-    let uneven = series::all(truth, &answers(truth, &[(8, 0), (12, 0), (18, 0)], 1.0)).pop().expect("a series");
-    assert!(verdicts_of(&uneven).iter().all(|verdict| matches!(verdict, Verdict::NotRun(_))), "{uneven:?}");
+    // Of the three neither step is halved, or one alone.
+    for meshes in [[(8, 0), (12, 0), (18, 0)], [(8, 0), (8, 1), (12, 1)], [(8, 0), (12, 0), (12, 1)]] {
+        let uneven = series::all(truth, &answers(truth, &meshes, 1.0)).pop().expect("a series");
+        assert!(verdicts_of(&uneven).iter().all(|verdict| matches!(verdict, Verdict::NotRun(_))), "{uneven:?}");
+    }
+}
+
+#[test]
+fn the_table_of_a_series_tells_errors_in_per_cent() {
+    let folder = Folder::made();
+    let file = |(elements, refinement): (usize, u32)| {
+        let resolution = Resolution { elements, refinement, order: Order::Linear };
+        let scene = TruncatedHertz::default().case().scene;
+        let (discretisation, run) = solved_on(scene, resolution, &Formulation::verification());
+        let text = serde_json::to_string(&own::answer("truncated-hertz", &discretisation, &run)).expect("JSON");
+        folder.with(&format!("{elements}-{refinement}.json"), text)
+    };
+    let [coarse, medium, fine] = HALVED.map(file);
+    let (_, told, error) = contact_vv(&["judge", "truncated-hertz", &coarse, &medium, &fine, "--series"]);
+    let rows = told.lines().filter(|line| line.contains("second-moment width") && line.contains(" %"));
+    let numbers = |line: &str| line.split_whitespace().filter_map(|word| word.parse::<f64>().ok()).collect::<Vec<_>>();
+    let rows: Vec<Vec<f64>> = rows.map(numbers).filter(|row| row.len() >= 3).collect();
+    assert!(rows.len() >= HALVED.len(), "{told}{error}");
+    for row in &rows[rows.len() - HALVED.len()..] {
+        let wanted = 100.0 * (row[1] / TruncatedHertz::default().half_width() - 1.0);
+        assert!((row[2] - wanted).abs() <= 0.01 * wanted.abs() + 1e-3, "{row:?}: {wanted}");
+    }
 }
 
 #[test]

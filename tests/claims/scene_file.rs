@@ -104,6 +104,8 @@ fn rigid_profiles_are_their_formulas_in_any_unit() {
         ("{ cosine = { amplitude = 0.3, wavelength = 7 } }", |s| 0.3 * (1.0 - (std::f64::consts::TAU * s / 7.0).cos())),
         ("{ parabola = 9 }", |s| s * s / 18.0),
         ("{ circle = 9 }", |s| 9.0 - (81.0 - s * s).sqrt()),
+        ("{ circles = [9, -12] }", |s| (9.0 - (81.0 - s * s).sqrt()) - (12.0 - (144.0 - s * s).sqrt())),
+        ("{ parabola = 9, clearance = 0.02 }", |s| s * s / 18.0 + 0.02),
         ("{ table = [[0, 0], [1, 0.1], [3, 0.5], [5, 2]] }", |s| if s <= 1.0 { 0.1 * s } else { 0.2 * s - 0.1 }),
     ];
     let text = scene_alone(&text_of("rigid-cosine.toml"));
@@ -113,9 +115,9 @@ fn rigid_profiles_are_their_formulas_in_any_unit() {
         for (unit, factor) in [("mm", 1.0), ("m", 1e3), ("in", 25.4)] {
             let file = text.replace(was, gap).replace(stretch, "stretch = 4");
             let file = format!("units = {{ length = \"{unit}\" }}\n{file}");
-            let profile = parsed(&file).scene.contact().profile.clone();
+            let pair = parsed(&file).scene.contact().clone();
             for s in [0.0, 0.3, 1.0, 2.9] {
-                assert_relative_eq!(profile.gap(factor * s), factor * wanted(s), max_relative = 1e-11, epsilon = 1e-15);
+                assert_relative_eq!(pair.gap(factor * s), factor * wanted(s), max_relative = 1e-11, epsilon = 1e-15);
             }
         }
     }

@@ -11,7 +11,7 @@ use contact_vv::report::{record, statements};
 use contact_vv::solve::{Element, Iteration};
 use contact_vv::study::paper::reading::{Axis, Candidates, Reading, Stop};
 use contact_vv::study::paper::sentence::{GOOD, Met, Seen, Sentence, Starts, agrees};
-use contact_vv::study::paper::statement::{self, Course, courses, later as later_of, shown};
+use contact_vv::study::paper::statement::{self, Course, Example, courses, later as later_of, shown};
 use contact_vv::study::paper::statement::{Fared, Judgement};
 use contact_vv::study::{Finding, Study, cases};
 
@@ -249,6 +249,33 @@ fn what_was_measured_is_told_in_sentences_of_at_most_45_words() {
     for sentence in rows.iter().flat_map(|[.., measured]| measured.split(". ")) {
         assert!(sentence.split_whitespace().count() <= 45, "{sentence}");
     }
+}
+
+#[test]
+fn a_run_has_ended_by_a_cap_of_as_many_iterations_and_not_of_one_less() {
+    let nearest = Reading::nearest();
+    let ends = |cap: usize| -> Vec<Option<Met>> {
+        let seen = statement::seen(&NEAREST, &Reading { cap, ..nearest }, Example::Cylinder);
+        seen.of.into_iter().flat_map(|starts| starts.met).collect()
+    };
+    let all = ends(nearest.cap);
+    let (at, met) = all.iter().enumerate().find_map(|(k, met)| Some((k, (*met)?))).expect("one that ends");
+    assert_eq!(ends(met.iterations)[at], Some(met));
+    assert_eq!(ends(met.iterations - 1)[at], None);
+}
+
+#[test]
+fn condensation_pays_by_the_factorisations_of_sparse_matrices_that_it_spares() {
+    let finding =
+        off(cylinder::NINE, [(Quantity::PeakPressure.into(), 0.0), (Quantity::SecondMomentWidth.into(), 0.0)]);
+    let run = &finding.numbers::<cases::Numbers>().expect("a run").run;
+    assert_ne!(run.formulation.algorithm, Iteration::Constant);
+    // Without it every factorisation is of the sparse matrix, with it one, beside those of the dense one.
+    let work = &run.solution.work;
+    let gain = run.sparse_operations * work.factorisations as f64 / (run.sparse_operations + work.operations);
+    let all = statements::judge(std::slice::from_ref(&finding));
+    let told = all.iter().find(|one| one.text.contains("substructuring")).expect("a statement");
+    assert_eq!(told.clause, format!("{gain:.1} to {gain:.0} times the operations without"));
 }
 
 #[test]

@@ -164,6 +164,11 @@ fn row(record: &Record, start: &str, holds: &str) -> Target {
 
 #[test]
 fn target_that_is_missed_or_not_a_number_is_not_met() {
+    for (value, at_most, at_least) in [(9.99, true, false), (10.0, true, true), (10.01, false, true)] {
+        assert_eq!(Target::at_most("a".into(), 10.0, value).met, Some(at_most), "{value}");
+        assert_eq!(Target::at_least("a".into(), 10.0, value).met, Some(at_least), "{value}");
+    }
+    assert_eq!(Target::at_least("a".into(), 10.0, f64::NAN).met, Some(false));
     let mut record = committed();
     for (value, wanted) in [(0.9, true), (1.2, false), (f64::NAN, false)] {
         record.measured.growth.iter_mut().for_each(|one| one.ratio.median = value);
