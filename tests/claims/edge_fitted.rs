@@ -1,6 +1,9 @@
 //! Meshes with lines on the ends of the contact: how many digits they give, and for how many dofs; how far they are iterated, and what no mesh is
 //! fitted to.
 
+use std::f64::consts::PI;
+
+use approx::assert_relative_eq;
 use contact_vv::accuracy;
 use contact_vv::case::library::{Bars, Patch, TruncatedHertz, find};
 use contact_vv::measure::{Quantity, nodal, profile, relative_error};
@@ -13,7 +16,7 @@ use contact_vv::solve::edge_fitted::Answer;
 use contact_vv::solve::{Fitted, Formulation, Run};
 use contact_vv::study::fitted::{LOADS, OF_END};
 
-use crate::balance::{scene, solved_on, text, told_of};
+use crate::balance::{barred, scene, solved_on, text, told_of};
 use crate::outputs::json;
 use crate::scene_file::case;
 use crate::workbench::{self, area, block_text, held_at, meshed, parsed, resolution};
@@ -531,5 +534,82 @@ fn a_contact_that_ends_close_to_its_candidates_or_its_block_is_found_within_its_
             let error = peak.max(width).max(half_width);
             assert!(error <= asked, "{beyond}: {error} of {asked}");
         }
+    }
+}
+
+/// A thin layer bonded to a rigid plane, pushed against a profile: two truncated series of its pressure agree by chance 0.4 % below the peak.
+const LAYER: &str = "plane = \"axisymmetric\"\n[[body]]\nname = \"layer\"\nyoung = 1000\npoisson = 0.3\n\
+    shape = { rectangle = { x = [0, 20], y = [-1, 0], contact = \"top\" } }\n\
+    supports = [{ at = \"far\", component = \"y\", value = 0.03 }, { at = \"far\", component = \"x\" }]\n\
+    [contact]\nfirst = \"layer\"\ngap = { even = [0.001, -0.00002, 0.000003] }\nstretch = 8\n\
+    [mesh]\nelements = 64\nper = 4\n[reference]\nlength = 4\n";
+/// A block under a table whose curvature leaps at s = 3, near which the contact ends.
+const BESIDE_KNOT: &str = "plane = \"strain\"\nthickness = 1\n[[body]]\nname = \"block\"\nyoung = 1000\npoisson = 0.3\n\
+    shape = { rectangle = { x = [0, 15], y = [0, 10], contact = \"bottom\" } }\nsupports = [{ at = \"left\", component = \"x\" }]\n\
+    loads = [{ rigid-face = { at = \"far\", component = \"y\", force = -12 } }]\n\
+    [contact]\nfirst = \"block\"\nsymmetric = true\nstretch = 7\n\
+    gap = { table = [[0, 0], [1, 0.001], [2, 0.004], [3, 0.012], [4, 0.03], [7, 0.15]], smooth = true }\n\
+    [mesh]\nelements = 128\nper = 4\n";
+
+#[test]
+fn peaks_of_layers_and_ends_beside_knots_are_those_of_fine_meshes_of_8_node_cells() {
+    for (text, quantity, orders) in [
+        (LAYER, Quantity::PeakPressure, [Order::Septic, Order::Octic]),
+        (BESIDE_KNOT, Quantity::HalfWidth, [Order::Quintic, Order::Octic]),
+    ] {
+        let case = parsed(text);
+        let fine = told_of(&barred(&case, &Formulation::verification()).1.all, &quantity).clone();
+        for order in orders {
+            let answer = solved(Fitted::of(order, 2), &case.scene);
+            let own = told_of(&accuracy::bars(&answer.discretisation, &answer.run, &[]).expect("bars").all, &quantity)
+                .clone();
+            let bars = fine.bar.total() + own.bar.total();
+            assert!((own.value - fine.value).abs() <= bars, "{order:?}: {own:?} beside {fine:?}");
+        }
+    }
+}
+
+/// Small cells at the end of a contact stand beside one that is as long as the way from there to the corner.
+#[test]
+fn a_contact_that_ends_far_from_a_corner_does_not_press_it() {
+    let ring = |name: &str, [inner, outer]: [f64; 2], contact: &str| {
+        format!(
+            "[[body]]\nname = \"{name}\"\nyoung = 1000\npoisson = 0.3\nshape = {{ ring = {{ centre = [0, 0], inner = {inner}, outer = {outer}, sweep = 90, contact = \"{contact}\" }} }}\n"
+        )
+    };
+    let text = format!(
+        "plane = \"axisymmetric\"\n{}loads = [{{ body-force = [0, -0.44] }}]\n{}supports = [{{ at = \"outer\", component = \"y\" }}]\n\
+         [contact]\nfirst = \"ball\"\nsecond = \"cup\"\narc = {{ centre = [0, 0], radius = 10 }}\nstretch = 85\n\
+         gap = {{ hole = {{ radius = 10, clearance = 0.01 }} }}\n[mesh]\nelements = 12\nper = 20\n",
+        ring("ball", [4.0, 10.0], "outer"),
+        ring("cup", [10.0, 15.0], "inner"),
+    );
+    let answer = solved(Fitted::of(Order::Sextic, 2), &parsed(&text).scene);
+    let end = answer.run.measures().half_width().to_degrees();
+    assert!((70.0..85.0).contains(&end), "{end}");
+    let told = answer.run.with_limits(&answer.discretisation).expect("told");
+    assert!(told.contacts[0].unbounded.is_none(), "{:?}", told.contacts[0].unbounded);
+}
+
+/// A paraboloid of radius R, pushed by δ: a² = δ R, p₀ = 2 E* a / (π R); no node that carries an area sees it on the first meshes.
+#[test]
+fn a_contact_smaller_than_an_element_about_the_axis_is_found() {
+    let (radius, pushed): (f64, f64) = (100.0, 0.0005);
+    let text = format!(
+        "plane = \"axisymmetric\"\n[[body]]\nname = \"block\"\nyoung = 1000\npoisson = 0.3\n\
+         shape = {{ rectangle = {{ x = [0, 10], y = [-8, 0], contact = \"top\" }} }}\n\
+         supports = [{{ at = \"far\", component = \"y\", value = {pushed} }}]\n\
+         [contact]\nfirst = \"block\"\ngap = {{ parabola = {radius} }}\nstretch = 7\n[mesh]\nelements = 9\nper = 3\n"
+    );
+    let scene = parsed(&text).scene;
+    let searched = accuracy::solve(&scene, &Formulation::verification(), &accuracy::Asked::new(1e-2)).expect("solved");
+    assert!(searched.unmet.is_none(), "{:?}", searched.unmet);
+    let fitted = solved(Fitted::of(Order::Sextic, 2), &scene).run;
+    let half_width = (pushed * radius).sqrt();
+    for run in [&searched.run, &fitted] {
+        // The block gives way by as much as it is not a half-space: a few hundredths.
+        assert_relative_eq!(run.measures().half_width(), half_width, max_relative = 0.03);
+        let peak = 2.0 * (1000.0 / 0.91) * half_width / (PI * radius);
+        assert_relative_eq!(run.measures().peak.pressure, peak, max_relative = 0.03);
     }
 }

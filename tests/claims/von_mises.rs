@@ -1,5 +1,8 @@
 //! The largest von Mises stress of a body against closed forms with its bar, and places at which it is no number.
 
+use std::f64::consts::{LN_2, PI};
+
+use approx::assert_relative_eq;
 use contact_vv::accuracy::{self, Asked, Barred, Quantity, bars};
 use contact_vv::case::Case;
 use contact_vv::case::library::{self, PressFit};
@@ -215,7 +218,37 @@ fn shear_that_goes_on_ends_nowhere() {
     let top = "{ traction = { at = \"far\", value = [20, 0] } }".to_owned();
     let held = ", { at = \"far\", component = \"y\", value = -0.01 }";
     assert!(!ends(&[right.clone(), top], held, fine).contains(&[20.0, 20.0]));
-    assert_eq!(ends(&[right], held, fine), [[20.0, 20.0]]);
+    assert_eq!(ends(std::slice::from_ref(&right), held, fine), [[20.0, 20.0]]);
+    // Two lines of symmetry that meet, and one along which a shear stress ends.
+    let both = format!("{held}, {{ at = \"right\", component = \"x\" }}");
+    assert!(ends(&[right], &both, fine).contains(&[20.0, 20.0]));
+    assert!(ends(&[part(0.0, 10.0)], held, fine).contains(&[10.0, 20.0]));
+}
+
+/// Mirrored at both lines of symmetry, the sheared side is a line of forces of 2τ a length in the whole plane, which turn round at the corner: by
+/// Kelvin's force, `σ_y = −2 (κ+3)/(κ+1) τ/π ln 1/r` there.
+#[test]
+fn shear_on_a_line_of_symmetry_grows_towards_another_as_kelvins_forces_say() {
+    const SHEAR: f64 = 3.0;
+    let corner = |elements: usize| {
+        let supports = "{ at = \"left\", component = \"x\" }, { at = \"right\", component = \"x\" }, \
+                        { at = \"far\", component = \"y\", value = -0.01 }";
+        let text = format!(
+            "plane = \"strain\"\nthickness = 1\n[[body]]\nname = \"block\"\nyoung = 1000\npoisson = 0.3\n\
+             shape = {{ blocks = [{{ corners = [[0, 0], [10, 0], [10, 10], [0, 10]], elements = [{elements}, {elements}], \
+             bottom = \"contact\", left = \"left\", right = \"right\", top = \"far\" }}] }}\nsupports = [{supports}]\n\
+             loads = [{{ traction = {{ at = \"right\", value = [0, {SHEAR}] }} }}]\n\
+             [contact]\nfirst = \"block\"\ngap = {{ parabola = 100 }}\nstretch = 8\n[mesh]\n"
+        );
+        let case = parsed(&text);
+        let (discretisation, run) = solved(case.scene, case.resolution, &Formulation::verification());
+        let fields = discretisation.recover(&run.solution).expect("recovered");
+        let node = discretisation.mesh.points.iter().position(|at| *at == [10.0, 10.0]).expect("a node");
+        fields.stress[node][1]
+    };
+    let kolosov = PlaneHypothesis::Strain.kolosov(0.3);
+    let growth = 2.0 * (kolosov + 3.0) / (kolosov + 1.0) * SHEAR / PI * LN_2;
+    assert_relative_eq!(corner(40) - corner(20), -growth, max_relative = 0.02);
 }
 
 #[test]
