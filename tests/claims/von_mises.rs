@@ -2,7 +2,7 @@
 
 use std::f64::consts::{LN_2, PI};
 
-use approx::assert_relative_eq;
+use approx::{assert_abs_diff_eq, assert_relative_eq};
 use contact_vv::accuracy::{self, Asked, Barred, Quantity, bars};
 use contact_vv::case::Case;
 use contact_vv::case::library::{self, PressFit};
@@ -15,7 +15,7 @@ use rayon::prelude::*;
 
 use crate::balance::{scene, solved_on};
 use crate::scene_file::case;
-use crate::workbench::{kinematic, parsed, resolution};
+use crate::workbench::{block_text, kinematic, parsed, resolution};
 
 /// `√(3/2 s : s)` of the deviator s \[MPa\]: von Mises 1913.
 fn von_mises([x, y, xy]: [f64; 3], z: f64) -> f64 {
@@ -260,6 +260,21 @@ fn a_tilted_punch_has_its_stress_without_limit_under_the_edge_that_presses() {
     let under =
         all.iter().find(|one| one.because == "a contact pressure without limit").expect("a corner that presses");
     assert!((under.at[0] - 1.0).abs() <= 1e-9, "{:?}", under.at);
+}
+
+#[test]
+fn a_punch_pressed_on_both_edges_has_its_stress_without_limit_under_both() {
+    let contact = "gap = { punch = 1 }\nboth-sides = true\nstretch = 1\n[mesh]\nelements = 16\nper = 4";
+    let load = "rigid-face = { at = \"far\", component = \"y\", force = -12 }";
+    let case = parsed(&block_text([-10.0, 10.0], 10.0, load, contact));
+    let (discretisation, run) = solved(case.scene, case.resolution, &Formulation::verification());
+    let run = run.with_limits(&discretisation).expect("told");
+    let displacement = discretisation.displacement_under(run.share(), &run.solution);
+    let all = discretisation.without_limit(&run, &displacement, 0).expect("told");
+    let under = all.iter().filter(|one| one.because == "a contact pressure without limit").map(|one| one.at[0]);
+    let mut under: Vec<f64> = under.collect();
+    under.sort_by(f64::total_cmp);
+    assert_abs_diff_eq!(under[..], [-1.0, 1.0], epsilon = 1e-9);
 }
 
 #[test]

@@ -32,12 +32,8 @@ struct End {
     node: Option<usize>,
 }
 
-/// The end of a contact whose pressure grows fastest towards it, of those where a face or the gap ends and that are pressed.
-pub(super) fn strongest(
-    discretisation: &Discretisation,
-    run: &Run,
-    contact: usize,
-) -> Result<Option<Unbounded>, Error> {
+/// The ends of a contact towards which its pressure grows, of those where a face or the gap ends and that are pressed.
+pub(super) fn pressed(discretisation: &Discretisation, run: &Run, contact: usize) -> Result<Vec<Unbounded>, Error> {
     let pair = &discretisation.scene.contacts[contact];
     let faces = Face::both(discretisation, pair)?;
     let reach = if let Profile::Punch { half_width } = pair.profile { Some(half_width) } else { None };
@@ -58,7 +54,7 @@ pub(super) fn strongest(
         let growth = sheared(&faces, &wedges, &end) * LN_2 / run.contacts[contact].measures.peak.pressure;
         (growth > SMALL).then_some(Unbounded { position, growth, exponent: None })
     });
-    Ok(growing.max_by(|a, b| a.growth.total_cmp(&b.growth)))
+    Ok(growing.collect())
 }
 
 /// The c of `p = c ln 1/r` at an end where bodies end at right angles and their sides carry a shear stress τ towards the contact, whose faces carry

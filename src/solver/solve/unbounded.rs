@@ -33,7 +33,9 @@ pub fn of(discretisation: &Discretisation, run: &Run) -> Result<Vec<Option<Unbou
     if !run.solution.converged() {
         return Ok(vec![None; contacts.len()]);
     }
-    let told = contacts.map(|contact| told(discretisation, run, contact)).collect::<Result<Vec<_>, Error>>()?;
+    let strongest = |all: Vec<Unbounded>| all.into_iter().max_by(|a, b| a.growth.total_cmp(&b.growth));
+    let told = contacts.map(|contact| told(discretisation, run, contact).map(strongest));
+    let told = told.collect::<Result<Vec<_>, Error>>()?;
     let pairs = &discretisation.scene.contacts;
     let is_measured = |contact: usize| told[contact].is_none() && pairs[contact].profile.tips().is_none();
     if !(0..told.len()).any(is_measured) {
@@ -74,10 +76,10 @@ fn halved(discretisation: &Discretisation) -> Option<[Resolution; 3]> {
     (own.elements >= 4).then(|| [4, 2, 1].map(|part| Resolution { elements: own.elements / part, ..own }))
 }
 
-/// What the scene itself tells of a peak without a limit: under a pressed tip `p ∝ E* Δ/2π · ln 1/d`, Δ the leap of the slope there, so that
+/// Where the scene itself tells that a pressure has no limit: under a pressed tip `p ∝ E* Δ/2π · ln 1/d`, Δ the leap of the slope there, so that
 /// every halving adds `E* Δ ln 2/2π`; at a pressed corner `p ∝ d^(λ−1)`, or `p ∝ ln 1/d` beside a side that is sheared. Tips that add less than a hundredth, as those of the
 /// straight lines of a table of many points, are as good as smooth.
-fn told(discretisation: &Discretisation, run: &Run, contact: usize) -> Result<Option<Unbounded>, Error> {
+pub(super) fn told(discretisation: &Discretisation, run: &Run, contact: usize) -> Result<Vec<Unbounded>, Error> {
     let (scene, measures) = (&discretisation.scene, &run.contacts[contact].measures);
     let pair = &scene.contacts[contact];
     let holds = |s: f64| measures.stretches.iter().any(|one| one.begin <= s && s < one.end);
@@ -90,8 +92,7 @@ fn told(discretisation: &Discretisation, run: &Run, contact: usize) -> Result<Op
         Unbounded { position: pair.path.reported(s), growth, exponent: None }
     };
     let pressed = tips.map(tip).filter(|tip| tip.growth > SMALL);
-    let corner = corner::strongest(discretisation, run, contact)?;
-    Ok(pressed.chain(corner).max_by(|a, b| a.growth.total_cmp(&b.growth)))
+    Ok(pressed.chain(corner::pressed(discretisation, run, contact)?).collect())
 }
 
 /// Growth of the last of three values at halved elements, coarse to fine, over it; none where they have a limit, since they do not grow as

@@ -25,6 +25,7 @@ use crate::measure::larger;
 use crate::mesh::{Edge, candidates};
 use crate::scene::{Load, Place};
 use crate::solve::outline::{Outline, TURN};
+use crate::solve::unbounded;
 use crate::solve::{Discretisation, Run};
 
 /// Part of the largest force that a support at a point must exert to leave a stress without limit.
@@ -82,14 +83,19 @@ impl Discretisation {
     /// The places of a body at which its stress has no limit, under the displacements of all nodes \[mm\] that a run found.
     pub fn without_limit(&self, run: &Run, displacement: &[[f64; 2]], body: usize) -> Result<Vec<WithoutLimit>, Error> {
         let mut all = self.at_points(run, displacement, body)?;
-        let contacts = self.scene.contacts.iter().zip(&run.contacts);
-        for (pair, found) in contacts.filter(|(pair, _)| pair.bodies().any(|own| own == body)) {
-            let Some(place) = found.unbounded.map(|unbounded| unbounded.position.value()) else { continue };
+        for (contact, pair) in
+            self.scene.contacts.iter().enumerate().filter(|(_, pair)| pair.bodies().any(|own| own == body))
+        {
+            let Some(strongest) = run.contacts[contact].unbounded else { continue };
+            let told = unbounded::told(self, run, contact)?.into_iter().chain([strongest]);
             let side = |s: f64| if pair.path.has_both_sides() { s } else { s.abs() };
-            let away = |node: usize| (side(pair.path.coordinate(self.mesh.points[node])) - side(place)).abs();
-            let nodes = candidates::facing_edges(&self.mesh, &self.scene, pair, body)?.into_iter().flatten();
-            let nearest = nodes.min_by(|a, b| away(*a).total_cmp(&away(*b)));
-            all.extend(nearest.map(|node| self.at_node(node, PRESSURE)));
+            let nodes: Vec<usize> =
+                candidates::facing_edges(&self.mesh, &self.scene, pair, body)?.into_iter().flatten().collect();
+            for place in told.map(|one| one.position.value()) {
+                let away = |node: usize| (side(pair.path.coordinate(self.mesh.points[node])) - side(place)).abs();
+                let nearest = nodes.iter().copied().min_by(|a, b| away(*a).total_cmp(&away(*b)));
+                all.extend(nearest.map(|node| self.at_node(node, PRESSURE)));
+            }
         }
         all.extend(self.corners(body));
         all.extend(self.shear_ends(body)?);
