@@ -78,6 +78,9 @@ class Switched:
         staged = self.place / "staged"
         listed = subprocess.run(["git", "ls-files", "-co", "--exclude-standard"], cwd=ROOT, check=True, capture_output=True, text=True)
         files = [name for name in listed.stdout.splitlines() if (ROOT / name).is_file()]
+        for place in [staged, self.tree]:
+            gone = {path.relative_to(place).as_posix() for path in place.rglob("*.rs")} - set(files)
+            [(place / name).unlink() for name in gone]
         for name in files:
             (staged / name).parent.mkdir(parents=True, exist_ok=True)
             (staged / name).write_bytes((ROOT / name).read_bytes())

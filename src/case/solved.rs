@@ -52,8 +52,10 @@ impl Case {
                 let discretisation = Discretisation::of(self.scene.clone(), self.resolution)?;
                 return Ok(Meshed { discretisation, answer: None, families: Families::default() });
             };
-            let answer = accuracy::solve(&self.scene, self.formulation(), asked)?;
-            let discretisation = Discretisation::of(answer.scene.clone(), answer.resolution)?;
+            let mut answer = accuracy::solve(&self.scene, self.formulation(), asked)?;
+            let held = answer.discretisation.take();
+            let discretisation =
+                held.map_or_else(|| Discretisation::of(answer.scene.clone(), answer.resolution), Ok)?;
             Ok(Meshed { discretisation, answer: Some(answer), families: Families::default() })
         };
         found().map_err(|error| self.located(error))

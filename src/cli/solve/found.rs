@@ -68,12 +68,9 @@ impl Found {
             checks = checks.into_iter().map(|check| check.as_far_as(accepted)).collect();
         }
         checks.extend(accurate.iter().map(|(asked, answer)| met(asked, answer)));
-        let most_dofs = accurate.as_ref().and_then(|(asked, _)| asked.most_dofs);
-        let barred = || {
-            let judge =
-                accurate.as_ref().and_then(|(_, answer)| answer.judge.as_ref()).map(|(finer, judge)| (finer, judge));
-            let bars = accuracy::bars_up_to(most_dofs, judge, &discretisation, &run, &problem.displaced());
-            bars.map(|bars| bars.estimated(accurate.as_ref().map_or(&[], |(_, answer)| &answer.estimates)))
+        let barred = || match &accurate {
+            Some((asked, answer)) => answer.bars(asked, &discretisation, &run),
+            None => accuracy::bars(&discretisation, &run, &problem.displaced()),
         };
         let bars = with_bars.then(barred).transpose()?;
         if let Some(bars) = bars.as_ref().filter(|_| run.solution.converged()) {
@@ -136,6 +133,7 @@ fn solved(problem: &Case, formulation: &Formulation, mesh: Mesh, stages: &Stages
         }
         Mesh::Accurate(asked) => {
             stages.search();
+            let asked = accuracy::Asked { wanted: problem.displaced(), ..asked };
             let mut answer = accuracy::solve_telling(&problem.scene, formulation, &asked, &|next| stages.next(next))?;
             let held = answer.discretisation.take();
             let discretisation = held.map_or_else(|| meshed(answer.scene.clone(), answer.resolution), Ok)?;

@@ -1,12 +1,14 @@
 //! What is asked, and what is answered.
 
-use crate::accuracy::bar::Barred;
+use crate::accuracy::bar::{Barred, Bars, bars_up_to, of_family};
+use crate::accuracy::family::Family;
+use crate::error::Error;
 use crate::measure::{Quantity, larger};
 use crate::mesh::size::MOST;
 use crate::mesh::{Order, Resolution};
 use crate::scene::Scene;
-use crate::solve::Discretisation;
 use crate::solve::run::Run;
+use crate::solve::{Discretisation, Displaced};
 
 /// What is asked.
 #[derive(Clone, Debug)]
@@ -21,12 +23,21 @@ pub struct Asked {
     pub most_dofs: Option<usize>,
     /// Whether cells of order 5 to 8 that end with the contacts are tried.
     pub high_order: bool,
+    /// Displacements whose bars are asked for with the others, besides those of loaded sides.
+    pub wanted: Vec<Displaced>,
 }
 
 impl Asked {
     /// A relative error in peak and half-width, by meshes of any size that is solved at all.
     pub fn new(relative: f64) -> Self {
-        Self { relative, quantities: Quantity::ASKED.into(), most_cells: MOST[0], most_dofs: None, high_order: true }
+        Self {
+            relative,
+            quantities: Quantity::ASKED.into(),
+            most_cells: MOST[0],
+            most_dofs: None,
+            high_order: true,
+            wanted: vec![],
+        }
     }
 }
 
@@ -51,9 +62,26 @@ pub struct Answer {
     pub discretisation: Option<Discretisation>,
     /// The finer mesh that judges it, and its run.
     pub judge: Option<(Discretisation, Run)>,
+    /// What the meshes that told its bars say, where no finer one judges it.
+    pub family: Option<Family>,
 }
 
 impl Answer {
+    /// The bars of all numbers of a run on the mesh answered, by meshes that the search has solved, and otherwise by as many dofs as it may.
+    pub fn bars(&self, asked: &Asked, discretisation: &Discretisation, run: &Run) -> Result<Bars, Error> {
+        let bars = match &self.family {
+            Some(family) => {
+                let all = of_family(discretisation, run, family, Some(&asked.wanted))?;
+                Bars { all, meshes: family.meshes(), dofs: family.dofs() }
+            }
+            None => {
+                let judge = self.judge.as_ref().map(|(finer, judge)| (finer, judge));
+                bars_up_to(asked.most_dofs, judge, discretisation, run, &asked.wanted)?
+            }
+        };
+        Ok(bars.estimated(&self.estimates))
+    }
+
     /// Degrees of freedom of all meshes solved, with those of the bars.
     pub fn dofs_in_all(&self) -> usize {
         self.tried.iter().map(|tried| tried.dofs + tried.coarser).sum()

@@ -25,7 +25,7 @@ use crate::measure::{Measures, Quantity, larger};
 use crate::scene::Scene;
 use crate::solution::PointState;
 use crate::solve::run::BALANCED;
-use crate::solve::{Change, Discretisation, Displaced, Element, Formulation, Permits, Run};
+use crate::solve::{Change, Discretisation, Displaced, Element, Formulation, Run};
 
 /// Part of the bar of a largest value within which those elsewhere may be the true one: their errors are alike.
 const FLAT: f64 = 0.5;
@@ -172,7 +172,7 @@ pub fn bars(discretisation: &Discretisation, run: &Run, wanted: &[Displaced]) ->
 }
 
 /// The same by meshes of so many dofs at most, and by a finer one where that was solved.
-pub fn bars_up_to(
+pub(super) fn bars_up_to(
     most_dofs: Option<usize>,
     judge: Option<(&Discretisation, &Run)>,
     discretisation: &Discretisation,
@@ -182,13 +182,6 @@ pub fn bars_up_to(
     let family = Family::permitted(discretisation, &run.formulation, Some(wanted), judge, &up_to(most_dofs));
     let all = of_family(discretisation, run, &family, Some(wanted))?;
     Ok(Bars { all, meshes: family.meshes(), dofs: family.dofs() })
-}
-
-/// The bars of what pressures alone tell, by meshes that are permitted.
-pub(super) fn of_contacts(discretisation: &Discretisation, run: &Run, permits: Permits) -> Bars {
-    let family = Family::permitted(discretisation, &run.formulation, None, None, permits);
-    let all = of_pressures(discretisation, run, &family);
-    Bars { all, meshes: family.meshes(), dofs: family.dofs() }
 }
 
 /// The bars of what pressures alone tell, by a finer mesh of those that end with the contact.
@@ -242,7 +235,7 @@ fn yield_at_points(scene: &Scene, all: &mut [Barred]) {
 }
 
 /// Numbers of the contacts.
-fn of_pressures(discretisation: &Discretisation, run: &Run, family: &Family) -> Vec<Barred> {
+pub(super) fn of_pressures(discretisation: &Discretisation, run: &Run, family: &Family) -> Vec<Barred> {
     let measured: Vec<&Measures> = run.contacts.iter().map(|contact| &contact.measures).collect();
     let [target, rigid] = [0, 1].map(|k| of_discrete(discretisation, run, k));
     let readings = reading::of_contacts(discretisation, &measured);

@@ -28,6 +28,7 @@ const CUSPED: f64 = 1e-4;
 const MISFIT: f64 = 3.0;
 
 /// The coarser meshes of a run.
+#[derive(Debug)]
 pub struct Family {
     /// What finds the discrete solution of the run's own contact element, without a penalty.
     pub(super) formulation: Formulation,
@@ -65,6 +66,7 @@ pub struct Family {
 }
 
 /// What another mesh says.
+#[derive(Debug)]
 pub(super) struct Other {
     /// Mean candidate element of each contact.
     pub(super) sizes: Vec<f64>,

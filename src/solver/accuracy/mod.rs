@@ -53,7 +53,7 @@ use crate::solve::{Discretisation, Formulation, Iteration};
 
 pub use crate::measure::Quantity;
 pub use answer::{Answer, Asked, Tried, TriedContact};
-pub use bar::{Bar, Barred, Bars, Told, bars, bars_up_to, of_family};
+pub use bar::{Bar, Barred, Bars, Told, bars, of_family};
 pub use evidence::Evidence;
 pub use family::Family;
 pub use watch::{Next, Tell};
@@ -120,8 +120,7 @@ fn beside_points(mut answer: Answer, asked: &Asked) -> Result<Answer, Error> {
         answer.discretisation = Some(discretisation);
         return Ok(answer);
     }
-    let judge = answer.judge.as_ref().map(|(finer, judge)| (finer, judge));
-    let bars = bars_up_to(asked.most_dofs, judge, &discretisation, &answer.run, &[])?;
+    let bars = answer.bars(asked, &discretisation, &answer.run)?;
     answer.discretisation = Some(discretisation);
     let at_point: Vec<&Barred> = bars.all.iter().filter(|one| one.is_at_point()).collect();
     for one in &mut answer.estimates {

@@ -1,7 +1,8 @@
 //! The meshes of a search, solved and remembered.
 
 use crate::accuracy::answer::{largest, quoted};
-use crate::accuracy::bar::{judged, of_contacts};
+use crate::accuracy::bar::{judged, of_pressures};
+use crate::accuracy::family::Family;
 use crate::accuracy::watch::{Tell, Watch};
 use crate::accuracy::{Answer, Asked, Bar, Barred, Quantity, Tried, TriedContact, fitted};
 use crate::error::{Error, Kind};
@@ -29,6 +30,8 @@ pub(super) struct Rung {
     number: usize,
     /// What its bars say of the quantities asked for; empty where they were not looked at.
     pub(super) estimates: Vec<Barred>,
+    /// What the meshes say that told them, where no finer one did.
+    family: Option<Family>,
     /// Largest relative bar of those that some mesh may meet; NaN where one is not known, or none was looked at.
     pub(super) error: f64,
 }
@@ -87,9 +90,11 @@ impl<'a> Rungs<'a> {
     /// Looks at the bars of a mesh, and at whether its peaks have a limit.
     pub(super) fn look(&mut self, discretisation: &Discretisation, rung: &mut Rung) -> Result<(), Error> {
         self.limit(discretisation, rung)?;
-        let bars = of_contacts(discretisation, &rung.run, &|dofs| self.watch.permits(dofs));
-        self.tried[rung.number].coarser = bars.dofs;
-        self.take(&bars.all, rung);
+        let (wanted, permits) = (Some(&self.asked.wanted[..]), |dofs| self.watch.permits(dofs));
+        let family = Family::permitted(discretisation, &rung.run.formulation, wanted, None, &permits);
+        self.tried[rung.number].coarser = family.dofs();
+        self.take(&of_pressures(discretisation, &rung.run, &family), rung);
+        rung.family = Some(family);
         Ok(())
     }
 
@@ -198,7 +203,7 @@ impl<'a> Rungs<'a> {
             contacts: Tried::contacts(&scene, &run),
             ..Tried::unsolved(purpose, resolution.order, f64::NAN)
         });
-        Rung { scene, resolution, run, number: self.tried.len() - 1, estimates: vec![], error: f64::NAN }
+        Rung { scene, resolution, run, number: self.tried.len() - 1, estimates: vec![], family: None, error: f64::NAN }
     }
 
     /// Takes a mesh on which the ends of a contact were sought into the list.
@@ -209,7 +214,7 @@ impl<'a> Rungs<'a> {
 
     /// Answers with a mesh and what judges it, or with one that is no longer held; a peak that was not looked at may have no limit.
     pub(super) fn answer(self, rung: Rung, held: Option<Held>, unmet: Option<String>) -> Result<Answer, Error> {
-        let Rung { scene, resolution, mut run, estimates, .. } = rung;
+        let Rung { scene, resolution, mut run, estimates, family, .. } = rung;
         let of_peak = self.asks_for_peak();
         let (mut discretisation, judge) = held.map_or((None, None), |(own, judge)| (Some(own), judge));
         if estimates.is_empty() || !of_peak {
@@ -238,7 +243,7 @@ impl<'a> Rungs<'a> {
             }
             None => unmet,
         };
-        Ok(Answer { scene, resolution, run, estimates, unmet, next, tried: self.tried, discretisation, judge })
+        Ok(Answer { scene, resolution, run, estimates, unmet, next, tried: self.tried, discretisation, judge, family })
     }
 }
 

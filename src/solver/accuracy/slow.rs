@@ -6,7 +6,8 @@
 //! (`src/solver/algorithm/target.rs`) and is part of the estimate.
 
 use crate::accuracy::answer::{largest, quoted};
-use crate::accuracy::bar::of_contacts;
+use crate::accuracy::bar::of_pressures;
+use crate::accuracy::family::Family;
 use crate::accuracy::watch::up_to;
 use crate::accuracy::{Answer, Asked, Barred, Tell, Tried, search};
 use crate::error::Error;
@@ -41,7 +42,8 @@ pub(super) fn solve(scene: &Scene, formulation: &Formulation, asked: &Asked, tel
         let limits = answer.run.contacts.iter().map(|contact| contact.unbounded);
         run.contacts.iter_mut().zip(limits).for_each(|(contact, unbounded)| contact.unbounded = unbounded);
         // Of no other mesh: what the mesh leaves is that of the discrete solution, whatever iterates, and the search has told it.
-        let mut estimates = quoted(&of_contacts(&discretisation, &run, &up_to(Some(0))).all, &run, asked);
+        let alone = Family::permitted(&discretisation, &run.formulation, None, None, &up_to(Some(0)));
+        let mut estimates = quoted(&of_pressures(&discretisation, &run, &alone), &run, asked);
         estimates.iter_mut().for_each(|one| one.take_mesh_of(&answer.estimates));
         Ok((run, estimates))
     };
