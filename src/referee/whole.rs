@@ -9,7 +9,7 @@ use crate::measure::{Measures, Quantity, larger};
 use crate::oracle::ReferenceKind;
 use crate::referee::Ruled;
 use crate::referee::bench::{Bench, along};
-use crate::referee::declared::GRID;
+use crate::referee::declared::{GRID, of_another_mesh};
 use crate::referee::field::Field;
 use crate::referee::profile::Profile;
 use crate::referee::truth::{Known, OURS, Truth};
@@ -346,9 +346,7 @@ impl Whole<'_> {
             };
             let Some(value) = value else { continue };
             missing.retain(|[what, _]| *what != check.quantity.to_string());
-            let tolerance = check.tolerance.max(self.tolerance);
-            let because = "that of the scene file, or the one asked for: the displacements are those of another mesh";
-            let check = Check { tolerance, because: because.into(), ..check.clone() };
+            let check = of_another_mesh(check, self.tolerance);
             let known = Known { reference: reference.clone(), bar: 0.0 };
             judged.push(bench.ruled(check, value, known));
         }
