@@ -32,9 +32,18 @@ pub struct Truth {
     pub bars: Vec<Barred>,
     /// The run on a mesh fitted to the contact, whose pressures are known better; none where there is none, or they are not.
     pub fitted: Option<Run>,
-    /// The mesh that the case is exported on, and strain energies of our fine answer and of that on this mesh \[N mm\]: known from the
-    /// first field on that is judged.
-    pub exported: std::sync::OnceLock<(Discretisation, [f64; 2])>,
+    /// Our own answer on the mesh that the case is exported on: known from the first field on that is judged.
+    pub exported: std::sync::OnceLock<Exported>,
+}
+
+/// Our own answer on the mesh that a case is exported on.
+pub struct Exported {
+    /// The case on that mesh.
+    pub discretisation: Discretisation,
+    /// Displacements of its nodes \[mm\].
+    pub displacement: Vec<[f64; 2]>,
+    /// Strain energies of our fine answer and of this one \[N mm\].
+    pub energies: [f64; 2],
 }
 
 /// Name of our own answer.
