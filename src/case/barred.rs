@@ -147,7 +147,12 @@ impl Case {
         let (name, unit) = (&reference.name, check.quantity.unit().unwrap_or_default());
         match check.quantity.number() {
             Some(Number::Resultant) => {
-                let whole = if self.scene.is_of_revolution() { "all around" } else { "both halves of a symmetric one" };
+                let pair = &self.scene.contacts[check.contact];
+                let whole = match (self.scene.is_of_revolution(), pair.symmetric) {
+                    (true, _) => "all around",
+                    (false, true) => "both halves of a symmetric one",
+                    (false, false) => "all there is where no half is left out",
+                };
                 format!(
                     "the closed form of contact `{contact}` is not of this scene: {name} has a load of {closed} N, and the contact carries {found}{bar} N, {whole}"
                 )

@@ -21,7 +21,8 @@ pub struct Arguments {
     base: Option<String>,
     /// Commit that is compared with it; without it, the working tree.
     commit: Option<String>,
-    /// Fail too where a tolerance was loosened that no error bar explains, a check is gone, or one is asked of fewer runs.
+    /// Fail too where a tolerance was loosened that no error bar explains, a check is gone, asked of fewer runs or held against this code alone, or
+    /// the record of checks cannot be read.
     #[arg(long)]
     strict: bool,
     /// Write Markdown, with charts before and after side by side.

@@ -5,7 +5,7 @@ use crate::markdown;
 use crate::measure::{Measures, Quantity};
 use crate::referee::profile::Profile;
 use crate::referee::truth::{Known, Truth};
-use crate::solution::Part;
+use crate::solution::{Part, PointState};
 use crate::uncertainty::standard;
 
 /// What judges one contact.
@@ -39,11 +39,11 @@ impl Bench<'_> {
 
     /// A number that follows from all pressures, with straight lines between those at points alone; where these are farther from the truth than is
     /// allowed and roots are not, with those: an answer is judged, not a rule of integration.
-    pub fn read(&self, of: impl Fn(&Measures) -> f64, truth: f64, allowed: f64) -> f64 {
-        let Profile { scene, contact, by_roots, .. } = self.profile;
-        let lines = of(self.measures);
+    pub fn read(&self, of: impl Fn(&Measures, &[PointState]) -> f64, truth: f64, allowed: f64) -> f64 {
+        let Profile { scene, contact, by_roots, points, .. } = self.profile;
+        let lines = of(self.measures, points);
         let is_off = |value: &f64| (value - truth).abs() > allowed;
-        let roots = || of(&Measures::of(scene, *contact, Part { points: by_roots, edges: &[], nodes: 2 }));
+        let roots = || of(&Measures::of(scene, *contact, Part { points: by_roots, edges: &[], nodes: 2 }), by_roots);
         let roots = (is_off(&lines) && !by_roots.is_empty()).then(roots);
         roots.filter(|roots| !is_off(roots)).unwrap_or(lines)
     }
@@ -51,8 +51,16 @@ impl Bench<'_> {
     /// The same against what is known of it, as [`Self::near`].
     pub fn read_near(&self, number: Quantity, of: impl Fn(&Measures) -> f64, known: Known) -> Judged {
         let allowed = self.tolerance * known.reference.value.abs() + known.bar;
-        let value = self.read(of, known.reference.value, allowed);
+        let value = self.read(|measures, _| of(measures), known.reference.value, allowed);
         self.near(number, value, known)
+    }
+
+    /// The largest pressure of what was handed in \[MPa\]: two straight lines have no top between their points.
+    pub fn peak_pressure(&self) -> f64 {
+        match self.profile.alone.len() {
+            1..=FEW => self.measures.largest.pressure,
+            _ => self.measures.peak.pressure,
+        }
     }
 
     /// The verdict; not run where the reference is not known well enough to judge by.
@@ -105,6 +113,8 @@ impl Bench<'_> {
     }
 }
 
+/// Points up to which the largest pressure is that of one of them.
+const FEW: usize = 4;
 /// Edges of an answer that is sampled are no wider, over the half-width: four on it.
 const WIDEST: f64 = 0.25;
 

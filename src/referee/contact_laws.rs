@@ -4,6 +4,8 @@ use crate::case::{Check, Judged, Reference};
 use crate::measure::{Quantity, larger};
 use crate::referee::bench::{Bench, along};
 use crate::referee::norm;
+use crate::referee::profile::Profile;
+use crate::referee::truth::Truth;
 use crate::solution::{EdgeState, PointState};
 
 /// What penetration is told by.
@@ -11,21 +13,15 @@ pub const PENETRATION: &str = "largest penetration over the approach that the co
 /// What gaps under pressure are told by.
 const UNDER_PRESSURE: &str = "gap under pressure, weighted by force, over the approach that the contact makes";
 
-/// Penetration, and gap where there is pressure, over the approach that the contact's own force makes, `Σ A p/(E* t)`; around an axis of
-/// revolution that of a flat punch of the contact radius, `Σ A p/(2E* a)`.
+/// Penetration, and gap where there is pressure, over the approach that the contact makes.
 pub(super) fn of_gaps(bench: &Bench, missing: &mut Vec<[String; 2]>) -> Vec<Judged> {
     if !bench.profile.has_gaps {
         let what = "penetration, and pressure across an open gap".into();
         missing.push([what, "the remaining gap of every point: a column `gap [mm]`".into()]);
         return vec![];
     }
-    let (scene, pair, points) = (&bench.profile.scene, bench.profile.pair(), &bench.profile.points);
+    let (approach, points) = (approach(bench.truth, bench.profile), &bench.profile.points);
     let force: f64 = points.iter().map(|point| point.weight * point.pressure.abs()).sum();
-    let across = match scene.is_around_axis(bench.profile.contact) {
-        true => 2.0 * bench.half_width_known().reference.value,
-        false => scene.depth(pair.path.point(0.0)),
-    };
-    let approach = force / (scene.modulus_of(pair) * across);
     let deepest = points.iter().map(|point| 0.0 - point.gap).fold(0.0, larger);
     let product = |gap: f64, pressure: f64| if pressure.abs() > 0.0 { (gap * pressure).abs() } else { 0.0 };
     let stored: f64 = points.iter().map(|point| point.weight * product(point.gap, point.pressure)).sum();
@@ -38,6 +34,18 @@ pub(super) fn of_gaps(bench: &Bench, missing: &mut Vec<[String; 2]>) -> Vec<Judg
     ];
     judged.extend(open_gaps(bench, approach, missing));
     judged
+}
+
+/// The approach that a contact makes by its own force \[mm\], `Σ A p/(E* t)`; around an axis of revolution that of a flat punch of the contact
+/// radius, `Σ A p/(2E* a)`.
+pub(super) fn approach(truth: &Truth, profile: &Profile) -> f64 {
+    let (scene, pair) = (&profile.scene, profile.pair());
+    let force: f64 = profile.points.iter().map(|point| point.weight * point.pressure.abs()).sum();
+    let across = match scene.is_around_axis(profile.contact) {
+        true => 2.0 * truth.known(profile.contact, &Quantity::SecondMomentWidth).reference.value,
+        false => scene.depth(pair.path.point(0.0)),
+    };
+    force / (scene.modulus_of(pair) * across)
 }
 
 /// What gaps beyond the contact are told by.
@@ -107,7 +115,7 @@ pub(super) fn of_sides(bench: &Bench, missing: &mut Vec<[String; 2]>) -> Vec<Jud
     };
     let named = if symmetric { "symmetry" } else { "our fine answer" };
     let allowed = bench.tolerance + bar / half_width;
-    let centre = bench.read(|measures| measures.centre, wanted, allowed * half_width);
+    let centre = bench.read(|measures, _| measures.centre, wanted, allowed * half_width);
     let check = Check::error(
         "moment of the pressures about the middle, over force and half-width",
         Reference::own(named, 0.0),

@@ -2,9 +2,10 @@
 
 use crate::case::quantity::Quantity as Asked;
 use crate::case::{Against, Check, Judged, Reference, Relation};
-use crate::measure::{Quantity, profile};
+use crate::measure::{Measures, Quantity, profile};
 use crate::oracle::ReferenceKind;
 use crate::referee::bench::Bench;
+use crate::solution::PointState;
 
 /// What to hand in for displacements.
 pub(super) const GRID: &str =
@@ -15,15 +16,11 @@ pub(super) fn checks(bench: &Bench, missing: &mut Vec<[String; 2]>) -> Vec<Judge
     let own = bench.truth.case.checks.iter().filter(|check| check.contact == bench.profile.contact);
     let mut judged = Vec::new();
     for check in own {
-        match (value(bench, &check.quantity), &check.against) {
+        let with_model = Check { tolerance: check.tolerance + check.model, ..check.clone() };
+        let asked = of_another_mesh(&with_model, bench.tolerance * scale(bench, check));
+        match (value(bench, &asked), &check.against) {
             (Some(value), Against::Value(reference)) if !is_own_equilibrium(check, reference) => {
-                let check = of_digits(check);
-                // Straight lines between pressures hold no more digits of the force than are asked of them.
-                let is_force = check.quantity.number() == Some(&Quantity::Resultant);
-                let is_of_lines = is_force && check.relation == Relation::Near && !bench.profile.has_forces;
-                let least = if is_of_lines { bench.tolerance } else { 0.0 };
-                let check = Check { tolerance: check.tolerance.max(least), ..check };
-                judged.push(check.judge_by(value, reference.clone()))
+                judged.push(asked.judge_by(value, reference.clone()))
             }
             // What the oracle reads is judged above, as is equilibrium.
             (Some(_), _) => {}
@@ -35,30 +32,53 @@ pub(super) fn checks(bench: &Bench, missing: &mut Vec<[String; 2]>) -> Vec<Judge
     judged
 }
 
-/// A number of the pressures handed in, in the unit of the check; none where they do not tell it.
-fn value(bench: &Bench, quantity: &Asked) -> Option<f64> {
-    let number = match quantity {
+/// A check as declared, within no less than what was asked for: what is judged is of another mesh.
+pub(super) fn of_another_mesh(check: &Check, least: f64) -> Check {
+    match check.tolerance < least && matches!(check.relation, Relation::Near | Relation::NearAbsolutely) {
+        true => Check { tolerance: least, because: BECAUSE.into(), ..check.clone() },
+        false => check.clone(),
+    }
+}
+
+/// Why.
+const BECAUSE: &str =
+    "the tolerance asked for, which is more than that of the scene file: the answer is that of another mesh";
+
+/// What the tolerance of a check is relative to: in its unit the size of the contact, or its peak, where the reference is 0.
+fn scale(bench: &Bench, check: &Check) -> f64 {
+    let size = match check.quantity.number() {
+        Some(Quantity::Pressure { .. } | Quantity::PeakPressure) => {
+            bench.truth.known(bench.profile.contact, &Quantity::PeakPressure)
+        }
+        _ => bench.half_width_known(),
+    };
+    if check.relation == Relation::NearAbsolutely { check.quantity.factor() * size.reference.value } else { 1.0 }
+}
+
+/// The number of a check by the pressures handed in, in its unit, as the rows above read it; none where they do not tell it.
+fn value(bench: &Bench, check: &Check) -> Option<f64> {
+    let number = match &check.quantity {
         Asked::Number { of, .. } => of,
         Asked::Profile | Asked::Departure => return Some(f64::NAN),
         _ => return None,
     };
+    let factor = check.quantity.factor();
+    let (truth, allowed) = match (&check.against, check.relation) {
+        (Against::Value(known), Relation::Near) => (known.value, check.tolerance * known.value.abs()),
+        (Against::Value(known), Relation::NearAbsolutely) => (known.value, check.tolerance),
+        _ => (f64::NAN, f64::NAN),
+    };
+    let read = |of: &dyn Fn(&Measures, &[PointState]) -> f64| bench.read(of, truth / factor, allowed / factor);
     let value = match number {
         Quantity::Pressure { at } => {
-            Some(profile::interpolate(&bench.profile.points, bench.profile.pair().stretch, *at))
+            let stretch = bench.profile.pair().stretch;
+            Some(read(&|_, points| profile::interpolate(points, stretch, *at)))
         }
+        Quantity::PeakPressure => Some(bench.peak_pressure()),
+        Quantity::Resultant | Quantity::SecondMomentWidth | Quantity::Centre => Some(read(&|own, _| number.of(own))),
         other => Some(other.of(bench.measures)).filter(|_| other.is_of_pressures()),
     };
-    Some(quantity.factor() * value?)
-}
-
-/// The check as declared, but for the model error that is stated of its truth, and for a tolerance that is round-off of this code: files of
-/// other codes carry six or seven digits.
-fn of_digits(check: &Check) -> Check {
-    let with_model = Check { tolerance: check.tolerance + check.model, ..check.clone() };
-    if with_model.tolerance >= DIGITS || check.tolerance <= 0.0 {
-        return with_model;
-    }
-    Check { tolerance: DIGITS, because: "the digits that files of other codes carry".into(), ..with_model }
+    Some(factor * value?)
 }
 
 /// Whether a check holds the force of the contact against the load within the round-off of this code, which is asked of no other.

@@ -46,7 +46,7 @@ pub struct Contact {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub order: Option<u8>,
     /// Contact coordinate of each point: distance from the middle of the contact on a straight path, angle from the load line on an arc;
-    /// negative on the other half. Of bodies of revolution the radius.
+    /// negative on the other half. Of a contact around the axis of revolution the radius.
     pub position: Vec<f64>,
     /// Contact pressure per area of the undeformed path, positive in compression.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]

@@ -73,12 +73,7 @@ impl Bench<'_> {
         let contact = self.profile.contact;
         if !self.truth.is_unbounded(contact) {
             let known = self.truth.known(contact, &Quantity::PeakPressure);
-            // Two straight lines have no top between their points.
-            let peak = match self.profile.alone.len() {
-                1..=FEW => self.measures.largest.pressure,
-                _ => self.measures.peak.pressure,
-            };
-            return Some(self.near(Quantity::PeakPressure, peak, known));
+            return Some(self.near(Quantity::PeakPressure, self.peak_pressure(), known));
         }
         missing.push(["peak pressure".into(), "nothing: it has no limit, and grows with every mesh".into()]);
         let at_origin = Quantity::Pressure { at: 0.0 };
@@ -258,8 +253,6 @@ const ALTERNATE: f64 = 0.1;
 /// What one point may be off over the peak, and times what those beside it are off from which on it is alone in that.
 const SPIKE: f64 = 0.05;
 const LONE: f64 = 4.0;
-/// Points up to which the largest pressure is that of one of them.
-const FEW: usize = 4;
 /// Half-widths over which profiles are compared.
 const COMPARED: f64 = 1.5;
 /// Part of the edge length over the half-width that the profile may be off: our own coarse meshes of both orders stay within it.

@@ -111,6 +111,14 @@ fn of_points(truth: &Truth, handed: &Handed) -> Vec<Correction> {
         tried(&says, with(handed, handed.points.iter().copied().filter(is_within)));
         from_other_lines(handed).into_iter().for_each(|(says, turned)| tried(&says, turned));
     }
+    let middle = pair.path.origin()[0];
+    if are_alone && pair.path.is_straight() && scene.plane.radial() == Some(0) && middle > 0.0 {
+        let says = format!(
+            "positions are radii: count them from the middle of the contact, at r = {}",
+            places(pair, &[middle])
+        );
+        tried(&says, moved(handed, |point| Point { position: point.position - middle, ..*point }));
+    }
     if has_both_sides {
         let edges = handed.edges.iter().rev().map(EdgeState::mirrored).collect();
         let turned = moved(handed, |point| Point { position: 0.0 - point.position, ..*point });

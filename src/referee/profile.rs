@@ -45,7 +45,8 @@ impl Profile {
     /// The profile of what was handed in of a contact of a scene.
     pub fn of(scene: &Scene, handed: &Handed) -> Self {
         let across = handed.points[0].position < 0.0 - SAME * handed.points[handed.points.len() - 1].position.abs();
-        let scene = if across { on_both_sides(scene, handed.contact) } else { scene.clone() };
+        let is_whole = across && !scene.contacts[handed.contact].path.has_both_sides();
+        let scene = if is_whole { on_both_sides(scene, handed.contact) } else { scene.clone() };
         let pair = &scene.contacts[handed.contact];
         let begun = begun(&scene, handed, across);
         let handed = begun.as_ref().unwrap_or(handed);
@@ -135,7 +136,7 @@ pub fn ended(truth: &Truth, handed: &Handed) -> Handed {
     all
 }
 
-/// The scene with a contact on both sides of its middle: no half of it is left to be counted twice.
+/// The scene with a contact of which it has one half on both sides of its middle: none is left to be counted twice.
 fn on_both_sides(scene: &Scene, contact: usize) -> Scene {
     let mut scene = scene.clone();
     let pair = &mut scene.contacts[contact];

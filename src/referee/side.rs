@@ -26,6 +26,8 @@ const REACHED: f64 = 0.5;
 /// What to do about points that lie elsewhere.
 const UNDEFORMED: &str = "hand in the mesh undeformed, in plane cells, in the coordinates of the scene and the unit of --unit position=UNIT; --contact \
                           names one of several";
+/// What to do about cells of the other half of a scene whose contact does not lie on the symmetry line.
+const ONE_HALF: &str = "; of a symmetric whole hand in the half that the scene is";
 
 /// What to do about a part of it that no cell is at.
 const ALL: &str = "hand in all cells along the contact";
@@ -109,8 +111,8 @@ impl Side {
                 range(0),
                 range(1)
             );
-            return Err(source
-                .refused(message, format!("{UNDEFORMED}{}", unit_that_fits(scene, (pair, body), points, &all, 1))));
+            let fits = unit_that_fits(scene, (pair, body), points, &all, 1);
+            return Err(source.refused(message, format!("{UNDEFORMED}{}{fits}", one_half(pair))));
         }
         let of = |other: &ContactPair| if body == pair.first { Some(other.first) } else { other.second };
         let lies = |other: &ContactPair, edge: &Edge| {
@@ -188,11 +190,16 @@ impl Side {
             100.0 * dropped / whole
         );
         let remedy = match beyond == pressed().count() {
-            true => "give the contact a longer `stretch`".into(),
-            false => format!("{UNDEFORMED}{}", self.fits),
+            true => format!("give the contact a longer `stretch`{}", one_half(pair)),
+            false => format!("{UNDEFORMED}{}{}", one_half(pair), self.fits),
         };
         Err(source.refused(message, remedy))
     }
+}
+
+/// What more to do where the scene has one of two such contacts, which no half of it is.
+fn one_half(pair: &ContactPair) -> &'static str {
+    if pair.symmetric && pair.path.has_both_sides() { ONE_HALF } else { "" }
 }
 
 /// A unit normal of an edge.

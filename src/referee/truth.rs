@@ -30,9 +30,20 @@ pub struct Truth {
     pub run: Run,
     /// What its numbers may be off.
     pub bars: Vec<Barred>,
-    /// The mesh that the case is exported on, and strain energies of our fine answer and of that on this mesh \[N mm\]: known from the
-    /// first field on that is judged.
-    pub exported: std::sync::OnceLock<(Discretisation, [f64; 2])>,
+    /// The run on a mesh fitted to the contact, whose pressures are known better; none where there is none, or they are not.
+    pub fitted: Option<Run>,
+    /// Our own answer on the mesh that the case is exported on: known from the first field on that is judged.
+    pub exported: std::sync::OnceLock<Exported>,
+}
+
+/// Our own answer on the mesh that a case is exported on.
+pub struct Exported {
+    /// The case on that mesh.
+    pub discretisation: Discretisation,
+    /// Displacements of its nodes \[mm\].
+    pub displacement: Vec<[f64; 2]>,
+    /// Strain energies of our fine answer and of this one \[N mm\].
+    pub energies: [f64; 2],
 }
 
 /// Name of our own answer.
@@ -59,12 +70,14 @@ impl Truth {
         }
         let run = run.with_limits(&discretisation)?;
         let mut bars = bars(&discretisation, &run, &case.displaced())?.all;
-        if let (None, [_]) = (case.oracle(), &case.scene.contacts[..]) {
-            // Where a mesh can be fitted to the contact.
-            let answer = reference::answer(&case.scene);
-            answer.iter().flat_map(|answer| &answer.known).for_each(|known| takes(&mut bars, known));
-        }
-        Ok(Self { case, discretisation, run, bars, exported: Default::default() })
+        let may_be_fitted = case.oracle().is_none() && case.scene.contacts.len() == 1;
+        // Where a mesh can be fitted to the contact.
+        let answer = may_be_fitted.then(|| reference::answer(&case.scene).ok()).flatten();
+        let fitted = answer.and_then(|reference::Answer { known, run, .. }| {
+            let taken: Vec<&Answered> = known.iter().filter(|known| takes(&mut bars, known)).collect();
+            taken.iter().any(|known| known.quantity == Quantity::PeakPressure).then_some(run)
+        });
+        Ok(Self { case, discretisation, run, bars, fitted, exported: Default::default() })
     }
 
     /// What the closed forms of the case say that our own run contradicts.
@@ -142,7 +155,8 @@ impl Truth {
                 _ => f64::INFINITY,
             };
         }
-        nodal::pressure_at(self.run.solution.part(contact), pair.stretch, s)
+        let run = self.fitted.as_ref().unwrap_or(&self.run);
+        nodal::pressure_at(run.solution.part(contact), pair.stretch, s)
     }
 
     /// Whether the profile is that of a closed form, which is about s = 0: not of a contact whose centre of pressure lies elsewhere.
@@ -178,13 +192,14 @@ impl Truth {
     }
 }
 
-/// Takes a number of the contact that is known better.
-fn takes(bars: &mut [Barred], known: &Answered) {
-    let is_wider = |one: &&mut Barred| one.quantity == known.quantity && one.bar.total() > known.bar;
-    let own = bars.iter_mut().find(|one| one.contact == 0 && is_wider(one));
-    if let Some(own) = own {
-        (own.value, own.bar) = (known.value, Bar { mesh: known.bar, iteration: 0.0, penalty: 0.0 });
-    }
+/// Takes a number of the contact that is known better, or that our own mesh tells no bar of; whether it did.
+fn takes(bars: &mut [Barred], known: &Answered) -> bool {
+    let own = bars.iter_mut().find(|one| one.is_of(0, &known.quantity));
+    let is_wider = |bar: f64| bar.is_nan() || bar > known.bar;
+    let Some(own) = own.filter(|own| known.bar.is_finite() && is_wider(own.bar.total())) else { return false };
+    (own.value, own.bar) = (known.value, Bar { mesh: known.bar, iteration: 0.0, penalty: 0.0 });
+    own.unknown = None;
+    true
 }
 
 /// The case on a mesh with elements half as large, by exact active sets; none where that cannot be made, or does not converge.

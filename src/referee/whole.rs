@@ -6,18 +6,28 @@ use crate::contact::interface::ContactNode;
 use crate::elasticity::{loads, reactions};
 use crate::error::Error;
 use crate::measure::{Measures, Quantity, larger};
+use crate::mesh::Candidate;
 use crate::oracle::ReferenceKind;
 use crate::referee::Ruled;
 use crate::referee::bench::{Bench, along};
-use crate::referee::declared::GRID;
+use crate::referee::contact_laws;
+use crate::referee::declared::{GRID, of_another_mesh};
 use crate::referee::field::Field;
 use crate::referee::profile::Profile;
-use crate::referee::truth::{Known, OURS, Truth};
-use crate::scene::{Load, Place};
+use crate::referee::truth::{Exported, Known, OURS, Truth};
+use crate::scene::{Load, Place, Scene};
 use crate::solve::{Discretisation, Run};
 
 /// Part of the candidate stretch by which a point may lie off the symmetry line for the digits of its file.
 const SAME: f64 = 1e-9;
+
+/// What gaps of displacements are told by.
+const OVERLAP: &str =
+    "gap or overlap of the displacements under pressure, weighted by force, over the approach that the contact makes";
+/// What strains are told by, what those of coarse meshes differ by, and the energy over that of all bodies that tells something.
+const STRAINS: &str = "departure of the strains from ours, apart from a factor";
+const ALIKE: f64 = 0.02;
+const LEAST: f64 = 1e-3;
 
 /// What supports are told by.
 const SUPPORTS: &str = "departure of the supports from what they prescribe, over the largest displacement";
@@ -47,7 +57,7 @@ pub fn judge(
     ruled: &mut [Ruled],
     tolerance: f64,
 ) -> Result<bool, Error> {
-    let (own, energies) = exported(truth)?;
+    let Exported { discretisation: own, displacement: ours, energies } = exported(truth)?;
     let displacement = match field.at_nodes(own) {
         Ok(displacement) => displacement,
         Err(why) => {
@@ -62,21 +72,31 @@ pub fn judge(
     for (profile, ruled) in profiles.iter().zip(&mut *ruled) {
         ruled.judged.extend(whole.declared(profile, ruled.contact, &mut ruled.missing)?);
     }
-    let first = &mut ruled[0];
-    match profiles.len() == truth.case.scene.contacts.len() {
-        true => first.judged.extend(whole.equilibrium(profiles)?),
-        false => {
-            first.missing.push(["equilibrium of the stresses", "the pressures of every contact"].map(String::from))
-        }
+    for (profile, ruled) in profiles.iter().zip(&mut *ruled) {
+        ruled.judged.extend(whole.overlap(profile));
     }
+    let first = &mut ruled[0];
+    let (told, untold): (Vec<usize>, Vec<usize>) =
+        (0..own.scene.bodies.len()).partition(|body| is_told(&own.scene, *body, profiles));
+    first.judged.extend(whole.equilibrium(&told, profiles)?);
+    first.missing.extend(untold.into_iter().map(|body| {
+        let what = format!("equilibrium of the stresses of `{}`", own.scene.bodies[body].name);
+        [what, "the pressures of every contact of it".into()]
+    }));
     if let Some(why) = lost(own) {
         first.missing.push(["strain energy of the displacements".into(), format!("nothing: {why}")]);
         return Ok(false);
     }
-    let energy = whole.energy(*energies);
-    let is_of_scene = energy.verdict == Verdict::Pass;
-    first.judged.push(energy);
+    let found = [whole.energy(*energies), whole.strains(ours)?];
+    let is_of_scene = found.iter().all(|judged| judged.verdict == Verdict::Pass);
+    first.judged.extend(found);
     Ok(is_of_scene)
+}
+
+/// Whether the pressures of all contacts of a body were handed in.
+fn is_told(scene: &Scene, body: usize, profiles: &[Profile]) -> bool {
+    let mut own = (0..scene.contacts.len()).filter(|&contact| scene.contacts[contact].bodies().any(|one| one == body));
+    own.all(|contact| profiles.iter().any(|profile| profile.contact == contact))
 }
 
 /// Part of their work that stresses may miss where a force acts at a point, whose displacement grows with every mesh.
@@ -107,17 +127,16 @@ fn is_incompressible(own: &Discretisation, body: usize) -> bool {
 }
 
 /// The case on the mesh that it is exported on: solved once for all fields that are judged.
-fn exported(truth: &Truth) -> Result<&(Discretisation, [f64; 2]), Error> {
+fn exported(truth: &Truth) -> Result<&Exported, Error> {
     if let Some(known) = truth.exported.get() {
         return Ok(known);
     }
     let (meshed, run) = truth.case.solve()?;
-    let energy = |on: &Discretisation, run: &Run| -> Result<f64, Error> {
-        let displacement = on.displacement_under(run.share(), &run.solution);
-        Ok(strain_energy(&internal(on, &displacement)?, &displacement))
-    };
-    let energies = [energy(&truth.discretisation, &truth.run)?, energy(&meshed.discretisation, &run)?];
-    Ok(truth.exported.get_or_init(|| (meshed.discretisation, energies)))
+    let moved = |on: &Discretisation, run: &Run| on.displacement_under(run.share(), &run.solution);
+    let energy = |on: &Discretisation, moved: &[[f64; 2]]| Ok::<_, Error>(work(&internal(on, moved)?, moved));
+    let [fine, displacement] = [moved(&truth.discretisation, &truth.run), moved(&meshed.discretisation, &run)];
+    let energies = [energy(&truth.discretisation, &fine)?, energy(&meshed.discretisation, &displacement)?];
+    Ok(truth.exported.get_or_init(|| Exported { discretisation: meshed.discretisation, displacement, energies }))
 }
 
 /// Internal forces of all nodes.
@@ -127,9 +146,9 @@ fn internal(own: &Discretisation, displacement: &[[f64; 2]]) -> Result<Vec<[f64;
     Ok(bodies.concat())
 }
 
-/// `½ f·u` \[N mm\].
-fn strain_energy(internal: &[[f64; 2]], displacement: &[[f64; 2]]) -> f64 {
-    let pairs = internal.iter().zip(displacement);
+/// `½ f·u` \[N mm\]: of the displacements that the forces are of their strain energy.
+fn work(forces: &[[f64; 2]], displacement: &[[f64; 2]]) -> f64 {
+    let pairs = forces.iter().zip(displacement);
     0.5 * pairs.map(|(force, moved)| force[0] * moved[0] + force[1] * moved[1]).sum::<f64>()
 }
 
@@ -160,7 +179,51 @@ impl Whole<'_> {
             allowed,
             because,
         );
-        check.judge(strain_energy(&self.internal, &self.displacement))
+        check.judge(work(&self.internal, &self.displacement))
+    }
+
+    /// `1 − a(u, u')/√(a(u, u) a(u', u'))` of the displacements and ours on the exported mesh, by the body where it is most: 0 where strains are
+    /// alike but for a factor, 2 where they have the other sign, which no energy shows. Not of bodies that hardly deform.
+    fn strains(&self, ours: &[[f64; 2]]) -> Result<Judged, Error> {
+        let forces = internal(self.own, ours)?;
+        let least = LEAST * work(&forces, ours);
+        let apart = |body: usize| {
+            let nodes = self.own.mesh.bodies[body].nodes.clone();
+            let [own, theirs] = [(&forces[..], ours), (&self.internal[..], &self.displacement[..])]
+                .map(|(forces, moved)| work(&forces[nodes.clone()], &moved[nodes.clone()]));
+            let both = work(&self.internal[nodes.clone()], &ours[nodes]);
+            (own > least).then(|| (1.0 - both / (own * theirs).sqrt(), body))
+        };
+        let worst = (0..self.own.scene.bodies.len()).filter_map(apart).max_by(|a, b| a.0.total_cmp(&b.0));
+        let (apart, body) = worst.unwrap_or((f64::NAN, 0));
+        let reference = Reference { name: OURS.into(), kind: ReferenceKind::CrossCode, value: 0.0, uncertainty: None };
+        let quantity = case::Quantity::at(STRAINS, self.own.scene.bodies[body].name.clone());
+        Ok(Check::error(quantity, reference, ALIKE, "what strains of two coarse meshes differ by").judge(apart))
+    }
+
+    /// The gap that the displacements leave under pressure, weighted by force, over the approach that the contact makes: of every node of our
+    /// mesh its initial gap less the normal displacements of both sides.
+    fn overlap(&self, profile: &Profile) -> Option<Judged> {
+        let Discretisation { mesh, condensed, interfaces, .. } = self.own;
+        let interface = interfaces.get(profile.contact)?;
+        let outwards = |dof: usize| {
+            let body = condensed.offsets.partition_point(|begin| *begin <= dof) - 1;
+            let Candidate { node, normal, .. } = mesh.bodies[body].candidates[dof - condensed.offsets[body]];
+            normal[0] * self.displacement[node][0] + normal[1] * self.displacement[node][1]
+        };
+        let left = |node: &ContactNode| {
+            (node.coordinate, node.gap - node.row().map(|(dof, weight)| weight * outwards(dof)).sum::<f64>())
+        };
+        let gaps: Vec<(f64, f64)> = interface.nodes.iter().map(left).collect();
+        let place = |s: f64| if interface.pair.path.has_both_sides() { s } else { s.abs() };
+        let pressed = profile.points.iter().map(|point| (place(point.position), point.weight * point.pressure));
+        let pressed: Vec<(f64, f64)> = pressed.filter(|(_, force)| force.abs() > 0.0).collect();
+        let force: f64 = pressed.iter().map(|(_, force)| force).sum();
+        let gap = pressed.iter().map(|&(s, force)| force * along(&gaps, s)).sum::<f64>() / force;
+        let touch = Reference::own("bodies touch where they press", 0.0);
+        let because = "the tolerance; an overlap of this part costs about as much of the pressure";
+        let check = Check::error(OVERLAP, touch, self.tolerance, because);
+        Some(check.judge(gap.abs() / contact_laws::approach(self.truth, profile)))
     }
 
     /// Whether supports move as they prescribe: the largest departure of a node that one holds, over the largest displacement.
@@ -182,9 +245,9 @@ impl Whole<'_> {
 
     /// Virtual work of the stresses in every body against that of loads and pressures on it, for linear motions under which no support works: of
     /// each motion the body that is most off, over the largest work that it does.
-    fn equilibrium(&self, profiles: &[Profile]) -> Result<Vec<Judged>, Error> {
+    fn equilibrium(&self, bodies: &[usize], profiles: &[Profile]) -> Result<Vec<Judged>, Error> {
         let mut worst: Vec<(&'static str, usize, f64)> = Vec::new();
-        for body in 0..self.own.scene.bodies.len() {
+        for &body in bodies {
             let works = self.works(body, profiles)?;
             let scale = works.iter().map(|(.., size)| *size).fold(self.least_work(body, profiles), larger);
             for (name, left) in self.left(body, &works) {
@@ -346,9 +409,7 @@ impl Whole<'_> {
             };
             let Some(value) = value else { continue };
             missing.retain(|[what, _]| *what != check.quantity.to_string());
-            let tolerance = check.tolerance.max(self.tolerance);
-            let because = "that of the scene file, or the one asked for: the displacements are those of another mesh";
-            let check = Check { tolerance, because: because.into(), ..check.clone() };
+            let check = of_another_mesh(check, self.tolerance);
             let known = Known { reference: reference.clone(), bar: 0.0 };
             judged.push(bench.ruled(check, value, known));
         }

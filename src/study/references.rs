@@ -154,7 +154,7 @@ fn answer(name: &str, found: &Shared) -> Result<Numbers, Error> {
         WIDE => Cylinder { a_over_r: 0.1, ..Cylinder::default() }.case().named(WIDE),
         _ => find(name, None)?,
     };
-    let reference::Answer { known, dofs: [answer, order, layers, cells] } = once(found, &case.scene)?;
+    let reference::Answer { known, dofs: [answer, order, layers, cells], .. } = once(found, &case.scene)?;
     let (_, run, barred) = on_8_node_cells(&case)?;
     let (high, on_arc) = (High::built_in()?, !case.scene.contact().path.is_straight());
     let answered = |one: Known| {

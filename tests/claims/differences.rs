@@ -114,7 +114,10 @@ fn what_moved_among_the_checks_is_told_as_what_it_is() {
     let failing = CheckRow { error: 0.1, verdict: Mark::Fail, ..asked(30) };
     // What is told and whether it is worse, whether that is so, what must be in it, and what must not.
     type Told<'a> = ((String, bool), bool, &'a [&'a str], &'a [&'a str]);
-    let cases: [Told; 8] = [
+    let twice = |first: Mark| {
+        changed(&|rows: &mut Vec<CheckRow>| rows.insert(0, CheckRow { verdict: first, ..rows[0].clone() }))
+    };
+    let cases: [Told; 12] = [
         (
             changed(&|rows| rows.iter_mut().for_each(spoiled)),
             true,
@@ -159,6 +162,20 @@ fn what_moved_among_the_checks_is_told_as_what_it_is() {
             &[],
         ),
         (told(&tree(&[asked(30)]), &tree(&[failing])), true, &["pin × run 4", "pass → FAIL"], &[]),
+        (
+            changed(&|rows| rows[0].reference = 101.0),
+            false,
+            &["Numbers that moved: 1 check", "reference 100 → 101"],
+            &["GONE"],
+        ),
+        (changed(&|rows| rows[0].share = 0.5), false, &["Numbers that moved: 1 check", "11 % → 50 %"], &[]),
+        (
+            changed(&|rows| rows[0].kind = "self-consistency".into()),
+            false,
+            &["Checks held against ANOTHER kind of truth: 1 check", "analytic → self-consistency"],
+            &["files with other lines"],
+        ),
+        (twice(Mark::Pass), false, &["New checks: 1 check"], &[]),
     ];
     for ((text, worse), wanted, says, silent) in &cases {
         assert_eq!(worse, wanted, "{text}");
@@ -340,6 +357,36 @@ fn exchanged_palette_moves_no_data_and_a_recoloured_part_does() {
     // Nor are drawings alike where one cannot be read, or a part has no colour any more.
     assert_eq!(looks(map, &map.replace("</svg>", "<")), None);
     assert_eq!(looks(map, &map.replace(" fill=\"#111111\"", "")), None);
+}
+
+#[test]
+fn record_that_cannot_be_read_is_said_and_is_laxer() {
+    let before = tree(&checks());
+    let text = before.text(CHECKS).expect("there").to_owned();
+    let spoiled = |text: String| before.with("another", vec![(CHECKS.into(), text)], &[]);
+    let marked = spoiled(text.replacen("cases,", "<<<<<<< HEAD\ncases,", 1));
+    let empty = spoiled(text.replacen(",near,", ",,", 1));
+    let mut gone = before.clone();
+    gone.files.remove(CHECKS);
+    for after in [&marked, &empty, &gone] {
+        let difference = Difference::of(&before, after);
+        assert!(difference.laxer, "{}", difference.text(9));
+        let text = difference.text(9);
+        assert!(
+            text.contains("verdicts, tolerances and bars are not compared") && !text.contains("no verdict"),
+            "{text}"
+        );
+    }
+    assert!(Difference::of(&marked, &before).laxer && !Difference::of(&gone, &before).laxer);
+    // A row that fails beside one of the same key that passes, on either side of it.
+    for at in [0, 1] {
+        let mut rows = checks();
+        rows.insert(at, CheckRow { verdict: Mark::Fail, ..rows[0].clone() });
+        assert!(Difference::of(&before, &tree(&rows)).worse, "{at}");
+    }
+    let own = |kind: &str| tree(&[CheckRow { kind: kind.into(), ..check("a", "b", "c", 1e-3) }]);
+    assert!(Difference::of(&own("analytic"), &own("self-consistency")).laxer);
+    assert!(!Difference::of(&own("self-consistency"), &own("analytic")).laxer);
 }
 
 #[test]

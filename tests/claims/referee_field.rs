@@ -54,7 +54,7 @@ fn our_own_displacements_are_in_equilibrium_and_have_our_energy_on_every_case() 
         let energy = named("strain energy").pop().expect("judged");
         assert_eq!(energy.verdict, Verdict::Pass, "{name}");
         // It may be off by what it changes from our mesh to the finer one.
-        let [fine, coarse] = truth.exported.get().expect("solved").1;
+        let [fine, coarse] = truth.exported.get().expect("solved").energies;
         let allowed = ENGINEERING + (fine - coarse).abs() / fine;
         assert!((energy.check.tolerance - allowed).abs() <= 1e-9, "{name}: {}", energy.check.tolerance);
         // Its supports along x lie at x = 0, and the side that stays flat moves along y.
@@ -95,6 +95,54 @@ fn bodies_that_pull_apart_and_supports_that_move_are_found_without_any_load() {
         let shifted =
             spoiled(truth, &text, |field| field.displacement.iter_mut().for_each(|u| *u = u.map(|x| x + 1.0)));
         assert!(has(&shifted, "departure of the supports"), "{name}: {shifted:?}");
+    }
+}
+
+/// The wrong sign of one body, or of a model of which one contact is handed in, and what moves as a whole: no energy and no support tells.
+#[test]
+fn displacements_of_the_wrong_sign_or_through_the_other_body_are_found_whatever_is_held_or_missing() {
+    let strains = "departure of the strains";
+    let overlap = "gap or overlap of the displacements";
+    let ring = |name: &str, radii: [u8; 2], side: &str, supports: &str| {
+        format!(
+            "[[body]]\nname = \"{name}\"\nyoung = 70e3\npoisson = 0.3\nshape = {{ ring = {{ centre = [0, 0], inner = {}, outer = {}, sweep = 90, \
+             contact = \"{side}\" }} }}\nsupports = [{{ at = \"start\", component = \"x\" }}, {{ at = \"end\", component = \"y\" }}{supports}]\n",
+            radii[0], radii[1]
+        )
+    };
+    let outer = ", { at = \"outer\", component = \"x\" }, { at = \"outer\", component = \"y\" }";
+    let held = format!(
+        "title = \"ring in a held ring\"\nplane = \"strain\"\nthickness = 1\n{}{}[contact]\nfirst = \"inner\"\nsecond = \"outer\"\n\
+         arc = {{ centre = [0, 0], radius = 40 }}\ngap = {{ uniform = -0.02 }}\nstretch = 90\n[mesh]\nelements = 8\nper = 62.8\n",
+        ring("inner", [20, 40], "outer", ""),
+        ring("outer", [40, 70], "inner", outer)
+    );
+    let turned = |moved: [f64; 2]| moved.map(|u| 0.0 - u);
+    // The scene, its contact that is handed in alone, the body that is moved, all where none is named, how, and what tells.
+    type Row<'a> = (String, Option<usize>, Option<usize>, &'a dyn Fn([f64; 2]) -> [f64; 2], &'a [&'a str]);
+    let roller = text_of("roller-between-plates.toml");
+    let rows: [Row; 4] = [
+        (held, None, Some(1), &turned, &[strains, overlap]),
+        (roller.clone(), Some(0), None, &turned, &[strains, "stresses against"]),
+        (roller, Some(0), Some(2), &turned, &[strains]),
+        (text_of("two-cylinders.toml"), None, Some(0), &|[u, v]| [u, v - 1.0], &[overlap]),
+    ];
+    for (text, alone, body, spoil, tells) in rows {
+        let truth = Truth::of(parsed(&scene_file::scene_alone(&text))).expect("a truth");
+        let mut ours = answer(&truth.case, &own(&truth.case));
+        ours.contacts.retain(|handed| alone.is_none_or(|contact| handed.contact == contact));
+        ours.contacts.iter_mut().flat_map(|handed| &mut handed.points).for_each(|point| point.gap = None);
+        assert_eq!(failed(&judged(&truth, ours.clone())), [""; 0], "{}", truth.case.title);
+        let displacement = &mut ours.field.as_mut().expect("displacements").displacement;
+        let mesh = truth.case.meshed().expect("meshed").discretisation.mesh;
+        let nodes = body.map_or(0..displacement.len(), |body| mesh.bodies[body].nodes.clone());
+        displacement[nodes].iter_mut().for_each(|moved| *moved = spoil(*moved));
+        let found = judged(&truth, ours);
+        for part in tells {
+            assert!(failed(&found).iter().any(|one| one.contains(part)), "{}: {:?}", truth.case.title, failed(&found));
+        }
+        let missing = found.ruled[0].missing.iter().any(|[what, _]| what == "equilibrium of the stresses of `lower`");
+        assert_eq!(missing, alone.is_some());
     }
 }
 

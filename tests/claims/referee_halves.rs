@@ -2,11 +2,13 @@
 
 use std::f64::consts::{PI, TAU};
 
+use contact_vv::cli::vtu;
 use contact_vv::referee::judge::ENGINEERING;
 use contact_vv::referee::{Asked, Truth, verdicts};
 
-use crate::handed::{PRESSURES, failed, judged_rows, read, table};
-use crate::workbench::{refused, truth};
+use crate::foreign::vtk;
+use crate::handed::{PRESSURES, failed, judged_as, judged_rows, moved, read, table};
+use crate::workbench::{block_text, parsed, refused, truth};
 
 /// Half-width of the truncated cases \[mm\].
 const A: f64 = 2.5;
@@ -114,4 +116,29 @@ fn positions_of_a_contact_that_is_not_symmetric_with_the_other_sign_are_named() 
     let rows = |sign: f64| (-10..=10).map(f64::from).map(|x| [x, 100.0 + 4.0 * sign * x]).collect::<Vec<_>>();
     assert_eq!(says(truth, PRESSURES, rows(1.0)), [""; 0]);
     assert_eq!(says(truth, PRESSURES, rows(-1.0)), ["positions run the other way: change their sign"]);
+}
+
+/// The right half of a beam on two rounded supports, of which one is left: its contact has both sides, the scene one half.
+#[test]
+fn contact_off_the_symmetry_line_carries_what_both_halves_do() {
+    let load = "traction = { at = \"far\", value = [0, -10] }";
+    let contact = "origin = [60, 0]\nboth-sides = true\nsymmetric = true\ngap = { parabola = 25 }\nstretch = 2\n[mesh]\nelements = 8\nper = 0.8";
+    let truth = Truth::of(parsed(&block_text([0.0, 90.0], 30.0, load, contact))).expect("solved");
+    let (meshed, run) = truth.case.solve().expect("solved");
+    let points = run.solution.points_of(0);
+    for (times, met) in [(1.0, true), (2.0, false)] {
+        let rows = points.iter().map(|point| [point.position, times * point.weight * point.pressure]);
+        let found = judged_rows(&truth, FORCES, rows);
+        assert_eq!(failed(&found).is_empty(), met, "{times}: {:?}", failed(&found));
+    }
+    let text = vtu::text(&meshed.discretisation, &run).expect("written");
+    assert_eq!(failed(&judged_as(&truth, "ours.vtu", &text, &moved())), [""; 0]);
+    // What of a whole model is not the half that the scene is: beside the contact, or elsewhere alone.
+    for (grid, said) in [
+        (vtk::points(&|x, y| [60.0 - 10.0 * x, y]), "beyond its candidate stretch"),
+        (vtk::points(&|x, y| [0.0 - 60.0 - x, y]), "no edge of its cells lies on the side"),
+    ] {
+        let told = read(&truth.case, "theirs.vtk", grid, &moved());
+        refused(told, &[said, "of a symmetric whole hand in the half that the scene is"]);
+    }
 }

@@ -172,6 +172,15 @@ fn loads_that_the_contact_does_not_carry_are_noted_with_both_numbers() {
         let notes = with(&format!("load = {load}"));
         assert!(notes[0].contains(&format!("load of {load}")) && notes[0].contains("5000.00"), "{notes:?}");
     }
+    // Whether a half is left out is said as the scene has it.
+    for (half, whole) in [("", "both halves of a symmetric one"), ("\nsymmetric = false", "where no half is left out")]
+    {
+        let notes = noted(&scene(
+            "block-on-parabola",
+            &[["load = 5000", "load = 4000"], ["[contact]", &format!("[contact]{half}")]],
+        ));
+        assert!(notes.iter().any(|note| note.contains("load of 4000") && note.ends_with(whole)), "{notes:?}");
+    }
     let notes = noted(&scene("pin-in-plate", &[["load = 40000", "load = 20000"]]));
     let persson = |note: &String| note.contains("Persson has a load of 20000") && note.contains("40000.0");
     assert!(notes.iter().any(persson), "{notes:?}");

@@ -148,8 +148,15 @@ pub fn told(pairs: &Pairs) -> Vec<Told> {
         moved("Checks asked of FEWER runs", is_asked_less, |pair| {
             number(pair, |row| row.runs as f64, |row| format!("{} runs", row.runs))
         }),
+        moved("Checks held against ANOTHER kind of truth", is_of_other_kind, |[before, after]| {
+            change(after, 0.0, format!("{} → {}", before.kind, after.kind))
+        }),
         moved("Checks renamed, with the same numbers", |[before, after]| uncounted(before) != uncounted(after), name),
-        moved("Numbers that moved", |pair| is_moved(pair) && pair[0].verdict == pair[1].verdict, share),
+        moved(
+            "Numbers that moved",
+            |pair| (is_moved(pair) || is_another_share(pair)) && pair[0].verdict == pair[1].verdict,
+            share,
+        ),
         moved(
             "Error bars that moved",
             |pair| differ(pair.map(bar)),
@@ -185,9 +192,12 @@ pub fn worse(pairs: &Pairs) -> bool {
     pairs.both.iter().filter(|pair| is_worse(pair)).map(|pair| pair[1]).chain(came).any(|row| !is_stale(row))
 }
 
-/// Whether something is accepted now that was not, or is no longer asked: a limit that no bar explains, a check that is gone, fewer runs.
+/// Whether something is accepted now that was not, or is no longer asked: a limit that no bar explains, a check that is gone, or held against
+/// this code alone, fewer runs.
 pub fn is_laxer(pairs: &Pairs) -> bool {
-    !pairs.gone.is_empty() || pairs.both.iter().any(|pair| is_loosened_by_hand(pair) || is_asked_less(pair))
+    let is_own = |pair: &Pair| is_of_truth(pair[0]) && !is_of_truth(pair[1]);
+    let is_laxer = |pair: &Pair| is_loosened_by_hand(pair) || is_asked_less(pair) || is_own(pair);
+    !pairs.gone.is_empty() || pairs.both.iter().any(is_laxer)
 }
 
 /// What a check says, and of which case and run.
@@ -271,6 +281,15 @@ fn is_loosened_by_hand(pair: &Pair) -> bool {
     is_loosened(pair) && !is_loosened_as_bar(pair)
 }
 
+fn is_of_other_kind([before, after]: &Pair) -> bool {
+    before.kind != after.kind
+}
+
+/// Whether the part of the limit moved, which neither the limit nor the error did.
+fn is_another_share(pair: &Pair) -> bool {
+    differ(pair.map(|row| row.share)) && !differ(pair.map(limit))
+}
+
 fn is_asked_less([before, after]: &Pair) -> bool {
     after.runs < before.runs
 }
@@ -304,7 +323,13 @@ fn share(pair: &Pair) -> Change {
     let one = number(pair, |row| row.share, |row| format!("{} %", significant(100.0 * row.share, 2)));
     let size = (pair[1].share - pair[0].share).abs();
     let of_limit = if size.is_finite() { format!("{} of the limit; ", one.how) } else { String::new() };
-    Change { size, how: of_limit + &errors(pair), ..one }
+    let [old, new] = pair.map(|row| row.reference);
+    let held = if differ([old, new]) {
+        format!("; reference {}", [old, new].map(markdown::bound).join(" → "))
+    } else {
+        String::new()
+    };
+    Change { size, how: of_limit + &errors(pair) + &held, ..one }
 }
 
 /// What the value may be off; what has no bar may be off by anything.

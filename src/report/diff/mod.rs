@@ -31,7 +31,8 @@ pub struct Difference {
     pub told: Vec<Told>,
     /// Whether a verdict got worse, or a new check fails.
     pub worse: bool,
-    /// Whether a limit that no error bar explains got wider, or something is asked no longer, or of fewer runs.
+    /// Whether a limit that no error bar explains got wider, something is asked no longer, of fewer runs, or of this code where it was of a truth,
+    /// or whether a record of checks cannot be read.
     pub laxer: bool,
 }
 
@@ -53,7 +54,7 @@ impl Difference {
     /// Compares two trees.
     pub fn of(before: &Tree, after: &Tree) -> Self {
         let trees = [before, after];
-        let (records, note) = checks_of(trees);
+        let (records, note, is_unread) = checks_of(trees);
         let pairs = Pairs::of(&records[0], &records[1]);
         let mut told = checks::told(&pairs);
         let frozen = trees.map(table::frozen);
@@ -81,7 +82,7 @@ impl Difference {
         told.extend(timings.into_iter().map(|(name, versions)| table::told(name, versions)));
         told.extend(checks::stale(&pairs));
         let names = trees.map(|tree| tree.name.clone());
-        Self { names, note, told, worse: checks::worse(&pairs), laxer: checks::is_laxer(&pairs) }
+        Self { names, note, told, worse: checks::worse(&pairs), laxer: is_unread || checks::is_laxer(&pairs) }
     }
 
     /// Text of at most so many lines; every heading is among them, and the most important rows.
@@ -111,13 +112,13 @@ impl Difference {
     /// What is said first, with everything that could not be compared: one line.
     fn head(&self) -> String {
         let [before, after] = &self.names;
-        let verdict = match (self.told.is_empty(), self.worse) {
-            (true, _) => "nothing moved",
-            (false, true) => "a verdict got WORSE",
-            (false, false) => "no verdict got worse",
+        let verdict = match (&self.note, self.told.is_empty(), self.worse) {
+            (Some(note), ..) => note,
+            (None, true, _) => "nothing moved",
+            (None, false, true) => "a verdict got WORSE",
+            (None, false, false) => "no verdict got worse",
         };
-        let note = self.note.as_ref().map(|note| format!(" {note}.")).unwrap_or_default();
-        format!("{before} → {after}: {verdict}.{note}")
+        format!("{before} → {after}: {verdict}.")
     }
 
     /// What is told with the number of its rows that there is room for: a row each in turn, from the most important on.
@@ -143,18 +144,23 @@ impl Difference {
     }
 }
 
-/// The checks of both trees; none at all, and why, where a tree has no record or it cannot be read.
-fn checks_of(trees: [&Tree; 2]) -> ([Vec<CheckRow>; 2], Option<String>) {
+/// The checks of both trees; none at all, and why, where a tree has no record or it cannot be read; and whether one cannot be read, or went.
+fn checks_of(trees: [&Tree; 2]) -> ([Vec<CheckRow>; 2], Option<String>, bool) {
     let read = |tree: &Tree| match tree.text(CHECKS) {
         None => Err(format!("{} has no {CHECKS}", tree.name)),
-        Some(text) => record::parsed(text).map_err(|why| format!("{CHECKS} of {} cannot be read: {why}", tree.name)),
+        // No two with one key, as they were written.
+        Some(text) => record::parsed(text)
+            .map(record::numbered)
+            .map_err(|why| format!("{CHECKS} of {} cannot be read: {why}", tree.name)),
     };
     match trees.map(read) {
-        [Ok(before), Ok(after)] => ([before, after], None),
+        [Ok(before), Ok(after)] => ([before, after], None, false),
         [before, after] => {
+            let [had, has] = trees.map(|tree| tree.text(CHECKS).is_some());
+            let is_unread = had || has && after.is_err();
             let whys: Vec<String> = [before.err(), after.err()].into_iter().flatten().collect();
             let note = format!("{}: checks, verdicts, tolerances and bars are not compared", whys.join(", "));
-            (Default::default(), Some(note))
+            (Default::default(), Some(note), is_unread)
         }
     }
 }

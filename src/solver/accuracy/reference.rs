@@ -31,6 +31,8 @@ pub struct Answer {
     pub known: Vec<Known>,
     /// Degrees of freedom of the meshes.
     pub dofs: [usize; 4],
+    /// The run on the first of them.
+    pub run: Run,
 }
 
 /// A number that is known, in our units: mm, MPa, N, rad.
@@ -104,7 +106,7 @@ pub fn answer(scene: &Scene) -> Result<Answer, Error> {
             numbers.iter().map(|&quantity| value(&mesh, &run, ends, quantity)).collect::<Result<_, Error>>()?;
         Ok((values, run))
     });
-    let solved = solved.collect::<Result<Vec<(Vec<f64>, Run)>, Error>>()?;
+    let mut solved = solved.collect::<Result<Vec<(Vec<f64>, Run)>, Error>>()?;
     let half_width = solved[0].1.measures().second_moment_width;
     let known = |(k, &quantity): (usize, &&Quantity)| {
         let [value, a, b, c] = [0, 1, 2, 3].map(|mesh| solved[mesh].0[k]);
@@ -113,5 +115,6 @@ pub fn answer(scene: &Scene) -> Result<Answer, Error> {
         Known { quantity: quantity.clone(), value, bar: FACTOR * apart + ROUND_OFF * scale, scale, others: [a, b, c] }
     };
     let dofs = [0, 1, 2, 3].map(|mesh| solved[mesh].1.dofs);
-    Ok(Answer { known: numbers.iter().enumerate().map(known).collect(), dofs })
+    let known = numbers.iter().enumerate().map(known).collect();
+    Ok(Answer { known, dofs, run: solved.swap_remove(0).1 })
 }
