@@ -172,7 +172,7 @@ pub fn bars(discretisation: &Discretisation, run: &Run, wanted: &[Displaced]) ->
 }
 
 /// The same by meshes of so many dofs at most, and by a finer one where that was solved.
-pub(super) fn bars_up_to(
+pub fn bars_up_to(
     most_dofs: Option<usize>,
     judge: Option<(&Discretisation, &Run)>,
     discretisation: &Discretisation,

@@ -53,7 +53,7 @@ use crate::solve::{Discretisation, Formulation, Iteration};
 
 pub use crate::measure::Quantity;
 pub use answer::{Answer, Asked, Tried, TriedContact};
-pub use bar::{Bar, Barred, Bars, Told, bars, of_family};
+pub use bar::{Bar, Barred, Bars, Told, bars, bars_up_to, of_family};
 pub use evidence::Evidence;
 pub use family::Family;
 pub use watch::{Next, Tell};
