@@ -69,7 +69,9 @@ impl Found {
         }
         checks.extend(accurate.iter().map(|(asked, answer)| met(asked, answer)));
         let barred = || match &accurate {
-            Some((asked, answer)) => answer.bars(asked, &discretisation, &run),
+            Some((asked, answer)) => {
+                answer.bars(asked, &discretisation, &run).map(|bars| bars.estimated(&answer.estimates))
+            }
             None => accuracy::bars(&discretisation, &run, &problem.displaced()),
         };
         let bars = with_bars.then(barred).transpose()?;

@@ -69,17 +69,12 @@ pub struct Answer {
 impl Answer {
     /// The bars of all numbers of a run on the mesh answered, by meshes that the search has solved, and otherwise by as many dofs as it may.
     pub fn bars(&self, asked: &Asked, discretisation: &Discretisation, run: &Run) -> Result<Bars, Error> {
-        let bars = match &self.family {
-            Some(family) => {
-                let all = of_family(discretisation, run, family, Some(&asked.wanted))?;
-                Bars { all, meshes: family.meshes(), dofs: family.dofs() }
-            }
-            None => {
-                let judge = self.judge.as_ref().map(|(finer, judge)| (finer, judge));
-                bars_up_to(asked.most_dofs, judge, discretisation, run, &asked.wanted)?
-            }
-        };
-        Ok(bars.estimated(&self.estimates))
+        if let Some(family) = &self.family {
+            let all = of_family(discretisation, run, family, Some(&asked.wanted))?;
+            return Ok(Bars { all, meshes: family.meshes(), dofs: family.dofs() });
+        }
+        let judge = self.judge.as_ref().map(|(finer, judge)| (finer, judge));
+        bars_up_to(asked.most_dofs, judge, discretisation, run, &asked.wanted)
     }
 
     /// Degrees of freedom of all meshes solved, with those of the bars.
