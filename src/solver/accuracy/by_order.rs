@@ -36,6 +36,8 @@ const AT_ONCE: f64 = 0.024;
 /// others by smaller cells, and where those gain nothing either, 8-node cells do hardly more.
 const SLOW: f64 = 0.5;
 const PATIENCE: usize = 2;
+/// Bar over what is asked up to which a finer mesh may show a mesh to be good enough: bars are up to ten times the distance to the next one.
+const HOPEFUL: f64 = 20.0;
 /// Dofs of a mesh of high order from which on no smaller cells follow it: these have up to four times as many, a matrix of gigabytes.
 const LARGE: usize = 60_000;
 
@@ -52,7 +54,8 @@ pub(super) fn applies(scene: &Scene, formulation: &Formulation, asked: &Asked) -
 /// it; or else the best of them.
 pub(super) fn found(scene: &Scene, rungs: &mut Rungs) -> Result<Option<(Rung, Option<Held>)>, Error> {
     let asked = rungs.asked.relative;
-    let mut cheaper: Vec<(Discretisation, Rung)> = Vec::new();
+    // Those before it, and the meshes of those that may do.
+    let mut cheaper: Vec<(Option<Discretisation>, Rung)> = Vec::new();
     let mut mesh = first(scene, rungs);
     let (mut stalled, mut before) = (0, f64::INFINITY);
     while let Some((discretisation, mut rung)) = mesh {
@@ -60,16 +63,14 @@ pub(super) fn found(scene: &Scene, rungs: &mut Rungs) -> Result<Option<(Rung, Op
         rungs.judge((&discretisation, &mut rung), next.as_ref())?;
         let estimate = rung.error;
         if estimate <= asked {
-            let is_enough = |(_, own): &mut (Discretisation, Rung)| rungs.is_enough(own, &rung);
-            return Ok(Some(match cheaper.iter_mut().position(is_enough) {
-                Some(at) => {
-                    let (own, cheapest) = cheaper.swap_remove(at);
-                    (cheapest, Some((own, Some((discretisation, rung.run)))))
+            for (own, mut other) in cheaper {
+                if let Some(own) = own.filter(|_| rungs.is_enough(&mut other, &rung)) {
+                    return Ok(Some((other, Some((own, Some((discretisation, rung.run)))))));
                 }
-                None => (rung, Some((discretisation, next.map(|(finer, judge)| (finer, judge.run))))),
-            }));
+            }
+            return Ok(Some((rung, Some((discretisation, next.map(|(finer, judge)| (finer, judge.run)))))));
         }
-        cheaper.push((discretisation, rung));
+        cheaper.push((Some(discretisation).filter(|_| estimate <= HOPEFUL * asked), rung));
         // What is not smooth within a cell gains nothing by its order, and may by smaller cells.
         stalled = if estimate <= SLOW * before { 0 } else { stalled + 1 };
         if stalled > PATIENCE {

@@ -3,7 +3,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::scene::{BoundaryName, ContactPair, Place};
+use crate::scene::{ContactPair, Place};
 use crate::solve::Discretisation;
 
 /// Length of the edge at a cusp of the pressure, towards which cells shrink, over that that is counted on: of rⁿ, n from 1.15 to 1.98, peaks are
@@ -26,17 +26,12 @@ pub(super) fn is_shallow(Discretisation { scene, mesh, .. }: &Discretisation) ->
 /// a point on the end of a side that carries a load.
 pub(super) fn held_at_corner(discretisation: &Discretisation, corners: &[Corner]) -> [bool; 2] {
     let Discretisation { scene, mesh, .. } = discretisation;
-    let held = |body: usize, name: &BoundaryName| {
-        let own = scene.bodies[body].supports.iter();
-        let own = own.filter(|support| matches!(&support.at, Place::Boundary(at) if at == name));
-        own.map(|support| 1 << support.component.index()).fold(0, |all: u8, one| all | one)
-    };
     let has_corner = |body: usize| {
         let mut at_nodes: BTreeMap<usize, [bool; 2]> = BTreeMap::new();
         for (name, edges) in &mesh.bodies[body].boundaries {
-            let kind = match held(body, name) {
-                0 => 0,
-                3 => 1,
+            let kind = match scene.bodies[body].held(name) {
+                [false, false] => 0,
+                [true, true] => 1,
                 _ => continue,
             };
             edges.iter().flat_map(|edge| &edge[..2]).for_each(|node| at_nodes.entry(*node).or_default()[kind] = true);

@@ -46,8 +46,9 @@ const READ: [f64; 2] = [0.5, 0.5];
 /// Where the gap is not smooth, of the relative difference of the half-width what the peak may be off, and of the peak's what an end may be:
 /// order by order either agrees by chance.
 const ROUGH: [f64; 2] = [2.4, 0.5];
-/// Factor on the difference to the mesh of gentler growth, on which what far cells leave is a quarter as large.
-const FAR: f64 = 1.5;
+/// Factor on the difference to the mesh of gentler growth, on which what far cells leave is a quarter as large, and half as large or more where a side
+/// is clamped.
+const FAR: [f64; 2] = [1.5, 3.0];
 /// Of the relative bar of a contact's force, the part that it adds to its other numbers: pressures and lengths grow with the root of the
 /// force (Hertz).
 const FORCE: f64 = 0.5;
@@ -130,7 +131,8 @@ impl Family {
     pub(super) fn told(&self, run: &Run, reading: &Reading, discrete: f64) -> Evidence {
         let far = match &self.gentler {
             Some(Some(gentler)) => {
-                FAR * (discrete - value_of(&gentler.readings, reading.contact, &reading.quantity)).abs()
+                FAR[usize::from(self.held_at_corner == [true; 2])]
+                    * (discrete - value_of(&gentler.readings, reading.contact, &reading.quantity)).abs()
             }
             Some(None) => f64::NAN,
             None => 0.0,
@@ -292,6 +294,8 @@ impl Family {
                 observed(&differences, row.exponent())
             }
             _ if is_held => observed(&differences, row.exponent()),
+            // What a corner of a held side leaves in a contact falls as slowly, once that is more than what its ends leave.
+            _ if self.held_at_corner == [true; 2] => observed(&differences, row.exponent()),
             _ => row.exponent(),
         };
         by_order(&differences, order)

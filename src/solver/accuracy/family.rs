@@ -51,7 +51,7 @@ pub struct Family {
     /// Whether a body is one element deep below a contact, which no coarser mesh tells from a finer one.
     pub(super) shallow: bool,
     pub(super) coarse: Vec<Other>,
-    /// What the mesh of gentler growth says, if it does; none where no body bends.
+    /// What the mesh of gentler growth says, if it does; none where no body bends nor is clamped.
     pub(super) gentler: Option<Option<Other>>,
     /// What the next finer mesh says, where errors fall from order to order as those of an analytic solution do.
     pub(super) next: Option<Other>,

@@ -112,12 +112,15 @@ impl<'a> Rungs<'a> {
 
     /// Whether a mesh is good enough by its distance from a finer one, to which the bar there is added; its estimates are these then.
     pub(super) fn is_enough(&mut self, rung: &mut Rung, finer: &Rung) -> bool {
-        let by_finer = |one: &Barred| {
-            let judge = finer.estimates.iter().find(|other| other.is_of(one.contact, &one.quantity));
-            let mesh = judge.map_or(f64::NAN, |judge| (one.value - judge.value).abs() + judge.bar.total());
-            Barred { bar: Bar { mesh, ..one.bar }, unknown: None, ..one.clone() }
+        // A contact that is closed on the finer mesh alone has no number here.
+        let by_finer = |judge: &Barred| {
+            let one = rung.estimates.iter().find(|one| one.is_of(judge.contact, &judge.quantity))?;
+            let mesh = (one.value - judge.value).abs() + judge.bar.total();
+            Some(Barred { bar: Bar { mesh, ..one.bar }, unknown: None, ..one.clone() })
         };
-        let estimates: Vec<Barred> = rung.estimates.iter().map(by_finer).collect();
+        let Some(estimates) = finer.estimates.iter().map(by_finer).collect::<Option<Vec<Barred>>>() else {
+            return false;
+        };
         let error = largest(&estimates);
         let is_enough = error <= self.asked.relative;
         if is_enough {

@@ -8,7 +8,7 @@ use super::block::{Block, Point, Side};
 use super::outline::{eye, pressed};
 use super::{Order, lobatto};
 use crate::scene::contact_pair::LAYER;
-use crate::scene::{Body, Component, Place, Scene, Support};
+use crate::scene::{Body, Scene};
 
 /// Difference of contact coordinates, over the stretch, that rounding explains.
 const SAME: f64 = 1e-9;
@@ -54,9 +54,8 @@ pub(super) fn towards_ends(mut blocks: Vec<Block>, scene: &Scene, body: usize, o
 /// Corners between a side that is held in both directions and one that is free.
 fn held_corners(blocks: &[Block], body: &Body) -> Vec<Point> {
     let components = |side: &Side| {
-        let is_own = |support: &&Support| matches!(&support.at, Place::Boundary(name) if side.names.contains(name));
-        let own: Vec<Component> = body.supports.iter().filter(is_own).map(|support| support.component).collect();
-        if own.iter().any(|component| *component != own[0]) { 2 } else { own.len().min(1) }
+        let held: Vec<[bool; 2]> = side.names.iter().map(|name| body.held(name)).collect();
+        [0, 1].into_iter().filter(|&k| held.iter().any(|held| held[k])).count()
     };
     let corner = |[one, other]: [&Side; 2], at: Point| {
         let is_outer = [one, other].iter().all(|side| !side.names.is_empty() && !side.inside);

@@ -98,6 +98,32 @@ pub struct Body {
     pub loads: Vec<Load>,
 }
 
+impl Body {
+    /// Whether a boundary is held along x and along y, by supports or as a face that stays straight.
+    pub fn held(&self, boundary: &BoundaryName) -> [bool; 2] {
+        let supports = self.supports.iter().filter_map(|support| match &support.at {
+            Place::Boundary(name) => Some((name, support.component)),
+            Place::Point(_) => None,
+        });
+        let faces = self.loads.iter().filter_map(|load| match load {
+            Load::RigidFace { boundary, component, .. } => Some((boundary, *component)),
+            _ => None,
+        });
+        let own: Vec<Component> =
+            supports.chain(faces).filter(|(name, _)| *name == boundary).map(|(_, along)| along).collect();
+        [0, 1].map(|k| own.iter().any(|along| along.index() == k))
+    }
+
+    /// Whether a boundary is held in both directions.
+    pub fn is_clamped(&self) -> bool {
+        let is_clamped = |support: &Support| match &support.at {
+            Place::Boundary(name) => self.held(name) == [true; 2],
+            Place::Point(_) => false,
+        };
+        self.supports.iter().any(is_clamped)
+    }
+}
+
 impl Scene {
     /// Whether a body bends far away from its contacts.
     pub fn bends(&self) -> bool {

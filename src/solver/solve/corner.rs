@@ -84,7 +84,7 @@ fn is_pressed(run: &Run, contact: usize, pair: &ContactPair, end: &End) -> bool 
     let is_near =
         |edge: &&EdgeState| inwards(edge) > -0.5 * edge.length() && inwards(edge) < (1.0 - SAME) * edge.length();
     let nearest = edges.iter().filter(is_near).min_by(|a, b| inwards(a).abs().total_cmp(&inwards(b).abs()));
-    // Edges beyond the contact may be told of no more, but their points are.
+    // Edges beyond the contact may be missing from the solution; points are not.
     let slack = SAME * pair.stretch;
     let is_inwards =
         |p: &&PointState| if end.is_last { p.position <= end.at + slack } else { p.position >= end.at - slack };

@@ -5,7 +5,6 @@ use std::f64::consts::{FRAC_PI_4, PI};
 
 use crate::elasticity::{axis, shape_functions};
 use crate::mesh::{Edge, Mesh};
-use crate::scene::{Load, Place};
 use crate::solve::Discretisation;
 
 /// Angle by which curved edges may turn at a node of a smooth side \[rad\]: from π on λ falls by 2/π of it (both sides free), and
@@ -31,17 +30,11 @@ impl<'a> Outline<'a> {
         let leaving: HashMap<usize, Edge> = edges.into_iter().map(|edge| (edge[0], edge)).collect();
         let mut fixed: HashMap<[usize; 2], [bool; 2]> = HashMap::new();
         let own = &scene.bodies[body];
-        let supported = own.supports.iter().filter_map(|support| match &support.at {
-            Place::Boundary(name) => Some((name, support.component)),
-            Place::Point(_) => None,
-        });
-        let flat = own.loads.iter().filter_map(|load| match load {
-            Load::RigidFace { boundary, component, .. } => Some((boundary, *component)),
-            _ => None,
-        });
-        for (name, component) in supported.chain(flat) {
-            for edge in mesh.bodies[body].boundaries.get(name).into_iter().flatten() {
-                fixed.entry([edge[0], edge[1]]).or_default()[component.index()] = true;
+        for (name, edges) in &mesh.bodies[body].boundaries {
+            let held = own.held(name);
+            for edge in edges {
+                let known = fixed.entry([edge[0], edge[1]]).or_default();
+                *known = [0, 1].map(|k| known[k] || held[k]);
             }
         }
         let on_axis = axis::holds(scene, mesh, body);

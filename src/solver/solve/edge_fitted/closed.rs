@@ -182,21 +182,25 @@ pub(super) fn places(stretches: &[Stretch]) -> Vec<f64> {
     places
 }
 
-/// What is counted of such a distance, of which half is taken for the least that an end may be off: it lies as far as the next point from there.
+/// How far two readings of an end are said to be apart, over how far from it a point is astray: of two readings a half is counted at least, and the
+/// true end may lie as far as the next point from that one.
 const ASTRAY: f64 = 4.0;
 
-/// How far from the nearest end of some stretches, over its half-width, a point between is open, or one beyond is pressed: the contact does not end on its
-/// mesh line. Beside a leap of the curvature the pressures of all points between, held closed, may fall towards a line that lies too far out.
-pub(super) fn astray(stretches: &[[f64; 2]], points: &[PointState]) -> f64 {
+/// How far from the nearest end of some stretches a point between is open, or one beyond is pressed, but for those on mesh lines: the contact ends
+/// elsewhere. Beside a leap of the curvature the pressures of all points between, held closed, may fall towards a line that lies too far out.
+pub(super) fn astray(stretches: &[[f64; 2]], lines: &[f64], points: &[PointState]) -> f64 {
     let within = |point: &PointState| {
-        let of = |[begin, end]: &[f64; 2]| 2.0 * (point.position - begin).min(end - point.position) / (end - begin);
+        let of = |[begin, end]: &[f64; 2]| (point.position - begin).min(end - point.position);
         stretches.iter().map(of).fold(f64::NEG_INFINITY, f64::max)
     };
+    let near = |point: &PointState| SAME * point.position.abs();
+    let is_on_line = |point: &PointState| lines.iter().any(|line| (point.position - line).abs() <= near(point));
     let astray = |point: &PointState| match within(point) {
-        within if within.abs() <= SAME || (within > 0.0) == (point.pressure > 0.0) => 0.0,
+        within if within.abs() <= near(point) || (within > 0.0) == (point.pressure > 0.0) => 0.0,
         within => within.abs(),
     };
-    points.iter().filter(|point| point.weight > 0.0).map(astray).fold(0.0, f64::max)
+    let free = points.iter().filter(|point| point.weight > 0.0 && !is_on_line(point));
+    free.map(astray).fold(0.0, f64::max)
 }
 
 /// Largest distance between two readings of the ends of some stretches.
@@ -233,9 +237,10 @@ pub(in crate::solve) fn of_lines(discretisation: &Discretisation, measures: &mut
         }
     }
     closed.moved(&discretisation.scene, &moves);
-    for (((own, stretches), moves), part) in measures.iter_mut().zip(closed.stretches).zip(&moves).zip(parts) {
+    let each = measures.iter_mut().zip(pairs).zip(closed.stretches).zip(&moves).zip(parts);
+    for ((((own, pair), stretches), moves), part) in each {
         let ends: Vec<[f64; 2]> = stretches.iter().map(|one| [one.begin, one.end]).collect();
-        own.ends_apart = larger(apart(&stretches, moves), ASTRAY * astray(&ends, part.points) * own.half_width());
+        own.ends_apart = larger(apart(&stretches, moves), ASTRAY * astray(&ends, &pair.ends.places, part.points));
         own.stretches = stretches;
     }
 }

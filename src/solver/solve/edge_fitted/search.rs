@@ -42,15 +42,13 @@ impl Answer {
     /// Where a first mesh takes two stretches for one, or one that begins away from a symmetry line for one that begins on it, the
     /// fitted mesh has no line where the contact ends.
     pub fn is_where_it_was_sought(&self, near: f64) -> bool {
-        let contacts = self.discretisation.scene.contacts.iter().zip(&self.run.contacts);
-        // Every end that is read has its line.
-        let mut read = contacts.map(|(pair, found)| places(&found.measures.stretches).len() == pair.ends.places.len());
-        read.all(|has_lines| has_lines)
-            && self
-                .stretches
-                .iter()
-                .enumerate()
-                .all(|(contact, all)| astray(all, self.run.solution.points_of(contact)) <= near)
+        let contacts = self.discretisation.scene.contacts.iter().zip(&self.run.contacts).zip(&self.stretches);
+        contacts.enumerate().all(|(contact, ((pair, found), stretches))| {
+            let (lines, points) = (&pair.ends.places, self.run.solution.points_of(contact));
+            // Every end that is read has its line.
+            places(&found.measures.stretches).len() == lines.len()
+                && astray(stretches, lines, points) <= near * found.measures.half_width()
+        })
     }
 }
 

@@ -18,7 +18,7 @@ const SETTLED: f64 = 1e-4;
 /// each further order, miss of a smooth top (spheres: 1.2e-3, 1.7e-4, 7e-5, 5e-6, 2e-6): where a few terms do not draw the pressure, as of a thin layer,
 /// two series may agree by chance.
 const AGREES: f64 = 3.0;
-const SMOOTH_TOP: (f64, f64) = (1.5e-3, 1.0 / 7.0);
+const SMOOTH_TOP: (f64, f64) = (1.5e-3, 0.2);
 /// Part of the radius that rounding explains.
 const NEAR: f64 = 1e-9;
 /// Gauss points of an edge, by the angle in which the integrands are smooth.
