@@ -151,7 +151,7 @@ impl Case {
                 let whole = match (self.scene.is_of_revolution(), pair.symmetric) {
                     (true, _) => "all around",
                     (false, true) => "both halves of a symmetric one",
-                    (false, false) => "all there is where no half is left out",
+                    (false, false) => "the whole of it",
                 };
                 format!(
                     "the closed form of contact `{contact}` is not of this scene: {name} has a load of {closed} N, and the contact carries {found}{bar} N, {whole}"

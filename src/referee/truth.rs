@@ -42,8 +42,8 @@ pub struct Exported {
     pub discretisation: Discretisation,
     /// Displacements of its nodes \[mm\].
     pub displacement: Vec<[f64; 2]>,
-    /// Strain energies of our fine answer and of this one \[N mm\].
-    pub energies: [f64; 2],
+    /// Strain energies of our fine answer and of this one, body by body \[N mm\].
+    pub energies: Vec<[f64; 2]>,
 }
 
 /// Name of our own answer.

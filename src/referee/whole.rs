@@ -1,7 +1,9 @@
 //! What displacements on the whole mesh tell: whether their stresses are in equilibrium with loads and pressures, their strain energy, and the
 //! displacements, reactions, approaches and shears that a scene file declares.
 
-use crate::case::{self, Against, Check, Judged, Reference, Verdict};
+use std::ops::Range;
+
+use crate::case::{self, Against, Check, Judged, Reference, Relation, Verdict};
 use crate::contact::interface::ContactNode;
 use crate::elasticity::{loads, reactions};
 use crate::error::Error;
@@ -83,11 +85,17 @@ pub fn judge(
         let what = format!("equilibrium of the stresses of `{}`", own.scene.bodies[body].name);
         [what, "the pressures of every contact of it".into()]
     }));
-    if let Some(why) = lost(own) {
-        first.missing.push(["strain energy of the displacements".into(), format!("nothing: {why}")]);
+    let bodies = 0..own.scene.bodies.len();
+    let sound: Vec<usize> = bodies.clone().filter(|&body| lost(own, body).is_none()).collect();
+    first.missing.extend(bodies.filter_map(|body| {
+        let of = if sound.is_empty() { String::new() } else { format!(" of `{}`", own.scene.bodies[body].name) };
+        lost(own, body).map(|why| [format!("strain energy of the displacements{of}"), format!("nothing: {why}")])
+    }));
+    first.missing.dedup();
+    if sound.is_empty() {
         return Ok(false);
     }
-    let found = [whole.energy(*energies), whole.strains(ours)?];
+    let found = [whole.energy(energies, &sound), whole.strains(ours, &sound)?];
     let is_of_scene = found.iter().all(|judged| judged.verdict == Verdict::Pass);
     first.judged.extend(found);
     Ok(is_of_scene)
@@ -104,21 +112,20 @@ const AT_POINT: f64 = 0.05;
 /// Poisson's ratio beyond which it is: stresses of 4-node cells by 2 % at 0.49, all by half at 0.4999.
 const INCOMPRESSIBLE: f64 = 0.45;
 
-/// Why the energy of a right field is not that of the scene once its displacements are brought to another mesh, if it is not.
-fn lost(own: &Discretisation) -> Option<&'static str> {
-    let mut bodies = 0..own.scene.bodies.len();
+/// Why the energy of a body in a right field is not that of the scene once its displacements are brought to another mesh, if it is not.
+fn lost(own: &Discretisation, body: usize) -> Option<&'static str> {
     match () {
-        _ if has_force(own) => Some("beside a force at a point it has no limit, and grows with every mesh"),
-        _ if bodies.any(|body| is_incompressible(own, body)) => Some(
+        _ if has_force(own, body) => Some("beside a force at a point it has no limit, and grows with every mesh"),
+        _ if is_incompressible(own, body) => Some(
             "a body is nearly incompressible, and its pressure is lost where displacements are brought to another mesh",
         ),
         _ => None,
     }
 }
 
-/// Whether a force acts at a point.
-fn has_force(own: &Discretisation) -> bool {
-    own.scene.bodies.iter().flat_map(|body| &body.loads).any(|load| matches!(load, Load::Force { .. }))
+/// Whether a force acts at a point of a body.
+fn has_force(own: &Discretisation, body: usize) -> bool {
+    own.scene.bodies[body].loads.iter().any(|load| matches!(load, Load::Force { .. }))
 }
 
 /// Whether the pressure inside a body is lost where displacements are brought to another mesh.
@@ -133,9 +140,14 @@ fn exported(truth: &Truth) -> Result<&Exported, Error> {
     }
     let (meshed, run) = truth.case.solve()?;
     let moved = |on: &Discretisation, run: &Run| on.displacement_under(run.share(), &run.solution);
-    let energy = |on: &Discretisation, moved: &[[f64; 2]]| Ok::<_, Error>(work(&internal(on, moved)?, moved));
+    let energy = |on: &Discretisation, moved: &[[f64; 2]]| {
+        let forces = internal(on, moved)?;
+        let of = |nodes: &Range<usize>| work(&forces[nodes.clone()], &moved[nodes.clone()]);
+        Ok::<_, Error>(on.mesh.bodies.iter().map(|body| of(&body.nodes)).collect::<Vec<f64>>())
+    };
     let [fine, displacement] = [moved(&truth.discretisation, &truth.run), moved(&meshed.discretisation, &run)];
-    let energies = [energy(&truth.discretisation, &fine)?, energy(&meshed.discretisation, &displacement)?];
+    let fine = energy(&truth.discretisation, &fine)?.into_iter();
+    let energies = fine.zip(energy(&meshed.discretisation, &displacement)?).map(|(fine, own)| [fine, own]).collect();
     Ok(truth.exported.get_or_init(|| Exported { discretisation: meshed.discretisation, displacement, energies }))
 }
 
@@ -167,8 +179,9 @@ const SQUEEZED: &str = "stresses against loads and pressures: stretched one way,
 type Work = ((&'static str, [usize; 2]), f64, f64);
 
 impl Whole<'_> {
-    /// Strain energy against that of our fine answer, which may be off by what it is apart from that on the exported mesh.
-    fn energy(&self, [fine, coarse]: [f64; 2]) -> Judged {
+    /// Strain energy of some bodies against that of our fine answer, which may be off by what it is apart from that on the exported mesh.
+    fn energy(&self, energies: &[[f64; 2]], bodies: &[usize]) -> Judged {
+        let [fine, coarse] = [0, 1].map(|which| bodies.iter().map(|&body| energies[body][which]).sum::<f64>());
         let bar = (fine - coarse).abs();
         let reference = Reference { name: OURS.into(), kind: ReferenceKind::CrossCode, value: fine, uncertainty: None };
         let allowed = self.tolerance + bar / fine.abs();
@@ -179,12 +192,13 @@ impl Whole<'_> {
             allowed,
             because,
         );
-        check.judge(work(&self.internal, &self.displacement))
+        let of = |nodes: Range<usize>| work(&self.internal[nodes.clone()], &self.displacement[nodes]);
+        check.judge(bodies.iter().map(|&body| of(self.own.mesh.bodies[body].nodes.clone())).sum())
     }
 
     /// `1 − a(u, u')/√(a(u, u) a(u', u'))` of the displacements and ours on the exported mesh, by the body where it is most: 0 where strains are
     /// alike but for a factor, 2 where they have the other sign, which no energy shows. Not of bodies that hardly deform.
-    fn strains(&self, ours: &[[f64; 2]]) -> Result<Judged, Error> {
+    fn strains(&self, ours: &[[f64; 2]], bodies: &[usize]) -> Result<Judged, Error> {
         let forces = internal(self.own, ours)?;
         let least = LEAST * work(&forces, ours);
         let apart = |body: usize| {
@@ -192,17 +206,21 @@ impl Whole<'_> {
             let [own, theirs] = [(&forces[..], ours), (&self.internal[..], &self.displacement[..])]
                 .map(|(forces, moved)| work(&forces[nodes.clone()], &moved[nodes.clone()]));
             let both = work(&self.internal[nodes.clone()], &ours[nodes]);
-            (own > least).then(|| (1.0 - both / (own * theirs).sqrt(), body))
+            // A body that is not deformed is as far off as can be.
+            let apart = if theirs > 0.0 { 1.0 - both / (own * theirs).sqrt() } else { f64::INFINITY };
+            (own > least).then_some((if apart.is_nan() { f64::INFINITY } else { apart }, body))
         };
-        let worst = (0..self.own.scene.bodies.len()).filter_map(apart).max_by(|a, b| a.0.total_cmp(&b.0));
+        let worst = bodies.iter().copied().filter_map(apart).max_by(|a, b| a.0.total_cmp(&b.0));
         let (apart, body) = worst.unwrap_or((f64::NAN, 0));
         let reference = Reference { name: OURS.into(), kind: ReferenceKind::CrossCode, value: 0.0, uncertainty: None };
         let quantity = case::Quantity::at(STRAINS, self.own.scene.bodies[body].name.clone());
-        Ok(Check::error(quantity, reference, ALIKE, "what strains of two coarse meshes differ by").judge(apart))
+        let because = "the tolerance, and what strains of two coarse meshes differ by";
+        Ok(Check::error(quantity, reference, larger(ALIKE, self.tolerance), because).judge(apart))
     }
 
-    /// The gap that the displacements leave under pressure, weighted by force, over the approach that the contact makes: of every node of our
-    /// mesh its initial gap less the normal displacements of both sides.
+    /// The gap that the displacements leave under pressure, weighted by force, over the approach that the contact makes, or its moment over the reach
+    /// of the pressure, where an overlap on one side makes up for a gap on the other: of every node of our mesh its initial gap less the normal
+    /// displacements of both sides.
     fn overlap(&self, profile: &Profile) -> Option<Judged> {
         let Discretisation { mesh, condensed, interfaces, .. } = self.own;
         let interface = interfaces.get(profile.contact)?;
@@ -219,11 +237,16 @@ impl Whole<'_> {
         let pressed = profile.points.iter().map(|point| (place(point.position), point.weight * point.pressure));
         let pressed: Vec<(f64, f64)> = pressed.filter(|(_, force)| force.abs() > 0.0).collect();
         let force: f64 = pressed.iter().map(|(_, force)| force).sum();
-        let gap = pressed.iter().map(|&(s, force)| force * along(&gaps, s)).sum::<f64>() / force;
+        let centre = pressed.iter().map(|(s, force)| force * s).sum::<f64>() / force;
+        let reach = pressed.iter().map(|(s, _)| (s - centre).abs()).fold(0.0, larger);
+        let left = |arm: &dyn Fn(f64) -> f64| {
+            pressed.iter().map(|&(s, force)| force * arm(s) * along(&gaps, s)).sum::<f64>() / force
+        };
+        let gap = larger(left(&|_| 1.0).abs(), left(&|s| (s - centre) / reach.max(f64::MIN_POSITIVE)).abs());
         let touch = Reference::own("bodies touch where they press", 0.0);
         let because = "the tolerance; an overlap of this part costs about as much of the pressure";
         let check = Check::error(OVERLAP, touch, self.tolerance, because);
-        Some(check.judge(gap.abs() / contact_laws::approach(self.truth, profile)))
+        Some(check.judge(gap / contact_laws::approach(self.truth, profile)))
     }
 
     /// Whether supports move as they prescribe: the largest departure of a node that one holds, over the largest displacement.
@@ -244,14 +267,14 @@ impl Whole<'_> {
     }
 
     /// Virtual work of the stresses in every body against that of loads and pressures on it, for linear motions under which no support works: of
-    /// each motion the body that is most off, over the largest work that it does.
+    /// each motion the body that is most off, over the largest work that it does and what it may miss of that.
     fn equilibrium(&self, bodies: &[usize], profiles: &[Profile]) -> Result<Vec<Judged>, Error> {
         let mut worst: Vec<(&'static str, usize, f64)> = Vec::new();
         for &body in bodies {
             let works = self.works(body, profiles)?;
             let scale = works.iter().map(|(.., size)| *size).fold(self.least_work(body, profiles), larger);
             for (name, left) in self.left(body, &works) {
-                let left = left.abs() / scale;
+                let left = left.abs() / scale / self.of_works(body).0;
                 match worst.iter_mut().find(|(other, ..)| *other == name) {
                     Some((.., most)) if left <= *most || most.is_nan() => {}
                     Some(other) => *other = (name, body, left),
@@ -259,19 +282,24 @@ impl Whole<'_> {
                 }
             }
         }
-        let (tolerance, because) = match has_force(self.own) {
+        let judged = |(name, body, over): (&'static str, usize, f64)| {
+            let (tolerance, because) = self.of_works(body);
+            let quantity = case::Quantity::at(name, self.own.scene.bodies[body].name.clone());
+            Check::error(quantity, Reference::own("virtual work", 0.0), tolerance, because).judge(over * tolerance)
+        };
+        Ok(worst.into_iter().map(judged).collect())
+    }
+
+    /// Part of the works of a body that stresses may miss, and why.
+    fn of_works(&self, body: usize) -> (f64, &'static str) {
+        match has_force(self.own, body) {
             true => {
                 (self.tolerance.max(AT_POINT), "what the displacement of a force at a point misses on another mesh")
             }
             false => {
                 (self.tolerance, "the tolerance: virtual work of linear motions is exact for elements of any order")
             }
-        };
-        let judged = |(name, body, left): (&'static str, usize, f64)| {
-            let quantity = case::Quantity::at(name, self.own.scene.bodies[body].name.clone());
-            Check::error(quantity, Reference::own("virtual work", 0.0), tolerance, because).judge(left)
-        };
-        Ok(worst.into_iter().map(judged).collect())
+        }
     }
 
     /// What works leave, by motion; of a nearly incompressible body under those that change no volume, since what its mean stress works is lost.
@@ -409,11 +437,22 @@ impl Whole<'_> {
             };
             let Some(value) = value else { continue };
             missing.retain(|[what, _]| *what != check.quantity.to_string());
-            let check = of_another_mesh(check, self.tolerance);
+            let with_model = Check { tolerance: check.tolerance + check.model, ..check.clone() };
+            let check = of_another_mesh(&with_model, self.tolerance * self.scale(check));
             let known = Known { reference: reference.clone(), bar: 0.0 };
             judged.push(bench.ruled(check, value, known));
         }
         Ok(judged)
+    }
+
+    /// What the tolerance of a check is relative to: where the reference is 0, in its unit the largest displacement, or the largest force inside.
+    fn scale(&self, check: &Check) -> f64 {
+        if check.relation != Relation::NearAbsolutely {
+            return 1.0;
+        }
+        let is_force = matches!(check.quantity.number(), Some(Quantity::Reaction { .. }));
+        let all = if is_force { &self.internal } else { &self.displacement };
+        check.quantity.factor() * all.iter().map(|[x, y]| x.hypot(*y)).fold(0.0, larger)
     }
 
     /// Force of a support: what the stresses at its nodes leave of their loads.

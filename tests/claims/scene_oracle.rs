@@ -173,8 +173,7 @@ fn loads_that_the_contact_does_not_carry_are_noted_with_both_numbers() {
         assert!(notes[0].contains(&format!("load of {load}")) && notes[0].contains("5000.00"), "{notes:?}");
     }
     // Whether a half is left out is said as the scene has it.
-    for (half, whole) in [("", "both halves of a symmetric one"), ("\nsymmetric = false", "where no half is left out")]
-    {
+    for (half, whole) in [("", "both halves of a symmetric one"), ("\nsymmetric = false", "the whole of it")] {
         let notes = noted(&scene(
             "block-on-parabola",
             &[["load = 5000", "load = 4000"], ["[contact]", &format!("[contact]{half}")]],

@@ -285,7 +285,7 @@ fn is_of_other_kind([before, after]: &Pair) -> bool {
     before.kind != after.kind
 }
 
-/// Whether the part of the limit moved, which neither the limit nor the error did.
+/// Whether the part of the limit moved, which the limit did not.
 fn is_another_share(pair: &Pair) -> bool {
     differ(pair.map(|row| row.share)) && !differ(pair.map(limit))
 }
