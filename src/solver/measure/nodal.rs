@@ -6,7 +6,7 @@
 use std::ops::Range;
 
 use crate::measure::fit::{Fit, Peak, ROUNDING, least_squares, powers};
-use crate::measure::peak::{DROP, PARABOLA, QUARTIC, on_one_side};
+use crate::measure::peak::{BEYOND, DROP, PARABOLA, QUARTIC, on_one_side};
 use crate::measure::profile;
 use crate::mesh::lobatto::{self, lagrange, legendre};
 use crate::solution::{EdgeState, Part, PointState};
@@ -48,7 +48,8 @@ pub fn read(part: Part, centre: f64) -> Option<(Peak, [f64; 2])> {
     points.retain(|point| from <= point.position && point.position <= to);
     let highest = nearest_to(&points, |point| -point.pressure)?;
     let top = around(&points, highest, DROP, FEWEST);
-    let peak = top.top();
+    let PointState { position, pressure, .. } = points[highest];
+    let peak = Some(top.top()).filter(|top| top.pressure <= BEYOND * pressure).unwrap_or(Peak { position, pressure });
     let flat = top.value(centre).is_some_and(|middle| peak.pressure <= middle * (1.0 + ROUNDING));
     let origin = nearest_to(&points, |point| point.position.abs())?;
     let at_origin = match points[origin].pressure > 0.0 {

@@ -113,7 +113,10 @@ fn highest(pairs: &[EdgeState]) -> Option<[usize; 2]> {
     Some([first, first + count - 1])
 }
 
-/// The widest fit around some pairs, unless a narrower one departs far less from its means.
+/// Top of a fit over the largest mean, beyond which it is none of the profile: of pairs of very unlike lengths.
+pub(super) const BEYOND: f64 = 2.0;
+
+/// The widest fit around some pairs, unless a narrower one departs far less from its means; the largest mean where its top lies far above that.
 fn around(pairs: &[EdgeState], at: [usize; 2]) -> Fit {
     let widest = window(pairs, at, DROP);
     let (mut count, mut best) = (widest.clone().count(), over(pairs, widest));
@@ -129,7 +132,7 @@ fn around(pairs: &[EdgeState], at: [usize; 2]) -> Fit {
             best = if narrower.misfit <= BETTER * best.misfit { narrower } else { best };
         }
     }
-    best
+    if best.top().pressure <= BEYOND * size { best } else { over(pairs, at[0]..=at[1]) }
 }
 
 /// A quartic over the means of some pairs; a parabola, or their mean, over few.
