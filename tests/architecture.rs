@@ -212,14 +212,14 @@ fn matrix_types_of_libraries_stay_inside_the_numerics() {
 
 /// Lines that a room may have; raised only by a commit that says what for.
 const BUDGETS: [(&str, usize); 9] = [
-    ("solver", 23_726),
+    ("solver", 23_936),
     ("drawing", 2_910),
-    ("case", 8_119),
+    ("case", 8_126),
     ("oracle", 1_426),
     ("study", 14_966),
-    ("referee", 7_320),
-    ("report", 3_216),
-    ("cli", 4_728),
+    ("referee", 7_563),
+    ("report", 3_247),
+    ("cli", 4_729),
     ("live", 417),
 ];
 

@@ -108,6 +108,34 @@ fn mesh_that_judges_one_is_the_next_that_is_judged() {
     assert_eq!(orders[orders.len() - 2].dofs, answer.run.dofs);
 }
 
+/// A face that stays straight under a force is one that a support pushes as far: both have a corner towards the free side.
+#[test]
+fn a_straight_face_that_does_not_slide_has_the_corners_of_a_held_side() {
+    let text = |pushed: &str| {
+        format!(
+            "plane = \"strain\"\nthickness = 1\n[[body]]\nname = \"up\"\nyoung = 1000\npoisson = 0.34\n\
+             shape = {{ rectangle = {{ x = [0, 10], y = [0, 6.4467], contact = \"bottom\" }} }}\n{pushed}\n\
+             [contact]\nfirst = \"up\"\ngap = {{ parabola = 902.5 }}\nstretch = 9.5\nsymmetric = true\n\
+             [mesh]\nelements = 20\nper = 4\n[reference]\nlength = 4\n"
+        )
+    };
+    let held = "{ at = \"far\", component = \"x\" }, { at = \"left\", component = \"x\" }";
+    let answered =
+        |pushed: &str| accuracy::solve(&parsed(&text(pushed)).scene, &kinematic(), &Asked::new(1e-4)).expect("solved");
+    let by_force = answered(&format!(
+        "supports = [{held}]\nloads = [{{ rigid-face = {{ at = \"far\", component = \"y\", force = -34 }} }}]"
+    ));
+    let own = by_force.discretisation.as_ref().expect("held");
+    let node = own.mesh.points.iter().position(|at| *at == [0.0, 6.4467]).expect("a corner");
+    let value = own.displacement_under(1.0, &by_force.run.solution)[node][1];
+    let by_support = answered(&format!("supports = [{held}, {{ at = \"far\", component = \"y\", value = {value} }}]"));
+    for (one, other) in by_force.estimates.iter().zip(&by_support.estimates) {
+        let bars = one.bar.total() + other.bar.total();
+        assert!((one.value - other.value).abs() <= bars, "{one:?} beside {other:?}");
+        assert!(bars <= 2e-4 * one.value, "{one:?} beside {other:?}");
+    }
+}
+
 /// What was too coarse by the bars that the next mesh told is good enough by the distance from a finer one.
 #[test]
 fn mesh_that_a_finer_one_shows_to_be_good_enough_is_answered() {
