@@ -293,9 +293,8 @@ impl Family {
             {
                 observed(&differences, row.exponent())
             }
-            _ if is_held => observed(&differences, row.exponent()),
             // What a corner of a held side leaves in a contact falls as slowly, once that is more than what its ends leave.
-            _ if self.held_at_corner == [true; 2] => observed(&differences, row.exponent()),
+            _ if is_held || self.held_at_corner == [true; 2] => observed(&differences, row.exponent()),
             _ => row.exponent(),
         };
         by_order(&differences, order)
