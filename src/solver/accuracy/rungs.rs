@@ -90,11 +90,14 @@ impl<'a> Rungs<'a> {
     /// Looks at the bars of a mesh, and at whether its peaks have a limit.
     pub(super) fn look(&mut self, discretisation: &Discretisation, rung: &mut Rung) -> Result<(), Error> {
         self.limit(discretisation, rung)?;
-        let (wanted, permits) = (Some(&self.asked.wanted[..]), |dofs| self.watch.permits(dofs));
+        // Of meshes that end with the contact the next one tells what pressures do, and others what is wanted besides: only once that is asked for.
+        let on_ends = rung.scene.contacts.iter().any(|pair| !pair.ends.places.is_empty());
+        let wanted = if on_ends { None } else { Some(&self.asked.wanted[..]) };
+        let permits = |dofs| self.watch.permits(dofs);
         let family = Family::permitted(discretisation, &rung.run.formulation, wanted, None, &permits);
         self.tried[rung.number].coarser = family.dofs();
         self.take(&of_pressures(discretisation, &rung.run, &family), rung);
-        rung.family = Some(family);
+        rung.family = wanted.is_some().then_some(family);
         Ok(())
     }
 

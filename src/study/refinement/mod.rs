@@ -131,7 +131,7 @@ impl Study for Numbers {
 }
 
 /// Relative error that may remain in the cylinder beside Hertz, and in what.
-const SOLVED_TO: f64 = 1e-6;
+const SOLVED_TO: f64 = 1e-7;
 const BOTH: [accuracy::Quantity; 2] = [accuracy::Quantity::PeakPressure, accuracy::Quantity::SecondMomentWidth];
 /// Ratios a/R of the cylinder beside Hertz.
 const BESIDE_HERTZ: [f64; 4] = [0.005, 0.05, 0.1, 0.2];

@@ -186,17 +186,20 @@ pub(super) fn places(stretches: &[Stretch]) -> Vec<f64> {
 /// true end may lie as far as the next point from that one.
 const ASTRAY: f64 = 4.0;
 
-/// How far from the nearest end of some stretches a point between is open, or one beyond is pressed, but for those on mesh lines: the contact ends
-/// elsewhere. Beside a leap of the curvature the pressures of all points between, held closed, may fall towards a line that lies too far out.
+/// How far from the nearest end of some stretches a point between is open, [near](NEAR) that end, or one beyond is pressed, but for those on mesh
+/// lines: the contact ends elsewhere. Beside a leap of the curvature the pressures of all points between, held closed, may fall towards a line that lies too far out.
 pub(super) fn astray(stretches: &[[f64; 2]], lines: &[f64], points: &[PointState]) -> f64 {
     let within = |point: &PointState| {
         let of = |[begin, end]: &[f64; 2]| (point.position - begin).min(end - point.position);
         stretches.iter().map(of).fold(f64::NEG_INFINITY, f64::max)
     };
     let near = |point: &PointState| SAME * point.position.abs();
+    // Far inside round-off may open the points of smallest cells, as at a cusp.
+    let width = stretches.iter().map(|[begin, end]| end - begin).fold(0.0, f64::max);
     let is_on_line = |point: &PointState| lines.iter().any(|line| (point.position - line).abs() <= near(point));
     let astray = |point: &PointState| match within(point) {
         within if within.abs() <= near(point) || (within > 0.0) == (point.pressure > 0.0) => 0.0,
+        within if within > NEAR * width => 0.0,
         within => within.abs(),
     };
     let free = points.iter().filter(|point| point.weight > 0.0 && !is_on_line(point));
