@@ -572,17 +572,19 @@ fn peaks_of_layers_and_ends_beside_knots_are_those_of_fine_meshes_of_8_node_cell
 /// Small cells at the end of a contact stand beside one that is as long as the way from there to the corner.
 #[test]
 fn a_contact_that_ends_far_from_a_corner_does_not_press_it() {
-    let ring = |name: &str, [inner, outer]: [f64; 2], contact: &str| {
+    let ring = |name: &str, [poisson, inner, outer, sweep]: [f64; 4], contact: &str| {
         format!(
-            "[[body]]\nname = \"{name}\"\nyoung = 1000\npoisson = 0.3\nshape = {{ ring = {{ centre = [0, 0], inner = {inner}, outer = {outer}, sweep = 90, contact = \"{contact}\" }} }}\n"
+            "[[body]]\nname = \"{name}\"\nyoung = 1000\npoisson = {poisson}\nshape = {{ ring = {{ centre = [0, 0], inner = {inner}, \
+             outer = {outer}, sweep = {sweep}, contact = \"{contact}\" }} }}\n"
         )
     };
     let text = format!(
-        "plane = \"axisymmetric\"\n{}loads = [{{ body-force = [0, -0.44] }}]\n{}supports = [{{ at = \"outer\", component = \"y\" }}]\n\
+        "plane = \"axisymmetric\"\n{}supports = []\nloads = [{{ body-force = [0, -0.22] }}]\n{}\
+         supports = [{{ at = \"outer\", component = \"y\" }}]\n\
          [contact]\nfirst = \"ball\"\nsecond = \"cup\"\narc = {{ centre = [0, 0], radius = 10 }}\nstretch = 85\n\
          gap = {{ hole = {{ radius = 10, clearance = 0.01 }} }}\n[mesh]\nelements = 12\nper = 20\n",
-        ring("ball", [4.0, 10.0], "outer"),
-        ring("cup", [10.0, 15.0], "inner"),
+        ring("ball", [0.4, 4.0, 10.0, 180.0], "outer"),
+        ring("cup", [0.3, 10.0, 15.0, 90.0], "inner").replace("young = 1000", "young = 3000"),
     );
     let answer = solved(Fitted::of(Order::Sextic, 2), &parsed(&text).scene);
     let end = answer.run.measures().half_width().to_degrees();
