@@ -26,7 +26,7 @@ const SAME: f64 = 1e-9;
 /// What gaps of displacements are told by.
 const OVERLAP: &str =
     "gap or overlap of the displacements under pressure, weighted by force, over the approach that the contact makes";
-/// What strains are told by, what those of coarse meshes differ by, and the energy over that of all bodies that tells something.
+/// What strains are told by, what those of coarse meshes differ by, and the energy over that of all bodies that are looked at that tells something.
 const STRAINS: &str = "departure of the strains from ours, apart from a factor";
 const ALIKE: f64 = 0.02;
 const LEAST: f64 = 1e-3;
@@ -95,7 +95,7 @@ pub fn judge(
     if sound.is_empty() {
         return Ok(false);
     }
-    let found = [whole.energy(energies, &sound), whole.strains(ours, &sound)?];
+    let found = [whole.energy(energies, &sound), whole.strains(ours, (energies, &sound))?];
     let is_of_scene = found.iter().all(|judged| judged.verdict == Verdict::Pass);
     first.judged.extend(found);
     Ok(is_of_scene)
@@ -198,9 +198,9 @@ impl Whole<'_> {
 
     /// `1 − a(u, u')/√(a(u, u) a(u', u'))` of the displacements and ours on the exported mesh, by the body where it is most: 0 where strains are
     /// alike but for a factor, 2 where they have the other sign, which no energy shows. Not of bodies that hardly deform.
-    fn strains(&self, ours: &[[f64; 2]], bodies: &[usize]) -> Result<Judged, Error> {
+    fn strains(&self, ours: &[[f64; 2]], (energies, bodies): (&[[f64; 2]], &[usize])) -> Result<Judged, Error> {
         let forces = internal(self.own, ours)?;
-        let least = LEAST * work(&forces, ours);
+        let least = LEAST * bodies.iter().map(|&body| energies[body][1]).sum::<f64>();
         let apart = |body: usize| {
             let nodes = self.own.mesh.bodies[body].nodes.clone();
             let [own, theirs] = [(&forces[..], ours), (&self.internal[..], &self.displacement[..])]
