@@ -216,7 +216,7 @@ const BUDGETS: [(&str, usize); 9] = [
     ("drawing", 2_910),
     ("case", 8_126),
     ("oracle", 1_426),
-    ("study", 14_966),
+    ("study", 14_997),
     ("referee", 7_563),
     ("report", 3_247),
     ("cli", 4_729),

@@ -38,11 +38,13 @@ fn an_incomplete_or_foreign_record_is_refused_with_the_command_that_renews_it() 
     let (plane, file) = (Plane::Mesh, folder.path().join("mesh.csv"));
     let refused = || Chart::read_from(&file, plane).expect_err("refused").to_string();
     let write = |records: &[Record]| {
-        records::write(&file, &records::named(plane::HEAD), records).expect("written");
+        records::write(&file, &plane::head(), &plane::lines(records)).expect("written");
         std::fs::read_to_string(&file).expect("written")
     };
     let whole = flat(plane);
-    for records in [&whole[1..], &spoiled(&whole, |records| records[3].stiffness *= 2.0)] {
+    for records in
+        [&whole[25..], &spoiled(&whole, |records| records[..25].iter_mut().for_each(|one| one.ordinate *= 2.0))]
+    {
         write(records);
         assert!(refused().contains("mesh.csv") && refused().contains("-- atlas"), "{}", refused());
     }
@@ -172,12 +174,12 @@ fn records_of_a_plane_are_those_of_its_sites_in_their_order() {
         let own = flat(plane).into_iter().filter(|one| one.ordinate == site.ordinate);
         let marked: Vec<Record> =
             own.map(|record| Record { class: Ended::Cycling, iterations: 123_456, ..record }).collect();
-        records::write(&folder.path().join(site.key() + ".csv"), &records::named(plane::HEAD), &marked)
-            .expect("written");
+        let kept = folder.path().join(site.key() + ".csv");
+        records::write(&kept, &plane::head(), &plane::lines(&marked)).expect("written");
     }
     let surveyed = run::renew(plane, folder.path(), &file, || ()).expect("surveyed");
     let chart = Chart::read_from(&file, plane).expect("complete");
-    assert_eq!(surveyed, chart.rows.concat().len());
+    assert_eq!(surveyed, chart.rows.len());
     assert!(chart.rows.iter().flatten().all(|record| record.iterations == 123_456));
 }
 

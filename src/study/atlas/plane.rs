@@ -5,8 +5,6 @@
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
-use serde::{Deserialize, Serialize};
-
 use crate::algorithm::{StiffnessRule, StiffnessUnit};
 use crate::case::Case;
 use crate::case::library::{Cylinder, Indented, PinRod, TruncatedHertz};
@@ -17,7 +15,7 @@ use crate::named::named_enum;
 use crate::solve::{Ended, Formulation, Iteration};
 use crate::study::grouped::in_order;
 use crate::study::method::Method;
-use crate::study::records;
+use crate::study::records::{self, rounded};
 
 /// Candidate stretch over the half-width at the centre: no node lies on the contact edge.
 pub const STRETCH: f64 = 1.9;
@@ -129,7 +127,7 @@ pub const RIGHT: f64 = 3e-3;
 pub const RENEW: &str = "run `cargo run --release -- atlas` and review the diff of snapshots/atlas";
 
 /// One point.
-#[derive(Clone, Debug, Serialize, Deserialize)]
+#[derive(Clone, Debug)]
 pub struct Record {
     /// What was run.
     pub method: Method,
@@ -166,9 +164,28 @@ pub fn same(a: f64, b: f64) -> bool {
     (a - b).abs() <= 1e-3 * a.abs().max(b.abs())
 }
 
-/// Columns of a record, its fields.
-pub const HEAD: [&str; 8] =
-    ["formulation", "ordinate", "stiffness", "class", "iterations", "error", "penalty", "predicted_iterations"];
+/// A line of a record: a method, the plane's other number, and from each initial stiffness class, iterations, error, penalty and predicted
+/// iterations.
+pub type Line = (Method, f64, Vec<(Ended, usize, f64, Option<f64>, Option<f64>)>);
+
+/// Columns of a record: the formulation and the other number, then what is kept of each initial stiffness.
+pub fn head() -> Vec<String> {
+    let of = |k: f64| {
+        let kept = ["class", "iterations", "error", "penalty", "predicted"];
+        kept.map(|what| format!("{what} {:e}", rounded(k)))
+    };
+    records::named(["formulation", "ordinate"])
+        .into_iter()
+        .chain(Plane::stiffnesses().into_iter().flat_map(of))
+        .collect()
+}
+
+/// The lines of points in the order of the plan.
+pub fn lines(records: &[Record]) -> Vec<Line> {
+    let kept = |r: &Record| (r.class, r.iterations, r.error, r.penalty, r.predicted_iterations);
+    let rows = records.chunk_by(|a, b| a.method == b.method && a.ordinate == b.ordinate);
+    rows.map(|row| (row[0].method, row[0].ordinate, row.iter().map(kept).collect())).collect()
+}
 
 /// The records of a plane, a line per row of the plan.
 #[derive(Clone, Debug)]
@@ -192,16 +209,29 @@ impl Chart {
 
     /// The same from another file.
     pub fn read_from(path: &Path, plane: Plane) -> Result<Self, Error> {
-        let records: Vec<Record> = records::read(path, &records::named(HEAD), RENEW)?;
-        let of_row = |(site, method): (Site, Method)| Plane::stiffnesses().into_iter().map(move |k| (site, method, k));
-        let planned: Vec<(Site, Method, f64)> = plane.rows().into_iter().flat_map(of_row).collect();
-        let is_at = |(record, (site, method, k)): (&Record, &(Site, Method, f64))| {
-            record.method == *method && same(record.ordinate, site.ordinate) && same(record.stiffness, *k)
+        let lines: Vec<Line> = records::read(path, &head(), RENEW)?;
+        let planned = plane.rows();
+        let is_at = |((method, ordinate, _), (site, planned)): (&Line, &(Site, Method))| {
+            method == planned && same(*ordinate, site.ordinate)
         };
-        if records.len() != planned.len() || !records.iter().zip(&planned).all(is_at) {
-            let found = format!("{} points that are not the {} of the plan", records.len(), planned.len());
-            return Err(Error::refused(path, "points", found, RENEW));
+        if lines.len() != planned.len() || !lines.iter().zip(&planned).all(is_at) {
+            let found = format!("{} lines that are not the {} of the plan", lines.len(), planned.len());
+            return Err(Error::refused(path, "lines", found, RENEW));
         }
+        let of_line = |(method, ordinate, kept): Line| {
+            let kept = kept.into_iter().zip(Plane::stiffnesses());
+            kept.map(move |((class, iterations, error, penalty, predicted_iterations), k)| Record {
+                method,
+                ordinate,
+                stiffness: rounded(k),
+                class,
+                iterations,
+                error,
+                penalty,
+                predicted_iterations,
+            })
+        };
+        let records: Vec<Record> = lines.into_iter().flat_map(of_line).collect();
         Ok(Self::of(plane, &records))
     }
 

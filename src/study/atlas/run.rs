@@ -16,7 +16,7 @@ use crate::solve::{Discretisation, Element, Ended, Formulation, Iteration, Run, 
 use crate::stability::halving::{self, SOFT};
 use crate::stability::{Limit, linear, rate, release};
 use crate::study::Found;
-use crate::study::atlas::plane::{Chart, HEAD, Plane, Record, STRETCH, Site};
+use crate::study::atlas::plane::{self, Chart, Line, Plane, Record, STRETCH, Site};
 use crate::study::method::Method;
 use crate::study::records::{self as kept, rounded};
 
@@ -49,12 +49,13 @@ pub const ENOUGH: usize = 6_000;
 
 /// Surveys a plane into a file; what is finished of it is kept in the folder `unfinished`.
 pub fn renew(plane: Plane, unfinished: &Path, file: &Path, done: impl Fn() + Sync) -> Result<usize, Error> {
-    kept::survey([unfinished, file], &kept::named(HEAD), &plane.sites(), Site::key, records, done)
+    kept::survey([unfinished, file], &plane::head(), &plane.sites(), Site::key, of_site, done)
 }
 
-/// Every point of a site, in the order of the record.
-pub fn records(site: &Site) -> Result<Vec<Record>, Error> {
-    Ok(points(site, |_, _| true)?.into_iter().map(|(_, record)| record).collect())
+/// Every line of a site, in the order of the record.
+fn of_site(site: &Site) -> Result<Vec<Line>, Error> {
+    let records: Vec<Record> = points(site, |_, _| true)?.into_iter().map(|(_, record)| record).collect();
+    Ok(plane::lines(&records))
 }
 
 /// The points of a site that are chosen by the places of their method and of their initial stiffness, with these places.
