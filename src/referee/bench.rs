@@ -37,21 +37,29 @@ impl Bench<'_> {
         self.ruled(check, factor * value, known)
     }
 
-    /// A number that follows from all pressures, with straight lines between those at points alone; where these are farther from the truth than is
-    /// allowed and roots are not, with those: an answer is judged, not a rule of integration.
-    pub fn read(&self, of: impl Fn(&Measures, &[PointState]) -> f64, truth: f64, allowed: f64) -> f64 {
-        let Profile { scene, contact, by_roots, points, .. } = self.profile;
-        let lines = of(self.measures, points);
+    /// A number that follows from all pressures, with straight lines between those at points alone and by their sum where forces are known; where
+    /// this is farther from the truth than is allowed and what lies between the points is not, by that: an answer is judged, not a rule of
+    /// integration. Forces that are known add up to the resultant, whatever lies between.
+    pub fn read(
+        &self,
+        number: &Quantity,
+        of: impl Fn(&Measures, &[PointState]) -> f64,
+        truth: f64,
+        allowed: f64,
+    ) -> f64 {
+        let Profile { scene, contact, between, points, has_forces, .. } = self.profile;
+        let value = of(self.measures, points);
         let is_off = |value: &f64| (value - truth).abs() > allowed;
-        let roots = || of(&Measures::of(scene, *contact, Part { points: by_roots, edges: &[], nodes: 2 }), by_roots);
-        let roots = (is_off(&lines) && !by_roots.is_empty()).then(roots);
-        roots.filter(|roots| !is_off(roots)).unwrap_or(lines)
+        let is_drawn = !between.is_empty() && !(*has_forces && *number == Quantity::Resultant);
+        let drawn = || of(&Measures::of(scene, *contact, Part { points: between, edges: &[], nodes: 2 }), between);
+        let drawn = (is_off(&value) && is_drawn).then(drawn);
+        drawn.filter(|drawn| !is_off(drawn)).unwrap_or(value)
     }
 
     /// The same against what is known of it, as [`Self::near`].
     pub fn read_near(&self, number: Quantity, of: impl Fn(&Measures) -> f64, known: Known) -> Judged {
         let allowed = self.tolerance * known.reference.value.abs() + known.bar;
-        let value = self.read(|measures, _| of(measures), known.reference.value, allowed);
+        let value = self.read(&number, |measures, _| of(measures), known.reference.value, allowed);
         self.near(number, value, known)
     }
 

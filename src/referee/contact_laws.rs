@@ -115,7 +115,7 @@ pub(super) fn of_sides(bench: &Bench, missing: &mut Vec<[String; 2]>) -> Vec<Jud
     };
     let named = if symmetric { "symmetry" } else { "our fine answer" };
     let allowed = bench.tolerance + bar / half_width;
-    let centre = bench.read(|measures, _| measures.centre, wanted, allowed * half_width);
+    let centre = bench.read(&Quantity::Centre, |measures, _| measures.centre, wanted, allowed * half_width);
     let check = Check::error(
         "moment of the pressures about the middle, over force and half-width",
         Reference::own(named, 0.0),

@@ -68,7 +68,7 @@ fn value(bench: &Bench, check: &Check) -> Option<f64> {
         (Against::Value(known), Relation::NearAbsolutely) => (known.value, check.tolerance),
         _ => (f64::NAN, f64::NAN),
     };
-    let read = |of: &dyn Fn(&Measures, &[PointState]) -> f64| bench.read(of, truth / factor, allowed / factor);
+    let read = |of: &dyn Fn(&Measures, &[PointState]) -> f64| bench.read(number, of, truth / factor, allowed / factor);
     let value = match number {
         Quantity::Pressure { at } => {
             let stretch = bench.profile.pair().stretch;

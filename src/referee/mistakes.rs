@@ -44,8 +44,7 @@ pub fn explain(truth: &Truth, handed: &Handed, beside: (&Units, bool), tolerance
     let are_sums = || own.iter().all(|judged| judged.check.quantity.number().is_some_and(is_sum));
     let may_have = plain.order == Order::Linear && plain.edges.is_empty() && (plain.forces || are_sums());
     let quadratic = || {
-        let points =
-            from_axis((&truth.case.scene, plain.contact), plain.points.clone(), Order::Quadratic, plain.forces);
+        let points = from_axis((&truth.case.scene, plain.contact), plain.points.clone(), Order::Quadratic);
         Handed { order: Order::Quadratic, points, ..plain.clone() }
     };
     let mid_sides = may_have.then(|| (MID_SIDES.into(), quadratic()));

@@ -22,8 +22,9 @@ pub struct Profile {
     pub order: Order,
     /// Contact points, in the order of the contact coordinate.
     pub points: Vec<PointState>,
-    /// The same where pressures alone were handed in, with more of them between; none elsewhere.
-    pub by_roots: Vec<PointState>,
+    /// The same with more of them between: on roots where pressures alone were handed in, on straight lines where their forces are known
+    /// along edges with two nodes; none elsewhere.
+    pub between: Vec<PointState>,
     /// Places between which pressures alone lie on straight lines; none elsewhere.
     pub lines: Vec<f64>,
     /// Means over the edges between them.
@@ -54,11 +55,9 @@ impl Profile {
         let is_of_points = handed.order == Order::Linear && handed.edges.is_empty();
         let plain = handed;
         let is_open = is_of_points && !has_forces;
-        let roots = || states(&scene, pair, &between::by_roots(&handed.points), Order::Linear, false);
-        let (by_roots, lines) = match is_open {
-            true => (roots(), between::lines(&handed.points)),
-            false => Default::default(),
-        };
+        let lines = if is_open { between::lines(&handed.points) } else { vec![] };
+        let drawn = |handed: &Handed| states(&scene, pair, &handed.points, handed.order, false);
+        let roots = is_open.then(|| drawn(&Handed { points: between::by_roots(&handed.points), ..handed.clone() }));
         let with_middles = is_open.then(|| between::by_lines(handed));
         let handed = with_middles.as_ref().unwrap_or(handed);
         let mut points = states(&scene, pair, &handed.points, handed.order, handed.forces);
@@ -73,10 +72,16 @@ impl Profile {
         };
         let edges =
             if handed.edges.is_empty() { means(&scene, pair, &points, handed.order) } else { handed.edges.clone() };
+        let of_forces = || {
+            let bare = |(one, state): (&Point, &PointState)| Point { value: state.pressure, area: None, ..*one };
+            let pressed = handed.points.iter().zip(&points).map(bare);
+            drawn(&between::by_lines(&Handed { points: pressed.collect(), ..handed.clone() }))
+        };
+        let between = roots.or_else(|| is_of_points.then(of_forces)).unwrap_or_default();
         points.drain(..usize::from(on_axis));
         let has_gaps = handed.points.iter().all(|point| point.gap.is_some());
         let (contact, order) = (handed.contact, handed.order);
-        Self { contact, order, points, by_roots, lines, edges, alone, has_means, across, has_gaps, has_forces, scene }
+        Self { contact, order, points, between, lines, edges, alone, has_means, across, has_gaps, has_forces, scene }
     }
 
     /// The contact.
@@ -234,25 +239,23 @@ pub fn handed(
     refused: impl Fn(String, &str) -> Error,
 ) -> Result<Handed, Error> {
     let pair = &scene.contacts[contact];
-    let points = from_axis((scene, contact), points, order.unwrap_or(Order::Linear), forces);
+    let points = from_axis((scene, contact), points, order.unwrap_or(Order::Linear));
     let points = ordered(points, order.unwrap_or(Order::Linear), pair, refused)?;
     let order = order.unwrap_or_else(|| order_of_areas(scene, pair, &points));
     Ok(Handed { contact, points, order, edges: vec![], forces })
 }
 
-/// Forces, or pressures with areas, of 8-node cells with that of the axis, which is 0, where it alone lacks to make edges whole, the first one
+/// Points of 8-node cells with that of the axis, whose area is 0, where it alone lacks to make edges whole, the first one
 /// being in the middle of an edge: answers leave it out.
-pub fn from_axis((scene, contact): (&Scene, usize), mut points: Vec<Point>, order: Order, forces: bool) -> Vec<Point> {
+pub fn from_axis((scene, contact): (&Scene, usize), mut points: Vec<Point>, order: Order) -> Vec<Point> {
     points.sort_by(|a, b| a.position.total_cmp(&b.position));
-    let are_known = forces || points.iter().all(|point| point.area.is_some());
-    let lacks =
-        order == Order::Quadratic && points.len().is_multiple_of(2) && are_known && scene.is_around_axis(contact);
+    let lacks = order == Order::Quadratic && points.len().is_multiple_of(2) && scene.is_around_axis(contact);
     if let [first, second, ..] = points[..]
         && lacks
         && first.position > 0.0
         && (first.position / second.position - 0.5).abs() <= OFF
     {
-        points.insert(0, Point { position: 0.0, value: 0.0, area: first.area.map(|_| 0.0), ..first });
+        points.insert(0, Point { position: 0.0, value: 0.0, area: Some(0.0), ..first });
     }
     points
 }

@@ -330,6 +330,26 @@ fn areas_of_corners_and_mid_sides_tell_that_edges_have_three_nodes() {
     assert!(!rows([0.25, 0.5, 0.25]).met());
 }
 
+/// Σ F s² of four edges of a pressure that is the same everywhere is 5.6 % larger than the ∫ p s² ds they stand for, the half-width 2.8 %: of four
+/// edges of 5 mm whose two end nodes have half an area, (2·½·10² + 2·5² + 0)/4 = 37.5 where 10²/3 is true.
+#[test]
+fn second_moments_of_forces_along_a_few_edges_are_those_of_what_lies_between() {
+    let truth = truth("patch");
+    let pressure = truth.run.contacts[0].measures.peak.pressure;
+    let thickness = truth.case.scene.thickness;
+    let area = |k: usize| 5.0 * thickness * if k.is_multiple_of(4) { 0.5 } else { 1.0 };
+    let place = |k: usize| 5.0 * k as f64 - 10.0;
+    let forces = |off: f64| (0..=4).map(move |k| [place(k), off * pressure * area(k)]);
+    let pressures = |off: f64| (0..=4).map(move |k| [place(k), pressure, off * area(k)]);
+    let of_forces = |off| judged_rows(truth, "position [mm],force [N]", forces(off));
+    let of_pressures = |off| judged_rows(truth, "position [mm],pressure [MPa],area [mm2]", pressures(off));
+    for found in [of_forces(1.0), of_pressures(1.0)] {
+        assert!(found.met(), "{:?}", failed(&found));
+    }
+    // What is between makes no force that is not there.
+    assert!(!of_forces(1.02).met() && !of_pressures(1.02).met());
+}
+
 #[test]
 fn tension_that_stresses_have_beside_a_contact_is_none_whatever_they_are_read_from() {
     let stress = |pull: f64| -> String {

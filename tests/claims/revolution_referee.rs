@@ -325,7 +325,7 @@ fn sectors_of_ccx_are_turned_into_the_plane() {
 
 /// A node on the axis has no area, and a force of 0 whatever presses there: answers that leave it out are as right as those that have it.
 #[test]
-fn forces_without_that_on_the_axis_are_read_with_it() {
+fn nodes_without_that_on_the_axis_are_read_with_it() {
     let (truth, _, run) = solved();
     let all = forces(&run, |_, force| force);
     let text = all.replacen("\n0e0,0e0\n", "\n", 1);
@@ -335,6 +335,12 @@ fn forces_without_that_on_the_axis_are_read_with_it() {
     // Where the order is not told they are taken for corners, and the order is named.
     let found = judged_as(&truth, "theirs.csv", &text, &Asked::default());
     assert!(!found.met() && found.mistakes.iter().any(|told| told.contains("--order 2")), "{:?}", found.mistakes);
+    // Pressures have none there that anything could be made of either.
+    let points = run.solution.points_of(0).iter().filter(|point| point.position > 0.0);
+    let pressures =
+        |factor: f64| table(PRESSURES, points.clone().map(|point| [point.position, factor * point.pressure]));
+    let of_pressures = |factor| judged_as(&truth, "theirs.csv", &pressures(factor), &by_nodes());
+    assert!(of_pressures(1.0).met() && !of_pressures(1.03).met(), "{:?}", failed(&of_pressures(1.0)));
     // Nodes that are lacking besides are not made up.
     let lines: Vec<&str> = text.lines().collect();
     let fewer = [&lines[..1], &lines[3..]].concat().join("\n") + "\n";
