@@ -24,28 +24,13 @@ const PARTS: [&str; 5] = ["<PointData", "<CellData", "<Points", "<Cells", "<Fiel
 /// The grid of a file.
 pub fn parse<'a>(file: &'a Path, bytes: &[u8]) -> Result<Grid<'a>, Error> {
     let refused = |why: String| Error::unreadable(file, why, AGAIN);
-    let head = tag(bytes, b"<VTKFile", 0).ok_or_else(|| refused("it has no tag <VTKFile>".into()))?;
-    let head = String::from_utf8_lossy(&bytes[head]).into_owned();
-    if attribute(&head, "type") != Some("UnstructuredGrid") {
-        return Err(refused("it is no unstructured grid".into()));
-    }
-    if !bytes.trim_ascii_end().ends_with(b"</VTKFile>") {
-        return Err(refused("it is cut: its last tag is not </VTKFile>".into()));
-    }
-    let has = |format: &str| position(bytes, format!("format=\"{format}\"").as_bytes(), 0).is_some();
-    if attribute(&head, "byte_order") == Some("BigEndian") && (has("binary") || has("appended")) {
-        return Err(refused("its numbers are big endian".into()));
-    }
+    let coding = Coding::of(bytes).map_err(|why| refused(why.into()))?;
     let appended = tag(bytes, b"<AppendedData", 0);
     let body = &uncommented(&bytes[..appended.as_ref().map_or(bytes.len(), |tag| tag.start)])[..];
     let piece = tag(body, b"<Piece", 0).filter(|piece| tag(body, b"<Piece", piece.end).is_none());
     let piece = piece.ok_or_else(|| refused("it has not one piece".into()))?;
     let piece = String::from_utf8_lossy(&body[piece]).into_owned();
     let count = attribute(&piece, "NumberOfPoints").and_then(|count| count.trim().parse::<usize>().ok());
-    let coding = Coding {
-        wide: attribute(&head, "header_type") == Some("UInt64"),
-        compressor: attribute(&head, "compressor").map(str::to_owned),
-    };
     let mut grid = Grid::of(file);
     let (mut at, mut part) = (0, "");
     while let Some(found) = tag(body, b"<DataArray", at) {
@@ -53,7 +38,6 @@ pub fn parse<'a>(file: &'a Path, bytes: &[u8]) -> Result<Grid<'a>, Error> {
         part = begun.map_or(part, |(_, part)| part);
         let array = String::from_utf8_lossy(&body[found.clone()]).into_owned();
         let [name, kind] = ["Name", "type"].map(|key| attribute(&array, key).unwrap_or_default());
-        let components = attribute(&array, "NumberOfComponents").map_or(Some(1), |number| number.trim().parse().ok());
         let empty = array.ends_with('/');
         let end = if empty { Some(found.end) } else { position(body, b"</DataArray", found.end) };
         let end = end.ok_or_else(|| refused(format!("its array `{name}` has no end")))?;
@@ -75,26 +59,7 @@ pub fn parse<'a>(file: &'a Path, bytes: &[u8]) -> Result<Grid<'a>, Error> {
             _ => as_words(inside),
         };
         let data = numbers.map_err(|why| refused(format!("its array `{name}` {why}")))?;
-        let index = |value: &f64| if *value >= 0.0 { *value as usize } else { usize::MAX };
-        match (part, name) {
-            _ if is_time => grid.time = data.last().copied(),
-            ("<Points", _) => grid.points = data,
-            ("<Cells", "connectivity") => grid.connectivity = data.iter().map(index).collect(),
-            ("<Cells", "offsets") => grid.ends = data.iter().map(index).collect(),
-            ("<Cells", "types") => grid.types = data.iter().map(|kind| *kind as u8).collect(),
-            ("<PointData", _) => {
-                let components = components.ok_or_else(|| refused(format!("`{name}` has no number of components")))?;
-                let names =
-                    (0..components.min(9)).map(|k| attribute(&array, &format!("ComponentName{k}")).unwrap_or_default());
-                grid.fields.push(Field {
-                    name: unescaped(name),
-                    components,
-                    names: names.map(str::to_owned).collect(),
-                    data,
-                });
-            }
-            _ => {}
-        }
+        put(&mut grid, part, &array, data).map_err(refused)?;
     }
     match count {
         Some(count) if Some(grid.points.len()) == count.checked_mul(3) => Ok(grid),
@@ -103,6 +68,30 @@ pub fn parse<'a>(file: &'a Path, bytes: &[u8]) -> Result<Grid<'a>, Error> {
             grid.points.len()
         ))),
     }
+}
+
+/// Puts the numbers of an array, whose tag is given, where they belong by the part of the file that it stands in.
+fn put(grid: &mut Grid, part: &str, array: &str, data: Vec<f64>) -> Result<(), String> {
+    let name = attribute(array, "Name").unwrap_or_default();
+    let index = |value: &f64| if *value >= 0.0 { *value as usize } else { usize::MAX };
+    match (part, name) {
+        ("<FieldData", _) => grid.time = data.last().copied(),
+        ("<Points", _) => grid.points = data,
+        ("<Cells", "connectivity") => grid.connectivity = data.iter().map(index).collect(),
+        ("<Cells", "offsets") => grid.ends = data.iter().map(index).collect(),
+        ("<Cells", "types") => grid.types = data.iter().map(|kind| *kind as u8).collect(),
+        ("<PointData", _) => {
+            let number = |number: &str| number.trim().parse().ok();
+            let components = attribute(array, "NumberOfComponents").map_or(Some(1), number);
+            let components = components.ok_or_else(|| format!("`{name}` has no number of components"))?;
+            let names =
+                (0..components.min(9)).map(|k| attribute(array, &format!("ComponentName{k}")).unwrap_or_default());
+            let names = names.map(str::to_owned).collect();
+            grid.fields.push(Field { name: unescaped(name), components, names, data });
+        }
+        _ => {}
+    }
+    Ok(())
 }
 
 /// Where a part begins last: its name, and no longer one.
@@ -169,6 +158,26 @@ struct Coding {
 }
 
 impl Coding {
+    /// That of a whole file of an unstructured grid; else why it is none that is read.
+    fn of(bytes: &[u8]) -> Result<Self, &'static str> {
+        let head = tag(bytes, b"<VTKFile", 0).ok_or("it has no tag <VTKFile>")?;
+        let head = String::from_utf8_lossy(&bytes[head]).into_owned();
+        if attribute(&head, "type") != Some("UnstructuredGrid") {
+            return Err("it is no unstructured grid");
+        }
+        if !bytes.trim_ascii_end().ends_with(b"</VTKFile>") {
+            return Err("it is cut: its last tag is not </VTKFile>");
+        }
+        let has = |format: &str| position(bytes, format!("format=\"{format}\"").as_bytes(), 0).is_some();
+        if attribute(&head, "byte_order") == Some("BigEndian") && (has("binary") || has("appended")) {
+            return Err("its numbers are big endian");
+        }
+        Ok(Self {
+            wide: attribute(&head, "header_type") == Some("UInt64"),
+            compressor: attribute(&head, "compressor").map(str::to_owned),
+        })
+    }
+
     /// An array that begins so many bytes behind the mark of the appended data.
     fn appended(&self, bytes: &[u8], place: &Range<usize>, offset: usize, kind: &str) -> Result<Vec<f64>, String> {
         let head = String::from_utf8_lossy(&bytes[place.clone()]).into_owned();
