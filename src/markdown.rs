@@ -46,8 +46,12 @@ pub fn bound(bound: f64) -> String {
 
 /// A value to the second digit of its bound.
 pub fn to_bound(value: f64, bound: f64) -> String {
-    let places = (1.0 - bound.abs().max(1e-12).log10().floor()).clamp(0.0, 10.0);
-    format!("{value:.*}", places as usize)
+    let places = (1.0 - bound.abs().max(1e-12).log10().floor()).min(10.0);
+    if places >= 0.0 {
+        return format!("{value:.*}", places as usize);
+    }
+    let step = 10_f64.powf(0.0 - places);
+    format!("{:.0}", (value / step).round() * step)
 }
 
 /// Bar over the value below which it is round-off.

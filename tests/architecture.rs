@@ -216,10 +216,10 @@ const BUDGETS: [(&str, usize); 9] = [
     ("drawing", 2_910),
     ("case", 8_126),
     ("oracle", 1_426),
-    ("study", 14_997),
-    ("referee", 7_563),
-    ("report", 3_247),
-    ("cli", 4_729),
+    ("study", 15_016),
+    ("referee", 7_582),
+    ("report", 3_272),
+    ("cli", 4_732),
     ("live", 417),
 ];
 

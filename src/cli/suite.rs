@@ -106,7 +106,9 @@ pub fn text(findings: &[Finding], columns: u16) -> String {
     let remedy = if fail > 0 { AFTER_FAILURE } else { "" };
     let is_of_faults = findings.iter().any(|finding| finding.study == faults::Numbers::NAME);
     let rooms = is_of_faults.then(faults::rooms).and_then(Result::ok);
-    let spoiled = rooms.map_or_else(String::new, |rooms| faults::by_truths_alone(&rooms) + "\n");
+    let spoiled = rooms.map_or_else(String::new, |rooms| {
+        format!("Mutants caught by a truth alone:\n  {}\n", faults::by_truths_alone(&rooms))
+    });
     format!("{told}{studies}\n\n{remedy}{spoiled}checks: {pass} passed, {fail} failed, {not_run} not run")
 }
 

@@ -11,7 +11,7 @@ use crate::markdown::{self, Column};
 use crate::oracle::ReferenceKind;
 use crate::report::links::{CHECKS, PAGES, to_page as link};
 use crate::report::{case_page, matrix, record, statements, study_page, symbols, told};
-use crate::solve::{Element, Iteration};
+use crate::solve::{Element, Ended, Iteration};
 use crate::study::atlas;
 use crate::study::atlas::plane::{Digest, digests};
 use crate::study::drawn::{how_stopped, picture};
@@ -58,7 +58,7 @@ const SHOWS: [(ReferenceKind, &str, &str); 4] = [
     (ReferenceKind::Measured, "measurements", "that the equations are the right ones (validation)"),
 ];
 
-/// Truths of a kind that are named, those with the most checks.
+/// Closed forms that are named.
 const NAMED: usize = 4;
 
 /// Whether any check fails, and how many error bars hold.
@@ -104,8 +104,10 @@ pub fn right(findings: &[Finding]) -> String {
 /// What changes that a program makes in the code turn red; none where that is not recorded.
 fn spoiled() -> String {
     let link = to_study("planted faults and mutants", faults::Numbers::NAME);
-    faults::rooms()
-        .map_or_else(|_| String::new(), |rooms| format!("* {} ({link}).\n\n", faults::by_truths_alone(&rooms)))
+    faults::rooms().map_or_else(
+        |_| String::new(),
+        |rooms| format!("* Mutants caught by a truth alone: {} ({link}).\n\n", faults::by_truths_alone(&rooms)),
+    )
 }
 
 /// Counts of checks by kind, the truths with the agreement with each, and what no measurement has seen.
@@ -122,61 +124,76 @@ pub fn against(findings: &[Finding]) -> String {
         vec![format!("{against} ({kind})"), shows.into(), own(kind).count().to_string(), share, pass, fail, absent]
     });
     let head = ["held against", "what it can show", "checks", "%", "pass", "fail", "not run"].map(String::from);
-    let (mut truths, mut others, mut exact) = (Vec::new(), Vec::new(), Vec::new());
-    for kind in [ReferenceKind::Analytic, ReferenceKind::CrossCode, ReferenceKind::Measured] {
-        let all = agreements(own(kind).collect());
-        let (named, rest) = all.split_at(all.len().min(NAMED));
-        truths.extend_from_slice(named);
-        others.extend(rest.iter().map(|(name, all)| format!("{name} ({}, {})", all.len(), told::error(all[0]))));
-        let passed = own(kind).filter(|one| one.verdict == Verdict::Pass).map(|one| &*one.reference.name);
-        let unnamed = counted(passed).into_iter().filter(|(name, _)| all.iter().all(|(other, _)| other != name));
-        exact.extend(unnamed.map(|(name, count)| format!("{name} ({count})")));
-    }
-    let columns: [Column<Agreement>; 4] = [
-        ("truth", |(name, all)| format!("{name} ({})", all[0].reference.kind)),
-        ("numbers", |(_, all)| all.len().to_string()),
-        ("tightest agreement", |(_, all)| told_agreement(all.first())),
-        ("loosest", |(_, all)| told_agreement(all.last())),
-    ];
+    let truths = truths(&all);
+    let (analytic, outside): (Vec<&Truth>, Vec<&Truth>) =
+        truths.iter().partition(|truth| truth.kind() == ReferenceKind::Analytic);
+    let named: Vec<&Truth> = analytic.into_iter().take(NAMED).chain(outside).collect();
+    let more = truths.len() - named.len();
     format!(
-        "{}\nOf what other codes answer {of_codes} more checks are made: {}. {} {}. Of each kind the {NAMED} with the most numbers that agree with them, not by round-off alone:\n\n{}{}",
+        "{}\nOf what other codes answer {of_codes} more checks are made: {}. {} {}. The {NAMED} closed forms with the most numbers \
+         that agree with them, not by round-off alone, every other code, and what was measured ({more} more closed forms are {}):\n\n{}",
         markdown::table(&head, &rows),
         to_study("the scoreboard", scoreboard::Numbers::NAME),
         experiments(findings),
         link("Each check, and how near it is to its limit", CHECKS),
-        markdown::columns(&columns, &truths),
-        further("Further truths, each with how many numbers agree with it and the tightest agreement", &others)
-            + &further("Truths that are met to round-off, or held as a bound alone, with how many numbers", &exact),
+        link("there too", &format!("{CHECKS}#truths")),
+        table_of(&named),
     )
 }
 
-/// What else there is, in a line of its own; nothing of none.
-fn further(what: &str, all: &[String]) -> String {
-    if all.is_empty() { String::new() } else { format!("\n{what}: {}.\n", all.join(" · ")) }
+/// A truth with the passed checks against it.
+pub struct Truth<'a> {
+    name: &'a str,
+    passed: Vec<&'a Judged>,
+    /// Those that have a relative error, of which some is no round-off, by that.
+    agreements: Vec<&'a Judged>,
 }
 
-/// A truth with the passed checks against it that have a relative error, by this.
-type Agreement<'a> = (&'a str, Vec<&'a Judged>);
+impl Truth<'_> {
+    fn kind(&self) -> ReferenceKind {
+        self.passed[0].reference.kind
+    }
+}
+
+/// The table of truths.
+pub fn table_of(truths: &[&Truth]) -> String {
+    let columns: [Column<&Truth>; 4] = [
+        ("truth", |truth| format!("{} ({})", truth.name, truth.kind())),
+        ("numbers", |truth| truth.passed.len().to_string()),
+        ("tightest agreement", |truth| told_agreement(truth.agreements.first())),
+        ("loosest", |truth| told_agreement(truth.agreements.last())),
+    ];
+    markdown::columns(&columns, truths)
+}
 
 fn told_agreement(one: Option<&&Judged>) -> String {
-    one.map_or("–".into(), |one| format!("{}: {}", told::error(one), one.check.quantity.name()))
+    one.map_or("round-off, or a bound".into(), |one| format!("{}: {}", told::error(one), one.check.quantity.name()))
 }
 
 /// A tolerance from which on an error is counted in what it may be, and is no agreement.
 const COUNTED: f64 = 1.0;
 
-/// The truths of a kind, those with the most numbers first.
-fn agreements(own: Vec<&Judged>) -> Vec<Agreement<'_>> {
+/// Every truth that some check passed against, those with the most agreements first, then those with the most numbers.
+pub fn truths<'a>(all: &[&'a Judged]) -> Vec<Truth<'a>> {
     let is_agreement = |one: &&Judged| {
         let near = !matches!(one.check.relation, Relation::AtLeast | Relation::AtMost);
-        one.verdict == Verdict::Pass && near && one.check.tolerance < COUNTED && one.error >= told::ROUND_OFF
+        near && one.check.tolerance < COUNTED && one.error >= told::ROUND_OFF
     };
-    let told = own.into_iter().filter(is_agreement);
-    let mut truths = in_order(told.map(|one| (&*one.reference.name, one)));
-    truths.sort_by_key(|(_, all)| Reverse(all.len()));
-    truths.iter_mut().for_each(|(_, all)| all.sort_by(|a, b| a.error.total_cmp(&b.error)));
+    let passed =
+        all.iter().copied().filter(|one| one.verdict == Verdict::Pass && OUTSIDE.contains(&one.reference.kind));
+    let of = |((name, _), passed): ((&'a str, ReferenceKind), Vec<&'a Judged>)| {
+        let mut agreements: Vec<&Judged> = passed.iter().copied().filter(is_agreement).collect();
+        agreements.sort_by(|a, b| a.error.total_cmp(&b.error));
+        Truth { name, passed, agreements }
+    };
+    let own = in_order(passed.map(|one| ((&*one.reference.name, one.reference.kind), one)));
+    let mut truths: Vec<Truth> = own.into_iter().map(of).collect();
+    truths.sort_by_key(|truth| Reverse((truth.agreements.len(), truth.passed.len())));
     truths
 }
+
+/// Kinds of what is not this code.
+const OUTSIDE: [ReferenceKind; 3] = [ReferenceKind::Analytic, ReferenceKind::CrossCode, ReferenceKind::Measured];
 
 /// How many comparisons with measurements were judged, and of what kind.
 fn experiments(findings: &[Finding]) -> String {
@@ -233,12 +250,13 @@ fn advice(findings: &[Finding]) -> String {
         Some(promised::Numbers::Converged(recorded, _)) => Some(promised::converged::of_default(recorded)),
         _ => None,
     });
-    let default = converged.map(|[all, right, without]| {
+    let default = converged.map(|table| {
         format!(
-            "If nothing is said, `contact-vv` takes `{}`: of {all} runs on all scenes, with longer candidates and loads down to a ten-thousandth, \
-             {right} converge, and {without} end with the error that no spring is left to hold a body, which names what may be the cause: \
-             a load that pulls the bodies apart, a soft start, or a contact smaller than two elements, for which `--accuracy` seeks a mesh.\n\n",
+            "If nothing is said, `contact-vv` takes `{}`. Runs of it on all scenes, on candidates of their own and on longer ones:\n\n{table}\n\
+             *{}* is the named error that no spring is left to hold a body. It names what may be the cause: a load that pulls the bodies apart, \
+             a soft start, or a contact smaller than two elements, for which `--accuracy` seeks a mesh.\n\n",
             Method::default(Element::Node, Iteration::Kinematic),
+            Ended::Unsupported.name(),
         )
     });
     format!(

@@ -334,9 +334,10 @@ const SOLVER: &str = "src/solver";
 ///
 /// The interval of `Σ w p` reaches `√Σ w²(p − l)²` below it, and above it likewise (Zou & Donner 2008).
 pub fn together(rooms: &[Room], folder: &str, of: fn(&Room) -> &Share) -> String {
-    let within = rooms.iter().filter(|room| Path::new(&room.room).starts_with(folder));
-    let tried: Vec<(f64, &Share, [f64; 2])> =
-        within.filter_map(|room| of(room).interval.map(|interval| (room.mutants as f64, of(room), interval))).collect();
+    let within = || rooms.iter().filter(|room| Path::new(&room.room).starts_with(folder));
+    let tried: Vec<(f64, &Share, [f64; 2])> = within()
+        .filter_map(|room| of(room).interval.map(|interval| (room.mutants as f64, of(room), interval)))
+        .collect();
     let mutants: f64 = tried.iter().map(|(mutants, ..)| mutants).sum();
     let [mut share, mut below, mut above] = [0.0; 3];
     let [mut caught, mut all] = [0; 2];
@@ -348,7 +349,9 @@ pub fn together(rooms: &[Room], folder: &str, of: fn(&Room) -> &Share) -> String
         (caught, all) = (caught + counts.caught, all + counts.of);
     }
     let [share, low, high] = [share, share - below.sqrt(), share + above.sqrt()].map(|part| 100.0 * part);
-    format!("{share:.0} % ({low:.0} to {high:.0} %; {caught} of {all} tried)")
+    let untried = within().filter(|room| of(room).interval.is_none()).count();
+    let but = if untried == 0 { String::new() } else { format!(", none in {untried} of {} folders", within().count()) };
+    format!("{share:.0} % ({low:.0} to {high:.0} %; {caught} of {all} tried{but})")
 }
 
 /// The record of mutants: the scores of rooms, and entries.
@@ -388,9 +391,9 @@ pub fn sources(entries: &[Entry]) -> String {
     format!("{sign} oldest {day}")
 }
 
-/// How many of all mutants a truth alone catches, in words.
+/// The part of all mutants that a truth alone catches.
 pub fn by_truths_alone(rooms: &[Room]) -> String {
-    format!("Mutants caught by a truth alone: {}", together(rooms, "src", |room| &room.by_truths))
+    together(rooms, "src", |room| &room.by_truths)
 }
 
 /// What libFuzzer found of a reader (`tests/fuzz/run.py`).

@@ -53,7 +53,10 @@ fn folders_count_by_their_mutants_and_those_of_which_none_was_tried_do_not() {
     };
     let rooms = [room(3000, 1, 2, Some([0.1, 0.8])), room(2000, 10, 10, Some([0.7, 1.0])), room(900, 0, 0, None)];
     // 0.6/2 + 0.4, less √((0.6·0.4)² + (0.4·0.3)²), and 0.6·0.3 more.
-    assert_eq!(together(&rooms, "src", |room| &room.by_claims), "70 % (43 to 88 %; 11 of 12 tried)");
+    assert_eq!(
+        together(&rooms, "src", |room| &room.by_claims),
+        "70 % (43 to 88 %; 11 of 12 tried, none in 1 of 3 folders)"
+    );
     // Of a folder within, its own alone.
     let [one, other, _] = rooms;
     let rooms = [one, Room { room: "src/solver/two".into(), ..other }];

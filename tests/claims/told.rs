@@ -7,6 +7,7 @@ use approx::{assert_abs_diff_eq, assert_relative_eq};
 use contact_vv::algorithm::StiffnessRule;
 use contact_vv::case::library::Cylinder;
 use contact_vv::case::{Scope, Verdict};
+use contact_vv::markdown::to_bound;
 use contact_vv::mesh::Order;
 use contact_vv::oracle::analytic::even_gap::EvenGap;
 use contact_vv::solution::Outcome;
@@ -186,6 +187,24 @@ fn solve_prints_the_numbers_one_quotes_rounded_to_their_bars_on_80_columns() {
             }
         }
     }
+}
+
+#[test]
+fn numbers_are_told_to_the_second_digit_of_their_bars_whatever_their_size() {
+    for (value, bar, told) in [
+        (34_200_975.0, 34_195_275.0, "34000000"),
+        (5769.23, 240.0, "5770"),
+        (5769.23, 24.0, "5769"),
+        (5769.23, 0.24, "5769.23"),
+        (-1.5e-3, 2e-5, "-0.001500"),
+    ] {
+        assert_eq!(to_bound(value, bar), told);
+    }
+    // A closed form is told by its own digits where the bar is larger than it.
+    let literal = ["--element", "line", "--algorithm", "constant", "--rule", "literal"];
+    let text = printed(&[&["solve", "truncated-hertz"][..], &literal].concat());
+    let words = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(words.contains("peak pressure: 5769.23 MPa"), "{text}");
 }
 
 #[test]

@@ -172,7 +172,8 @@ fn beside(
     let ours = Number::of(found, *contact, quantity);
     let theirs = ours.factor * reference;
     let bar = ours.bar.filter(|bar| bar.is_finite() && *bar > EXACT * ours.value.abs());
-    let value = bar.map_or_else(|| markdown::value(theirs), |bar| to_bound(theirs, bar));
+    let digits = bar.filter(|bar| *bar < theirs.abs());
+    let value = digits.map_or_else(|| markdown::value(theirs), |bar| to_bound(theirs, bar));
     let away = match bar {
         Some(bar) if (ours.value - theirs).abs() <= bar => "within the bar".into(),
         _ if *error <= ROUND_OFF => "met to round-off".into(),

@@ -154,7 +154,7 @@ pub fn told(pairs: &Pairs) -> Vec<Told> {
         moved("Checks renamed, with the same numbers", |[before, after]| uncounted(before) != uncounted(after), name),
         moved(
             "Numbers that moved",
-            |pair| (is_moved(pair) || is_another_share(pair)) && pair[0].verdict == pair[1].verdict,
+            |pair| is_changed(pair) && pair[0].verdict == pair[1].verdict && !is_stale(pair[1]),
             share,
         ),
         moved(
@@ -179,8 +179,8 @@ fn section<'a>(what: &str, changes: impl Iterator<Item = (&'a CheckRow, Change)>
 
 /// Records that the present code no longer gives: one line.
 pub fn stale(pairs: &Pairs) -> Option<Told> {
-    let worse = pairs.both.iter().filter(|pair| is_worse(pair)).map(|pair| pair[1]);
-    let stale = worse.chain(pairs.came.iter().copied()).filter(|row| is_stale(row));
+    let changed = pairs.both.iter().filter(|pair| is_worse(pair) || is_changed(pair)).map(|pair| pair[1]);
+    let stale = changed.chain(pairs.came.iter().copied()).filter(|row| is_stale(row));
     let records: BTreeSet<String> = stale.map(|row| format!("`{}`", row.against)).collect();
     let heading = |all: Vec<String>| format!("STALE records: {} ({})", all.len(), all.join(", "));
     (!records.is_empty()).then(|| Told { heading: heading(Vec::from_iter(records)), ..Told::default() })
@@ -283,6 +283,11 @@ fn is_loosened_by_hand(pair: &Pair) -> bool {
 
 fn is_of_other_kind([before, after]: &Pair) -> bool {
     before.kind != after.kind
+}
+
+/// Whether its numbers are others, or its error is another part of the same limit.
+fn is_changed(pair: &Pair) -> bool {
+    is_moved(pair) || is_another_share(pair)
 }
 
 /// Whether the part of the limit moved, which the limit did not.

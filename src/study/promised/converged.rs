@@ -15,6 +15,7 @@ use crate::markdown;
 use crate::solution::EnergyError;
 use crate::solve::{Change, Discretisation, Ended, Formulation, Iteration, Run, Settings};
 use crate::study::drawn;
+use crate::study::grouped::in_order;
 use crate::study::records::{Millionths, Survey};
 
 /// The survey.
@@ -35,6 +36,8 @@ const SIZE: f64 = 400.0;
 const FILES: &str = "tests/cases";
 /// Candidate elements of a contact: beyond them elements get longer with the stretch.
 const ELEMENTS: f64 = 64.0;
+/// Scenes up to which they are named.
+const FEW: usize = 4;
 /// Error over the tolerance that is round-off, and recorded as none.
 pub const ROUND_OFF: f64 = 1e-3;
 
@@ -161,12 +164,25 @@ fn share(recorded: &[Record], formulation: usize, is_meant: impl Fn(&Record) -> 
     (!ended.is_empty()).then(|| converged as f64 / ended.len() as f64)
 }
 
-/// Runs of the default formulation, those that converge, and those that end with the named error that no spring is left to hold a body.
-pub fn of_default(recorded: &[Record]) -> [usize; 3] {
+/// How every run of the default formulation ended: how many so, within which tolerances, under which loads, and on which scenes.
+pub fn of_default(recorded: &[Record]) -> String {
     let own = Formulation::nine().iter().position(|one| one.name() == Formulation::verification().name());
-    let ended = || recorded.iter().filter_map(|record| record.classes[own?]);
-    let count = |class: Ended| ended().filter(|one| *one == class).count();
-    [ended().count(), count(Ended::Converged), count(Ended::Unsupported)]
+    let ended = in_order(recorded.iter().filter_map(|record| Some((record.classes[own?]?, record))));
+    let listed = |of: &dyn Fn(&Record) -> String, records: &[&Record]| {
+        let all = in_order(records.iter().map(|record| (of(record), ())));
+        match all.len() {
+            0..=FEW => all.into_iter().map(|(name, _)| name).collect::<Vec<_>>().join(", "),
+            many => format!("{many} of them"),
+        }
+    };
+    let row = |(ended, records): &(Ended, Vec<&Record>)| {
+        let tolerances = listed(&|record| format!("{:e}", record.tolerance), records);
+        let loads = listed(&|record| record.load.to_string(), records);
+        let scenes = listed(&|record| record.site.scene.clone(), records);
+        vec![ended.name().into(), records.len().to_string(), tolerances, loads, scenes]
+    };
+    let head = ["how runs of the default end", "runs", "tolerance", "load over that of the scene", "scenes"];
+    markdown::table(&head.map(String::from), &ended.iter().map(row).collect::<Vec<_>>())
 }
 
 /// Whether two numbers of the plan are the same one.
