@@ -43,13 +43,15 @@ def hertz(scene):
     return {"modulus": modulus, "half_width": half_width, "load": load}
 
 
-def truncated_hertz(scene, edges, level):
-    """The half-space's tractions on the two sides away from parabola and axis: exactly Hertz; `edges` on the candidates at level 0."""
+def truncated_hertz(scene, edges, level, steep=1):
+    """The half-space's tractions on the two sides away from parabola and axis: exactly Hertz; `edges` on the candidates at level 0.
+
+    Cells grow `steep` times as fast as GROWTH says."""
     if not scene["size"] > scene["stretch"]:
         raise ValueError(f"block size {scene['size']} must exceed the stretch {scene['stretch']}")
     modulus, half_width, load = hertz(scene).values()
     stretch = scene["stretch"] * half_width
-    mesh = square(scene["size"] * half_width, stretch, edges, level)
+    mesh = square(scene["size"] * half_width, stretch, edges, level, GROWTH * steep)
     bulk, shear = closed_forms.lame(scene["young"], scene["poisson"], "strain")
     matrix = np.array([[bulk + 2.0 * shear, bulk, 0.0], [bulk, bulk + 2.0 * shear, 0.0], [0.0, 0.0, shear]])
 
@@ -69,7 +71,7 @@ def truncated_hertz(scene, edges, level):
     return Model(mesh, matrix, gap, stretch, modulus, half_width, half_width, 2 * mesh.nodes("axis"), loads)
 
 
-def square(side, stretch, elements, level):
+def square(side, stretch, elements, level, growth=GROWTH):
     """Square 0..side whose contact is on y = 0, with `elements` uniform edges on x = 0..stretch."""
     cells = int(np.ceil(side / stretch - 1e-9))
     far = np.linspace(stretch, side, cells) if cells > 1 else []
@@ -78,7 +80,7 @@ def square(side, stretch, elements, level):
 
     def size(points):
         away = np.hypot(np.maximum(points[:, 0] - stretch, 0.0), points[:, 1])
-        return stretch / elements + GROWTH * away
+        return stretch / elements + growth * away
 
     return graded(*grid(stations), curves, size, level)
 

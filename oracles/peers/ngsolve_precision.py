@@ -1,8 +1,9 @@
 """Work and precision of NGSolve at high order on truncated Hertz: ngsolve_precision.py < request; JSON lines.
 
 Request and answer are those of work_precision.py, but for
-    meshes     [order, n]: quadrilaterals of that order of H1, n equal ones along the candidates; as often as n divides by three, a row of
-               them joins three to one, and from there on cells grow geometrically to the far sides. They know no load.
+    meshes     [order, n] or [order, n, steep]: quadrilaterals of that order of H1, n equal ones along the candidates; as often as n divides by
+               three, a row of them joins three to one, and from there on cells grow geometrically to the far sides, by `steep` times the
+               factor of their order. They know no load.
     methods    of "augmented-lagrangian" and "penalty" those that are asked (both)
     peak       by least squares of c0 + c1 x^2 + c2 x^4 where x < a/4
     l2_error   and all integrals of p are sums over the Gauss points of the contact, twice the order an edge, where p is found
@@ -60,12 +61,12 @@ def square(stretch, growth, size):
 class Block(work_precision.Clock):
     """The block on a mesh; it counts the seconds of its solutions."""
 
-    def __init__(self, scene, order, size):
+    def __init__(self, scene, order, size, steep=1):
         super().__init__()
         self.modulus = closed_forms.plane_modulus(scene["young"], scene["poisson"], "strain")
         self.scene, self.order, self.half_width = scene, order, scene["a_over_r"] * scene["radius"]
         self.edge, stretch, mesh = scene["stretch"] * self.half_width / size, scene["stretch"] / scene["size"], netgen.Mesh(dim=2)
-        corners = square(stretch, 2.0 if order < 6 else 9.0, size).reshape(-1, 2)
+        corners = square(stretch, steep * (2.0 if order < 6 else 9.0), size).reshape(-1, 2)
         points, cells = np.unique(corners, axis=0, return_inverse=True)
         for x, y in scene["size"] * self.half_width * points:
             mesh.Add(netgen.MeshPoint(netgen.Pnt(x, y, 0.0)))
@@ -185,10 +186,10 @@ def main():
     request = work_precision.asked(list(METHODS))
     for method in request["methods"]:
         Block(request["scene"], 4, 9).solved(request["half_widths"][0], method)  # warm-up
-        for order, size in request["meshes"]:
-            on = Block(request["scene"], order, size)
+        for order, size, *steep in request["meshes"]:
+            on = Block(request["scene"], order, size, *steep)
             rows = [row(on, half_width, method, request) for half_width in request["half_widths"]]
-            work_precision.tell("ngsolve", ng.__version__, method, [order, size], size, rows)
+            work_precision.tell("ngsolve", ng.__version__, method, [order, size, *steep], size, rows)
 
 
 if __name__ == "__main__":

@@ -4,8 +4,8 @@ CODE is scikit-fem or dolfinx. Request, one JSON object:
     scene        numbers of a truncated-hertz scene as in block.py; its a_over_r is nominal: it grades the mesh,
                  places the candidates (stretch) and starts the iteration
     half_widths  a_k [mm], below the last candidate: load P_k = pi a_k^2 E*/4R, as Hertz's tractions on the far sides
-    meshes       sizes n, or [n, level]: cells are at most stretch/n long at the candidates, within 5 %, and grow away
-                 with half the distance; `level` cuts every triangle into four. Triangles are bisected, so that the
+    meshes       sizes n, [n, level] or [n, level, steep]: cells are at most stretch/n long at the candidates, within 5 %,
+                 and grow away with half the distance, `steep` times; `level` cuts every triangle into four. Triangles are bisected, so that the
                  candidates have 2^m >= n edges, and the sizes in between differ in how soon the cells grow
     repeats      solutions a load (3)
     methods      of "active-set" and "penalty" those that are asked, one after the other (both)
@@ -60,8 +60,7 @@ def main(name):
     for method in request["methods"]:
         solved([model(scene, COARSEST, 0)], method, code)  # warm-up
         for mesh in request["meshes"]:
-            size, level = mesh if isinstance(mesh, list) else (mesh, 0)
-            chain, edges = models(scene, size, level, method)
+            chain, edges = models(scene, *(mesh if isinstance(mesh, list) else [mesh, 0]), method=method)
             rows = [row(scene, half_width, chain, method, code, request) for half_width in request["half_widths"]]
             tell(name, environment.versions()[name], method, mesh, edges, rows)
 
@@ -129,22 +128,22 @@ class Timed(Clock):
         return self.timed("linear", self.code.linear_solution, *arguments)
 
 
-def model(scene, size, level):
+def model(scene, size, level, steep=1):
     """Truncated Hertz with a number of edges on the candidates at level 0."""
     import block
 
-    return block.truncated_hertz(scene, size, level)
+    return block.truncated_hertz(scene, size, level, steep)
 
 
-def models(scene, size, level, method):
+def models(scene, size, level, steep=1, *, method):
     """The chain of models, coarsest first, and the contact edges of the last; active sets need no other."""
     import contact
 
-    chain = [model(scene, size, level)]
+    chain = [model(scene, size, level, steep)]
     edges = len(contact.contact_edges(chain[0].mesh, chain[0].stretch))
     coarser = edges // 4
     while method == "penalty" and coarser >= COARSEST and len(chain[0].mesh.points) > SMALL:
-        chain.insert(0, model(scene, coarser, 0))
+        chain.insert(0, model(scene, coarser, 0, steep))
         coarser //= 4
     return chain, edges
 

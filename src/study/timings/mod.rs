@@ -24,7 +24,7 @@ use crate::study::about::{About, Found, Planned, Study};
 use crate::study::drawn::picture;
 use crate::study::target;
 use crate::study::timings::growth::{Growth, RECOUNTED, exponent};
-use crate::study::timings::precision::{LOADS, Point, Series, TOLERANCE, cells, meshes_of, ours_tried};
+use crate::study::timings::precision::{LOADS, Point, STEEP, Series, TOLERANCE, cells, meshes_of, ours_tried};
 use crate::study::timings::record::{Beside, COMPARED, Record, cheapest, front, ours, sound, targets};
 
 pub use record::Record as Numbers;
@@ -246,14 +246,10 @@ fn methods(record: &Record) -> String {
 fn tried(record: &Record) -> String {
     let told = |code: Series| {
         let (meshes, runs) = (meshes_of(code).len(), record.of(code).count());
-        format!("{} {meshes} meshes by {} methods each", code.name(), runs / meshes)
+        format!("{} {meshes} meshes in {} gradings by {} methods each", code.name(), STEEP.len(), runs / meshes)
     };
     let asked = Series::CODES.into_iter().filter(|code| record.of(*code).next().is_some()).map(told);
-    format!(
-        "Ours are {}; each of the others has one rule of grading: {}.",
-        ours_tried(),
-        asked.collect::<Vec<_>>().join(", ")
-    )
+    format!("Ours are {}; of the others, {}.", ours_tried(), asked.collect::<Vec<_>>().join(", "))
 }
 
 /// What of another code's seconds is in its own assembly and in its own linear solver, on the mesh on which it is compared; the rest is our Python.

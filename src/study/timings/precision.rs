@@ -247,7 +247,9 @@ pub fn meshes() -> Vec<(Series, usize)> {
 /// Meshes of scikit-fem and dolfinx: cells per candidate stretch, and times cut into four.
 const TRIANGLES: [[usize; 2]; 8] = [[8, 0], [12, 0], [16, 0], [17, 0], [32, 0], [17, 1], [32, 1], [64, 1]];
 /// Meshes of NGSolve: order, and cells per candidate stretch.
-const HIGH_ORDER: [[usize; 2]; 7] = [[3, 6], [4, 9], [6, 9], [4, 18], [4, 27], [6, 27], [4, 81]];
+const HIGH_ORDER: [[usize; 2]; 8] = [[3, 6], [3, 9], [4, 9], [6, 9], [4, 18], [4, 27], [6, 27], [4, 81]];
+/// How many times as fast cells of these meshes grow as by the rule of their script.
+pub const STEEP: [usize; 2] = [1, 2];
 
 /// What the meshes of a code are, in a few words.
 pub fn cells(code: Series) -> String {
@@ -285,9 +287,10 @@ pub fn precision(code: Series) -> Result<Told, Error> {
 /// Interpreter of today's dolfinx, where `oracles/setup.sh` found a Python for it; Debian's answers where it is not there.
 const NEWEST: &str = "oracles/.python/newest/bin/python";
 
-/// Meshes of another code, all by one rule of grading.
-pub fn meshes_of(code: Series) -> &'static [[usize; 2]] {
-    if code == Series::Ngsolve { &HIGH_ORDER } else { &TRIANGLES }
+/// Meshes of another code, in each of as many gradings as ours.
+pub fn meshes_of(code: Series) -> Vec<[usize; 3]> {
+    let meshes = if code == Series::Ngsolve { &HIGH_ORDER } else { &TRIANGLES };
+    STEEP.into_iter().flat_map(|steep| meshes.map(|[first, second]| [first, second, steep])).collect()
 }
 
 /// How many meshes of ours are tried.
