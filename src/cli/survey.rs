@@ -10,7 +10,7 @@ use crate::cli::writable;
 use crate::error::Error;
 use crate::study::atlas::{self, Plane, plane};
 use crate::study::records::{self, Survey};
-use crate::study::scoreboard::board::{self, Board, Setting, hashes};
+use crate::study::scoreboard::board::{self, Board, Setting, TIMES, hashes};
 use crate::study::scoreboard::{CASES, SMALLEST, named};
 use crate::study::seconds::Machine;
 
@@ -77,7 +77,7 @@ pub fn scoreboard() -> Result<(), Error> {
     let mut files = Vec::new();
     for name in CASES {
         let (asked, written) = board::ask(name, &named(name)?, |setting, times| {
-            bar.inc(u64::from(times == 1));
+            bar.inc(u64::from(times.total_cmp(&TIMES[0]).is_eq()));
             bar.set_message(format!("{name}, {}, {}, {times} times", setting.code.name(), setting.method));
         })?;
         fresh.cases.insert(name.into(), asked);

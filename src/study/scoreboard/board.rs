@@ -78,8 +78,10 @@ pub struct Setting {
     pub searched: Option<[&'static str; 2]>,
 }
 
-/// Multiples of the first choice of its parameter by which each code is asked, in this order, until one ends the search.
-pub const TIMES: [usize; 4] = [1, 10, 100, 1000];
+/// The first choice of its parameter and the multiples by which each code is asked after it, until one ends the search.
+pub const TIMES: [f64; 4] = [1.0, 10.0, 100.0, 1000.0];
+/// Those by which it is asked where the first of these multiples leaves no smaller error.
+pub const LESS: [f64; 2] = [0.1, 0.01];
 /// The search goes on where a multiple leaves less than this part of the error before.
 pub const FALLS: f64 = 0.9;
 /// Relative error that rounding explains.
@@ -115,6 +117,15 @@ impl Setting {
 
     const fn rows(code: Code, method: &'static str, says: &'static str) -> Self {
         Self { code, method, says, searched: None }
+    }
+
+    /// The multiples of its first choice, upwards and downwards; there is no part of a load step.
+    pub fn multiples(self) -> [&'static [f64]; 2] {
+        match (self.searched, self.code) {
+            (None, _) => [&[], &[]],
+            (Some(_), Code::Kratos) => [&TIMES[1..], &[]],
+            (Some(_), _) => [&TIMES[1..], &LESS],
+        }
     }
 
     /// The setting of a code by the name of its method.
@@ -156,7 +167,7 @@ pub struct Told {
     /// Its contact, by the name in its script.
     pub method: String,
     /// Its parameter over the first choice.
-    pub times: usize,
+    pub times: f64,
     /// Version of the code; none of a run that failed.
     pub version: Option<String>,
     /// Seconds: of the solution by the script's own account; of the whole process where it failed.
@@ -235,7 +246,8 @@ pub fn refuse_absent(name: &str, case: &Case) -> Result<(), Error> {
     refuse_other_scripts()?;
     let place = posed(name, case, &case.meshed()?.discretisation)?;
     let first = Code::ALL.map(|code| Setting::ALL.into_iter().find(|setting| setting.code == code));
-    let absent: Vec<String> = first.iter().flatten().filter_map(|setting| run(setting, 1, &place).err()).collect();
+    let absent: Vec<String> =
+        first.iter().flatten().filter_map(|setting| run(setting, TIMES[0], &place).err()).collect();
     if absent.is_empty() { Ok(()) } else { Err(not_installed(&absent.join("; "))) }
 }
 
@@ -264,28 +276,38 @@ fn posed(name: &str, case: &Case, discretisation: &Discretisation) -> Result<Pat
 pub type Written = Vec<(String, Vec<u8>)>;
 
 /// A case by every setting, its parameter searched over, and the files that the codes wrote.
-pub fn ask(name: &str, case: &Case, told: impl Fn(&Setting, usize)) -> Result<(Asked, Written), Error> {
+pub fn ask(name: &str, case: &Case, told: impl Fn(&Setting, f64)) -> Result<(Asked, Written), Error> {
     let discretisation = case.meshed()?.discretisation;
     let truth = Truth::of(case.clone())?;
     let place = posed(name, case, &discretisation)?;
     let (mut runs, mut files) = (Vec::new(), Vec::new());
     for setting in Setting::ALL {
         let mut tried: Vec<(Told, f64, Vec<u8>)> = Vec::new();
-        for times in TIMES.into_iter().take(if setting.searched.is_some() { TIMES.len() } else { 1 }) {
+        let mut error_of = |times: f64| -> Result<f64, Error> {
             told(&setting, times);
             let cholesky = cholesky(&discretisation)?;
             let (seconds, answer) = run(&setting, times, &place).map_err(|why| not_installed(&why))?;
             let version = answer.as_ref().ok().and_then(|value| value["version"].as_str().map(str::to_owned));
             let (ended, error, bytes) = match answer {
                 Ok(value) => kept(&format!("{name}-x{times}"), &truth, &discretisation, &place, &value)?,
-                Err(why) => (Ended::Failed(why), f64::NAN, vec![]),
+                Err(why) => (Ended::Failed(why), f64::INFINITY, vec![]),
             };
-            let before = tried.last().map_or(f64::INFINITY, |(_, before, _)| *before);
             let Setting { code, method, .. } = setting;
             tried.push((Told { code, method: method.into(), times, version, seconds, cholesky, ended }, error, bytes));
-            // NaN ends it.
-            let falls = error < FALLS * before;
-            if !falls {
+            Ok(error)
+        };
+        let first = error_of(TIMES[0])?;
+        for multiples in setting.multiples() {
+            let mut before = first;
+            for times in multiples {
+                let error = error_of(*times)?;
+                if !falls(before, error) {
+                    break;
+                }
+                before = error;
+            }
+            // Upwards it has found something.
+            if before < first {
                 break;
             }
         }
@@ -299,6 +321,11 @@ pub fn ask(name: &str, case: &Case, told: impl Fn(&Setting, usize)) -> Result<(A
         }
     }
     Ok((Asked { dofs: discretisation.system.dofs(), runs }, files))
+}
+
+/// Whether the search goes on from a multiple with an error, infinite where it failed, to the one after that with another.
+pub fn falls(before: f64, error: f64) -> bool {
+    error < FALLS * before
 }
 
 /// Refuses scripts that are not those this program was built with, whose digests it writes.
@@ -329,7 +356,7 @@ fn cholesky(discretisation: &Discretisation) -> Result<f64, Error> {
 }
 
 /// Seconds of a script, and what it told or why it failed; refused with the reason where its code is not installed.
-fn run(setting: &Setting, times: usize, place: &Path) -> Result<(f64, Result<Value, String>), String> {
+fn run(setting: &Setting, times: f64, place: &Path) -> Result<(f64, Result<Value, String>), String> {
     let script = root().join("oracles/peers").join(setting.code.script());
     let clock = Instant::now();
     let times = setting.searched.map(|_| format!("--times={times}"));
@@ -371,7 +398,7 @@ fn kept(
     let scored = scored(truth, discretisation, Path::new(&named), &bytes).ok();
     let Some(scored) = scored.filter(|scored| scored.error().is_finite()) else {
         let why = format!("what it wrote holds no profile that can be judged: {file}");
-        return Ok((Ended::Failed(why), f64::NAN, vec![]));
+        return Ok((Ended::Failed(why), f64::INFINITY, vec![]));
     };
     let iterations = value["iterations"].as_u64().unwrap_or(0) as usize;
     let found = scored.scores.each_ref().map(|score| score.value);

@@ -27,7 +27,7 @@ use crate::solve::{Discretisation, Formulation};
 use crate::study::about::{About, Found, Planned, Study};
 use crate::study::drawn::picture;
 use crate::study::scoreboard::board::{
-    Board, Code, Ended, FALLS, RENEW, ROUND_OFF, Scored, Setting, TIMES, Told, hashes, scored,
+    Board, Code, Ended, FALLS, LESS, RENEW, ROUND_OFF, Scored, Setting, TIMES, Told, hashes, scored,
 };
 
 /// One body on a rigid one, flat and curved; two bodies, straight, curved, and conforming.
@@ -97,7 +97,8 @@ impl Study for Numbers {
         let board = Board::load()?;
         let mut text = format!(
             include_str!("page.md"),
-            multiples = TIMES.map(|times| times.to_string()).join(", "),
+            multiples = listed(&TIMES),
+            less = listed(&LESS),
             falls = 100.0 * (1.0 - FALLS),
             ours = Formulation::verification().name(),
             processor = board.processor
@@ -231,7 +232,8 @@ impl Numbers {
     /// changed (of a penalty ten times as stiff a ninth is left) and of what the next one changes the smaller, as recorded. Our answer is no
     /// part of it: a fault of ours would let others be off by as much.
     fn allowed(&self, code: Code) -> f64 {
-        let tried: Vec<&Row> = self.search(code).filter(|row| row.error().is_finite()).collect();
+        let mut tried: Vec<&Row> = self.search(code).filter(|row| row.error().is_finite()).collect();
+        tried.sort_by(|a, b| a.told.times.total_cmp(&b.told.times));
         let best = self.own(code)[1].and_then(|best| tried.iter().position(|row| std::ptr::eq(*row, best)));
         let found = |k: usize| match &tried[k].told.ended {
             Ended::Answered { found, .. } => *found,
@@ -252,11 +254,12 @@ impl Numbers {
 
     /// Errors of the search, code by code.
     fn tried(&self) -> String {
-        let head: Vec<String> = TIMES.map(|times| format!("× {times}")).into();
+        let all = || LESS.iter().rev().chain(&TIMES);
+        let head: Vec<String> = all().map(|times| format!("× {times}")).collect();
         let error = |row: &Row| if row.error().is_finite() { markdown::error(row.error()) } else { "failed".into() };
         let rows = Code::ALL.into_iter().filter_map(own).map(|Setting { code, .. }| {
-            let at = |times| self.search(code).find(|row| row.told.times == times).map_or("–".into(), error);
-            [vec![code.name().into()], TIMES.map(at).into()].concat()
+            let at = |times: &f64| self.search(code).find(|row| is(row.told.times, *times)).map_or("–".into(), error);
+            [vec![code.name().into()], all().map(at).collect()].concat()
         });
         table(&[vec!["code".into()], head].concat(), &rows.collect::<Vec<_>>())
     }
@@ -266,7 +269,7 @@ impl Numbers {
         let is_best =
             |row: &Row| !our_rows && self.own(row.setting.code)[1].is_some_and(|best| std::ptr::eq(best, row));
         let rows = self.rows.iter().filter(|row| row.setting.searched.is_none() == our_rows);
-        let shown = rows.filter(|row| our_rows || row.told.times == TIMES[0] || is_best(row));
+        let shown = rows.filter(|row| our_rows || is(row.told.times, TIMES[0]) || is_best(row));
         let line = |row: &Row| (Some((row.clone(), is_best(row))), row.scored.clone());
         let mut lines: Vec<Line> = shown.map(line).collect();
         lines.extend((!our_rows).then(|| (None, self.ours.clone())));
@@ -274,6 +277,16 @@ impl Numbers {
         lines.sort_by(|a, b| error(a).total_cmp(&error(b)));
         lines
     }
+}
+
+/// Whether two multiples are the same one.
+fn is(times: f64, other: f64) -> bool {
+    times.total_cmp(&other).is_eq()
+}
+
+/// Multiples in words.
+fn listed(times: &[f64]) -> String {
+    times.iter().map(f64::to_string).collect::<Vec<_>>().join(", ")
 }
 
 impl Scored {
@@ -445,7 +458,7 @@ const RUNS: [Column<Line>; 10] = [
         Some((Row { setting: Setting { says, searched, .. }, told, .. }, best)) => {
             let which = match (searched, told.times) {
                 (None, _) => (*says).to_owned(),
-                (Some([parameter, _]), 1) => format!("first choice, {parameter}"),
+                (Some([parameter, _]), times) if is(times, TIMES[0]) => format!("first choice, {parameter}"),
                 (Some(_), times) => format!("× {times}"),
             };
             if *best { format!("**{which}**") } else { which }
