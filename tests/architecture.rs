@@ -212,11 +212,11 @@ fn matrix_types_of_libraries_stay_inside_the_numerics() {
 
 /// Lines that a room may have; raised only by a commit that says what for.
 const BUDGETS: [(&str, usize); 9] = [
-    ("solver", 23_941),
+    ("solver", 23_975),
     ("drawing", 2_910),
     ("case", 8_126),
     ("oracle", 1_426),
-    ("study", 15_016),
+    ("study", 15_055),
     ("referee", 7_582),
     ("report", 3_272),
     ("cli", 4_732),

@@ -115,3 +115,56 @@ fn a_contact_that_begins_near_its_symmetry_line_is_not_met_as_one_that_begins_on
         assert!(answer.unmet.is_none() && (half_width / 1.80865 - 1.0).abs() <= asked, "{asked}: {half_width}");
     }
 }
+
+/// Whether the bar of a number of a case on its own mesh reaches the truth, and is itself no larger than a part of it.
+fn reaches(case: &Case, quantity: &Quantity, truth: f64, part: f64) -> bool {
+    let (discretisation, run) = solved_as_it_says(case);
+    let all = bars(&discretisation, &run, &[]).expect("bars").all;
+    let found = all.iter().find(|one| one.quantity == *quantity).expect("the number");
+    (found.value - truth).abs() <= found.bar.total() && found.bar.total() <= part * truth
+}
+
+/// A disc and a ball weigh what their volume does; the cells far from the contact are chords on every mesh that its own is compared with.
+#[test]
+fn own_weight_of_round_bodies_is_within_its_bar() {
+    let of = |plane: &str, thickness: &str, weight: f64, order: usize| {
+        parsed(&format!(
+            "plane = \"{plane}\"\n{thickness}[[body]]\nname = \"b\"\nyoung = 210e3\npoisson = 0.3\n\
+             shape = {{ disc = {{ centre = [0, 50], radius = 50, half = true }} }}\nsupports = [{{ at = \"axis\", component = \"x\" }}]\n\
+             loads = [{{ body-force = [0, {}] }}]\n[contact]\nfirst = \"b\"\ngap = {{ circle = 50 }}\nstretch = 2\n\
+             [mesh]\nelements = 12\nper = 1\norder = {order}\n[reference]\nlength = 1\n[solve]\ntolerance = 1e-9\n",
+            0.0 - weight
+        ))
+    };
+    let [of_disc, of_ball] = [2000.0, 20_000.0];
+    for (plane, thickness, force, volume, part) in [
+        ("strain", "thickness = 1\n", of_disc, PI * 2500.0, [0.1, 1e-3]),
+        ("axisymmetric", "", of_ball, 4.0 / 3.0 * PI * 125e3, [0.2, 2e-3]),
+    ] {
+        for (order, part) in [1, 2].into_iter().zip(part) {
+            let case = of(plane, thickness, force / volume, order);
+            assert!(reaches(&case, &Quantity::Resultant, force, part), "{plane}, order {order}");
+        }
+    }
+}
+
+/// Westergaard's wave a ten-thousandth before it is pressed flat, and beyond: near where it ends it presses by less than what counts.
+#[test]
+fn a_contact_that_fades_out_ends_within_its_bar() {
+    let (modulus, wavelength, amplitude) = (70e3 / (1.0 - 0.33 * 0.33), 20.0, 0.01);
+    let flat = PI * modulus * amplitude / wavelength;
+    for share in [0.999, 0.9999, 1.0001] {
+        let pressure = share * flat;
+        let body = format!(
+            "young = 70e3\npoisson = 0.33\nshape = {{ rectangle = {{ x = [0, 10], y = [0, 60], contact = \"bottom\" }} }}\n\
+             supports = [{{ at = \"left\", component = \"x\" }}, {{ at = \"right\", component = \"x\" }}]\n\
+             loads = [{{ pressure = {{ at = \"far\", law = {{ uniform = {pressure} }} }} }}]"
+        );
+        let contact = "symmetric = true\ngap = { cosine = { amplitude = 0.01, wavelength = 20 } }\nstretch = 10";
+        let half_width = wavelength / PI * f64::min(share, 1.0).sqrt().asin();
+        for elements in [16, 64] {
+            let case = scene(&body, contact, &format!("elements = {elements}\nper = 10"));
+            assert!(reaches(&case, &Quantity::HalfWidth, half_width, 0.15), "{share}, {elements}");
+        }
+    }
+}

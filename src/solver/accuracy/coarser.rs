@@ -2,7 +2,7 @@
 
 use crate::mesh::size::expected;
 use crate::mesh::{Order, Resolution};
-use crate::scene::{BlockShape, Body, Scene, Shape};
+use crate::scene::{BlockShape, Body, Load, Scene, Shape};
 
 /// Element sizes over those of the mesh: whole numbers of candidates make them uneven, which is welcome: an end of the contact
 /// lies at another place of its element on each. With rounder ratios those numbers would hang on round-off.
@@ -51,16 +51,26 @@ pub fn finer(scene: &Scene, resolution: Resolution) -> (Scene, Resolution) {
     (scene, resolution)
 }
 
-/// The scene with the same elements on the contacts and gentler growth away from them; none where no body bends nor is clamped.
+/// The scene with the same elements on the contacts and gentler growth away from them; none where no far cell decides.
 ///
-/// Far cells are few on a body that bends, and large at the corner of a clamped side: coarser meshes may have the same ones, and what they leave
-/// cancels from every difference.
+/// Far cells are few on a body that bends or whose own weight on an arc they hold, and large at the corner of a clamped side and where a load
+/// ends within a side: coarser meshes may have the same ones, and what they leave cancels from every difference.
 pub fn gentler(scene: &Scene, resolution: Resolution) -> Option<(Scene, Resolution)> {
     let has_other_family = scene.bodies.iter().any(|body| matches!(body.shape, Shape::Given(_)))
         || scene.contacts.iter().any(|pair| !pair.ends.places.is_empty());
     let grading = resolution.order.refined(&scene.grading, GENTLER);
-    let matter = scene.bends() || scene.bodies.iter().any(Body::is_clamped);
+    let matter = scene.bends() || scene.bodies.iter().any(|body| body.is_clamped() || is_loaded_far(body));
     (matter && !has_other_family).then(|| (Scene { grading, ..scene.clone() }, resolution))
+}
+
+/// Whether far cells carry a load that they tell only to their size: own weight up to an arc, or a load that ends within a side.
+fn is_loaded_far(body: &Body) -> bool {
+    let is_round = matches!(body.shape, Shape::Disc { .. } | Shape::Ring { .. } | Shape::Eye { .. });
+    body.loads.iter().any(|load| match load {
+        Load::BodyForce(_) => is_round,
+        Load::OnSide { part, .. } => part.is_some(),
+        Load::Force { .. } | Load::RigidFace { .. } => false,
+    })
 }
 
 /// The scene with elements larger by a ratio.

@@ -236,7 +236,8 @@ impl Family {
         };
         let [hidden, missed] = self.hidden(number, &errors);
         let [scale, read] = match row.kind {
-            Kind::End => [width_of(quantity, measures), self.missed_by_end(measures)],
+            // Where the contact goes on by pressures that do not count as such, every mesh has its end where they begin to.
+            Kind::End => [width_of(quantity, measures), self.missed_by_end(measures) + measures.faint],
             // Below a sharp top the shear stress is missed as its pressure is.
             Kind::Shear => [reading.scale, reading.value.abs() * self.above(measures) / measures.peak.pressure],
             kind if quantity.is_of_pressures() => [quantity.scale(measures), self.missed_by_reading(kind, measures)],

@@ -61,6 +61,9 @@ pub struct Measures {
     /// How far apart two readings of their ends are, where mesh lines tell them; 0 elsewhere \[mm, or rad\].
     #[serde(skip)]
     pub ends_apart: f64,
+    /// How far points go on to press beyond the ends of the stretches, each by less than [`ACTIVE`] \[mm, or rad\].
+    #[serde(skip)]
+    pub faint: f64,
     /// The largest pressure of the profile, wherever it lies.
     pub peak: Peak,
     /// The same read by a parabola through the highest means, or by a quartic through the five highest points \[MPa\].
@@ -85,6 +88,9 @@ const OF_ELLIPSOID: f64 = 0.790_569_415_042_094_8;
 /// Pressure over the largest of its contact from which on a point, or an edge, counts as pressed.
 pub const ACTIVE: f64 = 1e-3;
 
+/// The same below which it is round-off.
+const NOTHING: f64 = 1e-9;
+
 impl Measures {
     /// Measures of one contact.
     pub fn of(scene: &Scene, contact: usize, part: Part) -> Self {
@@ -102,6 +108,7 @@ impl Measures {
             let peak = peak::of(edges, centre);
             (peak, [peak::by_parabola(edges, peak.pressure), peak::pressure_at(edges, 0.0)])
         };
+        let stretches = stretch::closed(pair, part, floor);
         let (peak, [through_points, at_origin]) = nodal::read(part, centre).unwrap_or_else(in_pairs);
         Self {
             second_moment_width: profile::second_moment_width(points, centre)
@@ -117,7 +124,8 @@ impl Measures {
             },
             active: active().count(),
             pressed_edges: edges.iter().filter(|edge| edge.pressure > floor).count(),
-            stretches: stretch::closed(pair, part, floor),
+            faint: stretch::faint(points, &stretches, NOTHING * largest),
+            stretches,
             ends_apart: 0.0,
             peak: if across { peak } else { Peak { position: peak.position.abs(), ..peak } },
             peak_by_parabola: through_points,

@@ -48,6 +48,18 @@ pub fn closed(pair: &ContactPair, part: Part, floor: f64) -> Vec<Stretch> {
     stretches
 }
 
+/// How far points press by more than a floor beyond the ends of stretches, one after the other from there \[mm, or rad\].
+pub fn faint(points: &[PointState], stretches: &[Stretch], floor: f64) -> f64 {
+    let beyond = |stretch: &Stretch| {
+        let presses = |point: &&PointState| point.pressure > floor;
+        let after = points.iter().skip_while(|point| point.position <= stretch.end).take_while(presses).last();
+        let before = points.iter().rev().skip_while(|point| point.position >= stretch.begin).take_while(presses).last();
+        let after = after.map_or(0.0, |last| last.position - stretch.end);
+        before.map_or(0.0, |first| stretch.begin - first.position).max(after)
+    };
+    stretches.iter().map(beyond).fold(0.0, f64::max)
+}
+
 /// Part of the floor of pressures from which on the edge beside a stretch belongs to it.
 const LEAST: f64 = 0.1;
 

@@ -9,6 +9,8 @@ const SAME: f64 = 1e-6;
 
 /// What to do about a mesh that does not hang together.
 const JOINED: &str = "let neighbouring cells share their nodes (Coherence in Gmsh, common curves of neighbouring surfaces, whole common sides of blocks)";
+/// The same about one that is cut into layers here: the lines of two contacts nearly coincide in the body.
+const LINES: &str = "take cells of a lower order, which leave more room between the lines of two contacts";
 
 /// Refuses bodies that do not hang together: given cell by cell or block by block, or cut into layers towards the ends of contacts.
 pub(super) fn refuse_loose(mesh: &Mesh, scene: &Scene) -> Result<(), Error> {
@@ -20,7 +22,8 @@ pub(super) fn refuse_loose(mesh: &Mesh, scene: &Scene) -> Result<(), Error> {
         let refused = |what: &str, node: usize| {
             let [x, y] = mesh.points[node];
             let message = format!("the mesh does not hang together: {what} ({x:.6}, {y:.6}) mm");
-            Err(Error::at(scene.place_of_body(index), message, JOINED))
+            let remedy = if body.shape.has_given_mesh() { JOINED } else { LINES };
+            Err(Error::at(scene.place_of_body(index), message, remedy))
         };
         let outline = mesh.outline(index);
         let at_end = |along: f64| along.abs() <= SAME || (along - 1.0).abs() <= SAME;
