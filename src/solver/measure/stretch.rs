@@ -17,6 +17,9 @@ pub struct Stretch {
     /// Whether it begins on a symmetry line.
     #[serde(skip)]
     pub on_line: bool,
+    /// Where the first of the edges that tell it begins, and the last one ends.
+    #[serde(skip)]
+    pub edges: [f64; 2],
 }
 
 impl Stretch {
@@ -48,14 +51,13 @@ pub fn closed(pair: &ContactPair, part: Part, floor: f64) -> Vec<Stretch> {
     stretches
 }
 
-/// How far points press by more than a floor beyond the ends of stretches, one after the other from there \[mm, or rad\].
+/// How far points press by more than a floor beyond the ends of stretches, one after the other from the edges that tell these \[mm, or rad\].
 pub fn faint(points: &[PointState], stretches: &[Stretch], floor: f64) -> f64 {
-    let beyond = |stretch: &Stretch| {
+    let beyond = |Stretch { begin, end, edges: [first, last], .. }: &Stretch| {
         let presses = |point: &&PointState| point.pressure > floor;
-        let after = points.iter().skip_while(|point| point.position <= stretch.end).take_while(presses).last();
-        let before = points.iter().rev().skip_while(|point| point.position >= stretch.begin).take_while(presses).last();
-        let after = after.map_or(0.0, |last| last.position - stretch.end);
-        before.map_or(0.0, |first| stretch.begin - first.position).max(after)
+        let after = points.iter().skip_while(|point| point.position <= *last).take_while(presses).last();
+        let before = points.iter().rev().skip_while(|point| point.position >= *first).take_while(presses).last();
+        before.map_or(0.0, |first| begin - first.position).max(after.map_or(0.0, |last| last.position - end))
     };
     stretches.iter().map(beyond).fold(0.0, f64::max)
 }
@@ -95,7 +97,8 @@ fn one(pair: &ContactPair, part: Part, floor: f64, [from, to]: [usize; 2]) -> St
         _ if many => nodal::end(&pressed),
         _ => end(&edges[to - half..behind], behind - to),
     };
-    Stretch { begin, end, reaches, on_line: on_line || is_at_line(pair, begin) }
+    let told = [edges[before].ends[0], edges[behind - 1].ends[1]];
+    Stretch { begin, end, reaches, on_line: on_line || is_at_line(pair, begin), edges: told }
 }
 
 /// Whether a contact that begins at a place begins on its symmetry line, if it has one.
