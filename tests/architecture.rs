@@ -212,7 +212,7 @@ fn matrix_types_of_libraries_stay_inside_the_numerics() {
 
 /// Lines that a room may have; raised only by a commit that says what for.
 const BUDGETS: [(&str, usize); 9] = [
-    ("solver", 23_975),
+    ("solver", 24_000),
     ("drawing", 2_910),
     ("case", 8_126),
     ("oracle", 1_426),

@@ -3,17 +3,18 @@
 use std::fmt::Display;
 
 use approx::assert_relative_eq;
+use contact_vv::accuracy::{self, Asked};
 use contact_vv::case::Case;
 use contact_vv::error::Error;
 use contact_vv::mesh::Order;
 use contact_vv::scene::Shape;
-use contact_vv::solve::Discretisation;
+use contact_vv::solve::{Discretisation, Formulation};
 
 use crate::balance::solved_as_it_says;
 use crate::program::Folder;
 use crate::scene_fuzz::mutated;
 use crate::scene_mistakes::assert_told;
-use crate::workbench::{self, noise};
+use crate::workbench::{self, noise, parsed};
 
 /// A body of 3 × 2 cells on 0 … 2 × 0 … 1, none of them a rectangle, every other one listed clockwise, with sparse numbers.
 pub struct Body {
@@ -727,4 +728,49 @@ fn quadrilaterals_with_a_node_twice_are_triangles_and_files_that_are_no_mesh_say
     {
         workbench::refused(read(name, text.as_bytes()), &["meshio convert", name]);
     }
+}
+
+/// Halving keeps how much coarser the other side is: its cells are made no longer than those of the mesh from the start.
+#[test]
+fn a_mesh_of_4_node_cells_is_answered_on_a_body_that_is_meshed_beside_it() {
+    let (columns, rows) = (24, 14);
+    let tag = |i: usize, j: usize| 100 * i + j + 1;
+    let all = || (0..=columns).flat_map(|i| (0..=rows).map(move |j| (i, j)));
+    let place = |i: usize, j: usize| [40.0 * i as f64 / columns as f64 - 20.0, 24.0 * j as f64 / rows as f64];
+    let node = |(i, j)| format!("{}, {}, {}\n", tag(i, j), place(i, j)[0], place(i, j)[1]);
+    let cell = |(i, j)| {
+        let corners = [tag(i, j), tag(i + 1, j), tag(i + 1, j + 1), tag(i, j + 1)];
+        format!("{}, {}\n", tag(i, j), corners.map(|corner| corner.to_string()).join(", "))
+    };
+    let set = |name: &str, j: usize| {
+        let own: String = (0..=columns).map(|i| format!("{},\n", tag(i, j))).collect();
+        format!("*NSET, NSET={name}\n{own}")
+    };
+    let nodes: String = all().map(node).collect();
+    let cells: String = all().filter(|(i, j)| *i < columns && *j < rows).map(cell).collect();
+    let sides = set("down", 0) + &set("up", rows);
+    let deck = format!("*NODE\n{nodes}*ELEMENT, TYPE=CPS4, ELSET=plate\n{cells}{sides}");
+    let scene = |shape: &str, far: &str| {
+        format!(
+            "plane = \"stress\"\nthickness = 2.5\n[[body]]\nname = \"plate\"\nyoung = 70e3\npoisson = 0.33\nshape = {shape}\n\
+             supports = [{{ at = [-20, 24], component = \"x\" }}]\n\
+             loads = [{{ pressure = {{ at = \"{far}\", law = {{ polynomial = {{ along = \"x\", coefficients = [60, 1] }} }} }} }}]\n\
+             [[body]]\nname = \"base\"\nyoung = 210e3\npoisson = 0.3\n\
+             shape = {{ rectangle = {{ x = [-40, 40], y = [-50, 0], contact = \"top\" }} }}\n\
+             supports = [{{ at = \"far\", component = \"y\" }}, {{ at = \"left\", component = \"x\" }}]\n\
+             [contact]\nfirst = \"plate\"\nsecond = \"base\"\nboth-sides = true\ngap = {{ parabola = 900 }}\nstretch = 18\n\
+             [mesh]\naccuracy = \"1 %\"\n"
+        )
+    };
+    let answer = |case: &Case, asked: f64| {
+        let answer = accuracy::solve(&case.scene, &Formulation::verification(), &Asked::new(asked)).expect("solved");
+        assert_eq!(answer.unmet, None);
+        answer
+    };
+    let ours = parsed(&scene("{ rectangle = { x = [-20, 20], y = [0, 24], contact = \"bottom\" } }", "far"));
+    let truth = answer(&ours, 1e-3).run.measures().peak.pressure;
+    let given = scene("{ mesh = { file = \"a.inp\", group = \"plate\", contact = \"down\" } }", "up");
+    let found = answer(&beside("a.inp", deck.as_bytes(), &given).expect("a case"), 3e-2);
+    assert!(found.run.dofs < 20_000, "{}", found.run.dofs);
+    assert_relative_eq!(found.run.measures().peak.pressure, truth, max_relative = 5e-3);
 }

@@ -38,6 +38,7 @@ pub(super) fn first(scene: &Scene) -> (Scene, Resolution) {
     let [along, depth, coarsest] = GROWTH;
     first.grading = Grading { unit: 1.0, along, depth, first: 1.0, coarsest, end: 1.0 };
     fit(&mut first, 1.0);
+    as_fine_as_given(&mut first);
     let given = scene.bodies.iter().find_map(|body| match &body.shape {
         Shape::Given(mesh) => Some(mesh.order()),
         _ => None,
@@ -213,6 +214,27 @@ fn fit(scene: &mut Scene, margin: f64) {
     let densities: Vec<f64> = groups.iter().enumerate().map(density).collect();
     scene.bodies.iter_mut().zip(densities).for_each(|(body, density)| body.density = density);
     scene.grading.unit = unit;
+}
+
+/// Gives bodies that are meshed here elements no longer than those of a given mesh that they touch: halving keeps the ratio of both, and the nodes
+/// of a coarser side show in the pressures of the finer one.
+fn as_fine_as_given(scene: &mut Scene) {
+    for pair in &scene.contacts {
+        let [ours, given]: [Vec<usize>; 2] = [false, true].map(|is_given| {
+            pair.bodies().filter(|body| scene.bodies[*body].shape.has_given_mesh() == is_given).collect()
+        });
+        let ([ours], [given]) = (&ours[..], &given[..]) else { continue };
+        let Shape::Given(mesh) = &scene.bodies[*given].shape else { continue };
+        let edges = mesh.boundaries.get(pair.side(*given)).map_or(&[][..], Vec::as_slice);
+        let length = |edge: &Vec<usize>| {
+            let [a, b] = [edge[0], edge[1]].map(|node| mesh.points[node]);
+            (b[0] - a[0]).hypot(b[1] - a[1])
+        };
+        let mean = edges.iter().map(length).sum::<f64>() / edges.len() as f64;
+        let density = scene.grading.unit / (FIRST as f64 * mean);
+        let body = &mut scene.bodies[*ours];
+        body.density = body.density.max(density);
+    }
 }
 
 /// For each body the first of those that it touches, directly or through others.
