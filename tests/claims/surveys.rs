@@ -1,9 +1,11 @@
 //! Records of surveys: judged, resumed and recomputed, and red where they are spoiled.
 
 use std::cell::Cell;
+use std::f64::consts::PI;
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
+use contact_vv::case::library::TruncatedHertz;
 use contact_vv::solve::Ended;
 use contact_vv::solve::unbounded;
 use contact_vv::study::promised::converged::{Record, SURVEY, Site};
@@ -169,4 +171,18 @@ fn numbers_keep_three_digits_in_millionths() {
         assert!(!number.is_normal() || !read.is_like(Millionths(1.02 * number), 0.0), "{text}");
     }
     assert!(Millionths::try_from("three".to_string()).is_err());
+}
+
+/// A peak of truncated Hertz over `√(PE*/πR)` is 1 to the digits that records keep, and over that of a load 3 % larger it is not.
+#[test]
+fn a_number_that_is_solved_again_is_like_hertzs_and_not_like_that_of_another_load() {
+    let numbers = TruncatedHertz::default();
+    let case = numbers.case();
+    let peak = case.solve().expect("solved").1.measures().peak.pressure;
+    let modulus = numbers.young / (1.0 - numbers.poisson * numbers.poisson);
+    let half_width = numbers.a_over_r * numbers.radius;
+    let load = PI * modulus * half_width * half_width / (4.0 * numbers.radius);
+    let hertz = |load: f64| (load * modulus / (PI * numbers.radius)).sqrt();
+    let is_like = |load: f64| Millionths(peak / hertz(load)).is_like(Millionths(1.0), 0.0);
+    assert!(is_like(load) && !is_like(1.03 * load) && !is_like(0.97 * load), "{peak}");
 }
