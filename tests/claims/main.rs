@@ -71,6 +71,7 @@ mod referee_field;
 mod referee_fuzz;
 mod referee_grid;
 mod referee_halves;
+mod referee_local;
 mod referee_mistakes;
 mod referee_parts;
 mod referee_readers;
