@@ -77,6 +77,7 @@ mod referee_parts;
 mod referee_readers;
 mod referee_refusals;
 mod referee_series;
+mod referee_tables;
 mod referee_wild;
 mod references;
 mod revolution;
