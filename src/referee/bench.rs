@@ -51,9 +51,9 @@ impl Bench<'_> {
         let Profile { scene, contact, between, points, has_forces, .. } = self.profile;
         let value = of(self.measures, points);
         let is_off = |value: &f64| (value - truth).abs() > allowed;
-        let is_drawn = !between.is_empty() && !(*has_forces && *number == Quantity::Resultant);
+        let is_told = between.is_empty() || *has_forces && *number == Quantity::Resultant;
         let drawn = || of(&Measures::of(scene, *contact, Part { points: between, edges: &[], nodes: 2 }), between);
-        let drawn = (is_off(&value) && is_drawn).then(drawn);
+        let drawn = (is_off(&value) && !is_told).then(drawn);
         drawn.filter(|drawn| !is_off(drawn)).unwrap_or(value)
     }
 

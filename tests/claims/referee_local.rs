@@ -2,7 +2,9 @@
 
 use std::ops::Range;
 
-use crate::handed::{PRESSURES, failed, judged_rows};
+use contact_vv::referee::{Asked, Profile};
+
+use crate::handed::{PRESSURES, failed, judged_rows, read, table};
 use crate::workbench::truth;
 
 /// Places, so far apart, up to a last one.
@@ -38,6 +40,10 @@ fn what_is_wrong_over_a_few_points_fails_where_the_pressure_of_the_truth_is_stra
             assert!(of_norm(&named), "{case}, {range:?}: {named:?}");
         }
     }
+    // Three points whose force the others have: the resultant is right, and so is the width.
+    let row = |(k, s)| [s, 100.0 * if (16..19).contains(&k) { 0.62 } else { 1.009 }];
+    let found = judged_rows(truth("patch"), PRESSURES, places(0.125, 10.0).enumerate().map(row));
+    assert!(failed(&found).iter().any(|one| one.starts_with("error of the mean pressures")), "{:?}", failed(&found));
     // Few points are as right.
     for count in [2, 4, 7] {
         let of_patch = places(10.0 / f64::from(count), 10.0);
@@ -62,9 +68,26 @@ fn up_to_four_points_in_a_row_that_depart_from_those_beside_them_are_named() {
         }
         assert_eq!(among(count, 0.95), [""; 0], "{count}");
     }
+    // Of so many points the norm does not show two.
+    let named = off("truncated-hertz", PRESSURES, places(0.0025, 4.0), 400..402, 0.8);
+    assert!(matches!(&named[..], [one] if one.contains("2 points in a row, most, at 1.00")), "{named:?}");
     // On both sides of the middle, of which one half is handed in.
     for range in [0..2, 0..4, 1..4, 2..4] {
         let named = off("truncated-hertz", PRESSURES, places(0.005, 4.0), range.clone(), 0.8);
         assert!(named.iter().any(|one| one.contains("in a row")), "{range:?}: {named:?}");
     }
+}
+
+#[test]
+fn of_a_great_many_points_no_more_are_drawn_between_them() {
+    let truth = truth("truncated-hertz");
+    let drawn = |count: i32| {
+        let step = 4.0 / f64::from(count);
+        let rows = places(step, 4.0).map(|s| [s, truth.pressure(0, s)]);
+        let answer = read(&truth.case, "many.csv", table(PRESSURES, rows), &Asked::default()).expect("read");
+        let profile = Profile::of(&truth.case.scene, &answer.contacts[0]);
+        profile.between.len() as f64 / f64::from(count)
+    };
+    assert!(drawn(40) > 10.0, "{}", drawn(40));
+    assert!(drawn(100_000) < 1.1, "{}", drawn(100_000));
 }

@@ -13,7 +13,8 @@ fn places() -> impl Iterator<Item = f64> {
 }
 
 fn found(name: &str, text: &str, asked: &Asked) -> Verdicts {
-    judged(parsed(name, text, asked).expect(text.lines().next().unwrap_or_default())).expect("judged")
+    let read = parsed(name, text, asked).and_then(judged);
+    read.unwrap_or_else(|error| panic!("{:?}: {error}", text.lines().next()))
 }
 
 #[test]

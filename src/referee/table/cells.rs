@@ -133,7 +133,7 @@ fn in_brackets(title: &str) -> Option<(&str, Option<&str>)> {
 }
 
 /// What stands behind the name that a column usually has, where units do and it is none that is known.
-pub(super) fn unknown_unit<'a>(title: &'a str, role: Role) -> Option<&'a str> {
+pub(super) fn unknown_unit(title: &str, role: Role) -> Option<&str> {
     let behind = |name: &&str| {
         let rest = title.get(name.len()..).filter(|_| title.to_lowercase().starts_with(*name))?;
         ["_", "/", " in "].iter().find_map(|mark| rest.strip_prefix(mark)).filter(|unit| !unit.is_empty())
