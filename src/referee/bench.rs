@@ -3,6 +3,7 @@
 use crate::case::{self, Check, Judged};
 use crate::markdown;
 use crate::measure::{Measures, Quantity};
+use crate::referee::between::STRAIGHT;
 use crate::referee::profile::Profile;
 use crate::referee::truth::{Known, Truth};
 use crate::solution::{Part, PointState};
@@ -50,9 +51,9 @@ impl Bench<'_> {
         let Profile { scene, contact, between, points, has_forces, .. } = self.profile;
         let value = of(self.measures, points);
         let is_off = |value: &f64| (value - truth).abs() > allowed;
-        let is_drawn = !between.is_empty() && !(*has_forces && *number == Quantity::Resultant);
+        let is_told = between.is_empty() || *has_forces && *number == Quantity::Resultant;
         let drawn = || of(&Measures::of(scene, *contact, Part { points: between, edges: &[], nodes: 2 }), between);
-        let drawn = (is_off(&value) && is_drawn).then(drawn);
+        let drawn = (is_off(&value) && !is_told).then(drawn);
         drawn.filter(|drawn| !is_off(drawn)).unwrap_or(value)
     }
 
@@ -102,13 +103,30 @@ impl Bench<'_> {
         self.longest(self.profile.edges.iter().map(|edge| edge.ends))
     }
 
-    /// The same, of samples along a line the longest straight one of those within the contact, as far as edges of an answer go.
+    /// The same, of samples along a line the longest straight one of those within the contact, as far as edges of an answer go. It is an edge only
+    /// where the truth bends along it: where that is as straight, points are as far apart as they say.
     pub fn size_of_lines(&self) -> f64 {
         let [begin, end] = [self.measures.begin(), self.measures.edge()];
         let lines = self.profile.lines.windows(2).map(|two| [two[0], two[1]]);
-        let within = lines.filter(|[from, to]| (begin..=end).contains(&(0.5 * (from + to))));
+        let is_within = |[from, to]: &[f64; 2]| (begin..=end).contains(&(0.5 * (from + to)));
+        let within = lines.filter(|line| is_within(line) && self.bends(*line));
         let most = WIDEST * self.half_width_known().reference.value;
         self.longest(within).min(most).max(self.size_at_end())
+    }
+
+    /// Whether the pressure of the truth departs from a straight line along a stretch, by more than it may itself be off.
+    fn bends(&self, [from, to]: [f64; 2]) -> bool {
+        let contact = self.profile.contact;
+        let known = |share: f64| self.truth.pressure(contact, from + share * (to - from));
+        let [first, last] = [0.0, 1.0].map(known);
+        let bar = self.truth.of_profile(contact).bar;
+        let peak = self.truth.known(contact, &Quantity::PeakPressure).reference.value;
+        let is_straight = |part: usize| {
+            let share = part as f64 / ALONG as f64;
+            // A pressure without limit bends.
+            (known(share) - (first + share * (last - first))).abs() <= (STRAIGHT + bar) * peak
+        };
+        !(1..ALONG).all(is_straight)
     }
 
     fn longest(&self, edges: impl Iterator<Item = [f64; 2]>) -> f64 {
@@ -125,6 +143,8 @@ impl Bench<'_> {
 const FEW: usize = 4;
 /// Edges of an answer that is sampled are no wider, over the half-width: four on it.
 const WIDEST: f64 = 0.25;
+/// Parts of a stretch between which it is seen whether the truth bends along it.
+const ALONG: usize = 8;
 
 /// Linear between places that rise, each with what is known there.
 pub fn along(known: &[(f64, f64)], at: f64) -> f64 {

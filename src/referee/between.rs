@@ -5,6 +5,8 @@ use crate::referee::answer::{Handed, Point};
 
 /// Parts into which what lies between two points is cut: the end of a root leaves `0.2/PARTS^1.5` of what lies in its part.
 const PARTS: usize = 16;
+/// Parts between all points together from which on fewer between two of them will do: the part at the end is a small one of the contact.
+const ALL: usize = 64_000;
 
 /// Square that a parabola has at the first point that does not press, over that of the last that does, up to which it ends there.
 const ENDS: f64 = 0.25;
@@ -26,6 +28,7 @@ pub fn by_lines(handed: &Handed) -> Handed {
 /// Roots of the parabolas through the squares of the three points around, which draw `p ∝ √(a² − s²)` exactly up to its end between two points; a
 /// straight line where three do not press, or the parabola has no end where the points do.
 pub fn by_roots(points: &[Point]) -> Vec<Point> {
+    let parts = (ALL / points.len()).clamp(1, PARTS);
     let presses = |k: &usize| points.get(*k).is_some_and(|point| point.value > 0.0);
     let square = |k: usize| (points[k].position, points[k].value.powi(2));
     let between = |k: usize| {
@@ -42,8 +45,8 @@ pub fn by_roots(points: &[Point]) -> Vec<Point> {
         let lowest = ENDS * a.value.max(b.value).powi(2);
         let ends = |point: &Point| point.value > 0.0 || squared(point.position).is_none_or(|square| square <= lowest);
         let is_root = ends(&a) && ends(&b) && (a.value > 0.0 || b.value > 0.0);
-        (0..PARTS).map(move |part| {
-            let share = part as f64 / PARTS as f64;
+        (0..parts).map(move |part| {
+            let share = part as f64 / parts as f64;
             let position = a.position + share * (b.position - a.position);
             let line = a.value + share * (b.value - a.value);
             let root = squared(position).filter(|_| is_root && part > 0).map(|square| square.max(0.0).sqrt());
@@ -55,7 +58,7 @@ pub fn by_roots(points: &[Point]) -> Vec<Point> {
 }
 
 /// Difference from a straight line, over the largest pressure, that digits explain.
-const STRAIGHT: f64 = 1e-5;
+pub const STRAIGHT: f64 = 1e-5;
 
 /// Places between which pressures lie on straight lines: the ends of edges, of which samples along a line tell many points each.
 pub fn lines(points: &[Point]) -> Vec<f64> {

@@ -11,7 +11,7 @@ use crate::mesh::Order;
 use crate::referee::answer::{Handed, Point, places};
 use crate::referee::judge::{fails_by_width, judge};
 use crate::referee::norm;
-use crate::referee::profile::{Profile, ended, from_axis, tributary};
+use crate::referee::profile::{HALF, Profile, ended, from_axis, tributary};
 use crate::referee::truth::Truth;
 use crate::referee::units::{Role, Units, is_angle};
 use crate::scene::{ContactPair, PlaneHypothesis, Scene};
@@ -91,7 +91,11 @@ fn of_points(truth: &Truth, handed: &Handed) -> Vec<Correction> {
         let shifts = shifts(scene, handed).into_iter().filter(|(_, moved)| off(truth, moved) <= EXPLAINED * before);
         shifts.for_each(|(says, shifted)| tried(&says, shifted));
         let [corners, between] = [0, 1].map(|first| handed.points.iter().copied().skip(first).step_by(2));
-        if !handed.forces && between.clone().all(|point| point.value.abs() <= 0.0) {
+        let is_middle = |three: &[Point]| {
+            HALF.contains(&((three[1].position - three[0].position) / (three[2].position - three[0].position)))
+        };
+        let are_middles = || handed.points.windows(3).step_by(2).all(is_middle);
+        if !handed.forces && between.clone().all(|point| point.value.abs() <= 0.0) && are_middles() {
             let corrected = Handed { order: Order::Linear, ..with(handed, corners) };
             tried("every second node is a mid-side with a pressure of 0: hand in the corners alone", corrected);
         }

@@ -89,9 +89,8 @@ impl Verdicts {
 pub fn verdicts(truth: &Truth, answer: Answer, tolerance: f64) -> Result<Verdicts, Error> {
     let scene = &truth.case.scene;
     let handed = || (0..scene.contacts.len()).filter_map(|contact| answer.of(contact));
-    let profiles: Vec<Profile> = handed().map(|handed| Profile::of(scene, handed)).collect();
-    for (handed, profile) in handed().zip(&profiles) {
-        complete::all(truth, &answer, handed, profile, tolerance)?;
+    for handed in handed() {
+        complete::all(truth, &answer, handed, &Profile::of(scene, handed), tolerance)?;
     }
     let profiles: Vec<Profile> = handed().map(|handed| Profile::of(scene, &profile::ended(truth, handed))).collect();
     let mut ruled: Vec<Ruled> = profiles.iter().map(|profile| judge::judge(truth, profile, tolerance)).collect();

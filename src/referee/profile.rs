@@ -110,7 +110,7 @@ const SAME: f64 = 1e-9;
 /// Edges of the answer within which an end counts as that of the contact, which ours is read to a part of one.
 pub const EDGES: f64 = 1.1;
 /// Steps before the last candidate at which the middle of an edge lies: half of one where edges are alike.
-const HALF: std::ops::Range<f64> = 0.3..0.7;
+pub const HALF: std::ops::Range<f64> = 0.3..0.7;
 
 /// What was handed in of a contact, with the points beyond that carry nothing where those that press alone are listed, and its ends where the
 /// points are the middles of edges and it reaches to the last candidates.

@@ -38,7 +38,7 @@ impl State {
 
     /// Refuses to choose in a file of one state.
     pub fn only(file: &Path) -> Error {
-        let remedy = "leave them out: they choose among those of a .frd or .dat of CalculiX, of a .pvd, or of a table's column `time`";
+        let remedy = "leave them out: they choose among those of a .frd or .dat of CalculiX, of a .pvd, or of a table's column `time`, `step` or `frame`";
         Error::file(file, "--time and --step are asked for, and it has one state", remedy)
     }
 

@@ -1,5 +1,7 @@
 //! The truth of a case: its closed form where it has one, else our own fine answer; each with what it may itself be off.
 
+use std::sync::OnceLock;
+
 use crate::accuracy::reference::{self, Known as Answered};
 use crate::accuracy::{Bar, Barred, bars};
 use crate::case::{self, Case, Reference};
@@ -33,7 +35,9 @@ pub struct Truth {
     /// The run on a mesh fitted to the contact, whose pressures are known better; none where there is none, or they are not.
     pub fitted: Option<Run>,
     /// Our own answer on the mesh that the case is exported on: known from the first field on that is judged.
-    pub exported: std::sync::OnceLock<Exported>,
+    pub exported: OnceLock<Exported>,
+    /// Whether its profile is that of a closed form, known from the first pressure on that is read.
+    is_closed: OnceLock<bool>,
 }
 
 /// Our own answer on the mesh that a case is exported on.
@@ -77,7 +81,15 @@ impl Truth {
             let taken: Vec<&Answered> = known.iter().filter(|known| takes(&mut bars, known)).collect();
             taken.iter().any(|known| known.quantity == Quantity::PeakPressure).then_some(run)
         });
-        Ok(Self { case, discretisation, run, bars, fitted, exported: Default::default() })
+        Ok(Self {
+            case,
+            discretisation,
+            run,
+            bars,
+            fitted,
+            exported: Default::default(),
+            is_closed: Default::default(),
+        })
     }
 
     /// What the closed forms of the case say that our own run contradicts.
@@ -161,7 +173,7 @@ impl Truth {
 
     /// Whether the profile is that of a closed form, which is about s = 0: not of a contact whose centre of pressure lies elsewhere.
     pub fn has_closed_profile(&self) -> bool {
-        self.closed_profile().is_some()
+        *self.is_closed.get_or_init(|| self.closed_profile().is_some())
     }
 
     fn closed_profile(&self) -> Option<Reference> {

@@ -51,6 +51,7 @@ impl Role {
                 "x coordinate",
                 "coor_x",
                 "locx",
+                "xg",
                 "r",
             ],
             Self::Y => &[
@@ -63,6 +64,7 @@ impl Role {
                 "y coordinate",
                 "coor_y",
                 "locy",
+                "yg",
                 "z",
             ],
             Self::Pressure => {
@@ -89,10 +91,12 @@ impl Role {
         }
     }
 
-    /// What a unit of it is in ours; none where that is not known. `N/mm²` and `N / mm^2` are `N/mm2`, `µm` is `um`, `inch` is `in`.
+    /// What a unit of it is in ours; none where that is not known. `N/mm²` and `N / mm^2` are `N/mm2`, `µm` is `um`, `inch` is `in`; `MPA` and
+    /// `Mpa` are `MPa`, but `mPa` is none of these.
     pub fn factor(self, unit: &str) -> Option<f64> {
         let plain = unit.replace(['^', '*', ' '], "").replace('²', "2").replace(['µ', 'μ'], "u").replace("inch", "in");
-        self.units().iter().find(|(known, _)| *known == plain).map(|(_, factor)| *factor)
+        let usual = LETTERS.iter().find(|(own, _)| *own == plain).map_or(&*plain, |(_, usual)| usual);
+        self.units().iter().find(|(known, _)| *known == usual).map(|(_, factor)| *factor)
     }
 
     /// What is wrong, and what to do, where a file says one unit and --unit names another; none where both are one, or one is not known.
@@ -118,10 +122,24 @@ const DEGREE: f64 = std::f64::consts::PI / 180.0;
 const POUND: f64 = 4.448_221_615_260_5;
 const INCH: f64 = 25.4;
 const PSI: f64 = POUND / (INCH * INCH);
-const PLACES: [(&str, f64); 8] =
-    [("mm", 1.0), ("m", 1e3), ("um", 1e-3), ("cm", 10.0), ("in", INCH), ("rad", 1.0), ("deg", DEGREE), ("°", DEGREE)];
-const LENGTHS: [(&str, f64); 5] = [("mm", 1.0), ("m", 1e3), ("um", 1e-3), ("cm", 10.0), ("in", INCH)];
-const PRESSURES: [(&str, f64); 10] = [
+/// Units in the capital letters in which programs write them, where no other has these.
+const LETTERS: [(&str, &str); 7] =
+    [("MPA", "MPa"), ("Mpa", "MPa"), ("GPA", "GPa"), ("KPA", "kPa"), ("N/MM2", "N/mm2"), ("PSI", "psi"), ("MM", "mm")];
+const PLACES: [(&str, f64); 10] = [
+    ("mm", 1.0),
+    ("m", 1e3),
+    ("um", 1e-3),
+    ("nm", 1e-6),
+    ("cm", 10.0),
+    ("in", INCH),
+    ("ft", 12.0 * INCH),
+    ("rad", 1.0),
+    ("deg", DEGREE),
+    ("°", DEGREE),
+];
+const LENGTHS: [(&str, f64); 7] =
+    [("mm", 1.0), ("m", 1e3), ("um", 1e-3), ("nm", 1e-6), ("cm", 10.0), ("in", INCH), ("ft", 12.0 * INCH)];
+const PRESSURES: [(&str, f64); 13] = [
     ("MPa", 1.0),
     ("N/mm2", 1.0),
     ("kPa", 1e-3),
@@ -129,9 +147,12 @@ const PRESSURES: [(&str, f64); 10] = [
     ("GPa", 1e3),
     ("kN/mm2", 1e3),
     ("N/m2", 1e-6),
+    ("MN/m2", 1.0),
     ("bar", 0.1),
+    ("atm", 0.101_325),
     ("psi", PSI),
     ("ksi", 1e3 * PSI),
+    ("lbf/in2", PSI),
 ];
 const FORCES: [(&str, f64); 3] = [("N", 1.0), ("kN", 1e3), ("lbf", POUND)];
 const AREAS: [(&str, f64); 4] = [("mm2", 1.0), ("m2", 1e6), ("cm2", 100.0), ("in2", INCH * INCH)];
@@ -145,13 +166,13 @@ pub fn is_angle(unit: &str) -> bool {
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Units {
-    /// Of positions: mm, m, um, cm or in on a straight path; deg or rad on an arc.
+    /// Of positions: mm, m, um, nm, cm, in or ft on a straight path; deg or rad on an arc.
     pub position: Option<String>,
-    /// Of pressures: MPa, N/mm2, kPa, Pa, GPa, kN/mm2, N/m2, bar, psi or ksi.
+    /// Of pressures: MPa, N/mm2, kPa, Pa, GPa, kN/mm2, N/m2, MN/m2, bar, atm, psi, ksi or lbf/in2.
     pub pressure: Option<String>,
     /// Of forces: N, kN or lbf.
     pub force: Option<String>,
-    /// Of gaps: mm, m, um, cm or in.
+    /// Of gaps: mm, m, um, nm, cm, in or ft.
     pub gap: Option<String>,
     /// Of areas: mm2, m2, cm2 or in2.
     pub area: Option<String>,

@@ -19,12 +19,15 @@ use crate::referee_wild::{judged, parsed, tiny, usual};
 use crate::workbench::refused;
 
 /// What a unit is in ours, by its definition.
-const UNITS: [(Role, &str, f64); 31] = [
+const UNITS: [(Role, &str, f64); 40] = [
     (Role::Position, "mm", 1.0),
     (Role::Position, "m", 1000.0),
     (Role::Position, "um", 0.001),
     (Role::Position, "µm", 0.001),
+    (Role::Position, "nm", 0.000_001),
     (Role::Position, "cm", 10.0),
+    (Role::Position, "ft", 304.8),
+    (Role::Position, "MM", 1.0),
     (Role::Position, "in", 25.4),
     (Role::Pressure, "MPa", 1.0),
     (Role::Pressure, "N/mm2", 1.0),
@@ -35,12 +38,18 @@ const UNITS: [(Role, &str, f64); 31] = [
     (Role::Pressure, "N/m^2", 0.000_001),
     (Role::Pressure, "GPa", 1000.0),
     (Role::Pressure, "kN/mm2", 1000.0),
+    (Role::Pressure, "MN/m2", 1.0),
+    (Role::Pressure, "MPA", 1.0),
+    (Role::Pressure, "Mpa", 1.0),
     (Role::Pressure, "bar", 0.1),
+    (Role::Pressure, "atm", 0.101_325),
+    (Role::Pressure, "lbf/in2", 0.006_894_757_293),
     (Role::Pressure, "psi", 0.006_894_757_293),
     (Role::Pressure, "ksi", 6.894_757_293),
     (Role::Gap, "mm", 1.0),
     (Role::Gap, "m", 1000.0),
     (Role::Gap, "um", 0.001),
+    (Role::Gap, "nm", 0.000_001),
     (Role::Gap, "cm", 10.0),
     (Role::Gap, "in", 25.4),
     (Role::Area, "mm2", 1.0),

@@ -28,7 +28,7 @@ fn what_is_unknown_is_asked_for_with_file_found_and_remedy() {
     refused(read(&case, "theirs.csv", good, &named), &["theirs.csv", "there is no column `cpress`", "--column"]);
     // What --unit names is none in place of what stands in brackets, known or not, and no remedy.
     let megapascals = in_units(&[(Role::Pressure, "MPa")]);
-    for unit in ["[N/mm]", "(kN/cm^2)", "[mPa]", "/ kN / cm^2", "[torr]"] {
+    for unit in ["[N/mm]", "(kN/cm^2)", "[mPa]", "/ kN / cm^2", "[torr]", "(1e3 MPa)", "[10^3*Pa] (nodal)"] {
         let read = read(&case, "theirs.csv", good.replace("[MPa]", unit), &megapascals);
         refused(read, &["theirs.csv", "the unit", "write a known one in its place"]);
     }

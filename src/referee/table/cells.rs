@@ -65,12 +65,24 @@ pub(super) fn is_data(cells: &[String]) -> bool {
         && others.iter().all(|cell| !cell.starts_with(|first: char| first.is_ascii_digit()))
 }
 
-/// A number with a point or a comma; its exponent may begin with the D of Fortran.
+/// A number with a point or a comma; its exponent may begin with the D of Fortran, or with its sign where that of Fortran has three digits.
 pub(super) fn number(cell: &str) -> Option<f64> {
     let plain = cell.replace(['D', 'd'], "E").replace('−', "-");
     // Where both stand in it, one may be between thousands.
-    if plain.contains(',') && plain.contains('.') { None } else { plain.replacen(',', ".", 1).parse().ok() }
+    if plain.contains(',') && plain.contains('.') {
+        return None;
+    }
+    let plain = plain.replacen(',', ".", 1);
+    let signed = || {
+        let (own, power) = plain.split_at(plain.rfind(['+', '-'])?);
+        let is_it = own.contains('.') && POWERS.contains(&power.len());
+        format!("{own}E{power}").parse().ok().filter(|_| is_it)
+    };
+    plain.parse().ok().or_else(signed)
 }
+
+/// Letters of a power of ten that stands behind a number without an E: its sign, and two or three digits.
+const POWERS: [usize; 2] = [3, 4];
 
 /// Whether a cell begins as numbers do, or stands for one that is not there.
 pub(super) fn is_like_number(cell: &str) -> bool {
@@ -92,10 +104,41 @@ pub(super) fn is_known_unit(name: &str) -> bool {
     Role::ALL.iter().any(|role| role.factor(name).is_some())
 }
 
-/// Whether it is written as units are, known or not: a quotient, a power, or a known one in other letters.
+/// Whether it is written as units are, known or not: a quotient, a power, a known one in other letters, or one with a factor before it.
 pub(super) fn is_like_unit(name: &str) -> bool {
     let mut known = Role::ALL.iter().flat_map(|role| role.units());
-    name.contains(['/', '^', '²']) || known.any(|(known, _)| known.eq_ignore_ascii_case(name))
+    name.contains(['/', '^', '²']) || has_factor(name) || known.any(|(known, _)| known.eq_ignore_ascii_case(name))
+}
+
+/// Whether it is a known unit with a number before it, as `1e3 MPa`.
+fn has_factor(name: &str) -> bool {
+    let parts = name.rsplit_once([' ', '*', '·', '×']);
+    parts.is_some_and(|(factor, unit)| is_known_unit(unit) && factor.contains(|letter: char| letter.is_ascii_digit()))
+}
+
+/// The name before the last brackets that hold a known unit, or else one with a factor, whatever stands behind them: `pressure [kPa] (nodal)`,
+/// `solid.Tn (MPa) @ t=1`.
+fn in_brackets(title: &str) -> Option<(&str, Option<&str>)> {
+    let (mut found, mut with_factor, mut from) = (None, None, 0);
+    while let Some(open) = title[from..].find(['[', '(']).map(|open| from + open) {
+        let close = if title[open..].starts_with('[') { ']' } else { ')' };
+        let Some(end) = title[open..].find(close).map(|end| open + end) else { break };
+        let unit = title[open + 1..end].trim();
+        let both = (title[..open].trim(), Some(unit));
+        found = is_known_unit(unit).then_some(both).or(found);
+        with_factor = has_factor(unit).then_some(both).or(with_factor);
+        from = end + 1;
+    }
+    found.or(with_factor)
+}
+
+/// What stands behind the name that a column usually has, where units do and it is none that is known.
+pub(super) fn unknown_unit(title: &str, role: Role) -> Option<&str> {
+    let behind = |name: &&str| {
+        let rest = title.get(name.len()..).filter(|_| title.to_lowercase().starts_with(*name))?;
+        ["_", "/", " in "].iter().find_map(|mark| rest.strip_prefix(mark)).filter(|unit| !unit.is_empty())
+    };
+    role.usual().iter().find_map(behind)
 }
 
 /// Name and unit of a column: `pressure [MPa]`, `pressure (MPa)`, `pressure / MPa`, `pressure in MPa` or `pressure_MPa`.
@@ -114,7 +157,8 @@ pub fn split<'a>(title: &'a str) -> (&'a str, Option<&'a str>) {
     let joined = || title.rsplit_once('_').and_then(|both| known('_', both));
     let words = || title.rsplit_once(" in ").filter(|(_, unit)| is_known_unit(unit));
     let within = || words().map(|(name, unit)| (name.trim(), Some(unit.trim())));
-    inside('[', ']')
+    in_brackets(title)
+        .or_else(|| inside('[', ']'))
         .or_else(|| inside('(', ')'))
         .or_else(over)
         .or_else(within)

@@ -3,7 +3,7 @@
 use crate::error::Error;
 use crate::referee::asked::Asked;
 use crate::referee::source::Source;
-use crate::referee::table::cells::{is_like_unit, split};
+use crate::referee::table::cells::{is_like_unit, split, unknown_unit};
 use crate::referee::units::{Role, is_angle};
 use crate::scene::Scene;
 
@@ -82,10 +82,13 @@ pub(super) fn columns(source: &Source, head: &[String], scene: &Scene, asked: &A
     if !has(Role::Position) && !has(Role::X) {
         let is_list = head.first().is_some_and(|title| title.to_lowercase().starts_with("node"));
         let remedy = if is_list { PLACES } else { HEADER };
-        return Err(source.refused(format!("no column is called `position` or `x`, but {}", shown()), remedy));
+        let unknown = unknown(head, [Role::Position, Role::X]);
+        return Err(source.refused(format!("no column is called `position` or `x`, but {}{unknown}", shown()), remedy));
     }
     if !has(Role::Pressure) && !has(Role::Force) {
-        return Err(source.refused(format!("no column is called `pressure` or `force`, but {}", shown()), HEADER));
+        let unknown = unknown(head, [Role::Pressure, Role::Force]);
+        let message = format!("no column is called `pressure` or `force`, but {}{unknown}", shown());
+        return Err(source.refused(message, HEADER));
     }
     let unit = |role: Role| {
         let own = found.iter().find(|(known, _)| *known == role).and_then(|(_, index)| split(&head[*index]).1);
@@ -103,6 +106,15 @@ pub(super) fn columns(source: &Source, head: &[String], scene: &Scene, asked: &A
         own => own,
     };
     used.map(|&(role, index)| column(source, role, index, &head[index], named(role))).collect()
+}
+
+/// What is said of a name that one of these roles usually has, with a unit behind it that is not known.
+fn unknown(head: &[String], roles: [Role; 2]) -> String {
+    let of = |role: Role| head.iter().find_map(move |title| Some((role, title, unknown_unit(title, role)?)));
+    let says = |(role, title, unit): (Role, &String, &str)| {
+        format!("; the unit `{unit}` of `{title}` is not known, as {} are", role.known_units())
+    };
+    roles.into_iter().find_map(of).map_or_else(String::new, says)
 }
 
 /// The columns that are named for a role, by title, or by number where no title is it.

@@ -1,5 +1,7 @@
 //! Lines of a table as names and rows of cells: what separates them, where the names stand, and which rows are of the state that is judged.
 
+use std::collections::BTreeSet;
+
 use crate::error::Error;
 use crate::referee::answer::FEWEST;
 use crate::referee::asked::Asked;
@@ -20,12 +22,20 @@ pub(super) const ONE: &str = "keep the table of the side, step and frame that is
 const TIMED: &str =
     "write the time of its state as a number beside every point, or leave the column out where all are of one state";
 
+/// What to do about rows of several states.
+const KEEP: &str = "name one of them by --time, or keep the rows of the state that is to be judged alone";
+
 /// What separates cells: the mark by which most lines are rows of numbers.
 const MARKS: [char; 4] = [';', '\t', ',', ' '];
 /// Lines by which what separates cells is found.
 const SEEN: usize = 1000;
-/// What columns of times are called, by code_aster too.
-const TIMES: [&str; 2] = ["time", "inst"];
+/// What columns of times are called, by code_aster and Ansys too.
+const TIMES: [&str; 3] = ["time", "inst", "time/freq"];
+/// What columns are called that tell states by their numbers.
+const STATES: [&str; 10] =
+    ["step", "frame", "increment", "inc", "substep", "load step", "loadstep", "timestep", "time step", "nume ordre"];
+/// Most states that are shown.
+const SHOWN: usize = 12;
 /// What lines below the numbers of a report begin with; `at` where no number follows.
 const BELOW: [&str; 4] = ["minimum", "maximum", "total", "at"];
 
@@ -76,7 +86,7 @@ impl<'a> Table<'a> {
                 }
                 continue;
             }
-            let own = fitting(line, mark, wanted);
+            let mut own = fitting(line, mark, wanted);
             // What begins like a number is of a row, which is refused where it is none.
             let is_word = |cell: &String| is_unit(cell) || number(cell).is_none() && !is_like_number(cell);
             match is_above && own.iter().all(is_word) {
@@ -92,7 +102,10 @@ impl<'a> Table<'a> {
                     return more.map_or(Ok(()), |more| Err(source.at(more, ANOTHER, ONE)));
                 }
                 false if own == names => return Err(source.at(line, ANOTHER, ONE)),
-                false => self.rows.push((line, own)),
+                false => {
+                    own.shrink_to_fit();
+                    self.rows.push((line, own));
+                }
             }
         }
         Ok(())
@@ -115,11 +128,12 @@ impl<'a> Table<'a> {
     /// Keeps the rows of the time that is asked for; of several times the last one is judged, as of grids.
     fn choose_state(&mut self, source: &Source, asked: &Asked) -> Result<(), Error> {
         let is_time = |title: &String| TIMES.iter().any(|time| split(title).0.eq_ignore_ascii_case(time));
-        let column = self.head.iter().position(is_time);
+        let numbered = || self.numbered().filter(|_| asked.has_state());
+        let column = self.head.iter().position(is_time).or_else(numbered);
         if asked.has_state() && column.is_none() {
             return Err(State::only(source.file));
         }
-        let Some(column) = column.filter(|_| !self.rows.is_empty()) else { return Ok(()) };
+        let Some(column) = column.filter(|_| !self.rows.is_empty()) else { return self.of_one_state(source, KEEP) };
         let time = |cells: &[String]| cells.get(column).and_then(|cell| number(cell)).filter(|time| time.is_finite());
         if let Some((line, cells)) = self.rows.iter().find(|(_, cells)| time(cells).is_none()) {
             let own = cells.get(column).map_or("", String::as_str);
@@ -139,7 +153,29 @@ impl<'a> Table<'a> {
             return Err(source.refused(message, TIMED));
         }
         self.states = Some((state, states));
-        Ok(())
+        self.of_one_state(source, ONE)
+    }
+
+    /// The first column of numbers of states that are several, with as many rows each as a profile needs: not one that counts the rows.
+    fn numbered(&self) -> Option<usize> {
+        let is_it = |title: &String| STATES.contains(&&*split(title).0.to_lowercase().replace(['_', '-'], " "));
+        let mut columns = (0..self.head.len()).filter(|&k| is_it(&self.head[k]));
+        columns.find(|&k| (2..=self.rows.len() / FEWEST).contains(&self.values(k).len()))
+    }
+
+    /// The values of a column, each once.
+    fn values(&self, column: usize) -> BTreeSet<&str> {
+        self.rows.iter().filter_map(|(_, cells)| cells.get(column)).map(String::as_str).collect()
+    }
+
+    /// Refuses rows of several states of which none is asked for.
+    fn of_one_state(&self, source: &Source, remedy: &str) -> Result<(), Error> {
+        let Some(column) = self.numbered() else { return Ok(()) };
+        let values: Vec<&str> = self.values(column).into_iter().collect();
+        let cut = if values.len() > SHOWN { ", …" } else { "" };
+        let shown = values[..values.len().min(SHOWN)].join(", ");
+        let message = format!("its rows are of several states: the column `{}` has {shown}{cut}", self.head[column]);
+        Err(source.refused(message, remedy))
     }
 
     /// Whether numbers have decimal commas: where commas separate cells, one within a cell stood in quotes. A list in a column that is not read
@@ -257,9 +293,11 @@ fn is_head(cells: &[String], asked: &Asked) -> bool {
 fn head(above: &[&str], mark: char, count: Option<usize>, asked: &Asked) -> Option<(usize, Vec<String>)> {
     let candidate = |(k, line): (usize, &&str)| {
         let fit = |mark: char| fitting(comment(line).unwrap_or(line), mark, count.unwrap_or(0));
-        // Names may have blanks between where numbers have commas.
-        let blank = Some(fit(' ')).filter(|names| Some(names.len()) == count && is_head(names, asked));
-        let names = Some(fit(mark)).filter(|names| Some(names.len()) == count).or(blank).unwrap_or_else(|| fit(mark));
+        // Names may have blanks between where numbers have commas, and the other way round.
+        let other = if mark == ' ' { ',' } else { ' ' };
+        let heads = [mark, other].map(fit).into_iter();
+        let names = heads.filter(|names| Some(names.len()) == count).find(|names| is_head(names, asked));
+        let names = names.unwrap_or_else(|| fit(mark));
         let is_no_name = |cell: &String| is_unit(cell) || number(cell).is_some();
         (!names.iter().all(is_no_name) && count.is_none_or(|count| names.len() == count)).then_some((k, names))
     };

@@ -5,6 +5,7 @@
 //! of units behind the names, or is named by `--unit`; none is guessed. What stands before the names, and comments, are passed over; where a
 //! comment is all that stands before the numbers, it has the names. Numbers may have decimal commas, and exponents of Fortran.
 
+mod apart;
 mod cells;
 mod columns;
 mod lines;
@@ -22,6 +23,7 @@ use crate::referee::source::Source;
 use crate::referee::units::{Role, Units, is_angle};
 use crate::scene::{ContactPair, Scene};
 
+use apart::{ONE_SIDE, Pressed, apart};
 use cells::number;
 use columns::{Column, columns};
 use lines::{ANOTHER, ONE, Table};
@@ -73,6 +75,18 @@ pub fn parse(file: &Path, text: &str, scene: &Scene, asked: &Asked) -> Result<An
     }
     if groups.is_empty() {
         return Err(source.refused("it has no line behind its head", "the file is cut: write it again"));
+    }
+    // A depth may tell them apart, and what is not read.
+    let is_free = |k: &usize| reader.columns.iter().all(|column| column.index != *k || column.role == Role::Y);
+    let free: Vec<usize> = (0..table.head.len()).filter(is_free).collect();
+    let of_contact = |(contact, points): &(usize, Vec<Point>)| {
+        let own = rows.iter().filter(|row| row.1 == *contact).zip(points);
+        let pressed: Vec<Pressed> =
+            own.map(|(row, point)| (point.position, point.value, &*table.rows[row.0].1)).collect();
+        apart(&table.head, &free, pressed)
+    };
+    if let Some(message) = groups.iter().find_map(of_contact) {
+        return Err(source.refused(message, ONE_SIDE));
     }
     let forces = !reader.columns.iter().any(|column| column.role == Role::Pressure);
     let of_contact = |(contact, points): (usize, Vec<Point>)| {

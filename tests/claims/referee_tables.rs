@@ -1,0 +1,121 @@
+//! Tables of several states, of more than the contact side, of other spellings: what they hold is read, or refused by its column.
+
+use contact_vv::referee::units::Role;
+use contact_vv::referee::{Asked, Verdicts};
+
+use crate::ellipse;
+use crate::handed::{failed, in_units};
+use crate::referee_wild::{judged, parsed, refused, usual};
+
+/// Places 0.05 mm apart up to 3 mm.
+fn places() -> impl Iterator<Item = f64> {
+    (0..=60).map(|k| 0.05 * f64::from(k))
+}
+
+fn found(name: &str, text: &str, asked: &Asked) -> Verdicts {
+    let read = parsed(name, text, asked).and_then(judged);
+    read.unwrap_or_else(|error| panic!("{:?}: {error}", text.lines().next()))
+}
+
+#[test]
+fn of_states_that_are_numbered_one_is_asked_for() {
+    let of_state = |state: u32| -> String {
+        let share = f64::from(state) / 4.0;
+        let row =
+            |s: f64| format!("{state},{},{}\n", s + 1e-3 * share, share.sqrt() * ellipse::pressure(s / share.sqrt()));
+        places().map(row).collect()
+    };
+    let several: String = (1..=4).map(of_state).collect();
+    for name in ["step", "Frame", "increment", "SUBSTEP", "NUME_ORDRE", "timestep", "load_step"] {
+        let head = format!("{name},x,CPRESS\n");
+        let said = format!("the column `{name}` has 1, 2, 3, 4");
+        refused("theirs.csv", head.clone() + &several, &usual(), &[&said, "by --time"]);
+        let last = Asked { time: Some(4.0), ..usual() };
+        assert_eq!(failed(&found("theirs.csv", &(head.clone() + &several), &last)), [""; 0], "{name}");
+        let first = Asked { time: Some(1.0), ..usual() };
+        assert_ne!(failed(&found("theirs.csv", &(head.clone() + &several), &first)), [""; 0], "{name}");
+        let second = Asked { step: Some(2), ..usual() };
+        refused("theirs.csv", head.clone() + &several, &second, &["not the steps", "by --time: time 1; time 2"]);
+        // One state alone, and what counts the rows.
+        assert_eq!(failed(&found("theirs.csv", &(head.clone() + &of_state(4)), &usual())), [""; 0], "{name}");
+        let counted: String =
+            places().enumerate().map(|(k, s)| format!("{k},{s},{}\n", ellipse::pressure(s))).collect();
+        assert_eq!(failed(&found("theirs.csv", &(head + &counted), &usual())), [""; 0], "{name}");
+    }
+    // Ansys writes times in a column of this name, of which the last one is judged.
+    assert_eq!(failed(&found("theirs.csv", &format!("TIME/FREQ,x,CPRESS\n{several}"), &usual())), [""; 0]);
+    // A time that begins anew with each step tells no state alone.
+    let both: String =
+        (3..=4).flat_map(|state| of_state(state).lines().map(|row| format!("1,{row}\n")).collect::<Vec<_>>()).collect();
+    refused("theirs.csv", format!("time,step,x,CPRESS\n{both}"), &usual(), &["the column `step` has 3, 4"]);
+}
+
+#[test]
+fn rows_of_another_side_or_of_inner_nodes_are_refused_by_the_column_that_tells_them() {
+    let row = |name: &str, off: f64, share: f64| -> String {
+        places().map(|s| format!("{name},{},{}\n", s + off, share * ellipse::pressure(s))).collect()
+    };
+    for (head, [own, other], part) in [
+        ("part,x,CPRESS", ["A", "B"], "the column `part` is B of these, and A of the others"),
+        ("y,x,CPRESS", ["0", "0.1"], "the column `y` is 0.1 of these, and 0 of the others"),
+    ] {
+        for off in [0.013, 0.025] {
+            let text = format!("{head}\n{}{}", row(own, 0.0, 1.0), row(other, off, 0.0));
+            refused("theirs.csv", &text, &usual(), &[part, "keep the rows that press alone"]);
+            // Both have the pressures of the truth, or those of one are handed in.
+            let right = |s: f64| format!("{other},{},{}\n", s + off, ellipse::pressure(s + off));
+            let both = format!("{head}\n{}{}", row(own, 0.0, 1.0), places().map(right).collect::<String>());
+            assert_eq!(failed(&found("theirs.csv", &both, &usual())), [""; 0], "{head}");
+        }
+        assert_eq!(failed(&found("theirs.csv", &format!("{head}\n{}", row(own, 0.0, 1.0)), &usual())), [""; 0]);
+    }
+    // Without a column that tells, they are no mid-sides unless they lie halfway.
+    let mistakes = |off: f64| {
+        let two = |s: f64| format!("{s},{}\n{},0\n", ellipse::pressure(s), s + off);
+        found("theirs.csv", &format!("x,CPRESS\n{}", places().map(two).collect::<String>()), &usual()).mistakes
+    };
+    let is_named = |all: &[String]| all.iter().any(|one| one.contains("mid-side with a pressure of 0"));
+    assert!(!is_named(&mistakes(0.013)), "{:?}", mistakes(0.013));
+    assert!(is_named(&mistakes(0.025)), "{:?}", mistakes(0.025));
+}
+
+#[test]
+fn units_are_found_in_any_brackets_of_a_title() {
+    let text = |head: &str, times: f64| {
+        let row = |s: f64| format!("{s},{}\n", times * ellipse::pressure(s));
+        format!("x [mm],{head}\n{}", places().map(row).collect::<String>())
+    };
+    for (head, times) in [
+        ("pressure [kPa] (nodal)", 1e3),
+        ("CPRESS (nodal) [kPa]", 1e3),
+        ("solid.Tn (MPa) @ t=1", 1.0),
+        ("solid.Tn (Pa) @ t=[last]", 1e6),
+        ("pressure (MPA)", 1.0),
+    ] {
+        let asked = Asked { columns: vec![(Role::Pressure, "2".into())], ..Asked::default() };
+        assert_eq!(failed(&found("theirs.csv", &text(head, times), &asked)), [""; 0], "{head}");
+        let wrong = found("theirs.csv", &text(head, 1e-3 * times), &asked);
+        assert_ne!(failed(&wrong), [""; 0], "{head}");
+        let against = in_units(&[(Role::Pressure, "GPa")]);
+        let asked = Asked { units: against.units, ..asked };
+        refused("theirs.csv", text(head, times), &asked, &["by the file, but in GPa by --unit pressure=GPa"]);
+    }
+    let plain = text("pressure [kPa] (nodal)", 1e3);
+    assert_eq!(failed(&found("theirs.csv", &plain, &Asked::default())), [""; 0]);
+}
+
+#[test]
+fn numbers_of_fortran_without_an_e_and_names_of_ansys_and_comsol_are_read() {
+    let without = |value: f64| format!("{value:.9E}").replace("E-", "-0").replace('E', "+0");
+    let row = |s: f64| format!("{} 0.0 {}\n", without(s), without(ellipse::pressure(s)));
+    let rows: String = (0..ellipse::NODES).map(ellipse::place).map(row).collect();
+    assert!(rows.contains("+02") && !rows.contains('E'), "{rows}");
+    for head in ["XG YG PRES", "% x, y, solid.Tn (MPa)", "% X  Y  contact pressure [MPa]"] {
+        ellipse::assert(&parsed("theirs.txt", format!("{head}\n{rows}"), &usual()).expect(head), 1e-8);
+    }
+    // Two numbers, or a day, are no power of ten.
+    for cell in ["1.5-2", "12-24", "3.5+1234"] {
+        let text = format!("x [mm],p [MPa]\n0,3\n1,{cell}\n2,1\n3,0\n4,0\n");
+        refused("theirs.csv", text, &usual(), &[&format!("`{cell}`, which is no number")]);
+    }
+}
