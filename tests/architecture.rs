@@ -217,7 +217,7 @@ const BUDGETS: [(&str, usize); 9] = [
     ("case", 8_126),
     ("oracle", 1_426),
     ("study", 15_055),
-    ("referee", 7_582),
+    ("referee", 7_808),
     ("report", 3_272),
     ("cli", 4_732),
     ("live", 417),
