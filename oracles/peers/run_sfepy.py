@@ -1,7 +1,7 @@
 """An exported case by SfePy: run_sfepy.py FOLDER contact [--times N]; writes sfepy-contact.vtu there.
 
 contact: SfePy's term dw_contact, pressure = K overlap at the points of integration of both sides, each against the nearest edge of the other
-one that SfePy finds on the deformed mesh; K = N 10 E per mm, and with N = 1 order 10, the numbers of its own example, else order 30. A rigid
+one that SfePy finds on the deformed mesh; K = N 10 E per mm, and up to N = 1 order 10, the numbers of its own example, else order 30. A rigid
 body is a row of fully held cells along the contact. In the plane the term has edges with 2 nodes alone, so that cells with 8 nodes are cut into
 4 with 4 nodes. A body that contact alone holds starts with an overlap: at mere touching the tangent is singular, and much more of it makes
 Newton's method wander. Newton's method with SfePy's residuals and tangents, SuperLU. Pressures are SfePy's contact forces on the nodes of the
@@ -27,7 +27,7 @@ try:
 except ModuleNotFoundError as absent:
     exported.missing(f"SfePy ({absent.name})", "python3 -m pip install sfepy")
 
-STIFFNESS, ORDERS = 10.0, [10, 30]  # K/E [1/mm], order of the quadrature along the contact: by the first choice, else
+STIFFNESS, ORDERS = 10.0, [10, 30]  # K/E [1/mm], order of the quadrature along the contact: up to the first choice, beyond it
 STEPS, TOLERANCE = 200, 1e-8  # of the residual over the load
 MOVED = 0.2  # part of the way to the widest gap that it starts at
 
@@ -97,7 +97,7 @@ def main(folder, method, times):
     problem = exported.Problem(folder)
     begin = time.perf_counter()
     scene = exported.Linear(problem)
-    code = Discretised(scene, times * STIFFNESS * max(problem.data["young"]), ORDERS[times != 1.0])
+    code = Discretised(scene, times * STIFFNESS * max(problem.data["young"]), ORDERS[times > 1.0])
     u, steps = solved(scene, code)
     pressure = problem.pressures(code.pressed(u)[0], scene.lengths())
     fields = {"displacement": u.reshape(-1, 2), "contact_pressure": pressure[:, None]}

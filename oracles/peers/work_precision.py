@@ -5,7 +5,7 @@ CODE is scikit-fem or dolfinx. Request, one JSON object:
                  places the candidates (stretch) and starts the iteration
     half_widths  a_k [mm], below the last candidate: load P_k = pi a_k^2 E*/4R, as Hertz's tractions on the far sides
     meshes       sizes n, [n, level] or [n, level, steep]: cells are at most stretch/n long at the candidates, within 5 %,
-                 and grow away with half the distance, `steep` times; `level` cuts every triangle into four. Triangles are bisected, so that the
+                 and grow away with steep/2 times the distance; `level` cuts every triangle into four. Triangles are bisected, so that the
                  candidates have 2^m >= n edges, and the sizes in between differ in how soon the cells grow
     repeats      solutions a load (3)
     methods      of "active-set" and "penalty" those that are asked, one after the other (both)

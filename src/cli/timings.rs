@@ -76,7 +76,7 @@ fn own_points(bar: &ProgressBar) -> Result<Vec<Point>, Error> {
 /// Measures our own points of speed against accuracy and the searches for an accuracy again; other codes keep what our solve took beside them.
 pub fn points() -> Result<(), Error> {
     writable::in_checkout(FOLDER)?;
-    let mut record = Record::read()?;
+    let mut record = of_this_processor()?;
     let bar = progress(precision::meshes().len() + 1);
     let own = growth::on(1, || own_points(&bar))?;
     bar.finish_and_clear();
@@ -88,9 +88,18 @@ pub fn points() -> Result<(), Error> {
 /// Measures the sphere's contact solve over a plain one again; all else stays.
 pub fn revolved() -> Result<(), Error> {
     writable::in_checkout(FOLDER)?;
-    let mut record = Record::read()?;
+    let mut record = of_this_processor()?;
     record.measured.revolved = growth::on(1, of_revolution)?;
     written(&record)
+}
+
+/// The record, of which a part is measured again; refused on another processor, whose seconds are others.
+fn of_this_processor() -> Result<Record, Error> {
+    let record = Record::read()?;
+    let [was, is] = [&record.measured.machine, &Machine::here()].map(|machine| machine.processor.clone());
+    let message = format!("the record is of {was}, and this is {is}");
+    let remedy = "run `contact-vv timings`, which measures everything on one machine";
+    if was == is { Ok(record) } else { Err(Error::at("timings", message, remedy)) }
 }
 
 fn of_revolution() -> Result<Vec<Growth>, Error> {

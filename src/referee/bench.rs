@@ -38,9 +38,9 @@ impl Bench<'_> {
         self.ruled(check, factor * value, known)
     }
 
-    /// A number that follows from all pressures, with straight lines between those at points alone and by their sum where forces are known; where
-    /// this is farther from the truth than is allowed and what lies between the points is not, by that: an answer is judged, not a rule of
-    /// integration. Forces that are known add up to the resultant, whatever lies between.
+    /// A number that follows from all pressures: by straight lines between those at points alone, by the sum where forces are known. Where this is
+    /// farther from the truth than is allowed, and what is drawn between the points is not, it is that: an answer is judged, not a rule of
+    /// integration. Forces that are known give the resultant and its moment, whatever lies between.
     pub fn read(
         &self,
         number: &Quantity,
@@ -51,7 +51,8 @@ impl Bench<'_> {
         let Profile { scene, contact, between, points, has_forces, .. } = self.profile;
         let value = of(self.measures, points);
         let is_off = |value: &f64| (value - truth).abs() > allowed;
-        let is_told = between.is_empty() || *has_forces && *number == Quantity::Resultant;
+        let is_of_statics = matches!(number, Quantity::Resultant | Quantity::Centre);
+        let is_told = between.is_empty() || *has_forces && is_of_statics;
         let drawn = || of(&Measures::of(scene, *contact, Part { points: between, edges: &[], nodes: 2 }), between);
         let drawn = (is_off(&value) && !is_told).then(drawn);
         drawn.filter(|drawn| !is_off(drawn)).unwrap_or(value)

@@ -73,8 +73,13 @@ impl Profile {
         let edges =
             if handed.edges.is_empty() { means(&scene, pair, &points, handed.order) } else { handed.edges.clone() };
         let of_forces = || {
-            let bare = |(one, state): (&Point, &PointState)| Point { value: state.pressure, area: None, ..*one };
-            let pressed = handed.points.iter().zip(&points).map(bare);
+            // Whatever areas are told, what is drawn has the forces.
+            let areas = tributary(&scene, pair, &handed.points, handed.order);
+            let bare = |((one, state), area): ((&Point, &PointState), f64)| {
+                let value = if area > 0.0 { state.pressure * state.weight / area } else { state.pressure };
+                Point { value, area: None, ..*one }
+            };
+            let pressed = handed.points.iter().zip(&points).zip(areas).map(bare);
             drawn(&between::by_lines(&Handed { points: pressed.collect(), ..handed.clone() }))
         };
         let between = roots.or_else(|| is_of_points.then(of_forces)).unwrap_or_default();

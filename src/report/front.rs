@@ -124,19 +124,19 @@ pub fn against(findings: &[Finding]) -> String {
         vec![format!("{against} ({kind})"), shows.into(), own(kind).count().to_string(), share, pass, fail, absent]
     });
     let head = ["held against", "what it can show", "checks", "%", "pass", "fail", "not run"].map(String::from);
-    let truths = truths(&all);
+    let truths = truths(findings);
     let (analytic, outside): (Vec<&Truth>, Vec<&Truth>) =
         truths.iter().partition(|truth| truth.kind() == ReferenceKind::Analytic);
     let named: Vec<&Truth> = analytic.into_iter().take(NAMED).chain(outside).collect();
     let more = truths.len() - named.len();
     format!(
         "{}\nOf what other codes answer {of_codes} more checks are made: {}. {} {}. The {NAMED} closed forms with the most numbers \
-         that agree with them, not by round-off alone, every other code, and what was measured ({more} more closed forms are {}):\n\n{}",
+         that agree with them, not by round-off alone, every other code, and what was measured; {more} more closed forms stand in {}:\n\n{}",
         markdown::table(&head, &rows),
         to_study("the scoreboard", scoreboard::Numbers::NAME),
         experiments(findings),
         link("Each check, and how near it is to its limit", CHECKS),
-        link("there too", &format!("{CHECKS}#truths")),
+        link("the table of all truths", &format!("{CHECKS}#truths")),
         table_of(&named),
     )
 }
@@ -145,7 +145,7 @@ pub fn against(findings: &[Finding]) -> String {
 pub struct Truth<'a> {
     name: &'a str,
     passed: Vec<&'a Judged>,
-    /// Those that have a relative error, of which some is no round-off, by that.
+    /// Those whose relative error is above round-off, by that error.
     agreements: Vec<&'a Judged>,
 }
 
@@ -173,14 +173,15 @@ fn told_agreement(one: Option<&&Judged>) -> String {
 /// A tolerance from which on an error is counted in what it may be, and is no agreement.
 const COUNTED: f64 = 1.0;
 
-/// Every truth that some check passed against, those with the most agreements first, then those with the most numbers.
-pub fn truths<'a>(all: &[&'a Judged]) -> Vec<Truth<'a>> {
+/// Every truth that some check passed against but for those of the scoreboard, those with the most agreements first, then those with the most
+/// numbers.
+pub fn truths<'a>(findings: &'a [Finding]) -> Vec<Truth<'a>> {
     let is_agreement = |one: &&Judged| {
         let near = !matches!(one.check.relation, Relation::AtLeast | Relation::AtMost);
         near && one.check.tolerance < COUNTED && one.error >= told::ROUND_OFF
     };
-    let passed =
-        all.iter().copied().filter(|one| one.verdict == Verdict::Pass && OUTSIDE.contains(&one.reference.kind));
+    let all = told::each(findings.iter().filter(|finding| finding.study != scoreboard::Numbers::NAME));
+    let passed = all.into_iter().filter(|one| one.verdict == Verdict::Pass && OUTSIDE.contains(&one.reference.kind));
     let of = |((name, _), passed): ((&'a str, ReferenceKind), Vec<&'a Judged>)| {
         let mut agreements: Vec<&Judged> = passed.iter().copied().filter(is_agreement).collect();
         agreements.sort_by(|a, b| a.error.total_cmp(&b.error));

@@ -77,13 +77,13 @@ fn of_checks(findings: &[Finding]) -> String {
          {} propositions, each of a quantity, how it shall stand to a reference, and the kind of that, judged in {} rows: one for each case and \
          reference, by the worst of the runs that are held to it. The tables below count these runs. ± is the error bar, {COVERAGE} standard \
          uncertainties of the value from refinement; how many bars hold, {} tells.\n\n{}\n{}## Truths\n\n\
-         What is not this code, with the numbers that stand against it and the relative errors that are no round-off:\n\n{}\n## Every run\n\n{}",
+         Every truth that is not this code, but for those of the scoreboard, with the numbers held against it, and the relative errors above round-off:\n\n{}\n## Every run\n\n{}",
         told::propositions(judged.iter().copied()),
         judged.len(),
         links::to_page("what is promised", &study_page::file(promised::Numbers::NAME)),
         matrix::by_kind(findings),
         drawn::picture(NEARNESS[0], NEARNESS[1]),
-        front::table_of(&front::truths(&judged).iter().collect::<Vec<_>>()),
+        front::table_of(&front::truths(findings).iter().collect::<Vec<_>>()),
         checks::of_every_run(findings.iter().flat_map(|finding| &finding.judged), true),
     );
     links::page("All checks", "What everything is held against, by kind and by case.", &judged, &body)

@@ -350,7 +350,8 @@ pub fn together(rooms: &[Room], folder: &str, of: fn(&Room) -> &Share) -> String
     }
     let [share, low, high] = [share, share - below.sqrt(), share + above.sqrt()].map(|part| 100.0 * part);
     let untried = within().filter(|room| of(room).interval.is_none()).count();
-    let but = if untried == 0 { String::new() } else { format!(", none in {untried} of {} folders", within().count()) };
+    let but =
+        if untried == 0 { String::new() } else { format!("; {untried} of {} folders not tried", within().count()) };
     format!("{share:.0} % ({low:.0} to {high:.0} %; {caught} of {all} tried{but})")
 }
 

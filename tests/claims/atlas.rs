@@ -41,15 +41,18 @@ fn an_incomplete_or_foreign_record_is_refused_with_the_command_that_renews_it() 
         records::write(&file, &plane::head(), &plane::lines(records)).expect("written");
         std::fs::read_to_string(&file).expect("written")
     };
-    let whole = flat(plane);
-    for records in
-        [&whole[25..], &spoiled(&whole, |records| records[..25].iter_mut().for_each(|one| one.ordinate *= 2.0))]
-    {
+    let (whole, starts) = (flat(plane), Plane::stiffnesses().len());
+    let is_refused = || assert!(refused().contains("mesh.csv") && refused().contains("-- atlas"), "{}", refused());
+    let elsewhere = spoiled(&whole, |all| all[..starts].iter_mut().for_each(|one| one.ordinate *= 2.0));
+    for records in [&whole[starts..], &elsewhere] {
         write(records);
-        assert!(refused().contains("mesh.csv") && refused().contains("-- atlas"), "{}", refused());
+        is_refused();
     }
     let text = write(&whole);
     assert_eq!(Chart::read_from(&file, plane).expect("complete").rows.concat().len(), whole.len());
+    // Starts of another stiffness.
+    std::fs::write(&file, text.replacen("class 1e0", "class 2e0", 1)).expect("written");
+    is_refused();
     for foreign in ["layer.varying.penalty", "layer.varying", "line"] {
         std::fs::write(&file, text.replacen("layer.varying.secant", foreign, 1)).expect("written");
         let parts = ["mesh.csv", "-- atlas", &format!("`{foreign}`")];

@@ -298,18 +298,16 @@ fn a_thin_layer_is_a_row_of_springs() {
     assert!(beside.abs() > 1e-3 * found.approach, "near its end it is not: {beside}");
 }
 
-/// `p = E (1 − ν)/((1 + ν)(1 − 2ν)) d/h`: bonded to its base it cannot widen, but for what the bending of the profile leaves, of the order of
-/// `(h/a)²`.
+/// `p = E (1 − ν)/((1 + ν)(1 − 2ν)) d/h`: bonded to its base it cannot widen; what the bending of the profile leaves is less than half a per
+/// cent at a twentieth of the half-width.
 #[test]
 fn a_thin_layer_that_is_bonded_is_a_row_of_stiffer_springs() {
-    let (modulus, radius, half_width) = (2.1e5, 1e3, 1.0);
+    let (modulus, thickness, half_width) = (2.1e5, 0.05, 1.0);
     for poisson in [0.0, 0.2, 0.3, 0.4] {
-        let off = [0.1, 0.05].map(|thickness| {
-            let strip = Strip::Bonded(thickness, poisson);
-            let found = strip.pressed(modulus, &Profile::Parabola { radius }, half_width, 2.0).expect("a contact");
-            let confined = modulus * (1.0 - poisson) * (1.0 - poisson) / (1.0 - 2.0 * poisson);
-            found.peak()[0] * thickness / (confined * found.approach) - 1.0
-        });
-        assert!(off[1].abs() <= 5e-3, "{poisson}: {off:?}");
+        let strip = Strip::Bonded(thickness, poisson);
+        let found = strip.pressed(modulus, &Profile::Parabola { radius: 1e3 }, half_width, 2.0).expect("a contact");
+        let confined = modulus * (1.0 - poisson) * (1.0 - poisson) / (1.0 - 2.0 * poisson);
+        let off = found.peak()[0] * thickness / (confined * found.approach) - 1.0;
+        assert!(off.abs() <= 5e-3, "{poisson}: {off}");
     }
 }

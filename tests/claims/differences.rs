@@ -269,7 +269,7 @@ fn failures_against_truths_come_first_and_stale_records_are_one_last_line() {
     let (text, worse) = told(&record(Mark::Pass, 0.0), &old);
     assert!(!worse && text.contains("no verdict got worse") && text.contains("STALE records: 1"), "{text}");
     let (text, _) = told(&old, &record(Mark::NotRun, 3.0));
-    // Nor are they told among numbers that moved, where they were of other sources before.
+    // Of other sources before and after, they are not told among numbers that moved either.
     assert!(text.contains("STALE records: 1") && !text.contains("Numbers that moved"), "{text}");
     // Of another count it is the same check, whatever its numbers are; of another case it is not.
     let of =

@@ -55,7 +55,7 @@ fn folders_count_by_their_mutants_and_those_of_which_none_was_tried_do_not() {
     // 0.6/2 + 0.4, less √((0.6·0.4)² + (0.4·0.3)²), and 0.6·0.3 more.
     assert_eq!(
         together(&rooms, "src", |room| &room.by_claims),
-        "70 % (43 to 88 %; 11 of 12 tried, none in 1 of 3 folders)"
+        "70 % (43 to 88 %; 11 of 12 tried; 1 of 3 folders not tried)"
     );
     // Of a folder within, its own alone.
     let [one, other, _] = rooms;

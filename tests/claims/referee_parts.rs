@@ -346,8 +346,14 @@ fn second_moments_of_forces_along_a_few_edges_are_those_of_what_lies_between() {
     for found in [of_forces(1.0), of_pressures(1.0)] {
         assert!(found.met(), "{:?}", failed(&found));
     }
-    // What is between makes no force that is not there.
+    // What is between makes no force that is not there, nor another width of areas that are not those of the points, whose sum is right.
     assert!(!of_forces(1.02).met() && !of_pressures(1.02).met());
+    let equal = (0..=4).map(|k| [place(k), pressure, 4.0 * thickness]);
+    let found = judged_rows(truth, "position [mm],pressure [MPa],area [mm2]", equal);
+    assert!(failed(&found).iter().any(|told| told.contains("width")), "{:?}", failed(&found));
+    // Nor another moment.
+    let turned = (0..=4).map(|k| [place(k), pressure * area(k) * (1.0 + 0.05 * (k as f64 - 2.0) / 2.0)]);
+    assert!(!judged_rows(truth, "position [mm],force [N]", turned).met());
 }
 
 #[test]

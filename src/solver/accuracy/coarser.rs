@@ -53,8 +53,8 @@ pub fn finer(scene: &Scene, resolution: Resolution) -> (Scene, Resolution) {
 
 /// The scene with the same elements on the contacts and gentler growth away from them; none where no far cell decides.
 ///
-/// Far cells are few on a body that bends or whose own weight on an arc they hold, and large at the corner of a clamped side and where a load
-/// ends within a side: coarser meshes may have the same ones, and what they leave cancels from every difference.
+/// Far cells are few on a body that bends, approximate a curved side by chords, and are large at the corner of a clamped side and where a load ends
+/// within a side: coarser meshes may have the same ones, and what they leave cancels from every difference.
 pub fn gentler(scene: &Scene, resolution: Resolution) -> Option<(Scene, Resolution)> {
     let has_other_family = scene.bodies.iter().any(|body| matches!(body.shape, Shape::Given(_)))
         || scene.contacts.iter().any(|pair| !pair.ends.places.is_empty());
@@ -63,7 +63,7 @@ pub fn gentler(scene: &Scene, resolution: Resolution) -> Option<(Scene, Resoluti
     (matter && !has_other_family).then(|| (Scene { grading, ..scene.clone() }, resolution))
 }
 
-/// Whether far cells carry a load that they tell only to their size: own weight up to an arc, or a load that ends within a side.
+/// Whether the size of far cells decides about a load: own weight of a body with a curved side, or a load that ends within a side.
 fn is_loaded_far(body: &Body) -> bool {
     let is_round = matches!(body.shape, Shape::Disc { .. } | Shape::Ring { .. } | Shape::Eye { .. });
     body.loads.iter().any(|load| match load {

@@ -78,7 +78,7 @@ pub(super) fn spacings_at_vertex(discretisation: &Discretisation) -> Vec<f64> {
     each.collect()
 }
 
-/// Mean candidate element of the second body of each contact; 0 where that is rigid.
+/// Two mean spacings of the candidates of the second body of each contact, an 8-node cell or two of 4 nodes; 0 where that is rigid.
 pub(super) fn of_second(discretisation: &Discretisation) -> Vec<f64> {
     let of = |(contact, pair): (usize, &ContactPair)| {
         let body = &discretisation.mesh.bodies[pair.second?];

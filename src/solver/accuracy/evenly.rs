@@ -37,8 +37,7 @@ pub(super) fn first(scene: &Scene) -> (Scene, Resolution) {
     let mut first = scene.clone();
     let [along, depth, coarsest] = GROWTH;
     first.grading = Grading { unit: 1.0, along, depth, first: 1.0, coarsest, end: 1.0 };
-    fit(&mut first, 1.0);
-    as_fine_as_given(&mut first);
+    fit(&mut first, &densities(scene), 1.0);
     let given = scene.bodies.iter().find_map(|body| match &body.shape {
         Shape::Given(mesh) => Some(mesh.order()),
         _ => None,
@@ -51,6 +50,8 @@ pub(super) struct Evenly {
     /// With the candidates and the growth of the first mesh.
     scene: Scene,
     resolution: Resolution,
+    /// Densities of the bodies as they were asked for.
+    densities: Vec<f64>,
     /// Longest candidates of each contact.
     longest: Vec<f64>,
     /// Longest candidates of each contact that it was seen to reach the end of: on a given mesh they end with a cell.
@@ -62,8 +63,9 @@ impl Evenly {
     pub(super) fn found(scene: &Scene, rungs: &mut Rungs) -> Result<Self, Error> {
         let longest = scene.contacts.iter().map(|pair| longest(scene, pair)).collect();
         let too_short = vec![0.0; scene.contacts.len()];
+        let densities = densities(scene);
         let (scene, resolution) = first(scene);
-        let mut found = Self { scene, resolution, longest, too_short };
+        let mut found = Self { scene, resolution, densities, longest, too_short };
         if found.given().all(|given| given) {
             return Ok(found);
         }
@@ -134,7 +136,7 @@ impl Evenly {
             let may = pairs.filter(|(pair, longest)| pair.stretch < **longest * (1.0 - 1e-9));
             let Some((pair, longest)) = may.min_by(|(a, _), (b, _)| length(a).total_cmp(&length(b))) else { return };
             pair.stretch = (2.0 * pair.stretch).min(*longest);
-            fit(&mut self.scene, 1.0);
+            fit(&mut self.scene, &self.densities, 1.0);
         }
     }
 
@@ -157,7 +159,7 @@ impl Evenly {
             }
         }
         self.shorten_open(run);
-        fit(&mut self.scene, MARGIN);
+        fit(&mut self.scene, &self.densities, MARGIN);
         let elements = self.resolution.elements as f64;
         for (pair, longest) in self.scene.contacts.iter_mut().zip(&self.longest) {
             let size = self.scene.grading.unit / (self.scene.bodies[pair.first].density * elements);
@@ -194,47 +196,54 @@ impl Evenly {
 
 /// Gives all contacts of bodies that touch, directly or through others, elements of one size, that of the shortest of them:
 /// nodes of both sides then face one another, and other bodies have the size that they need. The grading unit is the longest
-/// of these lengths; candidates are `margin` times as long as what they are sized for.
-fn fit(scene: &mut Scene, margin: f64) {
+/// of these lengths; candidates are `margin` times as long as what they are sized for. Bodies beside a given mesh have elements no longer than
+/// its own there: halving keeps the ratio of both, and the nodes of a coarser side show in the pressures of the finer one.
+fn fit(scene: &mut Scene, asked: &[f64], margin: f64) {
     let groups = touching(scene);
     let shortest = |group: usize| {
         let own = scene.contacts.iter().filter(|pair| groups[pair.first] == group);
         own.map(|pair| pair.stretch * pair.path.metric()).fold(f64::INFINITY, f64::min) / margin
     };
     let coarsest = |group: usize| {
-        let own = scene.bodies.iter().zip(&groups).filter(|(_, other)| **other == group);
-        own.map(|(body, _)| body.density).fold(f64::INFINITY, f64::min)
+        let own = asked.iter().zip(&groups).filter(|(_, other)| **other == group);
+        own.map(|(density, _)| *density).fold(f64::INFINITY, f64::min)
     };
     let unit = scene.contacts.iter().map(|pair| shortest(groups[pair.first])).fold(0.0, f64::max);
     // Bodies that a user made denser than the others they touch stay so.
     let density = |(body, group): (usize, &usize)| match shortest(*group) {
-        length if length.is_finite() => scene.bodies[body].density / coarsest(*group) * unit / length,
-        _ => scene.bodies[body].density,
+        length if length.is_finite() => asked[body] / coarsest(*group) * unit / length,
+        _ => asked[body],
     };
     let densities: Vec<f64> = groups.iter().enumerate().map(density).collect();
     scene.bodies.iter_mut().zip(densities).for_each(|(body, density)| body.density = density);
     scene.grading.unit = unit;
-}
-
-/// Gives bodies that are meshed here elements no longer than those of a given mesh that they touch: halving keeps the ratio of both, and the nodes
-/// of a coarser side show in the pressures of the finer one.
-fn as_fine_as_given(scene: &mut Scene) {
     for pair in &scene.contacts {
         let [ours, given]: [Vec<usize>; 2] = [false, true].map(|is_given| {
             pair.bodies().filter(|body| scene.bodies[*body].shape.has_given_mesh() == is_given).collect()
         });
-        let ([ours], [given]) = (&ours[..], &given[..]) else { continue };
-        let Shape::Given(mesh) = &scene.bodies[*given].shape else { continue };
-        let edges = mesh.boundaries.get(pair.side(*given)).map_or(&[][..], Vec::as_slice);
-        let length = |edge: &Vec<usize>| {
-            let [a, b] = [edge[0], edge[1]].map(|node| mesh.points[node]);
-            (b[0] - a[0]).hypot(b[1] - a[1])
-        };
-        let mean = edges.iter().map(length).sum::<f64>() / edges.len() as f64;
-        let density = scene.grading.unit / (FIRST as f64 * mean);
-        let body = &mut scene.bodies[*ours];
-        body.density = body.density.max(density);
+        if let ([ours], [given]) = (&ours[..], &given[..]) {
+            let density = unit / (FIRST as f64 * edge(pair, &scene.bodies[*given].shape, pair.side(*given)));
+            let body = &mut scene.bodies[*ours];
+            body.density = body.density.max(density);
+        }
     }
+}
+
+/// Densities of the bodies of a scene.
+fn densities(scene: &Scene) -> Vec<f64> {
+    scene.bodies.iter().map(|body| body.density).collect()
+}
+
+/// Mean length of the edges of a mesh made elsewhere on a side, of those beside the candidates of a contact \[mm\]; NaN where there are none.
+fn edge(pair: &ContactPair, shape: &Shape, side: &str) -> f64 {
+    let Shape::Given(mesh) = shape else { return f64::NAN };
+    let (from, reach) = (pair.path.point(0.0), pair.stretch * pair.path.metric());
+    let away = |a: [f64; 2], b: [f64; 2]| (b[0] - a[0]).hypot(b[1] - a[1]);
+    let ends = |edge: &Vec<usize>| [edge[0], edge[1]].map(|node| mesh.points[node]);
+    let is_beside = |[a, b]: &[[f64; 2]; 2]| away(from, *a).min(away(from, *b)) <= reach;
+    let edges: Vec<f64> =
+        mesh.boundaries.get(side).into_iter().flatten().map(ends).filter(is_beside).map(|[a, b]| away(a, b)).collect();
+    edges.iter().sum::<f64>() / edges.len() as f64
 }
 
 /// For each body the first of those that it touches, directly or through others.

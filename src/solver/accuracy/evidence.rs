@@ -311,7 +311,8 @@ impl Family {
             true => [0.0, Fitted::misfit(self.order)],
             false => {
                 let [own, other] = [&self.sizes, &self.others].map(|all| all[contact] / width_of(quantity, measures));
-                let is_uneven = other > UNEVEN * own;
+                let spacings = if self.order == Order::Linear { 2.0 } else { 1.0 };
+                let is_uneven = other > spacings * UNEVEN * own;
                 let of_other = if is_uneven { other.powf(UNSEEN * row.power()) } else { 0.0 };
                 let swings = of_other > 0.0 && !fills_candidates(measures);
                 [own.powf(row.power()) + of_other, if swings { self.swings(row.kind) * other } else { 0.0 }]

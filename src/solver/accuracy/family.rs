@@ -35,7 +35,7 @@ pub struct Family {
     pub(super) order: Order,
     /// Mean candidate element of each contact.
     pub(super) sizes: Vec<f64>,
-    /// The same of its second body.
+    /// Two mean spacings of the candidates of its second body.
     pub(super) others: Vec<f64>,
     /// Ends of the sides that carry a load: body, place, and length of the outermost edge.
     pub(super) corners: Vec<Corner>,

@@ -51,15 +51,20 @@ pub fn closed(pair: &ContactPair, part: Part, floor: f64) -> Vec<Stretch> {
     stretches
 }
 
-/// How far points press by more than a floor beyond the ends of stretches, one after the other from the edges that tell these \[mm, or rad\].
+/// How far points press by more than a floor beyond the ends of stretches, one after the other from the edges that tell these, and up to those of
+/// the next stretch \[mm, or rad\].
 pub fn faint(points: &[PointState], stretches: &[Stretch], floor: f64) -> f64 {
-    let beyond = |Stretch { begin, end, edges: [first, last], .. }: &Stretch| {
-        let presses = |point: &&PointState| point.pressure > floor;
-        let after = points.iter().skip_while(|point| point.position <= *last).take_while(presses).last();
-        let before = points.iter().rev().skip_while(|point| point.position >= *first).take_while(presses).last();
+    let beyond = |k: usize| {
+        let Stretch { begin, end, edges: [first, last], .. } = stretches[k];
+        let [low, high] = [k.checked_sub(1), Some(k + 1)].map(|other| stretches.get(other?).map(|other| other.edges));
+        let [low, high] =
+            [low.map_or(f64::NEG_INFINITY, |edges| edges[1]), high.map_or(f64::INFINITY, |edges| edges[0])];
+        let presses = |point: &&PointState| point.pressure > floor && (low..=high).contains(&point.position);
+        let after = points.iter().skip_while(|point| point.position <= last).take_while(presses).last();
+        let before = points.iter().rev().skip_while(|point| point.position >= first).take_while(presses).last();
         before.map_or(0.0, |first| begin - first.position).max(after.map_or(0.0, |last| last.position - end))
     };
-    stretches.iter().map(beyond).fold(0.0, f64::max)
+    (0..stretches.len()).map(beyond).fold(0.0, f64::max)
 }
 
 /// Part of the floor of pressures from which on the edge beside a stretch belongs to it.

@@ -9,8 +9,8 @@ const SAME: f64 = 1e-6;
 
 /// What to do about a mesh that does not hang together.
 const JOINED: &str = "let neighbouring cells share their nodes (Coherence in Gmsh, common curves of neighbouring surfaces, whole common sides of blocks)";
-/// The same about one that is cut into layers here: the lines of two contacts nearly coincide in the body.
-const LINES: &str = "take cells of a lower order, which leave more room between the lines of two contacts";
+/// The same about one that is cut into layers here, whose lines nearly coincide.
+const LINES: &str = "take cells of a lower order, whose nodes lie farther apart";
 
 /// Refuses bodies that do not hang together: given cell by cell or block by block, or cut into layers towards the ends of contacts.
 pub(super) fn refuse_loose(mesh: &Mesh, scene: &Scene) -> Result<(), Error> {

@@ -183,7 +183,7 @@ pub fn head() -> Vec<String> {
 /// The lines of points in the order of the plan.
 pub fn lines(records: &[Record]) -> Vec<Line> {
     let kept = |r: &Record| (r.class, r.iterations, r.error, r.penalty, r.predicted_iterations);
-    let rows = records.chunk_by(|a, b| a.method == b.method && a.ordinate == b.ordinate);
+    let rows = records.chunk_by(|a, b| a.method == b.method && same(a.ordinate, b.ordinate));
     rows.map(|row| (row[0].method, row[0].ordinate, row.iter().map(kept).collect())).collect()
 }
 

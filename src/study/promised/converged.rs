@@ -36,7 +36,7 @@ const SIZE: f64 = 400.0;
 const FILES: &str = "tests/cases";
 /// Candidate elements of a contact: beyond them elements get longer with the stretch.
 const ELEMENTS: f64 = 64.0;
-/// Scenes up to which they are named.
+/// Scenes, tolerances or loads up to which each is named.
 const FEW: usize = 4;
 /// Error over the tolerance that is round-off, and recorded as none.
 pub const ROUND_OFF: f64 = 1e-3;

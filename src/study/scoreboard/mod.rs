@@ -232,9 +232,13 @@ impl Numbers {
     /// changed (of a penalty ten times as stiff a ninth is left) and of what the next one changes the smaller, as recorded. Our answer is no
     /// part of it: a fault of ours would let others be off by as much.
     fn allowed(&self, code: Code) -> f64 {
-        let mut tried: Vec<&Row> = self.search(code).filter(|row| row.error().is_finite()).collect();
-        tried.sort_by(|a, b| a.told.times.total_cmp(&b.told.times));
-        let best = self.own(code)[1].and_then(|best| tried.iter().position(|row| std::ptr::eq(*row, best)));
+        // The way to the best, upwards or downwards from the first choice.
+        let best = self.own(code)[1];
+        let is_less = |row: &Row| row.told.times < TIMES[0];
+        let is_on_way =
+            |row: &&Row| is(row.told.times, TIMES[0]) || best.is_some_and(|best| is_less(best) == is_less(row));
+        let tried: Vec<&Row> = self.search(code).filter(|row| row.error().is_finite()).filter(is_on_way).collect();
+        let best = best.and_then(|best| tried.iter().position(|row| std::ptr::eq(*row, best)));
         let found = |k: usize| match &tried[k].told.ended {
             Ended::Answered { found, .. } => *found,
             Ended::Failed(_) => [f64::NAN; 2],

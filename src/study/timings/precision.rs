@@ -248,7 +248,7 @@ pub fn meshes() -> Vec<(Series, usize)> {
 const TRIANGLES: [[usize; 2]; 8] = [[8, 0], [12, 0], [16, 0], [17, 0], [32, 0], [17, 1], [32, 1], [64, 1]];
 /// Meshes of NGSolve: order, and cells per candidate stretch.
 const HIGH_ORDER: [[usize; 2]; 8] = [[3, 6], [3, 9], [4, 9], [6, 9], [4, 18], [4, 27], [6, 27], [4, 81]];
-/// How many times as fast cells of these meshes grow as by the rule of their script.
+/// Factors on the growth of cells that the script of a code has.
 pub const STEEP: [usize; 2] = [1, 2];
 
 /// What the meshes of a code are, in a few words.
