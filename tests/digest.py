@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Digest of files, folders and functions of the checkout: what an entry of a record is bound to. `src/checkout.rs` computes the same.
 
-Run as `python3 tests/digest.py src tests/cases`; SHA-256 of the lines `hash  name` that `sha256sum` would print of files. `path: line` is the text
+Run as `python3 tests/digest.py src tests/cases`; the first 16 digits of the SHA-256 of the lines `hash  name` that `sha256sum` would print of files. `path: line` is the text
 of the functions that begin with this line, up to the brace that closes them.
 """
 import hashlib
@@ -12,13 +12,15 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 # Folders that hold no sources.
 LEFT_BEHIND = ("__pycache__", "target")
+# Digits that are kept: what changes by chance to the same 64 bits need not be told apart.
+KEPT = 16
 
 
 def digest(names, root=ROOT):
-    """SHA-256 of functions, files and all files below folders, whose paths begin below `root`; hidden ones do not count."""
+    """Digest of functions, files and all files below folders, whose paths begin below `root`; hidden ones do not count."""
     files = sorted({file for name in names for file in collect(root, name)}, key=str.encode)
     lines = (f"{hashlib.sha256(content(root, file)).hexdigest()}  {file}\n" for file in files)
-    return hashlib.sha256("".join(lines).encode()).hexdigest()
+    return hashlib.sha256("".join(lines).encode()).hexdigest()[:KEPT]
 
 
 def content(root, name):
