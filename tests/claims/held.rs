@@ -162,7 +162,7 @@ fn a_contact_that_fades_out_ends_within_its_bar() {
         );
         let contact = "symmetric = true\ngap = { cosine = { amplitude = 0.01, wavelength = 20 } }\nstretch = 10";
         let half_width = wavelength / PI * f64::min(share, 1.0).sqrt().asin();
-        for elements in [16, 64] {
+        for elements in [16, 256] {
             let case = scene(&body, contact, &format!("elements = {elements}\nper = 10"));
             assert!(reaches(&case, &Quantity::HalfWidth, half_width, 0.15), "{share}, {elements}");
         }

@@ -733,7 +733,7 @@ fn quadrilaterals_with_a_node_twice_are_triangles_and_files_that_are_no_mesh_say
 /// Halving keeps how much coarser the other side is: its cells are made no longer than those of the mesh from the start.
 #[test]
 fn a_mesh_of_4_node_cells_is_answered_on_a_body_that_is_meshed_beside_it() {
-    let (columns, rows) = (24, 14);
+    let (columns, rows) = (72, 42);
     let tag = |i: usize, j: usize| 100 * i + j + 1;
     let all = || (0..=columns).flat_map(|i| (0..=rows).map(move |j| (i, j)));
     let place = |i: usize, j: usize| [40.0 * i as f64 / columns as f64 - 20.0, 24.0 * j as f64 / rows as f64];
@@ -773,7 +773,7 @@ fn a_mesh_of_4_node_cells_is_answered_on_a_body_that_is_meshed_beside_it() {
     for guess in [12.0, 18.0, 20.0] {
         let given = scene("{ mesh = { file = \"a.inp\", group = \"plate\", contact = \"down\" } }", "up", guess);
         let found = answer(&beside("a.inp", deck.as_bytes(), &given).expect("a case"), 3e-2);
-        assert!(found.run.dofs < 30_000, "{guess}: {}", found.run.dofs);
+        assert!(found.run.dofs < 60_000, "{guess}: {}", found.run.dofs);
         assert_relative_eq!(found.run.measures().peak.pressure, truth, max_relative = 5e-3);
     }
 }
