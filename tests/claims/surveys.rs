@@ -175,7 +175,7 @@ fn numbers_keep_three_digits_in_millionths() {
 
 /// A peak of truncated Hertz over `√(PE*/πR)` is 1 to the digits that records keep, and over that of a load 3 % larger it is not.
 #[test]
-fn a_number_that_is_solved_again_is_like_hertzs_and_not_like_that_of_another_load() {
+fn a_number_that_is_solved_again_is_like_hertz_and_not_like_that_of_another_load() {
     let numbers = TruncatedHertz::default();
     let case = numbers.case();
     let peak = case.solve().expect("solved").1.measures().peak.pressure;
