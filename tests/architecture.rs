@@ -218,7 +218,7 @@ const BUDGETS: [(&str, usize); 9] = [
     ("oracle", 1_426),
     ("study", 15_060),
     ("referee", 7_814),
-    ("report", 3_273),
+    ("report", 3_264),
     ("cli", 4_741),
     ("live", 417),
 ];

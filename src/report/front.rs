@@ -125,10 +125,11 @@ pub fn against(findings: &[Finding]) -> String {
     });
     let head = ["held against", "what it can show", "checks", "%", "pass", "fail", "not run"].map(String::from);
     let truths = truths(findings);
-    let (analytic, outside): (Vec<&Truth>, Vec<&Truth>) =
-        truths.iter().partition(|truth| truth.kind() == ReferenceKind::Analytic);
-    let named: Vec<&Truth> = analytic.into_iter().take(NAMED).chain(outside).collect();
-    let more = truths.len() - named.len();
+    let all_of_them = truths.len();
+    let (analytic, outside): (Vec<Passed>, Vec<Passed>) =
+        truths.into_iter().partition(|((_, kind), _)| *kind == ReferenceKind::Analytic);
+    let named: Vec<Passed> = analytic.into_iter().take(NAMED).chain(outside).collect();
+    let more = all_of_them - named.len();
     format!(
         "{}\nOf what other codes answer {of_codes} more checks are made: {}. {} {}. The {NAMED} closed forms with the most numbers \
          that agree with them, not by round-off alone, every other code, and what was measured; {more} more closed forms stand in {}:\n\n{}",
@@ -141,29 +142,29 @@ pub fn against(findings: &[Finding]) -> String {
     )
 }
 
-/// A truth with the passed checks against it.
-pub struct Truth<'a> {
-    name: &'a str,
-    passed: Vec<&'a Judged>,
-    /// Those whose relative error is above round-off, by that error.
-    agreements: Vec<&'a Judged>,
-}
-
-impl Truth<'_> {
-    fn kind(&self) -> ReferenceKind {
-        self.passed[0].reference.kind
-    }
-}
+/// The name and the kind of a truth, and the passed checks against it.
+type Passed<'a> = ((&'a str, ReferenceKind), Vec<&'a Judged>);
 
 /// The table of truths.
-pub fn table_of(truths: &[&Truth]) -> String {
-    let columns: [Column<&Truth>; 4] = [
-        ("truth", |truth| format!("{} ({})", truth.name, truth.kind())),
-        ("numbers", |truth| truth.passed.len().to_string()),
-        ("tightest agreement", |truth| told_agreement(truth.agreements.first())),
-        ("loosest", |truth| told_agreement(truth.agreements.last())),
+pub fn table_of(truths: &[Passed]) -> String {
+    let columns: [Column<Passed>; 4] = [
+        ("truth", |((name, kind), _)| format!("{name} ({kind})")),
+        ("numbers", |(_, passed)| passed.len().to_string()),
+        ("tightest agreement", |(_, passed)| told_agreement(agreements(passed).first())),
+        ("loosest", |(_, passed)| told_agreement(agreements(passed).last())),
     ];
     markdown::columns(&columns, truths)
+}
+
+/// Passed checks whose relative error is above round-off, by that error.
+fn agreements<'a>(passed: &[&'a Judged]) -> Vec<&'a Judged> {
+    let is_agreement = |one: &&Judged| {
+        let near = !matches!(one.check.relation, Relation::AtLeast | Relation::AtMost);
+        near && one.check.tolerance < COUNTED && one.error >= told::ROUND_OFF
+    };
+    let mut agreements: Vec<&Judged> = passed.iter().copied().filter(is_agreement).collect();
+    agreements.sort_by(|a, b| a.error.total_cmp(&b.error));
+    agreements
 }
 
 fn told_agreement(one: Option<&&Judged>) -> String {
@@ -175,21 +176,11 @@ const COUNTED: f64 = 1.0;
 
 /// Every truth that some check passed against but for those of the scoreboard, those with the most agreements first, then those with the most
 /// numbers.
-pub fn truths<'a>(findings: &'a [Finding]) -> Vec<Truth<'a>> {
-    let is_agreement = |one: &&Judged| {
-        let near = !matches!(one.check.relation, Relation::AtLeast | Relation::AtMost);
-        near && one.check.tolerance < COUNTED && one.error >= told::ROUND_OFF
-    };
+pub fn truths(findings: &[Finding]) -> Vec<Passed<'_>> {
     let all = told::each(findings.iter().filter(|finding| finding.study != scoreboard::Numbers::NAME));
     let passed = all.into_iter().filter(|one| one.verdict == Verdict::Pass && OUTSIDE.contains(&one.reference.kind));
-    let of = |((name, _), passed): ((&'a str, ReferenceKind), Vec<&'a Judged>)| {
-        let mut agreements: Vec<&Judged> = passed.iter().copied().filter(is_agreement).collect();
-        agreements.sort_by(|a, b| a.error.total_cmp(&b.error));
-        Truth { name, passed, agreements }
-    };
-    let own = in_order(passed.map(|one| ((&*one.reference.name, one.reference.kind), one)));
-    let mut truths: Vec<Truth> = own.into_iter().map(of).collect();
-    truths.sort_by_key(|truth| Reverse((truth.agreements.len(), truth.passed.len())));
+    let mut truths: Vec<Passed> = in_order(passed.map(|one| ((&*one.reference.name, one.reference.kind), one)));
+    truths.sort_by_key(|(_, passed)| Reverse((agreements(passed).len(), passed.len())));
     truths
 }
 

@@ -83,7 +83,7 @@ fn of_checks(findings: &[Finding]) -> String {
         links::to_page("what is promised", &study_page::file(promised::Numbers::NAME)),
         matrix::by_kind(findings),
         drawn::picture(NEARNESS[0], NEARNESS[1]),
-        front::table_of(&front::truths(findings).iter().collect::<Vec<_>>()),
+        front::table_of(&front::truths(findings)),
         checks::of_every_run(findings.iter().flat_map(|finding| &finding.judged), true),
     );
     links::page("All checks", "What everything is held against, by kind and by case.", &judged, &body)

@@ -270,3 +270,16 @@ fn what_ngsolve_prints_is_held_against_the_accuracy() {
     // None of its meshes is so good: not absent, and not met.
     assert_eq!([met(1.5, 1e-1, &mut record), met(1.5, f64::NAN, &mut record)], [Some(false); 2]);
 }
+
+#[test]
+fn every_other_code_is_timed_on_all_its_meshes_by_the_same_methods() {
+    let record = committed();
+    for code in Series::CODES {
+        let methods = |runs: usize| {
+            (runs % precision::meshes_of(code).len() == 0).then(|| runs / precision::meshes_of(code).len())
+        };
+        let runs = record.of(code).count();
+        assert_eq!(methods(runs), Some(2), "{}: {runs} runs", code.name());
+        assert_ne!(methods(runs - 1), Some(2));
+    }
+}

@@ -172,7 +172,7 @@ pub fn of_default(recorded: &[Record]) -> String {
         let all = in_order(records.iter().map(|record| (of(record), ())));
         match all.len() {
             0..=FEW => all.into_iter().map(|(name, _)| name).collect::<Vec<_>>().join(", "),
-            many => format!("{many} of them"),
+            many => many.to_string(),
         }
     };
     let row = |(ended, records): &(Ended, Vec<&Record>)| {

@@ -324,7 +324,7 @@ pub fn ask(name: &str, case: &Case, told: impl Fn(&Setting, f64)) -> Result<(Ask
 }
 
 /// Whether the search goes on from a multiple with an error, infinite where it failed, to the one after that with another.
-pub fn falls(before: f64, error: f64) -> bool {
+fn falls(before: f64, error: f64) -> bool {
     error < FALLS * before
 }
 
