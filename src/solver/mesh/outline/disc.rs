@@ -24,10 +24,7 @@ pub(super) fn blocks(layout: &Layout, centre: Point, radius: f64, sector: Sector
     }
     let right = match sector.has_upper_part() {
         // As fine at the highest point as at the lowest.
-        true if layout.opposite.is_some() => {
-            let lower = right_blocks(layout, centre, radius, false);
-            joined(centre, [lower.clone(), lower])
-        }
+        true if layout.opposite.is_some() => joined(centre, both_ends(layout, centre, radius)),
         half => right_blocks(layout, centre, radius, half),
     };
     if !sector.has_both_sides() {
@@ -47,6 +44,24 @@ fn framed_at_both_ends<'a>(
     let [lower, upper] = pairs.map(|pair| framed(&layout.alone(pair), centre, radius, part));
     let (lower, upper) = (lower?, upper?);
     (cut(&lower) == cut(&upper)).then(|| joined(centre, [lower, upper]))
+}
+
+/// The lower quarter and the upper one, turned over: each with the lines of its own contact alone where they have as many, else alike, with
+/// those of both.
+fn both_ends(layout: &Layout, centre: Point, radius: f64) -> [Vec<Block>; 2] {
+    let quarter = |layout: &Layout| right_blocks(layout, centre, radius, false);
+    if let Some(each) = layout.each_of_two() {
+        let [lower, upper] = each.map(|alone| quarter(&alone));
+        let shared = lower.iter().map(|block| cut(std::slice::from_ref(block)));
+        let upper = upper.into_iter().zip(shared);
+        let upper = upper.map(|(block, shared)| block.instead_of("cut", |_| Side::named("cut", shared.clone())));
+        let upper: Vec<Block> = upper.collect();
+        if lower.iter().map(Block::size).eq(upper.iter().map(Block::size)) {
+            return [lower, upper];
+        }
+    }
+    let lower = quarter(layout);
+    [lower.clone(), lower]
 }
 
 /// A lower part and another one, turned over, that meet in the horizontal diameter.

@@ -99,6 +99,13 @@ impl<'a> Layout<'a> {
         }
     }
 
+    /// The same of both contacts, on opposite sides, where they are all that the body has, their ends are known and differ: lines of both side by
+    /// side would leave no room for layers towards either.
+    pub fn each_of_two(&self) -> Option<[Self; 2]> {
+        let pairs = self.opposite.filter(|_| self.ends.is_some() && self.several.len() == 2)?;
+        Some(pairs.map(|pair| self.alone(pair)))
+    }
+
     /// Positions of the candidate stretch in the contact coordinate, from 0 on.
     pub fn candidates(&self) -> Vec<f64> {
         if let Some(ends) = &self.ends {
@@ -177,6 +184,15 @@ impl<'a> Layout<'a> {
     pub fn along(&self, breaks: &[f64], at: impl Fn(f64) -> Point) -> Vec<Point> {
         self.lattice(breaks).into_iter().map(at).collect()
     }
+}
+
+/// Part of the height of a body that a line may lean over from one side to the opposite one.
+const LEAN: f64 = 0.5;
+
+/// Whether lines can be drawn from such places on one side to those on the opposite one, which lies so high: they are as many, and none leans
+/// too far.
+pub(crate) fn can_lean([low, high]: [&[f64]; 2], height: f64) -> bool {
+    low.len() == high.len() && low.iter().zip(high).all(|(low, high)| (low - high).abs() <= LEAN * height)
 }
 
 /// A circle seen from a pole inside it, by the angles from the downward vertical of the rays that meet it.

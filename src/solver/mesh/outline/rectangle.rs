@@ -1,7 +1,7 @@
 //! Rectangle: one block, fine at the candidate stretch; frames around a contact whose ends are known.
 
 use super::frames;
-use super::layout::{Layout, last_two};
+use super::layout::{Layout, can_lean, last_two};
 use crate::mesh::block::{Block, Side};
 use crate::mesh::spacing;
 use crate::scene::Face;
@@ -34,14 +34,21 @@ pub(super) fn blocks(layout: &Layout, x: [f64; 2], y: [f64; 2], contact: Face) -
     let has_ends = layout.same_ends().is_some();
     let far = layout.points.iter().filter(|point| has_ends && point[1] == opposite).map(|point| point[0]);
     let moved = spacing::through(&along, &far.collect::<Vec<_>>());
-    let far = if moved.len() == along.len() { &moved } else { &along };
-    let of = |height: f64| if height == opposite { far } else { &along };
+    let far = if moved.len() == along.len() { moved } else { along.clone() };
+    let [along, far] = each_alone(layout, x, y[1] - y[0]).unwrap_or([along, far]);
+    let of = |height: f64| if height == opposite { &far } else { &along };
     vec![Block {
         bottom: Side::named(bottom, layout.along(of(y[0]), |x| [x, y[0]])),
         right: Side::named("right", layout.along(&upwards, |h| [x[1], h])),
         top: Side::named(top, layout.along(of(y[1]), |x| [x, y[1]])),
         left: Side::named("left", layout.along(&upwards, |h| [x[0], h])),
     }]
+}
+
+/// Positions on the contact and on the opposite one, each with the lines of its own alone; none where they are not as many, or lean too far.
+fn each_alone(layout: &Layout, x: [f64; 2], height: f64) -> Option<[Vec<f64>; 2]> {
+    let [along, far] = layout.each_of_two()?.map(|alone| columns(&alone, x, &[]));
+    can_lean([&along, &far], height).then_some([along, far])
 }
 
 /// Positions along the contact: from the left side on, or from the path's origin on to both sides; with the places of points that are held

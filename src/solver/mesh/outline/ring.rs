@@ -3,7 +3,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use super::layout::{Layout, Rays, on_ray};
+use super::layout::{Layout, Rays, can_lean, on_ray};
 use crate::mesh::block::{Block, Point, Side, between};
 use crate::mesh::spacing;
 use crate::scene::{Circle, Face, ROUNDING, Shape};
@@ -42,18 +42,29 @@ fn right_blocks(layout: &Layout, pole: Point, circles: [Circle; 2], sweep: f64, 
         Face::Bottom => positions.iter().rev().map(|d| 1.0 - d / depth).collect(),
         Face::Top => positions.iter().map(|d| d / depth).collect(),
     };
-    let arc = |circle: Circle| layout.along(&angles, |angle| on_ray(circle, pole, angle));
+    let faces = circles.map(|circle| Rays { pole, circle });
+    let [within, around] = each_alone(layout, faces, contact, sweep).unwrap_or([angles.clone(), angles]);
+    let arc = |circle: Circle, angles: &[f64]| layout.along(angles, |angle| on_ray(circle, pole, angle));
     let radial = |angle: f64| {
         let (from, to) = (on_ray(outer, pole, angle), on_ray(inner, pole, angle));
         layout.along(&inwards, |t| between(from, to, t))
     };
     let name = |face, other| if contact == face { "contact" } else { other };
     vec![Block {
-        bottom: Side::named(name(Face::Top, "outer"), arc(outer)),
+        bottom: Side::named(name(Face::Top, "outer"), arc(outer, &around)),
         right: Side::named("end", radial(sweep)),
-        top: Side::named(name(Face::Bottom, "inner"), arc(inner)),
+        top: Side::named(name(Face::Bottom, "inner"), arc(inner, &within)),
         left: Side::named("start", radial(0.0)),
     }]
+}
+
+/// Angles on the inner circle and on the outer one, each with the lines of its own contact alone; none where they are not as many, or lean too far.
+fn each_alone(layout: &Layout, faces: [Rays; 2], contact: Face, sweep: f64) -> Option<[Vec<f64>; 2]> {
+    let [own, other] = layout.each_of_two()?;
+    let of_face = if contact == Face::Top { [other, own] } else { [own, other] };
+    let [within, around] = [0, 1].map(|k| of_face[k].arc(faces[k], &[sweep.min(FRAC_PI_2), sweep]));
+    let [inner, outer] = faces.map(|face| face.circle.radius);
+    can_lean([&within, &around], (outer - inner) / inner).then_some([within, around])
 }
 
 /// Depth of a ring below the outer face over the radius of its bore from which on that is narrow; length of the cells there over that radius
