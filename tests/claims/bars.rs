@@ -369,6 +369,22 @@ fn barred(case: &Case, displaced: &[Displaced]) -> Vec<Barred> {
 }
 
 #[test]
+fn forces_of_rings_that_interference_presses_are_within_bars_whatever_accuracy_is_asked() {
+    let scene = scene("rings-under-pressures", &[]).scene;
+    let [pressure, radius, length] = [22.644691676378695, 27.352667219535753, 6.0];
+    let truths = [(Quantity::PeakPressure, pressure), (Quantity::Resultant, 2.0 * PI * radius * length * pressure)];
+    for asked in [1e-2, 3e-3, 1e-3] {
+        let answer = accuracy::solve(&scene, &Formulation::verification(), &Asked::new(asked)).expect("solved");
+        let discretisation = Discretisation::of(answer.scene.clone(), answer.resolution).expect("a mesh");
+        let all = bars(&discretisation, &answer.run, &[]).expect("bars").all;
+        for (quantity, truth) in &truths {
+            let told = told_of(&all, quantity);
+            assert!((told.value - truth).abs() <= told.bar.total(), "{asked}: {told:?} beside {truth}");
+        }
+    }
+}
+
+#[test]
 fn displacement_of_a_corner_beside_a_loaded_side_has_a_bar_of_the_order_that_is_seen() {
     let corner = [Component::X, Component::Y];
     let corner = corner.map(|component| Displaced { body: 0, at: Place::Point([10.0, 10.0]), component });

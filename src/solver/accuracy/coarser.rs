@@ -53,13 +53,15 @@ pub fn finer(scene: &Scene, resolution: Resolution) -> (Scene, Resolution) {
 
 /// The scene with the same elements on the contacts and gentler growth away from them; none where no far cell decides.
 ///
-/// Far cells are few on a body that bends, approximate a curved side by chords, and are large at the corner of a clamped side and where a load ends
-/// within a side: coarser meshes may have the same ones, and what they leave cancels from every difference.
+/// Far cells are few on a body that bends, approximate a curved side by chords, are large at the corner of a clamped side and where a load ends
+/// within a side, and all of a body takes part where bodies are pressed by their interference: coarser meshes may have the same ones, and what they leave cancels from every difference.
 pub fn gentler(scene: &Scene, resolution: Resolution) -> Option<(Scene, Resolution)> {
     let has_other_family = scene.bodies.iter().any(|body| matches!(body.shape, Shape::Given(_)))
         || scene.contacts.iter().any(|pair| !pair.ends.places.is_empty());
     let grading = resolution.order.refined(&scene.grading, GENTLER);
-    let matter = scene.bends() || scene.bodies.iter().any(|body| body.is_clamped() || is_loaded_far(body));
+    let interferes = scene.contacts.iter().any(|pair| pair.profile.interferes());
+    let matter =
+        interferes || scene.bends() || scene.bodies.iter().any(|body| body.is_clamped() || is_loaded_far(body));
     (matter && !has_other_family).then(|| (Scene { grading, ..scene.clone() }, resolution))
 }
 

@@ -6,7 +6,7 @@ use crate::accuracy::family::{Family, LOST, Other, UNBALANCED, discrete_of, lost
 use crate::accuracy::reading::{Reading, value_of};
 use crate::measure::{Measures, Quantity, Stretch, larger, relative_error};
 use crate::mesh::Order;
-use crate::scene::Place;
+use crate::scene::{Place, Profile};
 use crate::solve::run::BALANCED;
 use crate::solve::{Displaced, Element, Fitted, Run};
 
@@ -37,6 +37,8 @@ const RISES: f64 = 1.0;
 /// Largest pressure at a node over the peak that consistent nodal pressures of smooth contacts show: those of corners and middles of
 /// 3-node edges differ by 0.5 % on four elements.
 const ALTERNATES: f64 = 1.01;
+/// The same of a point of a line or a layer element on sides that do not match, where points swing: beyond this the means over edges swing too.
+const SWINGS: f64 = 1.15;
 /// On cells of high order that end with the contact: factor on the difference to the next finer mesh, where the gap is smooth and where it is
 /// not, of a peak and of what else pressures tell: of an end under a smooth gap that mesh leaves a tenth, under others it may be as far off.
 const BY_NEXT: [[f64; 2]; 2] = [[2.0, 4.8], [1.6, 9.6]];
@@ -47,7 +49,7 @@ const READ: [f64; 2] = [0.5, 0.5];
 /// order by order either agrees by chance.
 const ROUGH: [f64; 2] = [2.4, 0.5];
 /// Factor on the difference to the mesh of gentler growth, on which what far cells leave is a quarter as large, and half as large or more where a side
-/// is clamped.
+/// is clamped or interference alone presses.
 const FAR: [f64; 2] = [1.5, 3.0];
 /// Of the relative bar of a contact's force, the part that it adds to its other numbers: pressures and lengths grow with the root of the
 /// force (Hertz).
@@ -131,7 +133,8 @@ impl Family {
     pub(super) fn told(&self, run: &Run, reading: &Reading, discrete: f64) -> Evidence {
         let far = match &self.gentler {
             Some(Some(gentler)) => {
-                FAR[usize::from(self.held_at_corner == [true; 2])]
+                let is_slow = self.held_at_corner == [true; 2] || self.profiles.iter().any(Profile::interferes);
+                FAR[usize::from(is_slow)]
                     * (discrete - value_of(&gentler.readings, reading.contact, &reading.quantity)).abs()
             }
             Some(None) => f64::NAN,
@@ -337,8 +340,7 @@ impl Family {
     }
 
     /// What the reading of a number may miss, on this mesh and on all coarser ones alike: of a peak how far two readings of it are apart,
-    /// and a point that stands above it, as under a sharp top; of an end that a mesh line tells how far two series are apart. Points of
-    /// line and layer elements oscillate and say nothing of a top.
+    /// and a point that stands above it, as under a sharp top; of an end that a mesh line tells how far two series are apart.
     fn missed_by_reading(&self, kind: Kind, measures: &Measures) -> f64 {
         match kind {
             Kind::Peak => READINGS * (measures.peak_by_parabola - measures.peak.pressure).abs() + self.above(measures),
@@ -391,10 +393,8 @@ impl Family {
 
     /// By how much a node stands above the peak, beyond what alternates \[MPa\].
     fn above(&self, measures: &Measures) -> f64 {
-        match self.formulation.element {
-            Element::Node => (measures.largest.pressure - ALTERNATES * measures.peak.pressure).max(0.0),
-            Element::Line | Element::Layer => 0.0,
-        }
+        let usual = if self.formulation.element == Element::Node { ALTERNATES } else { SWINGS };
+        (measures.largest.pressure - usual * measures.peak.pressure).max(0.0)
     }
 
     /// Whether the peak lies in the last element before the end of the candidates: a corner, and no flat top.

@@ -230,6 +230,11 @@ impl Profile {
         }
     }
 
+    /// Whether it presses by itself: the bodies overlap everywhere alike.
+    pub fn interferes(&self) -> bool {
+        matches!(*self, Self::Uniform(gap) if gap < 0.0)
+    }
+
     /// Initial gap at the contact coordinate `s` \[mm\]; infinite where there is no other side, NaN where only the bodies'
     /// meshes tell it. All but tables that begin below 0 and drawn bodies are even in `s`.
     pub fn gap(&self, s: f64) -> f64 {
