@@ -4,13 +4,12 @@
 //! same bytes.
 
 use std::collections::BTreeMap;
-use std::fmt;
 use std::path::Path;
 
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
-pub use crate::case::judged::EVERY_RUN;
+pub use crate::case::judged::{EVERY_RUN, Mark};
 use crate::case::{Judged, Quantity, Relation, Verdict, judged};
 use crate::error::Error;
 use crate::markdown::Column;
@@ -97,28 +96,6 @@ fn counted(finding: &Finding, of: fn(&Run) -> usize) -> String {
     run.map(|run| of(run).to_string()).unwrap_or_default()
 }
 
-/// A verdict without its words, from good to bad.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Mark {
-    /// The error is within the tolerance.
-    Pass,
-    /// There was no reference.
-    NotRun,
-    /// The error is not within the tolerance.
-    Fail,
-}
-
-impl fmt::Display for Mark {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Pass => "pass",
-            Self::NotRun => "not run",
-            Self::Fail => "FAIL",
-        })
-    }
-}
-
 /// A check as the record has it, of one that several runs are asked for that of the worst; the first six columns are its
 /// key, and no two checks have the same.
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -180,11 +157,7 @@ impl CheckRow {
 
     fn of(finding: &Finding, judged: &Judged) -> Self {
         let Judged { check, reference, .. } = judged;
-        let (verdict, why) = match &judged.verdict {
-            Verdict::Pass => (Mark::Pass, String::new()),
-            Verdict::Fail => (Mark::Fail, String::new()),
-            Verdict::NotRun(why) => (Mark::NotRun, why.clone()),
-        };
+        let verdict = judged.verdict.mark();
         // An error that fails is shown, however small it is.
         let shown = if verdict == Mark::Fail && judged.error < ROUND_OFF { four } else { floored };
         let error = shown(judged.error);
@@ -205,7 +178,7 @@ impl CheckRow {
             bar: judged.bar_as_error().map(floored),
             uncertainty: judged.uncertainty.map(four),
             verdict,
-            why,
+            why: if let Verdict::NotRun(why) = &judged.verdict { why.clone() } else { String::new() },
             runs: 1,
             worst: String::new(),
         }

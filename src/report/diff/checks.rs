@@ -224,7 +224,7 @@ fn number(pair: &Pair, of: fn(&CheckRow) -> f64, shown: fn(&CheckRow) -> String)
 /// By error over tolerance.
 fn verdict(pair: &Pair) -> Change {
     let why = if pair[1].why.is_empty() { String::new() } else { format!(" ({})", pair[1].why) };
-    let marks = pair.map(|row| row.verdict.to_string()).join(" → ");
+    let marks = pair.map(|row| row.verdict.told()[1]).join(" → ");
     change(pair[1], pair[1].share, format!("{marks}{why}; {}", errors(pair)))
 }
 
