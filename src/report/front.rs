@@ -387,7 +387,7 @@ pub fn nearness(findings: &[Finding]) -> Drawing {
     chart.notes.push("A check that could not be run is beyond every share.".into());
     chart.guides.push(Guide { direction: Direction::Vertical, at: 1.0, label: "limit".into() });
     for (kind, colour, dash, marker) in CURVES {
-        let shares: Vec<f64> = rows.iter().filter(|row| row.kind == kind.to_string()).map(|row| row.share).collect();
+        let shares: Vec<f64> = rows.iter().filter(|row| row.kind == kind).map(|row| row.share).collect();
         if !shares.is_empty() {
             let label = format!("{kind}, {} checks", shares.len());
             let style = Style::run(colour, dash, marker);

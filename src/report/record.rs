@@ -13,6 +13,7 @@ pub use crate::case::judged::{EVERY_RUN, Mark};
 use crate::case::{Judged, Quantity, Relation, Verdict, judged};
 use crate::error::Error;
 use crate::markdown::Column;
+use crate::oracle::ReferenceKind;
 use crate::report::matrix;
 use crate::report::{statements, study_page};
 use crate::solve::Run;
@@ -113,7 +114,7 @@ pub struct CheckRow {
     /// Name of the reference.
     pub against: String,
     /// Kind of the reference.
-    pub kind: String,
+    pub kind: ReferenceKind,
     /// How the value shall stand to the reference.
     pub relation: Relation,
     /// The value.
@@ -147,9 +148,6 @@ fn one() -> usize {
 }
 
 impl CheckRow {
-    /// Columns of the key by name.
-    pub const KEY: [&str; 6] = ["study", "case", "trial", "quantity", "place", "reference"];
-
     /// What the check is told by.
     pub fn key(&self) -> [&str; 6] {
         [&self.study, &self.case, &self.trial, &self.quantity, &self.place, &self.against]
@@ -168,7 +166,7 @@ impl CheckRow {
             quantity: check.quantity.name().into(),
             place: place(&check.quantity, check.contact),
             against: reference.name.clone(),
-            kind: reference.kind.to_string(),
+            kind: reference.kind,
             relation: check.relation,
             value: if check.relation == Relation::Near { four(judged.value) } else { shown(judged.value) },
             reference: four(reference.value),
