@@ -3,6 +3,7 @@
 
 use std::cmp::Reverse;
 
+use crate::case::judged::worst;
 use crate::case::{Judged, Relation, Verdict};
 use crate::drawing::Colour;
 use crate::drawing::palette::{self, Dash, Marker, Style};
@@ -338,15 +339,9 @@ fn file(finding: &Finding) -> String {
 /// Every page of a study, with its sign and number of checks.
 fn index(findings: &[Finding]) -> String {
     let one = |room: &Room| {
-        let judged = study_page::of(room.name, findings).flat_map(|finding| &finding.judged);
-        let [pass, fail, absent] = told::tally(told::once(judged));
-        let sign = match (fail, absent) {
-            (0, 0) if pass == 0 => "–",
-            (0, 0) => "✓",
-            (0, _) => "○",
-            _ => "✗",
-        };
-        format!("{sign} {} {}", to_study(room.about.title, room.name), pass + fail + absent)
+        let judged = || study_page::of(room.name, findings).flat_map(|finding| &finding.judged);
+        let sign = worst(judged()).map_or("–", |worst| worst.mark().told()[0]);
+        format!("{sign} {} {}", to_study(room.about.title, room.name), told::once(judged()).len())
     };
     let rooms: Vec<String> = study_page::asked(findings).map(one).collect();
     format!(
