@@ -25,6 +25,16 @@ pub fn value(value: f64) -> String {
     }
 }
 
+/// A value, and how far it may be off where there is such a bar; NaN is an unknown one.
+pub fn with_bar(number: f64, bar: Option<f64>) -> String {
+    let told = value(number);
+    match bar {
+        None => told,
+        Some(bar) if bar.is_nan() => format!("{told} ± unknown"),
+        Some(bar) => format!("{told} ± {}", significant(bar, 2)),
+    }
+}
+
 /// A tolerance, which may be smaller than what an error is shown as.
 pub fn tolerance(tolerance: f64) -> String {
     match tolerance {

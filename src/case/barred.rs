@@ -140,10 +140,9 @@ impl Case {
 
     fn note(&self, one: &Judged) -> String {
         let Judged { check, reference, value, .. } = one;
-        let bar = one.bar.filter(|bar| bar.is_finite());
-        let bar = bar.map_or_else(String::new, |bar| format!(" ± {}", markdown::significant(bar, 2)));
         let contact = &self.scene.contacts[check.contact].name;
-        let [closed, found] = [reference.value, *value].map(markdown::value);
+        let closed = markdown::value(reference.value);
+        let found = markdown::with_bar(*value, one.bar.filter(|bar| bar.is_finite()));
         let (name, unit) = (&reference.name, check.quantity.unit().unwrap_or_default());
         match check.quantity.number() {
             Some(Number::Resultant) => {
@@ -154,11 +153,11 @@ impl Case {
                     (false, false) => "the whole of it",
                 };
                 format!(
-                    "the closed form of contact `{contact}` is not of this scene: {name} has a load of {closed} N, and the contact carries {found}{bar} N, {whole}"
+                    "the closed form of contact `{contact}` is not of this scene: {name} has a load of {closed} N, and the contact carries {found} N, {whole}"
                 )
             }
             _ => format!(
-                "the closed form of contact `{contact}` is not of this scene, or leaves more out than its checks state as `model-error`: {} is {closed} {unit} by {name}, and {found}{bar} {unit} here",
+                "the closed form of contact `{contact}` is not of this scene, or leaves more out than its checks state as `model-error`: {} is {closed} {unit} by {name}, and {found} {unit} here",
                 check.quantity.name()
             ),
         }

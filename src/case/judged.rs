@@ -23,6 +23,18 @@ pub enum Verdict {
     NotRun(#[serde(skip)] String),
 }
 
+/// A verdict without its words, from good to bad.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Mark {
+    /// The error is within the tolerance.
+    Pass,
+    /// There was no reference.
+    NotRun,
+    /// The error is not within the tolerance.
+    Fail,
+}
+
 /// A check with the value found, the reference, the error and the verdict.
 #[derive(Clone, Debug)]
 pub struct Judged {
@@ -132,7 +144,7 @@ pub fn covered(of: &str, reference: Reference, comparison: Comparison, sources: 
 
 /// The worst of some verdicts: a failure, else one that was not run, else a pass; none of nothing.
 pub fn worst<'a>(judged: impl IntoIterator<Item = &'a Judged>) -> Option<&'a Verdict> {
-    judged.into_iter().map(|judged| &judged.verdict).max_by_key(|verdict| verdict.severity())
+    judged.into_iter().map(|judged| &judged.verdict).max_by_key(|verdict| verdict.mark())
 }
 
 /// Errors below are round-off, and shares of the tolerance that differ by less are alike: which of such runs is worst, machines disagree.
@@ -164,7 +176,7 @@ pub fn requirements<'a, T>(checks: impl IntoIterator<Item = (T, &'a Judged)>) ->
             false => (one.share_of_tolerance() / ALIKE).round(),
         };
         let is_worse = |a: &Judged, b: &Judged| {
-            let severity = a.verdict.severity().cmp(&b.verdict.severity());
+            let severity = a.verdict.mark().cmp(&b.verdict.mark());
             severity.then(share(a).total_cmp(&share(b)))
         };
         runs.sort_by(|(_, a), (_, b)| is_worse(b, a));
@@ -173,23 +185,31 @@ pub fn requirements<'a, T>(checks: impl IntoIterator<Item = (T, &'a Judged)>) ->
 }
 
 impl Verdict {
-    /// A failure is worse than what was not run, and that than a pass.
-    fn severity(&self) -> u8 {
+    /// The same without its words.
+    pub fn mark(&self) -> Mark {
         match self {
-            Self::Pass => 0,
-            Self::NotRun(_) => 1,
-            Self::Fail => 2,
+            Self::Pass => Mark::Pass,
+            Self::NotRun(_) => Mark::NotRun,
+            Self::Fail => Mark::Fail,
         }
     }
 }
 
-/// A sign and a word.
+impl Mark {
+    /// Its sign and its word.
+    pub fn told(self) -> [&'static str; 2] {
+        match self {
+            Self::Pass => ["✓", "pass"],
+            Self::NotRun => ["○", "not run"],
+            Self::Fail => ["✗", "FAIL"],
+        }
+    }
+}
+
+/// A sign and a word, or why it was not run.
 impl fmt::Display for Verdict {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Pass => f.write_str("✓ pass"),
-            Self::Fail => f.write_str("✗ FAIL"),
-            Self::NotRun(why) => write!(f, "○ {why}"),
-        }
+        let [sign, word] = self.mark().told();
+        write!(f, "{sign} {}", if let Self::NotRun(why) = self { why } else { word })
     }
 }

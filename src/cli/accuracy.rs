@@ -43,7 +43,7 @@ pub struct Document<'a> {
     /// What is estimated of each quantity.
     quantities: Vec<OneQuantity<'a>>,
     /// Every mesh that was solved.
-    tried: Vec<OneMesh<'a>>,
+    tried: &'a [Tried],
 }
 
 /// What is estimated of a quantity, relative to it.
@@ -63,29 +63,6 @@ struct OneQuantity<'a> {
     from_penalty: f64,
 }
 
-/// A mesh that was solved.
-#[derive(Serialize, JsonSchema)]
-struct OneMesh<'a> {
-    /// What it was solved for.
-    purpose: &'static str,
-    /// Order of its elements.
-    order: u8,
-    /// Its candidate elements.
-    elements: usize,
-    /// Its growth.
-    growth: f64,
-    /// Its degrees of freedom.
-    #[serde(rename = "freedoms")]
-    dofs: usize,
-    /// Iterations on it.
-    #[serde(rename = "steps")]
-    iterations: usize,
-    /// What it found of each contact.
-    contacts: &'a [TriedContact],
-    /// Its estimate.
-    estimate: f64,
-}
-
 impl<'a> Document<'a> {
     /// What was asked and what came out.
     pub fn of((asked, answer): &'a (Asked, Answer)) -> Self {
@@ -94,16 +71,6 @@ impl<'a> Document<'a> {
             let contact = &answer.scene.contacts[quoted.contact].name;
             let (quantity, estimate) = (quoted.quantity.key(), quoted.relative());
             OneQuantity { contact, quantity, estimate, from_mesh, from_iteration, from_penalty }
-        };
-        let mesh = |tried: &'a Tried| OneMesh {
-            purpose: tried.purpose,
-            order: tried.order.number(),
-            elements: tried.elements,
-            growth: tried.growth,
-            dofs: tried.dofs,
-            iterations: tried.iterations,
-            contacts: &tried.contacts,
-            estimate: tried.estimate,
         };
         Self {
             asked: asked.relative,
@@ -117,7 +84,7 @@ impl<'a> Document<'a> {
             stretches: answer.scene.contacts.iter().map(|pair| pair.stretch).collect(),
             growth: [answer.scene.grading.along, answer.scene.grading.depth],
             quantities: answer.estimates.iter().map(quantity).collect(),
-            tried: answer.tried.iter().map(mesh).collect(),
+            tried: &answer.tried,
         }
     }
 }

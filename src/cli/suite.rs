@@ -119,8 +119,8 @@ const AFTER_FAILURE: &str = "what moved: `contact-vv report diff`; inputs: snaps
 fn row(title: &str, check: &Judged) -> Option<(bool, Row)> {
     let reason = check.reason()?;
     let failed = check.verdict == Verdict::Fail;
-    let sign = if failed { "✗ FAIL" } else { "○ not run" };
-    Some((failed, [sign.into(), title.into(), format!("{}: {reason}", check.requirement())]))
+    let sign = check.verdict.mark().told().join(" ");
+    Some((failed, [sign, title.into(), format!("{}: {reason}", check.requirement())]))
 }
 
 /// A row for each study: worst verdict, trials, and its checks by verdict.
@@ -129,15 +129,10 @@ fn studies(findings: &[Finding], columns: u16) -> String {
     for room in study_page::asked(findings) {
         let own: Vec<&Finding> = study_page::of(room.name, findings).collect();
         let judged = || own.iter().flat_map(|finding| &finding.judged);
-        let sign = match worst(judged()) {
-            Some(Verdict::Pass) => "✓ pass",
-            Some(Verdict::NotRun(_)) => "○ not run",
-            Some(Verdict::Fail) => "✗ FAIL",
-            None => "· no check",
-        };
+        let sign = worst(judged()).map_or("· no check".into(), |worst| worst.mark().told().join(" "));
         let [pass, fail, not_run] = told::tally(told::once(judged()));
         let counts = [own.len(), pass + fail + not_run, pass, fail, not_run].map(|count| count.to_string());
-        told.add_row([sign.to_string(), room.name.replace('_', " ")].into_iter().chain(counts));
+        told.add_row([sign, room.name.replace('_', " ")].into_iter().chain(counts));
     }
     told.to_string()
 }

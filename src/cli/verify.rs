@@ -113,7 +113,7 @@ fn checks(verified: &[Result<Verified, Error>]) -> Table {
             table.add_row([
                 case.name.clone(),
                 one.check.quantity.to_string(),
-                bounded(one),
+                markdown::with_bar(one.value, one.bar),
                 markdown::value(one.reference.value),
                 markdown::error(one.error),
                 bar,
@@ -123,16 +123,6 @@ fn checks(verified: &[Result<Verified, Error>]) -> Table {
         }
     }
     table
-}
-
-/// What was found, with its error bar where it has one.
-pub fn bounded(one: &Judged) -> String {
-    let value = markdown::value(one.value);
-    match one.bar {
-        None => value,
-        Some(bar) if bar.is_nan() => format!("{value} ± unknown"),
-        Some(bar) => format!("{value} ± {}", markdown::significant(bar, 2)),
-    }
 }
 
 /// An error bar in the terms of a check's error.
@@ -168,7 +158,7 @@ pub fn verdict(check: &Judged) -> String {
         check.verdict,
         check.requirement(),
         check.check.quantity,
-        bounded(check),
+        markdown::with_bar(check.value, check.bar),
         markdown::value(check.reference.value),
         markdown::error(check.error),
     )

@@ -4,16 +4,13 @@ use crate::error::Error;
 use crate::measure::larger;
 use crate::referee::answer::places;
 use crate::referee::profile::{EDGES, Profile};
+use crate::referee::side::{DROPPED, PRESSED};
 use crate::referee::source::Source;
 use crate::referee::truth::Truth;
 use crate::referee::{Answer, Handed, mistakes, norm};
 use crate::scene::ContactPair;
 
-/// Pressure at an end, over the largest, from which on the contact does not end there.
-const PRESSED: f64 = 0.02;
-/// Share of the force that may lie behind it.
-const DROPPED: f64 = 1e-3;
-/// Intervals over which the force behind it is summed.
+/// Intervals over which the force behind an end is summed.
 const INTERVALS: usize = 2000;
 /// Times the spacing of the points beside it from which on a step between two points is a hole: of those on either side, or of the two next ones
 /// on each, since steps that grow one way are not longer than both; and share of the force that may lie in holes.

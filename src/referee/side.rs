@@ -15,10 +15,10 @@ const NEAR: f64 = 0.02;
 const ALONG: f64 = 0.5;
 /// Rounding of the stretch.
 const SAME: f64 = 1e-6;
-/// Pressure over the largest, above which an edge is pressed: stresses at free nodes are not quite 0.
-const PRESSED: f64 = 0.02;
-/// Share of the force that may lie elsewhere.
-const DROPPED: f64 = 1e-3;
+/// Pressure over the largest, above which an edge is pressed, and a contact does not end: stresses at free nodes are not quite 0.
+pub(super) const PRESSED: f64 = 0.02;
+/// Share of the force that may lie elsewhere, or behind an end.
+pub(super) const DROPPED: f64 = 1e-3;
 /// Distance of two edges, over the length of one, from which on there is a part of the side between them.
 const APART: f64 = 1e-2;
 /// Part of the candidate stretch that a side reaches over which lies there with its points in another unit.

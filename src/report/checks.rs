@@ -205,11 +205,8 @@ fn place(quantity: &Quantity) -> String {
 /// A value, with its error bar where its standard uncertainty is known and more than none.
 fn with_uncertainty(value: f64, uncertainty: Option<f64>) -> String {
     match uncertainty.filter(|uncertainty| *uncertainty > 0.0) {
-        Some(uncertainty) => {
-            format!("{} ± {}", markdown::value(value), markdown::significant(COVERAGE * uncertainty, 2))
-        }
-        None if value.fract().abs() > 0.0 || !value.is_finite() => markdown::value(value),
-        None => markdown::bound(value),
+        None if value.fract().abs() <= 0.0 => markdown::bound(value),
+        uncertainty => markdown::with_bar(value, uncertainty.map(|uncertainty| COVERAGE * uncertainty)),
     }
 }
 

@@ -3,6 +3,7 @@
 
 use std::cmp::Reverse;
 
+use crate::case::judged::worst;
 use crate::case::{Judged, Relation, Verdict};
 use crate::drawing::Colour;
 use crate::drawing::palette::{self, Dash, Marker, Style};
@@ -338,15 +339,9 @@ fn file(finding: &Finding) -> String {
 /// Every page of a study, with its sign and number of checks.
 fn index(findings: &[Finding]) -> String {
     let one = |room: &Room| {
-        let judged = study_page::of(room.name, findings).flat_map(|finding| &finding.judged);
-        let [pass, fail, absent] = told::tally(told::once(judged));
-        let sign = match (fail, absent) {
-            (0, 0) if pass == 0 => "–",
-            (0, 0) => "✓",
-            (0, _) => "○",
-            _ => "✗",
-        };
-        format!("{sign} {} {}", to_study(room.about.title, room.name), pass + fail + absent)
+        let judged = || study_page::of(room.name, findings).flat_map(|finding| &finding.judged);
+        let sign = worst(judged()).map_or("–", |worst| worst.mark().told()[0]);
+        format!("{sign} {} {}", to_study(room.about.title, room.name), told::once(judged()).len())
     };
     let rooms: Vec<String> = study_page::asked(findings).map(one).collect();
     format!(
@@ -387,7 +382,7 @@ pub fn nearness(findings: &[Finding]) -> Drawing {
     chart.notes.push("A check that could not be run is beyond every share.".into());
     chart.guides.push(Guide { direction: Direction::Vertical, at: 1.0, label: "limit".into() });
     for (kind, colour, dash, marker) in CURVES {
-        let shares: Vec<f64> = rows.iter().filter(|row| row.kind == kind.to_string()).map(|row| row.share).collect();
+        let shares: Vec<f64> = rows.iter().filter(|row| row.kind == kind).map(|row| row.share).collect();
         if !shares.is_empty() {
             let label = format!("{kind}, {} checks", shares.len());
             let style = Style::run(colour, dash, marker);

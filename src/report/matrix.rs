@@ -1,7 +1,7 @@
 //! The verdict matrix, the other cases in short, and the tables of verdicts by kind.
 
+use crate::case::Judged;
 use crate::case::judged::worst;
-use crate::case::{Judged, Verdict};
 use crate::markdown;
 use crate::oracle::ReferenceKind;
 use crate::report::told;
@@ -95,12 +95,8 @@ const SIGNS: [&str; 4] = ["✓", "·", "○", "✗"];
 
 /// Whether all checks of a run pass, it is reported only, some could not be run, or some fail.
 fn mark(finding: &Finding) -> &'static str {
-    match finding.verdict() {
-        _ if finding.numbers().is_some_and(|Numbers { case, .. }| case.is_reported()) => SIGNS[1],
-        Verdict::Pass => SIGNS[0],
-        Verdict::NotRun(_) => SIGNS[2],
-        Verdict::Fail => SIGNS[3],
-    }
+    let is_reported = finding.numbers().is_some_and(|Numbers { case, .. }| case.is_reported());
+    if is_reported { SIGNS[1] } else { finding.verdict().mark().told()[0] }
 }
 
 fn sign(finding: &Finding) -> String {

@@ -4,16 +4,16 @@
 //! same bytes.
 
 use std::collections::BTreeMap;
-use std::fmt;
 use std::path::Path;
 
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
-pub use crate::case::judged::EVERY_RUN;
+pub use crate::case::judged::{EVERY_RUN, Mark};
 use crate::case::{Judged, Quantity, Relation, Verdict, judged};
 use crate::error::Error;
 use crate::markdown::Column;
+use crate::oracle::ReferenceKind;
 use crate::report::matrix;
 use crate::report::{statements, study_page};
 use crate::solve::Run;
@@ -97,28 +97,6 @@ fn counted(finding: &Finding, of: fn(&Run) -> usize) -> String {
     run.map(|run| of(run).to_string()).unwrap_or_default()
 }
 
-/// A verdict without its words, from good to bad.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Mark {
-    /// The error is within the tolerance.
-    Pass,
-    /// There was no reference.
-    NotRun,
-    /// The error is not within the tolerance.
-    Fail,
-}
-
-impl fmt::Display for Mark {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Pass => "pass",
-            Self::NotRun => "not run",
-            Self::Fail => "FAIL",
-        })
-    }
-}
-
 /// A check as the record has it, of one that several runs are asked for that of the worst; the first six columns are its
 /// key, and no two checks have the same.
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -136,7 +114,7 @@ pub struct CheckRow {
     /// Name of the reference.
     pub against: String,
     /// Kind of the reference.
-    pub kind: String,
+    pub kind: ReferenceKind,
     /// How the value shall stand to the reference.
     pub relation: Relation,
     /// The value.
@@ -170,9 +148,6 @@ fn one() -> usize {
 }
 
 impl CheckRow {
-    /// Columns of the key by name.
-    pub const KEY: [&str; 6] = ["study", "case", "trial", "quantity", "place", "reference"];
-
     /// What the check is told by.
     pub fn key(&self) -> [&str; 6] {
         [&self.study, &self.case, &self.trial, &self.quantity, &self.place, &self.against]
@@ -180,11 +155,7 @@ impl CheckRow {
 
     fn of(finding: &Finding, judged: &Judged) -> Self {
         let Judged { check, reference, .. } = judged;
-        let (verdict, why) = match &judged.verdict {
-            Verdict::Pass => (Mark::Pass, String::new()),
-            Verdict::Fail => (Mark::Fail, String::new()),
-            Verdict::NotRun(why) => (Mark::NotRun, why.clone()),
-        };
+        let verdict = judged.verdict.mark();
         // An error that fails is shown, however small it is.
         let shown = if verdict == Mark::Fail && judged.error < ROUND_OFF { four } else { floored };
         let error = shown(judged.error);
@@ -195,7 +166,7 @@ impl CheckRow {
             quantity: check.quantity.name().into(),
             place: place(&check.quantity, check.contact),
             against: reference.name.clone(),
-            kind: reference.kind.to_string(),
+            kind: reference.kind,
             relation: check.relation,
             value: if check.relation == Relation::Near { four(judged.value) } else { shown(judged.value) },
             reference: four(reference.value),
@@ -205,7 +176,7 @@ impl CheckRow {
             bar: judged.bar_as_error().map(floored),
             uncertainty: judged.uncertainty.map(four),
             verdict,
-            why,
+            why: if let Verdict::NotRun(why) = &judged.verdict { why.clone() } else { String::new() },
             runs: 1,
             worst: String::new(),
         }

@@ -1,6 +1,7 @@
 //! What became of some checks, in a sentence.
 
-use crate::case::{Judged, Relation, Verdict, judged};
+use crate::case::judged::{self, Mark};
+use crate::case::{Judged, Relation, Verdict};
 use crate::markdown;
 use crate::oracle::ReferenceKind;
 use crate::study::Finding;
@@ -37,15 +38,8 @@ pub fn propositions<'a>(judged: impl IntoIterator<Item = &'a Judged>) -> usize {
 
 /// Numbers of those that passed, failed and were not run.
 pub fn tally<'a>(judged: impl IntoIterator<Item = &'a Judged>) -> [usize; 3] {
-    let mut counts = [0; 3];
-    for one in judged {
-        counts[match one.verdict {
-            Verdict::Pass => 0,
-            Verdict::Fail => 1,
-            Verdict::NotRun(_) => 2,
-        }] += 1;
-    }
-    counts
+    let marks: Vec<Mark> = judged.into_iter().map(|one| one.verdict.mark()).collect();
+    [Mark::Pass, Mark::Fail, Mark::NotRun].map(|mark| marks.iter().filter(|own| **own == mark).count())
 }
 
 /// The sentence on checks, [`once`] each.

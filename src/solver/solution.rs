@@ -128,15 +128,25 @@ impl Work {
 
 /// The state of one contact point at the end.
 #[derive(Clone, Copy, Debug, serde::Serialize)]
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "Point", description = "A contact point.")
+)]
 pub struct PointState {
     /// Contact coordinate `s` \[mm, or rad on an arc\].
+    #[cfg_attr(feature = "schema", schemars(description = "Contact coordinate."))]
     pub position: f64,
-    /// Tributary area of the modelled part \[mm²\].
-    pub weight: f64,
     /// Contact pressure as reported, ≥ 0 \[MPa\].
+    #[cfg_attr(feature = "schema", schemars(description = "Contact pressure."))]
     pub pressure: f64,
     /// Remaining gap `h = g − w` \[mm\].
+    #[cfg_attr(feature = "schema", schemars(description = "Remaining gap."))]
     pub gap: f64,
+    /// Tributary area of the modelled part \[mm²\].
+    #[serde(rename = "area")]
+    #[cfg_attr(feature = "schema", schemars(description = "Area that its pressure acts on."))]
+    pub weight: f64,
 }
 
 impl PointState {

@@ -205,7 +205,7 @@ fn quoted((_, numbers, judged): &Row, factor: f64, of: fn(&Run) -> f64, quantity
     match bar {
         _ if !numbers.run.solution.converged() || value.is_nan() => "–".into(),
         _ if is_endless => "without limit".into(),
-        Some(bar) => format!("{} ± {}", significant(value, 6), significant(factor * bar, 2)),
+        Some(bar) => markdown::with_bar(value, Some(factor * bar)),
         None => significant(value, 5),
     }
 }

@@ -56,31 +56,12 @@ pub struct Contact<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     penalty_error: Option<Errors>,
     /// Every contact point.
-    profile: Vec<Point>,
-}
-
-/// A contact point.
-#[derive(Serialize, JsonSchema)]
-struct Point {
-    /// Contact coordinate.
-    position: f64,
-    /// Contact pressure.
-    pressure: f64,
-    /// Remaining gap.
-    gap: f64,
-    /// Area that its pressure acts on.
-    area: f64,
-}
-
-impl From<&PointState> for Point {
-    fn from(p: &PointState) -> Self {
-        Self { position: p.position, pressure: p.pressure, gap: p.gap, area: p.weight }
-    }
+    profile: &'a [PointState],
 }
 
 impl<'a> Contact<'a> {
     /// One of a run.
-    pub fn of(problem: &'a Case, run: &Run, contact: usize, notes: Vec<String>) -> Self {
+    pub fn of(problem: &'a Case, run: &'a Run, contact: usize, notes: Vec<String>) -> Self {
         let (pair, found) = (&problem.scene.contacts[contact], &run.contacts[contact]);
         let measures = &found.measures;
         Self {
@@ -102,7 +83,7 @@ impl<'a> Contact<'a> {
             resultant: found.transmitted,
             iteration_error: found.iteration,
             penalty_error: found.penalty,
-            profile: run.solution.points_of(contact).iter().map(Point::from).collect(),
+            profile: run.solution.points_of(contact),
         }
     }
 }

@@ -72,12 +72,8 @@ pub fn series(truth: &Truth, found: &Series) {
     for one in &found.along {
         let limit = one.limit.map_or_else(String::new, |limit| {
             let order = if limit.order.is_nan() { "none".into() } else { markdown::significant(limit.order, 3) };
-            format!(
-                "{}: limit {} ± {}, order of the last three {order}; ",
-                one.name,
-                markdown::value(limit.limit),
-                markdown::significant(limit.bar, 2)
-            )
+            let found = markdown::with_bar(limit.limit, Some(limit.bar));
+            format!("{}: limit {found}, order of the last three {order}; ", one.name)
         });
         let reference = markdown::value(one.judged.reference.value);
         say(format!("{limit}{}: {} against {reference} ({})", one.judged.verdict, one.name, one.judged.reference.name));

@@ -151,23 +151,11 @@ pub struct ReactionReading {
     /// Name of the body.
     pub body: String,
     /// Where the support is: the name of a boundary, or the point of a node.
-    #[schemars(with = "Where")]
     pub at: Place,
     /// Which component it holds: `x` or `y`.
     pub component: &'static str,
     /// Force on the body along that component, positive along x or y \[N\].
     pub force: f64,
-}
-
-/// A place as JSON has it.
-#[derive(JsonSchema)]
-#[schemars(untagged)]
-#[expect(dead_code, reason = "it only describes how a place is written")]
-enum Where {
-    /// A boundary of the body.
-    Boundary(String),
-    /// The node at a point.
-    Point([f64; 2]),
 }
 
 /// The reaction of every support, body by body in the order of the scene.

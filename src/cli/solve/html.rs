@@ -1,9 +1,9 @@
 //! A solve as one HTML file that needs nothing else: numbers with bars, pictures, checks, notes and input; light and dark.
 
 use crate::case::Judged;
+use crate::cli::bars;
 use crate::cli::solve::brief;
 use crate::cli::solve::found::Found;
-use crate::cli::{bars, verify};
 use crate::error::Error;
 use crate::markdown;
 use crate::report::pictures;
@@ -52,9 +52,8 @@ pub fn is_ours(text: &str) -> bool {
 const CHECKED: [&str; 5] = ["verdict", "requirement", "value ± error bar", "reference", "error"];
 
 fn checked(check: &Judged) -> [String; 5] {
-    let [value, reference, error] =
-        [verify::bounded(check), markdown::value(check.reference.value), markdown::error(check.error)];
-    [check.verdict.to_string(), check.requirement(), value, reference, error]
+    let (value, reference) = (markdown::with_bar(check.value, check.bar), markdown::value(check.reference.value));
+    [check.verdict.to_string(), check.requirement(), value, reference, markdown::error(check.error)]
 }
 
 /// A part with its heading; nothing where it is empty.

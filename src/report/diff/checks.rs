@@ -1,17 +1,15 @@
-//! The record of checks: which check of one record is which of another, by its key, or, where that was changed, by its numbers; and
-//! what a change of a verdict, a limit, a number or a bar means, the most important first.
+//! The record of checks: which check of one record is which of another, by its key; and what a change of a verdict, a limit, a number
+//! or a bar means, the most important first.
 
-use std::cmp::Reverse;
 use std::collections::BTreeSet;
 use std::path::Path;
-use std::ptr;
 
 use super::told::{Change, Told};
 use crate::case::Relation;
 use crate::markdown::{self, significant};
 use crate::oracle::ReferenceKind;
 use crate::report::record::{CheckRow, Mark, ROUND_OFF};
-use crate::study::grouped::{joined, largest_first};
+use crate::study::grouped::{joined, largest_first, sorted};
 
 /// Folders of what is recorded.
 const RECORDS: [&str; 2] = ["snapshots", "oracles/frozen"];
@@ -26,7 +24,7 @@ type Pair<'a> = [&'a CheckRow; 2];
 /// The checks of two records, matched.
 #[derive(Clone, Debug, Default)]
 pub struct Pairs<'a> {
-    /// In both, renamed ones too.
+    /// In both.
     pub both: Vec<Pair<'a>>,
     /// Before only.
     pub gone: Vec<&'a CheckRow>,
@@ -34,92 +32,47 @@ pub struct Pairs<'a> {
     pub came: Vec<&'a CheckRow>,
 }
 
-/// Parts of a key that a renamed check keeps at least, and where its numbers say nothing.
-const KEPT: [usize; 2] = [2, 5];
-
 impl<'a> Pairs<'a> {
-    /// Matches two records.
+    /// Matches two records by the keys of their checks; those that nothing but counts tells apart in their order.
     pub fn of(before: &'a [CheckRow], after: &'a [CheckRow]) -> Self {
-        let all = joined([before, after].map(|rows| rows.iter().map(|row| (row.key(), row))));
-        let mut pairs = Self {
-            both: all.values().filter_map(|[old, new]| Some([(*old)?, (*new)?])).collect(),
-            gone: all.values().filter_map(|[old, new]| old.filter(|_| new.is_none())).collect(),
-            came: all.values().filter_map(|[old, new]| new.filter(|_| old.is_none())).collect(),
+        let keyed = |rows: &'a [CheckRow]| {
+            let alike = sorted(rows.iter().map(|row| (uncounted(row), row))).into_iter();
+            alike.flat_map(|(key, rows)| rows.into_iter().enumerate().map(move |(k, row)| ((key.clone(), k), row)))
         };
-        pairs.recount();
-        pairs.rename();
-        pairs
-    }
-
-    /// Matches what differs in nothing but the count of what it is asked of, where no other check would do.
-    fn recount(&mut self) {
-        let both = joined([&self.gone, &self.came].map(|rows| {
-            let counted = largest_first(rows.iter().map(|&row| (uncounted(row), row)));
-            counted.into_iter().filter_map(|(key, rows)| <[&CheckRow; 1]>::try_from(rows).ok().map(|[row]| (key, row)))
-        }));
-        let found: Vec<Pair> = both.into_values().filter_map(|[old, new]| Some([old?, new?])).collect();
-        self.gone.retain(|row| !found.iter().any(|pair| ptr::eq(pair[0], *row)));
-        self.came.retain(|row| !found.iter().any(|pair| ptr::eq(pair[1], *row)));
-        self.both.extend(found);
-    }
-
-    /// Matches what is left over: first those of the same tolerance, then those that were renamed and loosened at once; of these
-    /// those with the most parts of the key in common first.
-    fn rename(&mut self) {
-        // Numbers that many checks have tell nobody apart.
-        let says = |x: f64| x.is_finite() && x.fract().abs() > 0.0;
-        let parts_needed = |row: &CheckRow| KEPT[usize::from(!says(row.value) && !says(row.error))];
-        // The same numbers, held in the same way.
-        let held = |row: &CheckRow| (row.kind.clone(), row.relation, row.verdict);
-        let is_alike = |pair: &Pair| !is_moved(pair) && held(pair[0]) == held(pair[1]);
-        let all = self.gone.iter().flat_map(|&old| self.came.iter().map(move |&new| [old, new]));
-        let mut found: Vec<Pair> = all.filter(|one| is_alike(one) && parts_kept(one) >= parts_needed(one[1])).collect();
-        found.sort_by_key(|one| Reverse((!differ(one.map(|row| row.tolerance)), parts_kept(one))));
-        for pair in found {
-            let place = |rows: &[&CheckRow], row: &CheckRow| rows.iter().position(|one| ptr::eq(*one, row));
-            if let (Some(gone), Some(came)) = (place(&self.gone, pair[0]), place(&self.came, pair[1])) {
-                self.gone.remove(gone);
-                self.came.remove(came);
-                self.both.push(pair);
+        let mut pairs = Self::default();
+        for one in joined([before, after].map(keyed)).into_values() {
+            match one {
+                [Some(old), Some(new)] => pairs.both.push([old, new]),
+                [old, new] => {
+                    pairs.gone.extend(old);
+                    pairs.came.extend(new);
+                }
             }
         }
+        pairs
     }
 }
 
-/// The key of a check, with no count in a place that says of how many.
+/// The key of a check, with no count in a place that says of how many: of more of them it is the same check.
 fn uncounted(row: &CheckRow) -> [String; 6] {
-    let is_count = |word: &str| {
-        let digits = word.trim_end_matches(',');
-        !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit())
-    };
-    let words: Vec<&str> = row.place.split(' ').collect();
-    let says = words.windows(2).any(|pair| pair[0] == "of" && is_count(pair[1]));
-    let words: Vec<&str> = words.into_iter().map(|word| if says && is_count(word) { "#" } else { word }).collect();
+    let is_count = |word: &str| word.parse::<usize>().is_ok();
+    let words: Vec<&str> = row.place.split([' ', ',']).collect();
+    let says = words.windows(2).any(|two| two[0] == "of" && is_count(two[1]));
     let mut key = row.key().map(String::from);
-    key[PLACE] = words.join(" ");
+    key[PLACE] = words.into_iter().filter(|word| !says || !is_count(word)).collect::<Vec<_>>().join(" ");
     key
 }
 
 /// Part of a key that says where, and of how many.
 const PLACE: usize = 4;
 
-fn parts_kept([before, after]: &Pair) -> usize {
-    before.key().iter().zip(after.key()).filter(|(old, new)| **old == *new).count()
-}
-
-/// Whether any number of a check moved.
-fn is_moved(pair: &Pair) -> bool {
-    let numbers: [fn(&CheckRow) -> f64; 3] = [|row| row.value, |row| row.reference, |row| row.error];
-    numbers.into_iter().any(|number| differ(pair.map(number)))
-}
-
 /// Whether two numbers of a record differ; what is no number is like what is no number.
 fn differ([before, after]: [f64; 2]) -> bool {
     before.to_bits() != after.to_bits() && !(before.is_nan() && after.is_nan())
 }
 
-/// What got worse against a truth, by error over tolerance; limits; other verdicts; what went, came, is asked of fewer runs or was
-/// renamed; numbers and error bars. [`stale`] records are apart.
+/// What got worse against a truth, by error over tolerance; limits; other verdicts; what went, came or is asked of fewer
+/// runs; numbers and error bars. [`stale`] records are apart.
 pub fn told(pairs: &Pairs) -> Vec<Told> {
     let moved = |what, is_one: fn(&Pair) -> bool, change: fn(&Pair) -> Change| {
         section(what, pairs.both.iter().filter(|pair| is_one(pair)).map(|pair| (pair[1], change(pair))))
@@ -148,10 +101,11 @@ pub fn told(pairs: &Pairs) -> Vec<Told> {
         moved("Checks asked of FEWER runs", is_asked_less, |pair| {
             number(pair, |row| row.runs as f64, |row| format!("{} runs", row.runs))
         }),
-        moved("Checks held against ANOTHER kind of truth", is_of_other_kind, |[before, after]| {
-            change(after, 0.0, format!("{} → {}", before.kind, after.kind))
-        }),
-        moved("Checks renamed, with the same numbers", |[before, after]| uncounted(before) != uncounted(after), name),
+        moved(
+            "Checks held against ANOTHER kind of truth",
+            |[before, after]| before.kind != after.kind,
+            |[before, after]| change(after, 0.0, format!("{} → {}", before.kind, after.kind)),
+        ),
         moved(
             "Numbers that moved",
             |pair| is_changed(pair) && pair[0].verdict == pair[1].verdict && !is_stale(pair[1]),
@@ -171,7 +125,7 @@ pub fn told(pairs: &Pairs) -> Vec<Told> {
 /// Checks that changed in one way, counted by the kind of what they are held against.
 fn section<'a>(what: &str, changes: impl Iterator<Item = (&'a CheckRow, Change)>) -> Option<Told> {
     let (rows, changes): (Vec<&CheckRow>, Vec<Change>) = changes.unzip();
-    let kinds = largest_first(rows.iter().map(|row| (&row.kind, ())));
+    let kinds = largest_first(rows.iter().map(|row| (row.kind, ())));
     let kinds: Vec<String> = kinds.iter().map(|(kind, all)| format!("{} {kind}", all.len())).collect();
     let told = Told::counted(what, "check", changes)?;
     Some(Told { heading: format!("{} ({})", told.heading, kinds.join(", ")), ..told })
@@ -224,7 +178,7 @@ fn number(pair: &Pair, of: fn(&CheckRow) -> f64, shown: fn(&CheckRow) -> String)
 /// By error over tolerance.
 fn verdict(pair: &Pair) -> Change {
     let why = if pair[1].why.is_empty() { String::new() } else { format!(" ({})", pair[1].why) };
-    let marks = pair.map(|row| row.verdict.to_string()).join(" → ");
+    let marks = pair.map(|row| row.verdict.told()[1]).join(" → ");
     change(pair[1], pair[1].share, format!("{marks}{why}; {}", errors(pair)))
 }
 
@@ -281,30 +235,15 @@ fn is_loosened_by_hand(pair: &Pair) -> bool {
     is_loosened(pair) && !is_loosened_as_bar(pair)
 }
 
-fn is_of_other_kind([before, after]: &Pair) -> bool {
-    before.kind != after.kind
-}
-
 /// Whether its numbers are others, or its error is another part of the same limit.
 fn is_changed(pair: &Pair) -> bool {
-    is_moved(pair) || is_another_share(pair)
-}
-
-/// Whether the part of the limit moved, which the limit did not.
-fn is_another_share(pair: &Pair) -> bool {
-    differ(pair.map(|row| row.share)) && !differ(pair.map(limit))
+    let numbers: [fn(&CheckRow) -> f64; 3] = [|row| row.value, |row| row.reference, |row| row.error];
+    let is_another_share = differ(pair.map(|row| row.share)) && !differ(pair.map(limit));
+    is_another_share || numbers.into_iter().any(|number| differ(pair.map(number)))
 }
 
 fn is_asked_less([before, after]: &Pair) -> bool {
     after.runs < before.runs
-}
-
-/// Checks of one new name are told in one row.
-fn name([before, after]: &Pair) -> Change {
-    let parts = CheckRow::KEY.iter().zip(before.key().into_iter().zip(after.key()));
-    let parts =
-        parts.filter(|(_, (old, new))| old != new).map(|(part, (old, new))| format!("{part} `{old}` → `{new}`"));
-    told_by(parts.collect::<Vec<_>>().join(", "), change(after, 0.0, String::new()))
 }
 
 /// A check that is in one record only: told as such, or together with all of its case where the other record has no such case.
@@ -352,7 +291,7 @@ fn is_worse([before, after]: &Pair) -> bool {
 
 /// Whether a check is held against something that is not this code.
 fn is_of_truth(row: &CheckRow) -> bool {
-    row.kind != ReferenceKind::SelfConsistency.to_string()
+    row.kind != ReferenceKind::SelfConsistency
 }
 
 /// Whether the present code does not give a record of its own.

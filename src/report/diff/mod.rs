@@ -1,7 +1,7 @@
 //! What moved between two commits, for whoever reviews the change: what it means first, what it looks like last.
 //!
 //! * [`tree`] — committed results as texts by path.
-//! * [`checks`] — which check is which, renamed ones too, and what a change in each of their columns means.
+//! * [`checks`] — which check is which, and what a change in each of their columns means.
 //! * [`table`] — whatever else is recorded: runs, statements, references, surveys, seconds; [`charts`].
 //! * [`told`] — changes as rows under a heading.
 

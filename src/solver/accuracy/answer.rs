@@ -100,27 +100,41 @@ pub(super) fn quoted(bars: &[Barred], run: &Run, asked: &Asked) -> Vec<Barred> {
     bars.iter().filter(is_asked).cloned().collect()
 }
 
-/// One mesh that was solved.
-#[derive(Clone, Debug)]
+/// A mesh that was solved.
+#[derive(Clone, Debug, serde::Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "OneMesh"))]
 pub struct Tried {
     /// What it was solved for.
     pub purpose: &'static str,
-    /// Element order.
+    /// Order of its elements.
+    #[serde(serialize_with = "number")]
+    #[cfg_attr(feature = "schema", schemars(with = "u8"))]
     pub order: Order,
     /// Elements within the contact, within half of it where it has both sides; within that of fewest where there are several.
+    #[cfg_attr(feature = "schema", schemars(description = "Its candidate elements."))]
     pub elements: usize,
     /// Growth along the surface; NaN where the mesh of every body is given.
+    #[cfg_attr(feature = "schema", schemars(description = "Its growth."))]
     pub growth: f64,
     /// Dofs; 0 where contact went on beyond the candidates.
+    #[serde(rename = "freedoms")]
+    #[cfg_attr(feature = "schema", schemars(description = "Its degrees of freedom."))]
     pub dofs: usize,
     /// Those of the coarser meshes of its bars.
+    #[serde(skip)]
     pub coarser: usize,
-    /// Contact iterations.
+    /// Iterations on it.
+    #[serde(rename = "steps")]
     pub iterations: usize,
-    /// What was found, contact by contact.
+    /// What it found of each contact.
     pub contacts: Vec<TriedContact>,
     /// Largest estimated relative error of the quantities asked for; NaN where there is none yet.
+    #[cfg_attr(feature = "schema", schemars(description = "Its estimate."))]
     pub estimate: f64,
+}
+
+fn number<S: serde::Serializer>(order: &Order, to: S) -> Result<S::Ok, S::Error> {
+    to.serialize_u8(order.number())
 }
 
 impl Tried {

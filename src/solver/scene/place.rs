@@ -6,13 +6,15 @@ use std::fmt;
 /// Name of a boundary: the shape's own, or one that a user gave.
 pub type BoundaryName = Cow<'static, str>;
 
-/// A named boundary of a shape, or the node at a point.
+/// A named boundary of a shape, or the node at a point \[mm\].
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "schema", schemars(rename = "Where", description = "A place as JSON has it."))]
 #[serde(untagged)]
 pub enum Place {
-    /// Named boundary of the shape.
+    /// A boundary of the body.
     Boundary(BoundaryName),
-    /// The node at this point \[mm\].
+    /// The node at a point.
     Point([f64; 2]),
 }
 
