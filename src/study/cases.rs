@@ -157,7 +157,7 @@ fn run(case: &Arc<Case>, mesh: &Shared, formulation: &Formulation) -> Result<Num
     let run = case.run(meshed, formulation)?;
     let mut judged = case.judge(meshed, &run)?;
     // Once for all formulations: the closed form is that of the scene.
-    if formulation.name() == case.formulation().name() {
+    if formulation.is_like(case.formulation()) {
         judged.extend(case.held_to_closed_forms(meshed, &run)?);
     }
     Ok(Numbers { case: case.clone(), run, judged })
