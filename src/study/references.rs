@@ -254,7 +254,7 @@ fn series(name: &str) -> Result<Vec<Called>, Error> {
     }
     // Of both cylinders the narrower contact, which is that of the library, comes first.
     let asked = Independent::built_in()?.scenes.into_values().find(|asked| asked.scene.case == name);
-    let each = asked.into_iter().flat_map(|asked| asked.series);
+    let each = asked.into_iter().flat_map(|asked| asked.answers);
     Ok(each.map(|(script, series)| (script.title(), script.has_penalty(), series)).collect())
 }
 

@@ -240,7 +240,7 @@ pub fn asked(benchmark: &Benchmark, live: Option<Live>) -> Result<Vec<Other>, Er
         let found = format!("{theirs} in the frozen scene, but {ours} in ours");
         return Err(Error::refused(&file(), &format!("{name}: {key}"), found, REFREEZE));
     }
-    let all = kept.series.iter().map(|(&script, kept)| {
+    let all = kept.answers.iter().map(|(&script, kept)| {
         let Some(live) = live.filter(|_| script.is_set_up()) else {
             return Ok(Other { script, reproduced: None, found: Found::of(script.title(), kept)? });
         };
