@@ -297,6 +297,9 @@ fn along_chart(alongs: &[&Along]) -> Drawing {
     panels("Fig. 15: pin and rod along their contact arcs", &charts, 2)
 }
 
+/// Iterations that have their numbers: later ones lie too near to one another.
+const NUMBERED: usize = 4;
+
 /// The way of each iteration to the solution of two bars closing a gap, in the plane of approach and pressure of their contact.
 fn paths(runs: &[&Run]) -> Drawing {
     let bars = bars();
@@ -325,7 +328,7 @@ fn paths(runs: &[&Run]) -> Drawing {
             Series::new("solution", [on_bodies(bars.gap)], Style::run(palette::INK, Dash::Absent, Marker::Diamond)),
         ];
         chart.guides.push(Guide { direction: Direction::Vertical, at: bars.gap, label: "closed".into() });
-        let numbered = places().enumerate().map(|(k, at)| (at, (k + 1).to_string()));
+        let numbered = places().take(NUMBERED).enumerate().map(|(k, at)| (at, (k + 1).to_string()));
         chart.remarks = numbered.map(|(at, text)| Remark { at, text, ring: None, colour: palette::NODE }).collect();
         chart
     };
