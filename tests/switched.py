@@ -5,6 +5,7 @@ name has `::`, else a trial of the suite.
 """
 import collections
 import hashlib
+import itertools
 import json
 import math
 import os
@@ -142,7 +143,7 @@ class Switched:
                 and name != "every snapshot belongs to a run of the suite"]
 
     def red(self, names, processor=PROCESSOR, **environment):
-        """The first of some tests that fails, or how they broke off, and what it says by the kind of its reference; none where all pass."""
+        """The first of some tests that fails, or how they broke off, and by the kind of its reference what it says and of which quantity; none where all pass."""
         options = self.options | {"env": self.options["env"] | environment, "preexec_fn": lambda: limited(processor)}
         program = self.programs["claims" if is_claim(names[0]) else "suite"]
         run = Run([program, "--exact", "--test-threads=1", *names], PATIENCE, **options)
@@ -154,17 +155,17 @@ class Switched:
             if re.search(r"(\.\.\. |^)FAILED\s*$", line):
                 failed = last
                 if is_claim(failed):
-                    return failed, {OF_CLAIMS.get(failed, "claim"): ""}
+                    return failed, {OF_CLAIMS.get(failed, "claim"): ("", None)}
         if failed:
             kinds = {}
-            for line in said:
+            for line, next_line in itertools.pairwise(said):
                 if told := re.match(rf"({'|'.join(TRUTHS)}|self-consistency): (.*)", line):
-                    kinds.setdefault(told[1], told[2])
+                    kinds.setdefault(told[1], (told[2], next_line.strip().removeprefix("quantity: ")))
             at = said.index(f"---- {failed} ----") if f"---- {failed} ----" in said else -1
             kind = "snapshot" if failed.startswith("snapshot") else "broken off"
-            return failed, kinds or {kind: said[at + 1].replace(f"{self.tree}/", "")}
+            return failed, kinds or {kind: (said[at + 1].replace(f"{self.tree}/", ""), None)}
         if run.broken() or run.process.returncode:
-            return last or names[0], {"broken off": (run.broken() or "it broke off").replace(f"{self.tree}/", "")}
+            return last or names[0], {"broken off": ((run.broken() or "it broke off").replace(f"{self.tree}/", ""), None)}
         return None
 
     def reach(self, by_number, pool, longest, until=math.inf):

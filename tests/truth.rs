@@ -19,6 +19,7 @@ pub fn truth(trial: study::Trial, findings: Findings) -> Trial {
         for check in finding.judged.iter().filter(|check| check.verdict == Verdict::Fail) {
             let (name, value) = (&check.reference.name, check.reference.value);
             let _ = writeln!(message, "{}: {}", check.reference.kind, check.requirement());
+            let _ = writeln!(message, "  quantity: {}", check.check.quantity.name());
             let _ = writeln!(message, "  {}: {} against {name} {value}", check.check.quantity, check.value);
             let _ = writeln!(
                 message,

@@ -54,7 +54,7 @@ pub fn checks(discretisation: &Discretisation, run: &Run) -> Result<Vec<Judged>,
     }
     checks.push(condensed_is_full(discretisation, run, limit)?);
     checks.extend(invariance(discretisation, run, limit)?);
-    if run.formulation.name() == Formulation::verification().name() && run.formulation.settings.tolerance <= 1e-8 {
+    if run.formulation.is_like(&Formulation::verification()) && run.formulation.settings.tolerance <= 1e-8 {
         checks.push(path_independence(discretisation, run)?);
     }
     Ok(checks.into_iter().map(|judged| Judged { check: judged.check.universal(), ..judged }).collect())

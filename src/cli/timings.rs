@@ -15,9 +15,6 @@ use crate::study::timings::growth::{self, Growth};
 use crate::study::timings::precision::{self, Point, Series};
 use crate::study::timings::record::{Beside, FOLDER, Measured, Record, seconds_of_ours};
 
-/// Repeats of the comparison of nine formulations with one.
-const REPEATS: usize = 5;
-
 /// Measures everything on one thread and writes the record.
 pub fn run() -> Result<(), Error> {
     writable::in_checkout(FOLDER)?;
@@ -27,19 +24,15 @@ pub fn run() -> Result<(), Error> {
 }
 
 fn measure() -> Result<Record, Error> {
-    let bar = progress(growth::MESHES.len() + precision::meshes().len() + Series::CODES.len() + growth::NINE.len() + 2);
-    let (mut nine, mut growth) = (Vec::new(), Vec::new());
-    for mesh in growth::NINE {
-        step(&bar, "nine formulations");
-        nine.push(growth::nine(mesh, REPEATS)?);
-    }
+    let bar = progress(growth::MESHES.len() + precision::meshes().len() + Series::CODES.len() + 2);
+    let mut growth = Vec::new();
     for mesh in growth::MESHES {
         step(&bar, &format!("growth, {} × 2^{}", mesh.0, mesh.1));
         growth.push(growth::measure(growth::CYLINDER, mesh, memory(mesh.0, mesh.1)?)?);
     }
     let revolved = of_revolution()?;
     let (machine, report, beside, absent) = (Machine::here(), f64::NAN, vec![], BTreeMap::new());
-    let measured = Measured { machine, growth, revolved, nine, report, beside, absent };
+    let measured = Measured { machine, growth, revolved, report, beside, absent };
     let mut record = Record { measured, points: own_points(&bar)? };
     for code in Series::CODES {
         step(&bar, code.name());

@@ -9,7 +9,6 @@
 //! * [`multiples`]: charts side by side over one legend, or below a field.
 //! * [`field`]: a scalar on the deformed mesh, in bands.
 //! * [`fn@schematic`]: drawings made by hand, with numbers of a scene.
-//! * [`iteration_path`]: how each algorithm walks to the solution at one contact point.
 //! * [`palette`]: colours, dashes, markers and the styles made of them; colours of fields and of classes.
 //! * [`theme`]: light and dark pages; [`Drawing`]: a finished figure, for both.
 //!
@@ -29,7 +28,6 @@ mod drawn;
 pub mod field;
 mod field_panels;
 mod frame;
-pub mod iteration_path;
 mod legend;
 mod marks;
 mod mesh_lines;
@@ -46,7 +44,6 @@ pub use chart::{Axis, Bars, Chart, Direction, Guide, Remark, Scale, Series, Slop
 pub use class_map::{Cell, ClassMap, MapPanel};
 pub use drawing::{Drawing, Error, is_drawing};
 pub use field::{Detail, Field, Mark, Window};
-pub use iteration_path::{IterationPaths, Path, State};
 pub use multiples::{Sheet, panels};
 pub use palette::{ColourMap, Dash, Marker, Style};
 pub use schematic::schematic;

@@ -4,7 +4,7 @@ use super::canvas::{Canvas, EDGE, TITLE, WIDTH};
 use super::chart::Chart;
 use super::drawing::{Drawing, Error};
 use super::field::Field;
-use super::frame::{Frame, Point};
+use super::frame::Frame;
 use super::legend::Legend;
 use super::pen::{Lettering, text_width};
 use super::plot::Plot;
@@ -18,35 +18,25 @@ const BETWEEN: f64 = 10.0;
 /// Small multiples: the charts side by side, so many to a row, over one legend and all their notes.
 pub fn panels(title: &str, charts: &[Chart], columns: usize) -> Drawing {
     let mut canvas = Canvas::new();
-    let (_, corner) = grid(&mut canvas, charts, columns)?;
+    let columns = columns.clamp(1, charts.len().max(1));
+    let height = (0.82 * pitch(columns)).clamp(280.0, 345.0);
+    let mut top = TITLE;
+    for charts in charts.chunks(columns) {
+        row(&mut canvas, charts, columns, (top, top + height - 8.0))?;
+        top += height;
+    }
+    let (_, bottom) = Legend::of(charts).draw(&mut canvas, (EDGE + 8.0, top), WIDTH - 2.0 * EDGE);
     let mut notes: Vec<String> = Vec::new();
     for note in charts.iter().flat_map(|chart| &chart.notes) {
         if !notes.contains(note) {
             notes.push(note.clone());
         }
     }
-    canvas.drawing(title, corner, &notes)
-}
-
-/// Draws the charts in rows over one legend; returns the plots and the lower right corner.
-pub(super) fn grid<'a>(
-    canvas: &mut Canvas,
-    charts: &'a [Chart],
-    columns: usize,
-) -> Result<(Vec<Plot<'a>>, Point), Error> {
-    let columns = columns.clamp(1, charts.len().max(1));
-    let height = (0.82 * pitch(columns)).clamp(280.0, 345.0);
-    let (mut plots, mut top) = (Vec::new(), TITLE);
-    for charts in charts.chunks(columns) {
-        plots.extend(row(canvas, charts, columns, (top, top + height - 8.0))?);
-        top += height;
-    }
-    let (_, bottom) = Legend::of(charts).draw(canvas, (EDGE + 8.0, top), WIDTH - 2.0 * EDGE);
-    Ok((plots, (WIDTH - EDGE, bottom + 10.0)))
+    canvas.drawing(title, (WIDTH - EDGE, bottom + 10.0), &notes)
 }
 
 /// Draws charts side by side below their titles, their frames in line.
-pub(super) fn row<'a>(
+fn row<'a>(
     canvas: &mut Canvas,
     charts: &'a [Chart],
     columns: usize,

@@ -17,7 +17,7 @@ use super::{LIVE, asked, newest};
 /// Asks both codes for all discrete problems, dolfinx as it is today where that is installed, writes their files once both have answered, and tells what changed.
 pub fn discrete() -> Result<Vec<String>, Error> {
     let answers: Vec<(Code, Frozen)> =
-        Code::ALL.into_iter().map(|code| Ok((code, ask_all(code)?))).collect::<Result<_, Error>>()?;
+        Code::TWINS.into_iter().map(|code| Ok((code, ask_all(code)?))).collect::<Result<_, Error>>()?;
     let mut lines = Vec::new();
     for (code, new) in answers {
         match Frozen::load(code) {
@@ -82,7 +82,7 @@ pub fn independent() -> Result<Vec<String>, Error> {
         let known = old.as_ref().and_then(|old| old.scenes.get(name));
         let mut by_script = BTreeMap::new();
         for script in Script::ALL.into_iter().filter(|script| script.serves(&physical)) {
-            let kept = known.and_then(|asked| asked.series.get(&script));
+            let kept = known.and_then(|asked| asked.answers.get(&script));
             let folder = script.folder();
             let unchanged = old.as_ref().filter(|old| old.scripts.get(&folder) == scripts.get(&folder));
             let version = unchanged.and_then(|old| old.apart.get(&folder));
@@ -115,7 +115,7 @@ pub fn independent() -> Result<Vec<String>, Error> {
             lines.extend((!same).then(|| format!("{script}, {name}: changed by {change:.1e}")));
             by_script.insert(script, now);
         }
-        scenes.insert(name.to_string(), Asked { scene: physical, series: by_script });
+        scenes.insert(name.to_string(), Asked { scene: physical, answers: by_script });
     }
     Independent { scripts, versions, apart, scenes }.write()?;
     Ok(lines)

@@ -1,5 +1,5 @@
-//! The cases of the suite, each solved by its formulations; with pictures of the two examples: the schemes of their scenes, contact
-//! pressure in the paper's Figs 10 and 14 with its five formulations, and that of all nine with their differences to the reference.
+//! The cases of the suite, each solved by its formulations; with pictures of the two examples: the schemes of their scenes, and contact
+//! pressure as in the paper's Figs 10 and 14, of all nine formulations with their differences to the reference.
 
 use std::path::PathBuf;
 use std::sync::{Arc, OnceLock};
@@ -131,19 +131,11 @@ impl Study for Numbers {
         let nine = |case: &str| -> Vec<&Run> {
             findings.iter().filter(|found| found.case == case).map(|found| &found.numbers.run).collect()
         };
-        let [of_cylinder, of_pin] = [nine(cylinder::NINE), nine(pin_rod::NINE)];
-        let [few_of_cylinder, few_of_pin] =
-            [&of_cylinder, &of_pin].map(|runs| those(runs, |run| run.formulation.is_in_the_paper()));
-        let figure_10 = on_cylinder("Fig. 10: exact and approximate solutions on the cylinder", &few_of_cylinder);
-        let mut figure_14 = on_pin("Fig. 14: pressure on the pin", &few_of_pin);
-        figure_14.notes.push(WITHOUT_GAERTNER.into());
         Ok(vec![
             ("scene-cylinder.svg".into(), cylinder_scheme()),
             ("scene-pin-rod.svg".into(), pin_rod_scheme()),
-            ("figure-10.svg".into(), figure_10.drawing()),
-            ("pressure-cylinder.svg".into(), all_on_cylinder(&of_cylinder)),
-            ("figure-14.svg".into(), figure_14.drawing()),
-            ("pressure-pin-rod.svg".into(), all_on_pin(&of_pin)),
+            ("pressure-cylinder.svg".into(), on_cylinder(&nine(cylinder::NINE))),
+            ("pressure-pin-rod.svg".into(), on_pin(&nine(pin_rod::NINE))),
         ])
     }
 }
@@ -157,7 +149,7 @@ fn run(case: &Arc<Case>, mesh: &Shared, formulation: &Formulation) -> Result<Num
     let run = case.run(meshed, formulation)?;
     let mut judged = case.judge(meshed, &run)?;
     // Once for all formulations: the closed form is that of the scene.
-    if formulation.name() == case.formulation().name() {
+    if formulation.is_like(case.formulation()) {
         judged.extend(case.held_to_closed_forms(meshed, &run)?);
     }
     Ok(Numbers { case: case.clone(), run, judged })
@@ -232,26 +224,19 @@ pub fn sketch(page: &str) -> Option<String> {
     Some(picture(file, caption))
 }
 
-/// The charts of a page; none where there are none.
+/// The chart of a page; none where there is none.
 pub fn charts(page: &str) -> Option<String> {
-    let charts = match page {
-        "cylinder" => [
-            (
-                "figure-10.svg",
-                "Fig. 10: Hertz's exact solution and the five combinations of elements and algorithms that the paper shows",
-            ),
-            ("pressure-cylinder.svg", "As Fig. 10 with all nine formulations, and their difference to Hertz"),
-        ],
-        "pin-rod" => [
-            (
-                "figure-14.svg",
-                "Fig. 14: pressure against angle of the five combinations that the paper shows, without Gaertner's curves",
-            ),
-            ("pressure-pin-rod.svg", "As Fig. 14 with all nine formulations"),
-        ],
+    let (file, caption) = match page {
+        "cylinder" => {
+            ("pressure-cylinder.svg", "As Fig. 10: pressure of all nine formulations, and their difference to Hertz")
+        }
+        "pin-rod" => (
+            "pressure-pin-rod.svg",
+            "As Fig. 14, without Gaertner's curves: pressure of all nine formulations, and their difference to one of them",
+        ),
         _ => return None,
     };
-    Some(charts.map(|(file, caption)| picture(file, caption)).concat() + &how_stopped() + "\n\n")
+    Some(picture(file, caption) + &how_stopped() + "\n\n")
 }
 
 /// What is to be known of the scene of a page beside its title; empty where that is all.
@@ -308,35 +293,8 @@ fn curves(runs: &[&Run], place: f64, of: &dyn Fn(usize, &EdgeState) -> f64) -> V
     runs.iter().map(curve).collect()
 }
 
-fn those<'a>(runs: &[&'a Run], are: fn(&Run) -> bool) -> Vec<&'a Run> {
-    runs.iter().copied().filter(|run| are(run)).collect()
-}
-
-/// Pressure over p₀ along x/a on the cylinder, and Hertz's.
-fn on_cylinder(title: &str, runs: &[&Run]) -> Chart {
-    let problem = Cylinder::default().case();
-    let ReferenceValues { length: a, pressure: p0, .. } = problem.scene.reference;
-    let place = Axis::linear("place over half-width x / a [–]").over(0.0, END);
-    let mut chart = Chart::new(title, place, Axis::linear("pressure p / p₀ [–]").over(0.0, 1.1));
-    chart.series = curves(runs, 1.0 / a, &|_, edge| edge.pressure / p0);
-    let places = (0..=INTERVALS).map(|k| END * k as f64 / INTERVALS as f64);
-    let exact = places.map(|x| (x, problem.reference_pressure(0, x * a) / p0));
-    chart.series.push(Series::new("Hertz", exact, Style::reference()));
-    chart
-}
-
-/// Pressure against angle on the pin.
-fn on_pin(title: &str, runs: &[&Run]) -> Chart {
-    let scene = PinRod::default().case().scene;
-    let angle = Axis::linear("θ from the load line [°]").over(0.0, PinRod::default().stretch.to_degrees());
-    let mut chart = Chart::new(title, angle, Axis::linear("pressure R t p / F [–]").over(0.0, 0.9));
-    let (degrees, scale) = (display_factor(&scene.contact().path), scene.reference.pressure);
-    chart.series = curves(runs, degrees, &|_, edge| edge.pressure / scale);
-    chart
-}
-
-/// All nine on the cylinder against Hertz.
-fn all_on_cylinder(runs: &[&Run]) -> Drawing {
+/// Pressure over p₀ along x/a on the cylinder beside Hertz's, and the difference of edge means.
+fn on_cylinder(runs: &[&Run]) -> Drawing {
     let problem = Cylinder::default().case();
     let ReferenceValues { length: a, pressure: p0, .. } = problem.scene.reference;
     let exact = |x: f64| problem.reference_pressure(0, x * a) / p0;
@@ -345,27 +303,37 @@ fn all_on_cylinder(runs: &[&Run]) -> Drawing {
         let part = |k: usize| edge.position() / a + half * (2.0 * (k as f64 + 0.5) / PARTS as f64 - 1.0);
         (0..PARTS).map(|k| exact(part(k))).sum::<f64>() / PARTS as f64
     };
-    let pressure = on_cylinder("Pressure", runs);
-    let axis = Axis::linear("(p − p_Hertz) / p₀ [%]");
-    let mut difference = Chart::new("Difference to Hertz", pressure.x.clone(), axis);
-    let converged = those(runs, |run| run.solution.converged());
-    difference.series = curves(&converged, 1.0 / a, &|_, edge| 100.0 * (edge.pressure / p0 - mean(edge)));
+    let place = Axis::linear("place over half-width x / a [–]").over(0.0, END);
+    let mut pressure = Chart::new("Pressure", place.clone(), Axis::linear("pressure p / p₀ [–]").over(0.0, 1.1));
+    pressure.series = curves(runs, 1.0 / a, &|_, edge| edge.pressure / p0);
+    let places = (0..=INTERVALS).map(|k| END * k as f64 / INTERVALS as f64);
+    pressure.series.push(Series::new("Hertz", places.map(|x| (x, exact(x))), Style::reference()));
+    let mut difference = Chart::new("Difference to Hertz", place, Axis::linear("(p − p_Hertz) / p₀ [%]"));
+    difference.series = curves(&converged(runs), 1.0 / a, &|_, edge| 100.0 * (edge.pressure / p0 - mean(edge)));
     panels("Cylinder on a rigid plane: all nine formulations", &[pressure, difference], 2)
 }
 
-/// All nine on the pin against the formulation that verification uses: there is no closed form.
-fn all_on_pin(runs: &[&Run]) -> Drawing {
+/// Pressure against angle on the pin, and its difference to the formulation that verification uses: there is no closed form.
+fn on_pin(runs: &[&Run]) -> Drawing {
     let own = Formulation::verification();
-    let is_own = |run: &&&Run| (run.formulation.element, run.formulation.algorithm) == (own.element, own.algorithm);
+    let is_own = |run: &&&Run| run.formulation.is_like(&own);
     let edges = runs.iter().find(is_own).map(|run| run.solution.edges.as_slice()).unwrap_or_default();
-    let pressure = on_pin("Pressure", runs);
-    let axis = Axis::linear("difference of R t p / F [% of its largest]");
-    let mut difference = Chart::new(&format!("Difference to {}", label(&own)), pressure.x.clone(), axis);
     let largest = edges.iter().map(|edge| edge.pressure).fold(f64::NAN, f64::max);
     let to_own = |k: usize, edge: &EdgeState| {
         edges.get(k).map_or(f64::NAN, |own| 100.0 * (edge.pressure - own.pressure) / largest)
     };
-    let degrees = display_factor(&PinRod::default().scene().contact().path);
-    difference.series = curves(&those(runs, |run| run.solution.converged()), degrees, &to_own);
+    let scene = PinRod::default().scene();
+    let (degrees, scale) = (display_factor(&scene.contact().path), scene.reference.pressure);
+    let angle = Axis::linear("θ from the load line [°]").over(0.0, PinRod::default().stretch.to_degrees());
+    let mut pressure = Chart::new("Pressure", angle.clone(), Axis::linear("pressure R t p / F [–]").over(0.0, 0.9));
+    pressure.series = curves(runs, degrees, &|_, edge| edge.pressure / scale);
+    pressure.notes.push(WITHOUT_GAERTNER.into());
+    let axis = Axis::linear("difference of R t p / F [% of its largest]");
+    let mut difference = Chart::new(&format!("Difference to {}", label(&own)), angle, axis);
+    difference.series = curves(&converged(runs), degrees, &to_own);
     panels("Pin in a connecting-rod eye: all nine formulations", &[pressure, difference], 2)
+}
+
+fn converged<'a>(runs: &[&'a Run]) -> Vec<&'a Run> {
+    runs.iter().copied().filter(|run| run.solution.converged()).collect()
 }

@@ -19,7 +19,7 @@ use crate::study::differences::{relative_difference, reproduced, suffix, worst_d
 /// All trials, against answers that are frozen, or of the codes themselves.
 pub fn against(live: Option<Live>) -> Vec<Planned<Numbers>> {
     let of_both = |(name, order): (&'static str, Order)| {
-        Code::ALL.map(|code| {
+        Code::TWINS.map(|code| {
             let title = format!("{name}, {}-node, {}{}", order.nodes_per_cell(), code.name(), suffix(live));
             Planned::new("same discrete problem", title, move || compare(name, order, code, live))
         })
@@ -50,7 +50,7 @@ impl Study for Numbers {
     /// The versions that the frozen answers came from, and who assembles what.
     fn section(_: &[Found<Self>]) -> Result<String, Error> {
         let mut text = String::new();
-        for code in Code::ALL {
+        for code in Code::TWINS {
             text += &frozen(code, &Frozen::read(code)?);
         }
         Ok(format!(

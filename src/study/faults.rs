@@ -56,36 +56,40 @@ pub struct Caught {
     pub kind: String,
     /// What it asks.
     pub told: String,
+    /// The check of a trial; none of a claim, and of what broke off.
+    #[serde(flatten)]
+    pub asked: Option<Asked>,
 }
 
 /// The record of checks, of which whose and what is asked; it is that of the last report.
 const ASKED: &str = "snapshots/checks.csv";
 
-#[derive(Deserialize)]
-struct Asked {
-    case: String,
-    quantity: String,
+/// Whose and what a check asks.
+#[derive(Clone, Debug, Deserialize)]
+pub struct Asked {
+    /// Name of the case.
+    pub case: String,
+    /// Name of the quantity.
+    pub quantity: String,
 }
 
 impl Caught {
     /// Whether a claim of this name is among the claims, of this kind by the list of truths; of a trial, whether a check of its case, or of every run,
-    /// asks for a quantity that its sentence names. Of what shows nothing, such as what broke off, nothing is asked.
+    /// asks for its quantity. Of what shows nothing, such as what broke off, nothing is asked.
     pub fn is_there(&self) -> bool {
         if !TELLING.contains(&self.kind.as_str()) {
             return true;
         }
         let read = |file: &str| fs::read_to_string(root().join(file)).unwrap_or_default();
-        if let Some((module, name)) = self.test.split_once("::") {
+        if let Some(Asked { case, quantity }) = &self.asked {
+            let is_it = |one: Asked| (one.case == EVERY_RUN || one.case == *case) && one.quantity == *quantity;
+            return csv::Reader::from_reader(read(ASKED).as_bytes()).deserialize().any(|row| row.is_ok_and(is_it));
+        }
+        self.test.split_once("::").is_some_and(|(module, name)| {
             let truths = toml::from_str::<BTreeMap<String, Vec<String>>>(&read(LIST_OF_TRUTHS)).unwrap_or_default();
             let kind = truths.iter().find(|(_, claims)| claims.contains(&self.test)).map_or("claim", |(kind, _)| kind);
-            return kind == self.kind && read(&format!("tests/claims/{module}.rs")).contains(&format!("\nfn {name}("));
-        }
-        let (checks, told) = (read(ASKED), self.told.to_lowercase());
-        let is_it = |one: Asked| {
-            let is_of_case = one.case == EVERY_RUN || self.test.split(" × ").next() == Some(&one.case);
-            is_of_case && told.contains(&one.quantity.to_lowercase())
-        };
-        csv::Reader::from_reader(checks.as_bytes()).deserialize().any(|row| row.is_ok_and(is_it))
+            kind == self.kind && read(&format!("tests/claims/{module}.rs")).contains(&format!("\nfn {name}("))
+        })
     }
 }
 
@@ -131,7 +135,7 @@ impl Study for Numbers {
         let seen =
             seen.iter().filter(|(count, _)| *count > 0).map(|(count, told)| format!("{count} are seen by {told}"));
         let rooms = rooms()?;
-        let missed: Vec<&String> = rooms.iter().flat_map(|room| &room.missed).collect();
+        let missed: Vec<_> = rooms.iter().flat_map(|room| &room.missed).collect();
         let untried = rooms.iter().filter(|room| room.by_claims.of == 0);
         let untried: Vec<String> = untried.map(|room| format!("`{}`", room.room)).collect();
         Ok(format!(
@@ -162,11 +166,9 @@ const ROOMS: [Column<Room>; 6] = [
     ("sources", |room| sources(&room.tried)),
 ];
 
-/// The table of mutants that no test caught, each named by its file, its change and the text of its line.
-const MISSED: [Column<String>; 2] = [
-    ("in", |mutant| format!("`{}`", mutant.split(": ").next().unwrap_or_default())),
-    ("what no test noticed", |mutant| format!("`{}`", mutant.split(": ").nth(1).unwrap_or_default())),
-];
+/// The table of mutants that no test caught.
+const MISSED: [Column<[String; 2]>; 2] =
+    [("in", |[file, _]| format!("`{file}`")), ("what no test noticed", |[_, change]| format!("`{change}`"))];
 
 /// The table of fuzz targets.
 const FUZZED: [Column<Fuzzed>; 5] = [
@@ -303,8 +305,8 @@ pub struct Room {
     pub by_claims: Share,
     /// Those of them that were tried by closed forms and other codes alone.
     pub by_truths: Share,
-    /// Those that no test caught.
-    pub missed: Vec<String>,
+    /// Those that no test caught: file and change.
+    pub missed: Vec<[String; 2]>,
 }
 
 /// How many of some mutants were caught.
@@ -365,7 +367,7 @@ struct Mutants {
 /// An entry of it.
 #[derive(Deserialize)]
 struct Mutant {
-    mutant: String,
+    file: PathBuf,
     #[serde(flatten)]
     entry: Entry,
 }
@@ -374,8 +376,7 @@ struct Mutant {
 pub fn rooms() -> Result<Vec<Room>, Error> {
     let [.., Made { file, renew, .. }] = MADE;
     let Mutants { mut rooms, record } = read_json(&root().join(file), renew)?;
-    for Mutant { mutant, entry } in record {
-        let file = Path::new(mutant.split(": ").next().unwrap_or_default());
+    for Mutant { file, entry } in record {
         let around = rooms.iter_mut().filter(|room| file.starts_with(&room.room));
         around.max_by_key(|room| room.room.len()).into_iter().for_each(|room| room.tried.push(entry.clone()));
     }

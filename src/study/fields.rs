@@ -2,8 +2,8 @@
 
 use crate::case::library::{Bars, Cylinder, PinRod};
 use crate::case::{Case, Check, Judged, Quantity, Reference, universal};
-use crate::drawing::palette::{self, Marker, Style};
-use crate::drawing::{self, Axis, Chart, ColourMap, Detail, Drawing, IterationPaths, Path, Series, Window, panels};
+use crate::drawing::palette::{self, Dash, Marker, Style};
+use crate::drawing::{self, Axis, Chart, ColourMap, Detail, Direction, Drawing, Guide, Remark, Series, Window, panels};
 use crate::error::Error;
 use crate::markdown::significant;
 use crate::measure;
@@ -297,27 +297,59 @@ fn along_chart(alongs: &[&Along]) -> Drawing {
     panels("Fig. 15: pin and rod along their contact arcs", &charts, 2)
 }
 
-/// The way of each iteration to the solution of two bars closing a gap.
+/// Iterations that have their numbers: later ones lie too near to one another.
+const NUMBERED: usize = 4;
+
+/// The way of each iteration to the solution of two bars closing a gap, in the plane of approach and pressure of their contact.
 fn paths(runs: &[&Run]) -> Drawing {
     let bars = bars();
-    let (u, stiffness) = (bars.push * bars.gap, bars.young / (2.0 * bars.length));
-    IterationPaths {
-        title: "The path of the iterations: two bars closing a gap".into(),
-        axes: ["approach w [mm]", "spring force p [MPa]"].map(String::from),
-        load_line: [(0.0, stiffness * u), (u, 0.0)],
-        gap: bars.gap,
-        target: (bars.gap, stiffness * (u - bars.gap)),
-        colour: palette::NODE,
-        paths: runs.iter().map(|run| path_of(run)).collect(),
-    }
-    .drawing()
+    let (push, stiffness) = (bars.push * bars.gap, bars.young / (2.0 * bars.length));
+    let on_bodies = |approach: f64| (approach, stiffness * (push - approach));
+    let states = || runs.iter().flat_map(|run| &run.solution.history).map(|iteration| iteration.first_point);
+    let width = 1.15 * states().map(|[approach, ..]| approach).fold(bars.gap, f64::max);
+    let height = 1.25 * states().map(|[_, pressure, _]| pressure).fold(on_bodies(bars.gap).1, f64::max);
+    let chart = |run: &&Run| {
+        let title = format!("{}, {} iterations", run.formulation.algorithm.name(), run.solution.work.iterations);
+        let [x, y] = [("approach w [mm]", width), ("spring force p [MPa]", height)]
+            .map(|(label, end)| Axis::linear(label).over(0.0, end));
+        let mut chart = Chart::new(&title, x, y);
+        let states: Vec<State> = run.solution.history.iter().map(|iteration| iteration.first_point).collect();
+        let places = || states.iter().map(|[approach, pressure, _]| (*approach, *pressure));
+        let springs = states.iter().flat_map(|state| {
+            let relaxed = if state[2] > 0.0 { state[0] - state[1] / state[2] } else { 0.0 };
+            [(relaxed.max(0.0), on_spring(state, relaxed.max(0.0))), (state[0], state[1]), (f64::NAN, f64::NAN)]
+        });
+        let line = |colour, dash| Style::run(colour, dash, Marker::Absent);
+        chart.series = vec![
+            Series::new("spring of an iteration", springs, line(palette::GREY, Dash::Solid)),
+            Series::new("elastic bodies", [0.0, width].map(on_bodies), Style::reference()),
+            Series::new("path", walk(&states), line(palette::NODE, style(&run.formulation).dash)),
+            Series::new("iteration", places(), Style::run(palette::NODE, Dash::Absent, Marker::Circle)),
+            Series::new("solution", [on_bodies(bars.gap)], Style::run(palette::INK, Dash::Absent, Marker::Diamond)),
+        ];
+        chart.guides.push(Guide { direction: Direction::Vertical, at: bars.gap, label: "closed".into() });
+        let numbered = places().take(NUMBERED).enumerate().map(|(k, at)| (at, (k + 1).to_string()));
+        chart.remarks = numbered.map(|(at, text)| Remark { at, text, ring: None, colour: palette::NODE }).collect();
+        chart
+    };
+    panels(
+        "The path of the iterations: two bars closing a gap",
+        &runs.iter().map(chart).collect::<Vec<_>>(),
+        runs.len(),
+    )
 }
 
-fn path_of(run: &Run) -> Path {
-    Path {
-        algorithm: format!("{}, {} iterations", run.formulation.algorithm.name(), run.solution.work.iterations),
-        dash: style(&run.formulation).dash,
-        states: run.solution.history.iter().map(|iteration| iteration.first_point).collect(),
-        converged: run.solution.converged(),
-    }
+/// Approach, pressure, and stiffness of the spring that holds it.
+type State = [f64; 3];
+
+/// Pressure on the spring of a state at an approach.
+fn on_spring([approach, pressure, stiffness]: &State, at: f64) -> f64 {
+    pressure + stiffness * (at - approach)
+}
+
+/// The states joined over the corners between them: first its spring changes at a fixed approach, then it returns to equilibrium along that.
+pub fn walk(states: &[State]) -> Vec<(f64, f64)> {
+    let first = states.first().map(|state| (state[0], state[1]));
+    let more = states.windows(2).flat_map(|two| [(two[0][0], on_spring(&two[1], two[0][0])), (two[1][0], two[1][1])]);
+    first.into_iter().chain(more).collect()
 }

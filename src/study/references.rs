@@ -162,21 +162,18 @@ fn answer(name: &str, found: &Shared) -> Result<Numbers, Error> {
         let eight = barred.iter().find(|barred| barred.is_of(0, &one.quantity));
         let eight = eight.map(|of| [factor * of.value, factor * of.bar.total()]);
         let digits = if on_arc { DIGITS } else { STRAIGHT };
-        Answered {
-            known: one.times(factor),
-            unit,
-            eight,
-            others: others(&high, name, &one.quantity.key(), factor),
-            digits,
-        }
+        Answered { known: one.times(factor), unit, eight, others: others(&high, name, &one.quantity, factor), digits }
     };
     let dofs = [answer, order, layers, cells, run.dofs];
     Ok(Numbers::Answer { dofs, known: known.into_iter().map(answered).collect() })
 }
 
 /// What scripts of high order found of a number.
-fn others(high: &High, scene: &str, key: &str, factor: f64) -> Vec<Other> {
-    high.of(scene, key).into_iter().map(|(way, found)| Other::of_high_order(way, found).times(factor)).collect()
+fn others(high: &High, scene: &str, quantity: &Quantity, factor: f64) -> Vec<Other> {
+    high.of(scene, &quantity.key())
+        .into_iter()
+        .map(|(way, found)| Other::of_high_order(way, found).times(factor))
+        .collect()
 }
 
 /// The sheet of a case of the library.
@@ -213,6 +210,7 @@ pub fn sheet(
         let (bar, others) = (factor * one.bar.total(), others.collect());
         Value {
             of,
+            number: one.quantity.clone(),
             quantity,
             unit,
             definition: definition(&one.quantity, &case.scene, &case.scene.contacts[one.contact]),
@@ -242,8 +240,8 @@ pub fn sheet(
         known.for_each(|known| sheet.takes(&case.scene, pair, known));
         let high = High::built_in()?;
         for own in sheet.values.iter_mut().filter(|own| own.of == pair.name) {
-            let factor = if own.unit == "°" { 1f64.to_degrees() } else { 1.0 };
-            own.others.extend(others(&high, name, &own.quantity, factor));
+            let (_, factor) = own.number.unit(!pair.path.is_straight());
+            own.others.extend(others(&high, name, &own.number, factor));
         }
     }
     Ok(sheet)
@@ -256,7 +254,7 @@ fn series(name: &str) -> Result<Vec<Called>, Error> {
     }
     // Of both cylinders the narrower contact, which is that of the library, comes first.
     let asked = Independent::built_in()?.scenes.into_values().find(|asked| asked.scene.case == name);
-    let each = asked.into_iter().flat_map(|asked| asked.series);
+    let each = asked.into_iter().flat_map(|asked| asked.answers);
     Ok(each.map(|(script, series)| (script.title(), script.has_penalty(), series)).collect())
 }
 
@@ -274,18 +272,26 @@ impl Sheet {
     /// Takes a number of a contact that is known better; as the last of those of contacts where there was none of its
     /// name.
     fn takes(&mut self, scene: &Scene, pair: &ContactPair, known: &Known) {
-        let (quantity, (unit, factor)) = (known.quantity.key(), known.quantity.unit(!pair.path.is_straight()));
-        let Known { value, bar, .. } = known.times(factor);
-        match self.values.iter_mut().find(|own| own.of == pair.name && own.quantity == quantity) {
+        let (unit, factor) = known.quantity.unit(!pair.path.is_straight());
+        let Known { value, bar, quantity: number, .. } = known.times(factor);
+        match self.values.iter_mut().find(|own| own.of == pair.name && own.number == number) {
             Some(own) if bar <= own.bar => (own.value, own.bar, own.found) = (value, bar, FoundBy::FittedCells),
             Some(_) => {}
             None if value.is_finite() => {
                 let place = self.values.iter().take_while(|own| own.of == pair.name).count();
-                let (of, quantity) = (pair.name.clone(), quantity.into_owned());
-                let (found, definition) = (FoundBy::FittedCells, definition(&known.quantity, scene, pair));
-                let (closed_form, others, confirmed_by) = (None, Vec::new(), Vec::new());
-                let row =
-                    Value { of, quantity, unit, definition, value, bar, found, closed_form, others, confirmed_by };
+                let row = Value {
+                    of: pair.name.clone(),
+                    quantity: number.key().into_owned(),
+                    unit,
+                    definition: definition(&number, scene, pair),
+                    number,
+                    value,
+                    bar,
+                    found: FoundBy::FittedCells,
+                    closed_form: None,
+                    others: vec![],
+                    confirmed_by: vec![],
+                };
                 self.values.insert(place, row);
             }
             None => {}

@@ -74,6 +74,9 @@ pub struct Sheet {
 pub struct Value {
     /// The contact, or the body.
     pub of: String,
+    /// The number.
+    #[serde(skip)]
+    pub number: Quantity,
     /// What it is.
     pub quantity: String,
     /// Unit.
@@ -226,8 +229,8 @@ impl Value {
 
     /// Whether its closed form, where there is one, is within its bar, and that of a peak or a second-moment width narrow.
     fn holds_closed_form(&self) -> bool {
-        let telling = [Quantity::PeakPressure.key(), Quantity::SecondMomentWidth.key()];
-        let tells = !telling.contains(&self.quantity.as_str().into()) || self.bar <= TELLS * self.value.abs();
+        let is_telling = matches!(self.number, Quantity::PeakPressure | Quantity::SecondMomentWidth);
+        let tells = !is_telling || self.bar <= TELLS * self.value.abs();
         self.closed_form.is_none_or(|closed| (closed - self.value).abs() <= self.bar && tells)
     }
 }

@@ -6,10 +6,11 @@ use contact_vv::checkout::root;
 use contact_vv::drawing::palette::{self, CARD, CLASSES, CURVES, Dash, INK, Marker, ON_CLASSES};
 use contact_vv::drawing::theme::Rgb;
 use contact_vv::drawing::{
-    Axis, Bars, Cell, Chart, ClassMap, Colour, ColourMap, Detail, Direction, Drawing, Field, Guide, IterationPaths,
-    MapPanel, Path, Remark, Series, Style, Theme, Window, schematic,
+    Axis, Bars, Cell, Chart, ClassMap, Colour, ColourMap, Detail, Direction, Drawing, Field, Guide, MapPanel, Remark,
+    Series, Style, Theme, Window, schematic,
 };
 use contact_vv::markdown::significant;
+use contact_vv::study::fields::walk;
 use contact_vv::study::timings::precision::Point;
 use contact_vv::study::timings::record::{Record, cheapest, front, sound};
 use contact_vv::study::timings::{COMPARED_CODES, conclusion, front_of};
@@ -441,33 +442,8 @@ fn points_stand_where_the_numbers_on_linear_and_logarithmic_axes_say() {
 
 #[test]
 fn an_iteration_walks_upright_to_its_next_spring_and_along_that_to_its_next_state() {
-    // From (1, 1) to (2, 4) on a spring of stiffness 2, whose pressure at w = 1 is 4 − 2 (2 − 1) = 2: a third of the way up.
-    let path = Path {
-        algorithm: "one".into(),
-        dash: Dash::Solid,
-        states: vec![[1.0, 1.0, 1.0], [2.0, 4.0, 2.0]],
-        converged: true,
-    };
-    let drawn = IterationPaths {
-        title: "a walk".into(),
-        axes: ["w".into(), "p".into()],
-        load_line: [(0.0, 5.0), (5.0, 0.0)],
-        gap: 1.5,
-        target: (2.0, 4.0),
-        colour: palette::NODE,
-        paths: vec![path],
-    };
-    let svg = drawn.drawing().expect("drawn");
-    let of_colour = |tag: &&str| attribute(tag, "stroke").map(colour) == Some(palette::NODE.on(Theme::Light));
-    let tags = svg.split('<').filter(|part| part.starts_with("path")).filter(of_colour);
-    let walks: Vec<Vec<[f64; 2]>> = tags.flat_map(|tag| outlines(attribute(tag, "d").expect("a path"))).collect();
-    let [[from, corner, to]] =
-        walks.iter().filter(|walk| walk.len() == 3).map(|walk| [walk[0], walk[1], walk[2]]).collect::<Vec<_>>()[..]
-    else {
-        panic!("{walks:?}")
-    };
-    assert!((corner[0] - from[0]).abs() < 0.2, "upright: {from:?}, {corner:?}");
-    assert!((corner[1] - from[1] - (to[1] - from[1]) / 3.0).abs() < 0.2, "{from:?}, {corner:?}, {to:?}");
+    // From (1, 1) to (2, 4) on a spring of stiffness 2, whose pressure at w = 1 is 4 − 2 (2 − 1) = 2.
+    assert_eq!(walk(&[[1.0, 1.0, 1.0], [2.0, 4.0, 2.0]]), [(1.0, 1.0), (1.0, 2.0), (2.0, 4.0)]);
 }
 
 #[test]

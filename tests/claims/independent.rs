@@ -46,7 +46,7 @@ fn an_answer_that_is_spoiled_anywhere_turns_red() {
     for scene in Scene::ALL {
         let sound = compare(&scene.benchmark(), None).expect("compared");
         assert!(all_pass(&judged(&sound)), "{}", scene.name());
-        for (script, series) in &frozen.scenes[scene.name()].series {
+        for (script, series) in &frozen.scenes[scene.name()].answers {
             for (what, spoil) in spoils {
                 // On every mesh: a number that jumps on the finest one alone makes its own uncertainty wide.
                 let spoiled = spoiled(series, |series| series.iter_mut().for_each(spoil));

@@ -5,9 +5,10 @@ use std::io::Read;
 use std::sync::LazyLock;
 
 use contact_vv::case::Verdict;
+use contact_vv::oracle::cross_code::Code;
 use contact_vv::referee::Truth;
 use contact_vv::study::Study;
-use contact_vv::study::scoreboard::board::{self, Board, Code, Ended, ROUND_OFF, scored};
+use contact_vv::study::scoreboard::board::{self, Board, Ended, ROUND_OFF, scored};
 use contact_vv::study::scoreboard::{CASES, Numbers, Row, named, numbers};
 use flate2::read::GzDecoder;
 

@@ -46,8 +46,8 @@ def about(fault):
 
 def bound(fault, by):
     """The file that a fault is planted in, and those of what caught it."""
-    of = lambda name: f"tests/claims/{name.split('::')[0]}.rs" if is_claim(name) else f"tests/cases/{name.split(' × ')[0]}"
-    files = {of(one["test"]) for one in by}
+    of = lambda one: f"tests/cases/{one['case']}" if "case" in one else f"tests/claims/{one['test'].split('::')[0]}.rs"
+    files = set(map(of, by))
     return [fault["file"], *sorted(file for file in files if (ROOT / file).is_file())]
 
 
@@ -60,14 +60,15 @@ def is_there(one):
         text = ROOT / f"tests/claims/{module}.rs"
         return OF_CLAIMS.get(one["test"], "claim") == one["kind"] and text.exists() and f"\nfn {name}(" in text.read_text()
     with open(ROOT / "snapshots/checks.csv", newline="") as rows:
-        asked = [row["quantity"] for row in csv.DictReader(rows) if row["case"] in ("every run", one["test"].split(" × ")[0])]
-    return any(quantity.lower() in one["told"].lower() for quantity in asked)
+        return any(row["case"] in ("every run", one["case"]) and row["quantity"] == one["quantity"] for row in csv.DictReader(rows))
 
 
 def found(switched, number, tests):
     """The first of some tests that a fault turns red, with what it says by the kind of its reference."""
     test, told, _ = switched.caught_by(number, tests)
-    return [{"test": test, "kind": kind, "told": said} for kind, said in told.items()]
+    case = {} if test is None or is_claim(test) else {"case": test.split(" × ")[0]}
+    asked = lambda quantity: {} if quantity is None else {"quantity": quantity}
+    return [{"test": test, "kind": kind, "told": said} | case | asked(quantity) for kind, (said, quantity) in told.items()]
 
 
 def search(switched, number, reaching, known):

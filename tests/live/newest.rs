@@ -35,8 +35,8 @@ fn answers(python: &Path) -> Result<Completion, Error> {
         let (name, digest) = (&twin.problem.name, twin.digest_of_other(answer));
         same(largest_change(&digest.numbers(), &frozen.discrete[name].numbers()), name);
     }
-    for (name, Asked { scene, series }) in &Independent::read()?.scenes {
-        for (script, kept) in series.iter().filter(|(script, _)| script.folder() == Folder::Dolfinx) {
+    for (name, Asked { scene, answers }) in &Independent::read()?.scenes {
+        for (script, kept) in answers.iter().filter(|(script, _)| script.folder() == Folder::Dolfinx) {
             let asked = kept.iter().filter(|one| one.dofs <= ASKED).count();
             let (_, found) = newest::series(python, *script, scene, asked)?;
             same(largest_change(&Asked::numbers(&found), &Asked::numbers(&kept[..asked])), name);

@@ -121,7 +121,7 @@ fn all_are_caught(python: &mut Python, faults: &[Fault]) {
             let answers = python
                 .asked(copy(*script).path(), *script, &asked.scene, LEVELS - 1)
                 .expect("an answer without a fault");
-            let kept = &asked.series[script][..LEVELS - 1];
+            let kept = &asked.answers[script][..LEVELS - 1];
             let change = largest_change(&Asked::numbers(&answers), &Asked::numbers(kept));
             assert!(change <= REPRODUCED, "{script}, {scene}: a copy answers otherwise by {change:e}");
             let known = Scene::ALL.into_iter().find(|known| known.name() == scene).expect("a scene of the benchmark");

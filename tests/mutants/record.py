@@ -32,12 +32,13 @@ def mutants():
     """All mutants, each by a name that stays while its line does."""
     found, counts = {}, collections.Counter()
     for one in listing():
-        what = re.sub(r"^(.*?):\d+:\d+:", r"\1:", one["name"])
+        change = re.sub(r"^.*?:\d+:\d+: ", "", one["name"])
+        what = f"{one['file']}: {change}"
         line = (ROOT / one["file"]).read_text().splitlines()[one["span"]["start"]["line"] - 1].strip()
         counts[what, line] += 1
         # The same change of the same text: which of them.
         again = f" ({counts[what, line]})" if counts[what, line] > 1 else ""
-        found[f"{what}: {line}{again}"] = one
+        found[f"{what}: {line}{again}"] = one | {"change": change}
     return found
 
 
@@ -105,7 +106,7 @@ def told(name, entries, every, listed):
         "unviable": len(current) - len(viable), "equivalent": sum(one["mutant"] in listed for one in viable),
         "by_claims": wilson(sum(is_caught(one) is True for one in tested), len(tested)),
         "by_truths": wilson(sum(one["checks"] == "truth" for one in checked), len(checked)),
-        "missed": [one["mutant"] for one in tested if is_caught(one) is not True],
+        "missed": [[every[one["mutant"]][key] for key in ("file", "change")] for one in tested if is_caught(one) is not True],
     }
 
 

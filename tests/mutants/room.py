@@ -66,7 +66,7 @@ def main():
 
     def record(key, way, outcome, by):
         """Puts what was found into the entry of a mutant as its function is now."""
-        own = {"mutant": key, "bound": bound(every[key]), "sources": digest(bound(every[key])), "date": date()}
+        own = {"mutant": key, "file": every[key]["file"], "bound": bound(every[key]), "sources": digest(bound(every[key])), "date": date()}
         old = known.get(key, {})
         known[key] = (old if old.get("sources") == own["sources"] else {}) | own | {way: outcome} | ({} if outcome == UNVIABLE else {f"{way}_by": by})
 
@@ -109,7 +109,7 @@ def main():
                     record(key, way, "claims" if test else PASSED, test)
                 else:
                     kind = "truth" if set(told) & set(TRUTHS) else PASSED
-                    record(key, way, kind, test and f"{test}: {next(iter(told.values()))}".rstrip(": "))
+                    record(key, way, kind, test and f"{test}: {next(iter(told.values()))[0]}".rstrip(": "))
             save()
 
     def is_open(key, way):

@@ -36,8 +36,8 @@ pub struct Answered<K, A> {
 }
 
 /// A scene, and what every script answers.
-#[derive(Clone, Debug, Deserialize)]
-#[serde(bound = "K: Ord + Deserialize<'de>, A: Deserialize<'de>")]
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[serde(bound(deserialize = "K: Ord + Deserialize<'de>, A: Deserialize<'de>"))]
 pub struct Asked<K, A> {
     /// The scene as it was given.
     pub scene: PhysicalScene,

@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 use crate::checkout::root;
 use crate::error::Error;
 use crate::named::named_enum;
-use crate::oracle::cross_code::frozen::{REFREEZE, hash_of, named, parsed, read_json, write_json};
+use crate::oracle::cross_code::frozen::{self, REFREEZE, hash_of, named, parsed, read_json, write_json};
 use crate::oracle::cross_code::{PhysicalAnswer, PhysicalScene};
 
 named_enum! {
@@ -145,14 +145,8 @@ pub struct Independent {
     pub scenes: BTreeMap<String, Asked>,
 }
 
-/// A scene with the refinement series of every script, coarse to fine.
-#[derive(Clone, Debug, Serialize, Deserialize)]
-pub struct Asked {
-    /// The scene as it was given.
-    pub scene: PhysicalScene,
-    /// Of every script that serves it.
-    pub series: BTreeMap<Script, Vec<PhysicalAnswer>>,
-}
+/// A scene with the refinement series of every script that serves it, coarse to fine.
+pub type Asked = frozen::Asked<Script, Vec<PhysicalAnswer>>;
 
 impl PhysicalAnswer {
     /// All numbers in groups of one unit and scale.

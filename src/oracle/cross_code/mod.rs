@@ -30,11 +30,30 @@ pub const SET_UP: &str = "run `bash oracles/setup.sh`";
 named_enum! {
     /// A finite element code that is not ours.
     pub enum Code {
+        /// CalculiX.
+        Calculix = "CalculiX",
+        /// GetFEM.
+        Getfem = "GetFEM",
+        /// NGSolve.
+        Ngsolve = "NGSolve",
+        /// SfePy.
+        Sfepy = "SfePy",
+        /// Kratos.
+        Kratos = "Kratos",
+        /// Akantu.
+        Akantu = "Akantu",
+        /// FElupe.
+        Felupe = "FElupe",
         /// scikit-fem (Gustafsson & McBain 2020).
         ScikitFem = "scikit-fem",
         /// dolfinx, the solver of FEniCSx (Baratta et al. 2023).
         Dolfinx = "dolfinx",
     }
+}
+
+impl Code {
+    /// Those that assemble our mesh.
+    pub const TWINS: [Self; 2] = [Self::ScikitFem, Self::Dolfinx];
 }
 
 /// A mesh with everything that makes a discrete contact problem of it, as plain numbers; see `oracles/python/discrete.py`.

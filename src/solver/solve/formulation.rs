@@ -151,6 +151,12 @@ impl Formulation {
         name
     }
 
+    /// Whether it differs from another in stiffness, points and settings at most.
+    pub fn is_like(&self, other: &Self) -> bool {
+        let all = |one: &Self| (one.element, one.algorithm, one.rule, one.leeway, one.acceleration);
+        all(self) == all(other)
+    }
+
     /// Whether the paper itself shows results of this element with this algorithm.
     pub fn is_in_the_paper(&self) -> bool {
         use {Element::*, Iteration::*};

@@ -7,7 +7,6 @@
 
 pub mod run;
 
-use std::f64::consts::PI;
 use std::fmt::Write;
 
 use crate::case::{Check, Judged, Quantity, Reference, covered};
@@ -15,7 +14,7 @@ use crate::drawing::palette::{self, Dash, Marker, Style};
 use crate::drawing::{Axis, Chart, Drawing, Series};
 use crate::error::Error;
 use crate::markdown;
-use crate::measure::larger;
+use crate::measure::{display_factor, larger};
 use crate::oracle::ReferenceKind;
 use crate::oracle::cross_code::independent::{Folder, Independent, Script};
 use crate::study::about::{About, Found, Planned, Study};
@@ -87,8 +86,10 @@ const PICTURE: &str = "difference-independent.svg";
 
 /// Peak and width as they are told: noun, unit with the symbol where that differs from scene to scene, factor from MPa, mm or rad to it.
 fn numbers(scene: Scene) -> [(&'static str, &'static str, f64); 2] {
-    let (unit, factor) = if scene.is_arc() { ("2 √(∫pθ²/∫p) [°]", 180.0 / PI) } else { ("a [mm]", 1.0) };
-    [("peak pressure", "[MPa]", 1.0), ("second-moment width", unit, factor)]
+    let scene = scene.benchmark().case.scene;
+    let path = &scene.contact().path;
+    let unit = if path.is_straight() { "a [mm]" } else { "2 √(∫pθ²/∫p) [°]" };
+    [("peak pressure", "[MPa]", 1.0), ("second-moment width", unit, display_factor(path))]
 }
 
 fn of_script(compared: &Compared, other: &Other) -> Vec<Judged> {

@@ -57,11 +57,6 @@ pub struct Benchmark {
 }
 
 impl Scene {
-    /// Whether the contact coordinate is an angle.
-    pub fn is_arc(self) -> bool {
-        matches!(self, Self::PinRod | Self::PinPlate)
-    }
-
     /// The scene in numbers.
     pub fn benchmark(self) -> Benchmark {
         match self {
@@ -220,7 +215,7 @@ impl Benchmark {
         let (scene, stations) = (&self.case.scene, &self.physical.stations);
         let (step, pair) = (stations[1] - stations[0], scene.contact());
         let scale = whole(pair) * scene.thickness * pair.path.metric();
-        let along = |at: f64| if self.scene.is_arc() { 2.0 * (0.5 * step).sin() * at.cos() } else { step };
+        let along = |at: f64| if pair.path.is_straight() { step } else { 2.0 * (0.5 * step).sin() * at.cos() };
         stations.iter().map(|&at| scale * along(at)).collect()
     }
 
@@ -240,7 +235,7 @@ pub fn asked(benchmark: &Benchmark, live: Option<Live>) -> Result<Vec<Other>, Er
         let found = format!("{theirs} in the frozen scene, but {ours} in ours");
         return Err(Error::refused(&file(), &format!("{name}: {key}"), found, REFREEZE));
     }
-    let all = kept.series.iter().map(|(&script, kept)| {
+    let all = kept.answers.iter().map(|(&script, kept)| {
         let Some(live) = live.filter(|_| script.is_set_up()) else {
             return Ok(Other { script, reproduced: None, found: Found::of(script.title(), kept)? });
         };

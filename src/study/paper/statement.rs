@@ -359,20 +359,22 @@ fn statement(sentence: Sentence, nearest: &[Seen; 2], fared: &Fared) -> Statemen
         ),
         _ => String::new(),
     };
-    let starts = sentence.starts(nearest).map_or(String::new(), |starts| starts + "; ");
+    let starts = sentence.starts(nearest);
     let on = match sentence {
         Sentence::LineAlways | Sentence::Proviso | Sentence::KinematicAlways => format!(", {}", scenes()),
         _ => String::new(),
     };
-    let numbers = format!("{starts}{}{on}", sentence.numbers(nearest));
+    let measured = [sentence.numbers(nearest) + &on, fared.at(), fared.told()];
+    let measured = starts.iter().chain(&measured).map(|one| markdown::capitalised(one));
     Statement {
         text: sentence.name(),
+        measured: measured.collect::<Vec<_>>().join(". "),
         clause: format!(
-            "{starts}holds at {count} of {} tolerances{cap}{on}; of {} departures counted {flips}",
+            "{}holds at {count} of {} tolerances{cap}{on}; of {} departures counted {flips}",
+            starts.map_or(String::new(), |starts| starts + "; "),
             fared.held.len(),
             fared.counted
         ),
-        measured: sentences(&[numbers, fared.at(), fared.told()].join("; ")),
         judgement: fared.judgement(sentence),
     }
 }
@@ -411,11 +413,6 @@ fn ended_later(courses: &[Course]) -> String {
         ended.len(),
         ended.last().map_or(String::new(), after)
     )
-}
-
-/// What is parted by semicolons, as sentences.
-fn sentences(told: &str) -> String {
-    told.split("; ").map(markdown::capitalised).collect::<Vec<_>>().join(". ")
 }
 
 /// A sentence over the designed set. Under a reading it holds where it does at each tolerance that the reading is judged at.

@@ -166,7 +166,7 @@ fn share(recorded: &[Record], formulation: usize, is_meant: impl Fn(&Record) -> 
 
 /// How every run of the default formulation ended: how many so, within which tolerances, under which loads, and on which scenes.
 pub fn of_default(recorded: &[Record]) -> String {
-    let own = Formulation::nine().iter().position(|one| one.name() == Formulation::verification().name());
+    let own = Formulation::nine().iter().position(|one| one.is_like(&Formulation::verification()));
     let ended = in_order(recorded.iter().filter_map(|record| Some((record.classes[own?]?, record))));
     let listed = |of: &dyn Fn(&Record) -> String, records: &[&Record]| {
         let all = in_order(records.iter().map(|record| (of(record), ())));

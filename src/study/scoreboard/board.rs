@@ -18,7 +18,7 @@ use crate::checkout::{root, sha256};
 use crate::condensation::Plain;
 use crate::error::Error;
 use crate::measure::Quantity as Number;
-use crate::named::named_enum;
+use crate::oracle::cross_code::Code;
 use crate::oracle::cross_code::frozen::{read_json, write_json};
 use crate::referee::export::deck;
 use crate::referee::export::own;
@@ -27,30 +27,6 @@ use crate::referee::judge::{self, ENGINEERING};
 use crate::referee::units::Role;
 use crate::referee::{self, Answer, Truth, calculix, contact_laws, read, verdicts};
 use crate::solve::{Discretisation, Formulation, Run};
-
-named_enum! {
-    /// A code.
-    pub enum Code {
-        /// CalculiX.
-        Calculix = "CalculiX",
-        /// GetFEM.
-        Getfem = "GetFEM",
-        /// NGSolve.
-        Ngsolve = "NGSolve",
-        /// SfePy.
-        Sfepy = "SfePy",
-        /// Kratos.
-        Kratos = "Kratos",
-        /// Akantu.
-        Akantu = "Akantu",
-        /// FElupe.
-        Felupe = "FElupe",
-        /// scikit-fem.
-        ScikitFem = "scikit-fem",
-        /// dolfinx.
-        Dolfinx = "dolfinx",
-    }
-}
 
 impl Code {
     /// Its script under `oracles/peers`.

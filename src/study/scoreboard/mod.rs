@@ -21,13 +21,14 @@ use crate::markdown::{self, Column, table};
 use crate::measure::{Quantity as Number, larger};
 use crate::mesh::{Order, Resolution};
 use crate::oracle::ReferenceKind;
+use crate::oracle::cross_code::Code;
 use crate::referee::Truth;
 use crate::scene::Profile;
 use crate::solve::{Discretisation, Formulation};
 use crate::study::about::{About, Found, Planned, Study};
 use crate::study::drawn::picture;
 use crate::study::scoreboard::board::{
-    Board, Code, Ended, FALLS, LESS, RENEW, ROUND_OFF, Scored, Setting, TIMES, Told, hashes, scored,
+    Board, Ended, FALLS, LESS, RENEW, ROUND_OFF, Scored, Setting, TIMES, Told, hashes, scored,
 };
 
 /// One body on a rigid one, flat and curved; two bodies, straight, curved, and conforming.

@@ -1,10 +1,9 @@
 //! One contact solve of the cylinder at three sizes, stage by stage, against one plain sparse Cholesky solve, and the same of the sphere
-//! at two; all nine over one.
+//! at two.
 
 use std::collections::BTreeMap;
 use std::time::Instant;
 
-use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use crate::case::library::find;
@@ -14,7 +13,6 @@ use crate::elasticity::{ElasticSystem, numbered};
 use crate::error::Error;
 use crate::measure::order::slope;
 use crate::mesh::{Mesh, Order, Resolution};
-use crate::solution::Solution;
 use crate::solve::{Change, Discretisation, Formulation};
 use crate::study::seconds::{Spread, quantile, ratios};
 
@@ -24,9 +22,6 @@ pub const MESHES: [(usize, u32, usize); 3] = [(12, 1, 15), (8, 3, 7), (20, 4, 3)
 pub const CYLINDER: &str = "cylinder";
 /// The body of revolution with the same meshes, and on how many of the first it is measured.
 pub const SPHERE: (&str, usize) = ("sphere", 2);
-/// Where nine formulations are solved on one mesh: as many degrees of freedom with fewer and with more of them retained.
-pub const NINE: [(usize, u32); 2] = [(2, 4), (8, 3)];
-
 /// Degrees of freedom up to which the tests count iterations and entries of the factor again.
 pub const RECOUNTED: usize = 200_000;
 /// Stages that are the mesh and the matrix, not the contact solve.
@@ -196,41 +191,6 @@ pub fn largest_memory(process: &str) -> Option<f64> {
     let status = std::fs::read_to_string(format!("/proc/{process}/status")).ok()?;
     let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"))?;
     Some(1024.0 * line.trim().strip_suffix("kB")?.trim().parse::<f64>().ok()?)
-}
-
-/// All nine formulations at their own defaults on one condensation over the single node + kinematic solve.
-#[derive(Clone, Debug, Serialize, Deserialize)]
-pub struct Nine {
-    /// Counts of the mesh.
-    pub counts: Counts,
-    /// The ratio on one thread and on all.
-    pub ratio: [Spread; 2],
-}
-
-/// Measures the nine on one mesh, so many times.
-pub fn nine((elements, refinement): (usize, u32), repeats: usize) -> Result<Nine, Error> {
-    let ratio = |threads: usize| -> Result<Spread, Error> {
-        let each = || (0..repeats).map(|_| nine_over_one(elements, refinement)).collect::<Result<Vec<f64>, Error>>();
-        Ok(Spread::of(&on(threads, each)?))
-    };
-    Ok(Nine { counts: counts(CYLINDER, elements, refinement)?, ratio: [ratio(1)?, ratio(ALL)?] })
-}
-
-/// Seconds from the mesh to displacements by the nine, side by side on the threads at hand, over those by the single formulation.
-fn nine_over_one(elements: usize, refinement: u32) -> Result<f64, Error> {
-    let clock = Instant::now();
-    let discretisation = discretised(CYLINDER, elements, refinement)?;
-    let shared = clock.elapsed().as_secs_f64();
-    let solved = |formulations: &[Formulation]| -> Result<f64, Error> {
-        let clock = Instant::now();
-        let each = formulations.par_iter().with_max_len(1).map(|formulation| discretisation.solve(formulation));
-        let solutions = each.collect::<Result<Vec<Solution>, Error>>()?;
-        let retained: Vec<&[f64]> = solutions.iter().map(|solution| solution.displacement.as_slice()).collect();
-        std::hint::black_box(discretisation.condensed.recover_all(1.0, &retained));
-        Ok(clock.elapsed().as_secs_f64())
-    };
-    let (one, nine) = (solved(&[Formulation::verification()])?, solved(&Formulation::nine())?);
-    Ok((shared + nine) / (shared + one))
 }
 
 /// As many threads as the processor offers.

@@ -3,7 +3,7 @@
 //! keeps them are two things.
 //!
 //! * `precision` — on which meshes truncated Hertz is solved; error against seconds and work, ours and of codes on meshes of their own.
-//! * `growth` — one solve at three sizes, stage by stage, against one plain sparse Cholesky solve; all nine formulations over one.
+//! * `growth` — one solve at three sizes, stage by stage, against one plain sparse Cholesky solve.
 //! * `record` — what is kept under `snapshots/timings`, measured on demand by the command `timings`, what of it is cheapest, and what was asked for.
 //!
 //! Below are the page, the answer of the front page, and the charts. An error is everywhere the larger one of p₀ and a under

@@ -14,7 +14,7 @@ use crate::solve::{Element, Formulation, Iteration};
 use crate::study::records;
 use crate::study::seconds::{Machine, Spread};
 use crate::study::target::Target;
-use crate::study::timings::growth::{Growth, Nine, exponent};
+use crate::study::timings::growth::{Growth, exponent};
 use crate::study::timings::precision::{Point, Series, TOLERANCE, half_widths, solved};
 
 /// What renews the records.
@@ -31,8 +31,6 @@ pub struct Measured {
     pub growth: Vec<Growth>,
     /// The sphere, mesh by mesh.
     pub revolved: Vec<Growth>,
-    /// All nine formulations over one, mesh by mesh.
-    pub nine: Vec<Nine>,
     /// Seconds of the whole report.
     pub report: f64,
     /// Our cheapest solve of truncated Hertz within 0.1 %, measured before and after each of the other codes.
@@ -194,12 +192,6 @@ pub fn targets(record: &Record) -> Vec<Target> {
         all.push(Target::at_most(format!("one more solve ÷ the first, {n} dofs"), 0.02, one.again_ratio.median));
     }
     all.extend(record.measured.revolved.iter().map(|one| contact(one, "sphere, ")));
-    for nine in &record.measured.nine {
-        for (threads, ratio) in ["one thread", "all threads"].into_iter().zip(nine.ratio) {
-            let mesh = format!("{} dofs, {} retained, {threads}", nine.counts.dofs, nine.counts.retained);
-            all.push(Target::at_most(format!("all nine formulations ÷ one, {mesh}"), 2.0, ratio.median));
-        }
-    }
     all.extend(steepness(growth));
     for one in growth.iter().filter(|one| one.counts.dofs >= LARGE) {
         let what = format!("peak memory ÷ bytes of the factor, {} dofs", one.counts.dofs);
