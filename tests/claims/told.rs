@@ -233,6 +233,15 @@ fn penalty_tells_what_its_springs_cost() {
 }
 
 #[test]
+fn table_of_bars_has_a_column_of_the_penalty_where_there_is_one() {
+    for (options, is_there) in [(&[][..], false), (&["--rule", "penalty", "--stiffness", "100"], true)] {
+        let (_, table, _) = contact_vv(&[&["solve", "truncated-hertz", "--all"], options].concat());
+        let head = table.lines().find(|line| line.contains("value ± error bar")).expect("a head");
+        assert_eq!(head.contains("penalty"), is_there, "{head}");
+    }
+}
+
+#[test]
 fn round_off_is_named_where_it_is_the_limit_and_not_the_iterations() {
     // Pressures of line elements on meshes that do not match hang on penetrations of the size of rounding.
     let formulation = Formulation::new(Element::Line, Iteration::Kinematic).tolerance(1e-12);
