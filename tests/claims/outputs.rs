@@ -232,6 +232,14 @@ fn points_that_overlap_have_gaps_below_zero_in_the_table() {
 }
 
 #[test]
+fn growth_of_an_accuracy_is_along_the_contact_then_into_the_depth() {
+    let grading = scene_file::case("rings-to-accuracy").scene.grading;
+    let document = json(&["solve", &scene("rings-to-accuracy"), "--no-error-bar"]);
+    assert!(grading.along > grading.depth, "{grading:?}");
+    assert_eq!(document["accuracy"]["growth"], serde_json::json!([grading.along, grading.depth]));
+}
+
+#[test]
 fn largest_point_is_told_where_its_pressure_is() {
     let arguments = ["solve", "cylinder", "--element", "line", "--no-error-bar"];
     let contact = &json(&arguments)["contacts"][0];
