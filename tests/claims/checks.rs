@@ -90,6 +90,16 @@ fn sentence_on_failures_names_each_with_its_own_error_and_counts_all_that_was_as
 }
 
 #[test]
+fn end_of_a_contact_is_judged_in_its_unit_and_not_in_per_cent() {
+    let folder = Folder::made();
+    let csv = folder.at("p.csv");
+    assert!(contact_vv(&["solve", "truncated-hertz", "--no-error-bar", "--csv", &csv]).0);
+    let (_, table, _) = contact_vv(&["judge", "truncated-hertz", &csv]);
+    let row = |name: &str| table.lines().find(|line| line.contains(name)).expect("a row").contains('%');
+    assert_eq!(["end of the contact [mm]", "peak pressure [MPa]"].map(row), [false, true], "{table}");
+}
+
+#[test]
 fn round_off_is_told_by_the_tolerance_that_it_keeps_where_that_is_finer_than_what_errors_are_told_to() {
     let told = |tolerance: f64, error: f64| {
         let check = Check::error("error", Reference::own("exact", 0.0), tolerance, "a reason");
