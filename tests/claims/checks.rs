@@ -100,6 +100,26 @@ fn end_of_a_contact_is_judged_in_its_unit_and_not_in_per_cent() {
 }
 
 #[test]
+fn tension_of_half_a_per_cent_is_not_met() {
+    let folder = Folder::made();
+    let csv = folder.at("p.csv");
+    assert!(contact_vv(&["solve", "truncated-hertz", "--no-error-bar", "--csv", &csv]).0);
+    let text = folder.read("p.csv");
+    let (rows, last) = text.trim_end().rsplit_once('\n').expect("rows");
+    let cells: Vec<&str> = last.split(',').collect();
+    let pulled = folder.with("q.csv", format!("{rows}\n{},-29,{}\n", cells[0], cells[2..].join(",")));
+    let verdict = |file: &str| {
+        let [judged] = &lines(&["judge", "truncated-hertz", file, "--json"])[..] else {
+            panic!("one answer is a line")
+        };
+        let checks = judged["checks"].as_array().expect("checks");
+        let tension = checks.iter().find(|one| one["quantity"].as_str().is_some_and(|name| name.contains("tension")));
+        tension.expect("judged")["verdict"].clone()
+    };
+    assert_eq!([verdict(&csv), verdict(&pulled)], ["pass", "fail"]);
+}
+
+#[test]
 fn round_off_is_told_by_the_tolerance_that_it_keeps_where_that_is_finer_than_what_errors_are_told_to() {
     let told = |tolerance: f64, error: f64| {
         let check = Check::error("error", Reference::own("exact", 0.0), tolerance, "a reason");

@@ -67,7 +67,7 @@ fn series_that_goes_elsewhere_is_found_and_one_that_is_not_halved_is_not_extrapo
 fn table(steps: usize) -> String {
     let inside = (0..=steps).map(|k| {
         let share = k as f64 / steps as f64;
-        [2.5 * share, 5769.230_769 * (1.0 - share * share).sqrt()]
+        [2.5 * share, 5_769.230_769 * (1.0 - share * share).sqrt()]
     });
     let rows = inside.chain([[3.75, 0.0], [5.0, 0.0]]).map(|[s, p]| format!("{s},{p}\n"));
     "position [mm],pressure [MPa]\n".to_owned() + &rows.collect::<String>()
