@@ -107,6 +107,11 @@ class Verdicts:
         self.document = document
 
     def __bool__(self) -> bool:
+        """Whether nothing failed.
+
+        >>> [(bool(Verdicts({"met": met})), Verdicts.refused is None) for met in (False, True)]
+        [(False, False), (True, True)]
+        """
         met = bool(self.document["met"])
         Verdicts.refused = None if met else self
         return met
@@ -118,7 +123,13 @@ class Verdicts:
         return f"<pre>{html.escape(repr(self))}</pre>"
 
     def plot(self, axes: Any = None) -> Any:
-        """Draws the pressures on those of the reference by matplotlib, and returns the axes."""
+        """Draws the pressures on those of the reference by matplotlib, and returns the axes.
+
+        >>> from unittest.mock import Mock
+        >>> drawn = judge("bars", [0, 12, 25], [50, 50, 50]).plot(Mock()).plot.call_args_list
+        >>> [round(float(call.args[1][0]), 3) for call in drawn]
+        [50.0, 52.5]
+        """
         axes = axes or importlib.import_module("matplotlib.pyplot").gca()
         for one in self.document["contacts"]:
             s, p, truth = _columns(one, ["position", "pressure", "reference"])
@@ -135,6 +146,11 @@ def solve(scene: Scene, **options: Option) -> Solution:
     >>> run = solve("bars", element="node", no_error_bar=True)
     >>> run.outcome, run.s.shape == run.p.shape == run.gap.shape, run.nodes.shape == run.displacement.shape
     ('converged', True, True)
+    >>> run.nodes.max(axis=0).tolist(), round(float(run.displacement.min()), 3)
+    ([25.0, 100.1], -0.15)
+    >>> run = solve("pin-rod", no_error_bar=True, max_iterations=2)
+    >>> run, run.contacts[0].unit
+    (pin-rod: not converged, 'rad')
     >>> solve("cilinder")
     Traceback (most recent call last):
     contact_vv.Error: solve: there is no case `cilinder`
@@ -180,9 +196,17 @@ def judge(
     >>> run = solve("bars", element="line", no_error_bar=True)
     >>> bool(judge("bars", run.s, run.p, gap=run.gap, area=run.contacts[0].area))
     True
+    >>> run = solve("truncated-hertz", no_error_bar=True)
+    >>> bool(judge("truncated-hertz", run.s, run.p, gap=run.gap))
+    True
+    >>> judge("bars", [0, 12, 25], [52.5 + 1e-9] * 3).document["checks"][1]["value"]
+    52.500000001
     >>> judge("bars", np.ma.masked_greater([0, 12, 25], 20), [52.5, 52.5, 52.5])
     Traceback (most recent call last):
     contact_vv.Error: ...`nan`, which is no number...
+    >>> judge("bars", [0, 12, 25], [52.5])
+    Traceback (most recent call last):
+    contact_vv.Error: the arrays have different shapes: position [mm] (3,), pressure [MPa] (1,)...
     """
     with tempfile.TemporaryDirectory(prefix="contact-vv-") as folder:
         given = {f"position [{length}]": s, f"pressure [{unit}]": p, "gap [mm]": gap, "area [mm2]": area}
@@ -207,6 +231,8 @@ def reference(case: Scene) -> dict[str, Number]:
 
     >>> print(reference("cylinder")["second-moment width [mm]"])
     2.5 ± 0.0063
+    >>> list(reference("bars"))
+    ['second-moment width [mm]', 'peak pressure [MPa]', 'contact resultant [N]']
     """
     with _folder(case) as (folder, name):
         own = folder / "own.csv"
@@ -276,7 +302,11 @@ def _pairs(table: Mapping[str, Any]) -> list[str]:
 
 
 def _toml(value: Any) -> str:
-    """A value as TOML in one line, which has strings, numbers and booleans as JSON has them."""
+    """A value as TOML in one line, which has strings, numbers and booleans as JSON has them.
+
+    >>> print(_toml({"a.b": np.int64(2), "c": float("inf"), "d": [True, "µ"], "e": None}))
+    {"a.b" = 2, "c" = inf, "d" = [true, "µ"]}
+    """
     if isinstance(value, Mapping):
         return "{" + ", ".join(_pairs(value)) + "}"
     if isinstance(value, (list, tuple, np.ndarray)):
@@ -291,7 +321,11 @@ def _toml(value: Any) -> str:
 
 
 def _typed(options: Mapping[str, Option]) -> list[str]:
-    """Options as one types them."""
+    """Options as one types them.
+
+    >>> _typed({"no_error_bar": True, "all": False, "csv": None, "unit": ["position=m", "gap=um"]})
+    ['--no-error-bar', '--unit=position=m', '--unit=gap=um']
+    """
     lists = {name: value if isinstance(value, (list, tuple)) else [value] for name, value in options.items()}
     given = [("--" + name.replace("_", "-"), one) for name, value in lists.items() for one in value]
     return [name if one is True else f"{name}={one}" for name, one in given if one is not None and one is not False]
@@ -309,7 +343,12 @@ def _columns(contact: Mapping[str, Any], names: Sequence[str]) -> list[Array]:
 
 
 def _by_name(rows: Sequence[Mapping[str, Any]], keys: Sequence[str]) -> dict[str, Number]:
-    """Numbers by their quantity, and by what they are of where several have one; of one that stands twice the first."""
+    """Numbers by their quantity, and by what they are of where several have one; of one that stands twice the first.
+
+    >>> rows = [("left", "end", 1, 0.1), ("left", "end", 2, 0.1), ("right", "end", 3, None), ("left", "peak", 4, 0)]
+    >>> {name: one.value for name, one in _by_name([dict(zip("abcd", row)) for row in rows], "abcd").items()}
+    {'end of left': 1.0, 'end of right': 3.0, 'peak': 4.0}
+    """
     found: dict[tuple[str, str], Number] = {}
     for of, quantity, *numbers in ([row[key] for key in keys] for row in rows):
         value, bar = np.array(numbers, dtype=float).tolist()

@@ -8,7 +8,7 @@ use std::sync::LazyLock;
 
 use contact_vv::case::library::NAMES;
 use contact_vv::checkout::root;
-use quick_junit::{Report, TestCaseStatus};
+use quick_junit::{Report, TestCase, TestCaseStatus};
 use serde_json::json;
 
 use crate::outputs::contact_vv;
@@ -77,6 +77,17 @@ fn junit_has_a_test_case_for_every_verdict() {
     folder.with("verdicts.xml", "<testsuites name=\"another\"/>");
     let (_, _, error) = judge("--junit");
     assert!(error.contains("not an earlier output"), "{error}");
+}
+
+#[test]
+fn what_a_series_leaves_unjudged_is_skipped_in_junit() {
+    let folder = answers();
+    let [right, wrong, xml] = ["right one.csv", "wrong one.csv", "verdicts.xml"].map(|name| folder.at(name));
+    contact_vv(&["judge", "truncated-hertz", &right, &wrong, &right, "--series", "--junit", &xml]);
+    let report = Report::deserialize_from_str(&folder.read("verdicts.xml")).expect("JUnit XML");
+    let series = report.test_suites.iter().find(|suite| suite.name.as_str() == "series").expect("a series");
+    let is_skipped = |case: &TestCase| matches!(case.status, TestCaseStatus::Skipped { .. });
+    assert!(series.tests == 2 && series.test_cases.iter().all(is_skipped), "{series:?}");
 }
 
 #[test]

@@ -52,6 +52,12 @@ fn judges_of_bars_turn_red_on_spoiled_ones_and_on_what_is_not_a_number() {
     assert_eq!(verdicts(&|_| ()), [pass.clone(), pass.clone(), pass.clone()]);
     assert_eq!(verdicts(&|record| *record = widened(record, 0.2)), [fail.clone(), fail.clone(), pass.clone()]);
     assert_eq!(verdicts(&|record| *record = widened(record, 3.0)), [pass.clone(), pass.clone(), fail.clone()]);
+    let thrice = |one: &Record| Record {
+        bars: one.errors.map(|error| error.map(|error| Millionths(3.0 * error.0))),
+        ..one.clone()
+    };
+    let thrice: Vec<Record> = all.iter().map(thrice).collect();
+    assert!((narrow(&thrice).value - 3.0).abs() <= 1e-12, "{}", narrow(&thrice).value);
     for (factor, verdict) in [(1.0, &pass), (0.5, &fail), (f64::NAN, &fail)] {
         let widened: Vec<Record> = all.iter().map(|one| widened(one, factor)).collect();
         assert_eq!(told(&widened).verdict, *verdict, "{factor}");

@@ -73,6 +73,53 @@ fn check_of_every_run_that_was_not_run_is_neither_a_failure_nor_the_worst_error(
 }
 
 #[test]
+fn sentence_on_failures_names_each_with_its_own_error_and_counts_all_that_was_asked() {
+    let judged = |name: &'static str, error: f64| {
+        Check::error(name, Reference::own("exact", 0.0), 1e-3, "a reason").judge(error)
+    };
+    let absent = Check::error("third", Reference::own("exact", 0.0), 0.1, "a reason");
+    let absent = absent.not_run(ReferenceKind::SelfConsistency, "exact", "it did not end".into());
+    let all = [judged("first", 0.02), judged("second", 0.05), absent];
+    let told = told::failures(&all.each_ref());
+    assert!(
+        told.contains("First shall") && told.contains("(error 2.0 %); Second") && told.contains("(error 5.0 %)"),
+        "{told}"
+    );
+    let table = checks::of(&[("trial", &all)]);
+    assert!(table.starts_with("✗ 2 of 3 checks failed"), "{table}");
+}
+
+#[test]
+fn end_of_a_contact_is_judged_in_its_unit_and_not_in_per_cent() {
+    let folder = Folder::made();
+    let csv = folder.at("p.csv");
+    assert!(contact_vv(&["solve", "truncated-hertz", "--no-error-bar", "--csv", &csv]).0);
+    let (_, table, _) = contact_vv(&["judge", "truncated-hertz", &csv]);
+    let row = |name: &str| table.lines().find(|line| line.contains(name)).expect("a row").contains('%');
+    assert_eq!(["end of the contact [mm]", "peak pressure [MPa]"].map(row), [false, true], "{table}");
+}
+
+#[test]
+fn tension_of_half_a_per_cent_is_not_met() {
+    let folder = Folder::made();
+    let csv = folder.at("p.csv");
+    assert!(contact_vv(&["solve", "truncated-hertz", "--no-error-bar", "--csv", &csv]).0);
+    let text = folder.read("p.csv");
+    let (rows, last) = text.trim_end().rsplit_once('\n').expect("rows");
+    let cells: Vec<&str> = last.split(',').collect();
+    let pulled = folder.with("q.csv", format!("{rows}\n{},-29,{}\n", cells[0], cells[2..].join(",")));
+    let verdict = |file: &str| {
+        let [judged] = &lines(&["judge", "truncated-hertz", file, "--json"])[..] else {
+            panic!("one answer is a line")
+        };
+        let checks = judged["checks"].as_array().expect("checks");
+        let tension = checks.iter().find(|one| one["quantity"].as_str().is_some_and(|name| name.contains("tension")));
+        tension.expect("judged")["verdict"].clone()
+    };
+    assert_eq!([verdict(&csv), verdict(&pulled)], ["pass", "fail"]);
+}
+
+#[test]
 fn round_off_is_told_by_the_tolerance_that_it_keeps_where_that_is_finer_than_what_errors_are_told_to() {
     let told = |tolerance: f64, error: f64| {
         let check = Check::error("error", Reference::own("exact", 0.0), tolerance, "a reason");
@@ -325,4 +372,16 @@ fn line_of_a_judged_answer_holds_its_points_on_the_truth_and_the_table_that_is_p
             assert!((number(top, profile) / reference - 1.0).abs() < 1e-3, "{profile}: {top}");
         }
     }
+}
+
+#[test]
+fn points_of_a_judged_answer_on_an_arc_lie_at_degrees() {
+    let folder = Folder::made();
+    let csv = folder.at("p.csv");
+    assert!(contact_vv(&["solve", "pin-rod", "--no-error-bar", "--csv", &csv]).0);
+    let [judged] = &lines(&["judge", "pin-rod", &csv, "--json"])[..] else { panic!("one answer is a line") };
+    let contact = &judged["contacts"][0];
+    let last = contact["profile"].as_array().and_then(|points| points.last()).expect("points");
+    let place = last["position"].as_f64().expect("an angle");
+    assert!(contact["unit"] == "°" && (place - 75.0).abs() <= 1e-9, "{last}");
 }

@@ -51,6 +51,13 @@ fn every_row_is_what_its_command_solves_and_the_first_has_the_fewest_operations(
 }
 
 #[test]
+fn command_of_a_row_has_every_digit_of_the_tolerance() {
+    let (_, rows) = rows(&["bars", "--formulations", "node.kinematic", "--tolerance", "2.5e-4"]);
+    let command = rows[0]["command"].as_str().expect("a command");
+    assert!(command.ends_with(" --tolerance 2.5e-4"), "{command}");
+}
+
+#[test]
 fn formulation_that_cannot_take_the_scene_is_a_row_with_its_reason_behind_the_others() {
     let (well, rows) = rows(&["press-fit"]);
     assert!(well && rows.len() == 9);
@@ -177,6 +184,8 @@ fn curve_is_written_by_the_command_line() {
         assert_relative_eq!(number(force), 22656.0 * number(share), max_relative = 1e-8);
         assert_eq!((&row[column("outcome")], &row[column("half_width_deg")]), ("converged", ""));
     }
+    let steps: u64 = rows.iter().map(|row| row[column("iterations")].parse::<u64>().expect("a count")).sum();
+    assert_eq!(json(&["solve", &scene("load-approach"), "--no-error-bar"])["steps"], steps);
     // On an arc half-widths are angles in degrees.
     let file = folder.at("arc.csv");
     let solved = json(&["solve", "pin-rod", "--no-error-bar", "--increments", "2", "--curve", &file]);

@@ -316,6 +316,12 @@ fn loads_over_the_angle_of_contact_agree_with_the_closed_form_and_a_wrong_angle_
 }
 
 #[test]
+fn pin_of_a_sheet_has_a_material_of_its_own() {
+    let soft = SHEET.replacen("210e3", "70e3", 1);
+    assert_eq!(verdict(&soft, ["force_n", "half_angle_deg"], 5e-3, persson(1.0, &[60.0])), Verdict::Fail);
+}
+
+#[test]
 fn pressures_and_hoop_stresses_agree_over_degrees_and_over_millimetres() {
     let discretisation = meshed(PinRod::default().scene(), 36, Order::Quadratic);
     let run = Run::of(&discretisation, &Formulation::verification()).expect("solved");

@@ -7,7 +7,7 @@ use contact_vv::drawing::palette::{self, CARD, CLASSES, CURVES, Dash, INK, Marke
 use contact_vv::drawing::theme::Rgb;
 use contact_vv::drawing::{
     Axis, Bars, Cell, Chart, ClassMap, Colour, ColourMap, Detail, Direction, Drawing, Field, Guide, MapPanel, Remark,
-    Series, Style, Theme, Window, schematic,
+    Series, Style, Theme, Window, panels, schematic,
 };
 use contact_vv::markdown::significant;
 use contact_vv::study::fields::walk;
@@ -554,4 +554,11 @@ fn cells_of_a_class_are_one_area_with_its_holes() {
     }
     // Corners at which nothing turns are none.
     assert!(areas[2] == [areas[2][0].clone()] && areas[2][0].len() == 4 && areas[0].len() <= 4, "{areas:?}");
+}
+
+#[test]
+fn note_that_several_charts_share_is_written_once() {
+    let notes = |charts: &[Chart]| panels("charts", charts, 2).expect("drawn").to_string().matches("A note.").count();
+    assert!(notes(&[full()]) > 0);
+    assert_eq!(notes(&[full(), full()]), notes(&[full()]));
 }

@@ -8,10 +8,14 @@ use contact_vv::measure::order::{Why, bar_of_two, pairs, richardson, slope};
 use contact_vv::measure::profile::{
     centre, means, misplaced, relative_l2, resultant, second_moment_width, weighted_line,
 };
-use contact_vv::measure::{Measures, Peak, display_factor, nodal, peak, whole};
+use contact_vv::measure::{Measures, Peak, Quantity, display_factor, nodal, peak, whole};
+use contact_vv::mesh::Order;
 use contact_vv::scene::{Circle, Path};
 use contact_vv::solution::{EdgeState, Part, PointState};
+use contact_vv::solve::{Formulation, Run};
 use contact_vv::uncertainty::{Comparison, standard};
+
+use crate::workbench::meshed;
 
 /// Points in the middle of `n` equal intervals of `0 … end`.
 fn sampled(end: f64, n: usize, pressure: impl Fn(f64) -> f64) -> Vec<PointState> {
@@ -474,4 +478,16 @@ fn cell_of_many_nodes_is_read_by_its_polynomial_where_all_press_and_is_open_on_t
     let begin = Measures::of(&scene, 0, part(&rooted)).stretches[0].begin;
     assert_relative_eq!(begin, 1.5, max_relative = 1e-9);
     assert_eq!(Measures::of(&scene, 0, part(&all)).stretches[0].begin, 0.0);
+}
+
+#[test]
+fn hoop_stress_is_that_of_a_node_and_none_between_two() {
+    let discretisation = meshed(PinRod::default().scene(), 12, Order::Quadratic);
+    let run = Run::of(&discretisation, &Formulation::verification()).expect("solved");
+    let along =
+        discretisation.hoop_stresses(&discretisation.recover(&run.solution).expect("fields"), 0).expect("stresses");
+    let read = |at: f64| discretisation.number(&run, 0, &Quantity::HoopStress { at }).expect("a number");
+    let [[first, stress], [second, _]] = [along[4], along[5]];
+    assert!((read(first) - stress).abs() <= 0.0 && second - first > 1e-3, "{first}, {second}");
+    assert!(read(first + 1e-3).is_nan(), "{}", read(first + 1e-3));
 }

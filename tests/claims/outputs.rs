@@ -8,6 +8,7 @@ use contact_vv::checkout::root;
 use contact_vv::cli::vtu;
 use contact_vv::elasticity::shape_functions;
 use contact_vv::elasticity::stress::{across, von_mises};
+use contact_vv::markdown;
 use contact_vv::measure::relative_error;
 use contact_vv::mesh::Order;
 use contact_vv::scene::{Material, PlaneHypothesis, Scene};
@@ -206,6 +207,65 @@ fn a_folder_is_verified_file_by_file_and_fails_with_its_worst() {
 }
 
 #[test]
+fn table_of_checks_has_the_reference_beside_the_value() {
+    let file = scene("flat-punch");
+    let (_, table, _) = contact_vv(&["verify", &file]);
+    let lines = contact_vv(&["verify", &file, "--json"]).1;
+    let own = lines.lines().map(|line| serde_json::from_str::<serde_json::Value>(line).expect("JSON"));
+    for check in own.filter(|check| check["scope"] == "own") {
+        let [value, reference] =
+            ["value", "reference"].map(|key| markdown::value(check[key].as_f64().expect("a number")));
+        assert!(value != reference && table.contains(&reference), "{reference}: {table}");
+    }
+}
+
+#[test]
+fn points_that_overlap_have_gaps_below_zero_in_the_table() {
+    let folder = Folder::made();
+    let csv = folder.at("p.csv");
+    let penalty = ["--rule", "penalty", "--stiffness", "100", "--no-error-bar", "--csv", &csv];
+    assert!(contact_vv(&[&["solve", "truncated-hertz"][..], &penalty].concat()).0);
+    let rows = csv::Reader::from_path(&csv).expect("a table").into_deserialize::<(f64, f64, f64, f64, String)>();
+    for (position, pressure, gap, ..) in rows.map(|row| row.expect("numbers and a name")) {
+        assert!((gap < 0.0) == (pressure > 0.0), "{position}: {gap}, {pressure}");
+    }
+}
+
+#[test]
+fn growth_of_an_accuracy_is_along_the_contact_then_into_the_depth() {
+    let grading = scene_file::case("rings-to-accuracy").scene.grading;
+    let document = json(&["solve", &scene("rings-to-accuracy"), "--no-error-bar"]);
+    assert!(grading.along > grading.depth, "{grading:?}");
+    assert_eq!(document["accuracy"]["growth"], serde_json::json!([grading.along, grading.depth]));
+}
+
+#[test]
+fn largest_point_is_told_where_its_pressure_is() {
+    let arguments = ["solve", "cylinder", "--element", "line", "--no-error-bar"];
+    let contact = &json(&arguments)["contacts"][0];
+    let profile = contact["profile"].as_array().expect("points");
+    let number = |of: &serde_json::Value, key: &str| of[key].as_f64().expect("a number");
+    let top = profile.iter().max_by(|a, b| number(a, "pressure").total_cmp(&number(b, "pressure"))).expect("points");
+    let [place, pressure] = ["position", "pressure"].map(|key| number(top, key));
+    assert!(place > 0.0 && (place - number(contact, "largest_point_position")).abs() <= 0.0, "{place}");
+    let (_, table, _) = contact_vv(&["solve", "cylinder", "--element", "line", "--all"]);
+    let told =
+        format!("largest pressure of a point {} MPa at {} mm", markdown::value(pressure), markdown::value(place));
+    assert!(table.contains(&told), "{told}: {table}");
+}
+
+#[test]
+fn reaction_that_is_small_beside_the_load_is_told() {
+    let folder = Folder::made();
+    let load = "traction = { at = \"far\", value = [0.01, -100] }";
+    let contact = "gap = { uniform = 0 }\nstretch = 20\n[mesh]\nelements = 4\nper = 20";
+    let text = block_text([0.0, 20.0], 20.0, load, contact);
+    let (_, table, error) = contact_vv(&["solve", &folder.with("s.toml", text), "--all"]);
+    let told = table.lines().find(|line| line.starts_with("reaction on `block` at left: x "));
+    assert!(told.is_some_and(|line| line.ends_with(" -0.200000 N")), "{table}{error}");
+}
+
+#[test]
 fn table_tells_the_reactions_the_error_bars_and_the_notes_of_the_document() {
     let folder = Folder::made();
     let doubtful = folder.with("doubtful.toml", crate::scene_oracle::BLOCKS.replace("young = 200000", "young = 200"));
@@ -360,6 +420,7 @@ fn outputs_replace_earlier_ones_of_their_kind_and_others_by_force_only() {
             b"my own notes\n".to_vec(),
             small().into(),
             vec![0xff, 0x00],
+            br#"[{"load_factor": 1}, {"mine": 2}]"#.to_vec(),
             [&written[name][..], b"\nmine, and more\n"].concat(),
         ] {
             // Words behind a drawing or fields are no part of them; those behind a table are a row.

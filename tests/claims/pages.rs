@@ -69,6 +69,16 @@ fn marker(name: &'static str) -> Judged {
 }
 
 #[test]
+fn error_that_fails_is_recorded_however_small_it_is() {
+    let mut finding = small();
+    let check = || Check::error("error", Reference::own("exact", 0.0), 1e-12, "a reason");
+    finding.judged = vec![check().judge(3.21e-12)];
+    let files = record::files(&[finding]).expect("written");
+    let rows: Vec<record::CheckRow> = record::parsed(&files[0].1).expect("rows");
+    assert!((rows[0].error - 3.21e-12).abs() <= 1e-18, "{}", files[0].1);
+}
+
+#[test]
 fn no_page_shows_a_number_that_is_none() {
     for page in all_pages() {
         let cells = text(&page);

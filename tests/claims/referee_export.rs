@@ -35,6 +35,21 @@ fn scene_of([body, contact]: [&str; 2], file: &str, path: &str) -> String {
 }
 
 #[test]
+fn surfaces_of_an_exported_mesh_are_bounded_by_the_sides_of_their_bodies() {
+    let case = find("pin-rod", None).expect("a case");
+    let mesh = Mesh::of(&case.scene, case.resolution).expect("meshed");
+    let (text, numbers) = (gmsh::text(&case.scene, &mesh), gmsh::numbers(&case.scene, &mesh));
+    let (_, entities) = text.split_once("$Entities\n").expect("entities");
+    let sides = numbers.len() - case.scene.bodies.len();
+    // Behind the head and the sides: a tag, a box of six numbers, one group, then how many sides and which.
+    for (body, line) in case.scene.bodies.iter().zip(entities.lines().skip(1 + sides)) {
+        let bounds: Vec<usize> = line.split(' ').skip(10).map(|word| word.parse().expect("a side")).collect();
+        let own = numbers[..sides].iter().filter(|(name, _)| name.starts_with(&format!("{} ", body.name)));
+        assert_eq!(bounds, own.map(|(_, number)| *number).collect::<Vec<_>>(), "{line}");
+    }
+}
+
+#[test]
 fn exported_meshes_are_read_back_by_our_own_gmsh_reader_as_they_were() {
     let folder = Folder::made();
     for (name, _) in NAMES {

@@ -2,6 +2,7 @@
 
 use contact_vv::case::Verdict;
 use contact_vv::case::library::TruncatedHertz;
+use contact_vv::measure::Quantity;
 use contact_vv::mesh::{Order, Resolution};
 use contact_vv::referee::export::own;
 use contact_vv::referee::series::{self, Series};
@@ -59,6 +60,31 @@ fn series_that_goes_elsewhere_is_found_and_one_that_is_not_halved_is_not_extrapo
     for meshes in [[(8, 0), (12, 0), (18, 0)], [(8, 0), (8, 1), (12, 1)], [(8, 0), (12, 0), (12, 1)]] {
         let uneven = series::all(truth, &answers(truth, &meshes, 1.0)).pop().expect("a series");
         assert!(verdicts_of(&uneven).iter().all(|verdict| matches!(verdict, Verdict::NotRun(_))), "{uneven:?}");
+    }
+}
+
+/// A table of Hertz's pressure at so many even steps on the half-width, and at few points beyond.
+fn table(steps: usize) -> String {
+    let inside = (0..=steps).map(|k| {
+        let share = k as f64 / steps as f64;
+        [2.5 * share, 5_769.230_769 * (1.0 - share * share).sqrt()]
+    });
+    let rows = inside.chain([[3.75, 0.0], [5.0, 0.0]]).map(|[s, p]| format!("{s},{p}\n"));
+    "position [mm],pressure [MPa]\n".to_owned() + &rows.collect::<String>()
+}
+
+#[test]
+fn a_mesh_of_a_series_is_as_fine_as_its_edges_within_the_contact_and_its_limit_as_far_off_as_both_bars_say() {
+    let truth = truth("truncated-hertz");
+    let answers = [8, 16, 32].map(|steps| judged_as(truth, "series.csv", &table(steps), &Asked::default()));
+    let series = series::all(truth, &answers).pop().expect("a series");
+    for (size, steps) in series.sizes.iter().zip([8.0, 16.0, 32.0]) {
+        assert!((size * steps - 1.0).abs() <= 0.06, "{size} of {steps}");
+    }
+    for (along, quantity) in series.along.iter().zip([Quantity::SecondMomentWidth, Quantity::PeakPressure]) {
+        let (limit, known) = (along.limit.expect("a limit"), truth.known(0, &quantity));
+        let bars = along.judged.value * (limit.bar + known.bar);
+        assert!((bars - (limit.limit - known.reference.value).abs()).abs() <= 1e-9 * limit.limit, "{along:?}");
     }
 }
 

@@ -119,3 +119,48 @@ fn numbers_of_fortran_without_an_e_and_names_of_ansys_and_comsol_are_read() {
         refused("theirs.csv", text, &usual(), &[&format!("`{cell}`, which is no number")]);
     }
 }
+
+#[test]
+fn every_unit_is_what_its_definition_says() {
+    // The inch, the pound and standard gravity are exact by the treaty of 1959 and the CGPM of 1901; the atmosphere by that of 1954.
+    let pound = 0.453_592_37 * 9.806_65;
+    let lengths = [("mm", 1e-3), ("m", 1.0), ("um", 1e-6), ("nm", 1e-9), ("cm", 1e-2), ("in", 0.0254), ("ft", 0.3048)];
+    let angles = [("rad", 1.0), ("deg", std::f64::consts::PI / 180.0), ("°", std::f64::consts::PI / 180.0)];
+    let forces = [("N", 1.0), ("kN", 1e3), ("lbf", pound)];
+    let areas = [("mm2", 1e-6), ("m2", 1.0), ("cm2", 1e-4), ("in2", 0.0254 * 0.0254)];
+    let stresses = [
+        ("MPa", 1e6),
+        ("N/mm2", 1e6),
+        ("kPa", 1e3),
+        ("Pa", 1.0),
+        ("GPa", 1e9),
+        ("kN/mm2", 1e9),
+        ("N/m2", 1.0),
+        ("MN/m2", 1e6),
+        ("bar", 1e5),
+        ("atm", 101_325.0),
+        ("psi", pound / (0.0254 * 0.0254)),
+        ("ksi", 1e3 * pound / (0.0254 * 0.0254)),
+        ("lbf/in2", pound / (0.0254 * 0.0254)),
+    ];
+    for (role, of_metres_and_newtons, ours) in [
+        (Role::Position, &lengths[..], 1e-3),
+        (Role::Position, &angles[..], 1.0),
+        (Role::Gap, &lengths, 1e-3),
+        (Role::Force, &forces, 1.0),
+        (Role::Area, &areas, 1e-6),
+        (Role::Pressure, &stresses, 1e6),
+    ] {
+        for (unit, size) in of_metres_and_newtons {
+            let factor = role.factor(unit).expect("known");
+            assert!((factor * ours / size - 1.0).abs() <= 1e-12, "{unit}: {factor}");
+        }
+    }
+    let named = |role: Role| role.units().len();
+    let told = [Role::Position, Role::Gap, Role::Force, Role::Area, Role::Pressure].map(named);
+    assert_eq!(
+        told,
+        [lengths.len() + angles.len(), lengths.len(), forces.len(), areas.len(), stresses.len()],
+        "a unit is not asked here"
+    );
+}

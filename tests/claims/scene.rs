@@ -4,9 +4,9 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use contact_vv::case::library::Patch;
-use contact_vv::scene::{Circle, Material, Path, PlaneHypothesis, Profile};
+use contact_vv::scene::{Action, Along, Circle, Load, Material, Path, PlaneHypothesis, Profile, SidePart};
 
-use crate::workbench::STEEL;
+use crate::workbench::{STEEL, block};
 
 /// Relative round-off of a handful of operations.
 const ROUND_OFF: f64 = 1e-13;
@@ -151,4 +151,16 @@ fn kinks_of_a_table_do_not_depend_on_the_unit_of_its_gaps() {
         let kinks = Profile::Table(table.into()).kinks();
         assert!(kinks.len() == 1 && (kinks[0] - 0.7).abs() < 1e-12, "{unit}: {kinks:?}");
     }
+}
+
+#[test]
+fn mirror_image_turns_parts_of_arcs_and_moments_round() {
+    let part = Some(SidePart { along: Along::Angle { centre: [1.0, 50.0] }, from: 0.2, to: 0.7 });
+    let load = Load::OnSide { boundary: "right".into(), part, action: Action::Moment(3.0) };
+    let mirrored = block([20.0, 10.0], vec![], vec![load]).mirrored();
+    let Load::OnSide { part: Some(part), action: Action::Moment(moment), .. } = &mirrored.bodies[0].loads[0] else {
+        panic!("{:?}", mirrored.bodies[0].loads)
+    };
+    let Along::Angle { centre } = part.along else { panic!("{part:?}") };
+    assert_eq!((part.from, part.to, *moment, centre), (-0.7, -0.2, -3.0, [-1.0, 50.0]));
 }

@@ -90,7 +90,11 @@ fn truncated_hertz_of_a_file_has_no_model_error_above_or_below_its_contact() {
         .replace("elements = 4\nper = 4", "elements = 12\nper = 2")
         .replace("tolerance = 0.1", "tolerance = 5e-3");
     let below = above.replace("y = [0, 20], contact = \"bottom\"", "y = [-20, 0], contact = \"top\"");
-    for text in [&above, &below] {
+    let beside = above
+        .replace("x = [0, 20]", "x = [7, 27]")
+        .replace("gap = {", "origin = [7, 0]\ngap = {")
+        .replace("half-width = 2 }", "half-width = 2, centre = [7, 0] }");
+    for text in [&above, &below, &beside] {
         assert_eq!(failures(text), 0);
     }
     // Other stresses are another problem.
@@ -130,6 +134,24 @@ fn closed_forms_of_revolution_of_a_file_are_met() {
     ] {
         assert_eq!(failures(&of_revolution(gap, &oracle, load, mesh)), 0, "{gap}");
     }
+}
+
+#[test]
+fn truncated_sphere_of_a_file_has_no_model_error_above_or_below_its_contact() {
+    // a = 2 mm on R = 100 mm: p₀ = 2 E* a / πR, F = 2πa² p₀ / 3.
+    let peak = 2.0 * MODULUS * 2.0 / (100.0 * std::f64::consts::PI);
+    let load = 2.0 * std::f64::consts::PI * 4.0 * peak / 3.0;
+    let smooth = "stretch = 4\n[mesh]\nelements = 12\nper = 2";
+    let text =
+        of_revolution("{ parabola = 100 }", &format!("{{ hertz = {{ load = {load}, radius = 100 }} }}"), load, smooth);
+    let stress = |at: &str| format!("{{ hertz = {{ at = \"{at}\", peak-pressure = {peak}, half-width = 2 }} }}");
+    let (begin, rest) = text.split_once("loads = [").expect("loads");
+    let (_, end) = rest.split_once("]\n").expect("their end");
+    let above = format!("{begin}loads = [{}, {}]\n{end}", stress("far"), stress("right"))
+        .replace("x = [0, 40], y = [0, 40]", "x = [0, 8], y = [0, 8]")
+        .replace("tolerance = 0.01", "tolerance = 5e-3");
+    let below = above.replace("y = [0, 8], contact = \"bottom\"", "y = [-8, 0], contact = \"top\"");
+    assert_eq!([failures(&above), failures(&below)], [0; 2]);
 }
 
 /// What is noted of a scene that is solved.

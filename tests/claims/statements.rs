@@ -7,8 +7,10 @@ use contact_vv::case::library::{cylinder, pin_rod};
 use contact_vv::case::{self, Check, Reference, Verdict};
 use contact_vv::checkout::root;
 use contact_vv::measure::Quantity;
+use contact_vv::oracle::ReferenceKind;
 use contact_vv::report::{record, statements};
 use contact_vv::solve::{Element, Iteration};
+use contact_vv::study::measured::{self, GAERTNER};
 use contact_vv::study::paper::reading::{Axis, Candidates, Reading, Stop};
 use contact_vv::study::paper::sentence::{GOOD, Met, Seen, Sentence, Starts, agrees};
 use contact_vv::study::paper::statement::{self, Course, Example, courses, later as later_of, shown};
@@ -239,6 +241,17 @@ fn what_is_off_of_hertz_is_told_in_per_cent() {
     let agrees = all.iter().find(|one| one.text == Sentence::Agrees.name()).expect("a statement");
     let told = "p₀ within 0.25 % of Hertz, a within 0.50 %, pin–rod peak within 1.25 %, edge means within 1.75 %";
     assert!(agrees.measured.ends_with(told), "{}", agrees.measured);
+}
+
+#[test]
+fn curve_of_gaertner_that_fails_is_not_reproduced() {
+    let curve = |ratio: f64| {
+        let numbers =
+            measured::Numbers::Curves(vec![measured::check("a", "a", ReferenceKind::Measured, None).judge(ratio)]);
+        let all = statements::judge(&[Finding::of(GAERTNER, "digitised curves", numbers).expect("judged")]);
+        all.last().expect("a statement").judgement.clone()
+    };
+    assert_eq!([1.9, 2.1].map(curve), [Judgement::Reproduced, Judgement::NotReproduced]);
 }
 
 #[test]

@@ -133,6 +133,18 @@ fn counts_of_the_growth_tell_one_mesh_from_another() {
 }
 
 #[test]
+fn memory_of_a_process_is_a_whole_number_of_pages_and_that_of_a_solve_is_told_over_its_factor() {
+    if let Some(bytes) = growth::largest_memory("self") {
+        assert!(bytes > 1e6 && (bytes / 4096.0).fract() <= 0.0, "{bytes}");
+    }
+    let one = growth::measure("cylinder", (4, 0, 1), Some(1e6)).expect("measured");
+    let bytes = one.memory_ratio.expect("known") * 8.0 * one.counts.factor_entries as f64;
+    assert!((bytes - 1e6).abs() <= 1e-3, "{bytes}");
+    let again = growth::measure("cylinder", (4, 0, 4), None).expect("measured");
+    assert!(again.memory_ratio.is_none() && again.ratio_quartile >= again.ratio.median, "{again:?}");
+}
+
+#[test]
 fn points_and_counts_beside_the_seconds_are_those_of_the_code() {
     for series in Series::OURS {
         let [points, moved] = again(series).expect("measured");

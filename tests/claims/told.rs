@@ -233,6 +233,39 @@ fn penalty_tells_what_its_springs_cost() {
 }
 
 #[test]
+fn table_of_bars_has_a_column_of_the_penalty_where_there_is_one() {
+    for (options, is_there) in [(&[][..], false), (&["--rule", "penalty", "--stiffness", "100"], true)] {
+        let (_, table, _) = contact_vv(&[&["solve", "truncated-hertz", "--all"], options].concat());
+        let head = table.lines().find(|line| line.contains("value ± error bar")).expect("a head");
+        assert_eq!(head.contains("penalty"), is_there, "{head}");
+    }
+}
+
+#[test]
+fn bar_that_is_unknown_is_named_and_not_every_number() {
+    let (_, table, _) = contact_vv(&["solve", "flat-punch", "--all"]);
+    assert!(table.contains("itself: peak-pressure of `contact`") && !table.contains("every number"), "{table}");
+}
+
+#[test]
+fn peak_of_uneven_pressures_has_a_place_and_an_error_above_round_off_is_told() {
+    let pressure = |slope: f64| {
+        let law = format!("law = {{ polynomial = {{ along = \"x\", coefficients = [100, {slope}] }} }}");
+        let contact = "gap = { uniform = 0 }\nstretch = 20\n[mesh]\nelements = 8\nper = 20";
+        block_text([0.0, 20.0], 20.0, &format!("pressure = {{ at = \"far\", {law} }}"), contact)
+    };
+    let folder = Folder::made();
+    for (slope, has_place) in [(0.25, true), (0.0, false)] {
+        let told = printed(&["solve", &folder.with("s.toml", pressure(slope))]);
+        let peak = told.lines().find(|line| line.contains("peak pressure")).expect("a peak");
+        assert_eq!(peak.contains(" at "), has_place, "{told}");
+    }
+    let loose = ["solve", "press-fit", "--tolerance", "1e-5", "--no-error-bar"];
+    let error = json(&loose)["oracles"][0]["error"].as_f64().expect("an error");
+    assert!((1e-9..1e-6).contains(&error) && !printed(&loose).contains("round-off"), "{error}");
+}
+
+#[test]
 fn round_off_is_named_where_it_is_the_limit_and_not_the_iterations() {
     // Pressures of line elements on meshes that do not match hang on penetrations of the size of rounding.
     let formulation = Formulation::new(Element::Line, Iteration::Kinematic).tolerance(1e-12);
