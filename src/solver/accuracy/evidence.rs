@@ -37,7 +37,8 @@ const RISES: f64 = 1.0;
 /// Largest pressure at a node over the peak that consistent nodal pressures of smooth contacts show: those of corners and middles of
 /// 3-node edges differ by 0.5 % on four elements.
 const ALTERNATES: f64 = 1.01;
-/// The same of a point of a line or a layer element on sides that do not match, where points swing: beyond this the means over edges swing too.
+/// The same of a point of a line or a layer element on a mesh made elsewhere, whose sides need not match: beyond this means over edges swing with
+/// the points, alike on every mesh that it is halved to.
 const SWINGS: f64 = 1.15;
 /// On cells of high order that end with the contact: factor on the difference to the next finer mesh, where the gap is smooth and where it is
 /// not, of a peak and of what else pressures tell: of an end under a smooth gap that mesh leaves a tenth, under others it may be as far off.
@@ -393,7 +394,11 @@ impl Family {
 
     /// By how much a node stands above the peak, beyond what alternates \[MPa\].
     fn above(&self, measures: &Measures) -> f64 {
-        let usual = if self.formulation.element == Element::Node { ALTERNATES } else { SWINGS };
+        let usual = match self.formulation.element {
+            Element::Node => ALTERNATES,
+            _ if self.given => SWINGS,
+            _ => f64::INFINITY,
+        };
         (measures.largest.pressure - usual * measures.peak.pressure).max(0.0)
     }
 

@@ -48,6 +48,8 @@ pub struct Family {
     pub(super) layers: usize,
     /// The gap of each contact. Where it is not smooth, errors fall less from order to order; where points tell it, its curvature may leap.
     pub(super) profiles: Vec<Profile>,
+    /// Whether the mesh of a body was made elsewhere.
+    pub(super) given: bool,
     /// Whether a body is one element deep below a contact, which no coarser mesh tells from a finer one.
     pub(super) shallow: bool,
     pub(super) coarse: Vec<Other>,
@@ -151,6 +153,7 @@ impl Family {
             on_ends,
             layers: contacts.iter().map(|pair| pair.ends.layers).min().unwrap_or(0),
             profiles: contacts.iter().map(|pair| pair.profile.clone()).collect(),
+            given: scene.bodies.iter().any(|body| body.shape.has_given_mesh()),
             shallow: !on_ends && is_shallow(discretisation),
             coarse: Vec::new(),
             gentler: None,
