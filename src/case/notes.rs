@@ -13,9 +13,6 @@ pub const RESOLVED: [usize; 2] = [4, 3];
 /// does not count.
 const NARROW: f64 = 0.98;
 
-/// A point that carries so many times the peak is no part of the profile around it.
-const ABOVE: f64 = 1.2;
-
 /// Departure of a pressure from its neighbours' line, over the peak, that no smooth contact on a usable mesh shows.
 const ROUGH: f64 = 0.1;
 
@@ -61,7 +58,7 @@ pub fn of(run: &Run, contact: usize) -> Vec<String> {
         )
     });
     // A corner is told above.
-    let above = (unbounded.is_none() && highest > ABOVE * measures.peak.pressure).then(|| {
+    let above = (unbounded.is_none() && run.stands_out(contact)).then(|| {
         let highest = markdown::significant(highest, 3);
         format!(
             "a point carries {highest} MPa, more than the peak through its neighbours: a corner, or too coarse a mesh"

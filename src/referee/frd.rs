@@ -58,7 +58,13 @@ pub fn parse(file: &Path, text: &str, scene: &Scene, asked: &Asked) -> Result<An
     };
     let (gap, _) = column(Role::Gap, "COPEN");
     let plane = Plane::of(&source, scene)?;
-    let (values, strange) = plane.values(&block);
+    let rows = plane.rows(&block);
+    let is_strange = |number: &usize| !plane.all.contains_key(number);
+    let strange: Vec<f64> =
+        block.rows.iter().filter(|(number, _)| is_strange(number)).map(|(_, values)| values[pressure]).collect();
+    let lost = strange.iter().filter(|pressure| pressure.abs() > 0.0).count();
+    one_pressure(&source, &block, &rows, pressure)?;
+    let values = means(&rows);
     let pair = &scene.contacts[contact];
     let places: Vec<[f64; 2]> = plane.places.iter().map(|place| place.map(|x| length * x)).collect();
     let value = |node: usize| values[node].as_ref().map(|values| asked.sign() * stress * values[pressure]);
@@ -70,15 +76,16 @@ pub fn parse(file: &Path, text: &str, scene: &Scene, asked: &Asked) -> Result<An
         (position, value(node).map(|value| Point { position, value, area: None, gap }))
     };
     let (points, lacking) = without_gaps(nodes.iter().map(point).collect());
-    if lacking > 0 {
+    if lacking + lost > 0 {
         let message = format!(
-            "its contact block has values at {} nodes, {strange} of which the file does not have; {lacking} of the {} nodes of contact `{}` have \
-             none, and none is no zero",
+            "its contact block has values at {} nodes, {} of which the file does not have, {lost} of them under pressure; {lacking} of the {} \
+             nodes of contact `{}` have none, and none is no zero",
             block.rows.len(),
+            strange.len(),
             nodes.len(),
             pair.name
         );
-        let remedy = match (strange, plane.is_slice) {
+        let remedy = match (strange.len(), plane.is_slice) {
             (0, _) => BETWEEN,
             (_, true) => IN_PLANE,
             (_, false) => EXPANDED,
@@ -97,7 +104,10 @@ pub fn parse(file: &Path, text: &str, scene: &Scene, asked: &Asked) -> Result<An
     let all: Vec<State> = heads.iter().map(|head| head.state).collect();
     let field = displacements((&source, scene), asked, (None, &BTreeMap::new()), Some(head.state))?;
     let code = Some("CalculiX".into());
-    let (notes, units) = (head.state.notes(&all), asked.units());
+    let (mut notes, units) = (head.state.notes(&all), asked.units());
+    let without =
+        format!("the file does not have {} nodes of its contact block, at which nothing presses", strange.len());
+    notes.extend((!strange.is_empty()).then_some(without));
     Ok(Answer { file: file.into(), code, read, notes, units, contacts, field })
 }
 
@@ -130,7 +140,7 @@ pub fn displacements(
         Some([u, v, ..]) => Ok([whole * u, moved * v]),
         _ => Err(source.refused("its block of displacements has no two components at every node", AGAIN)),
     };
-    let displacement = plane.values(&block).0.iter().zip(whole).map(vector).collect::<Result<_, Error>>()?;
+    let displacement = means(&plane.rows(&block)).iter().zip(whole).map(vector).collect::<Result<_, Error>>()?;
     for (number, place) in deck {
         let Some(own) = plane.of.get(number).map(|&node| &mut plane.places[node]) else { continue };
         let size = place[0].abs().max(place[1].abs());
@@ -396,9 +406,8 @@ impl Plane {
         all
     }
 
-    /// Means of the values of a block at each node of the plane, none where it has none; and how many of its nodes are not there. Where it names no
-    /// node of a cell, those at the same place are meant.
-    fn values(&self, block: &Block) -> (Vec<Option<Vec<f64>>>, usize) {
+    /// Rows of a block at each node of the plane. Where it names no node of a cell, those at the same place are meant.
+    fn rows<'b>(&self, block: &'b Block) -> Vec<Vec<Row<'b>>> {
         let is_direct = block.rows.keys().any(|number| self.of.contains_key(number));
         let key = |x: f64, y: f64| [x + 0.0, y + 0.0].map(f64::to_bits);
         let mut at: BTreeMap<[u64; 2], Vec<usize>> = BTreeMap::new();
@@ -407,19 +416,46 @@ impl Plane {
             (false, Some([x, y])) => at.get(&key(*x, *y)).cloned().unwrap_or_default(),
             _ => self.of.get(number).copied().into_iter().collect(),
         };
-        let mut sums = vec![(0.0, vec![0.0; block.components.len()]); self.places.len()];
+        let mut rows = vec![vec![]; self.places.len()];
         for (number, values) in &block.rows {
-            for node in nodes(number) {
-                sums[node].0 += 1.0;
-                sums[node].1.iter_mut().zip(values).for_each(|(sum, value)| *sum += value);
-            }
+            nodes(number).into_iter().for_each(|node| rows[node].push((*number, &values[..])));
         }
-        let mean = |(count, sum): (f64, Vec<f64>)| (count > 0.0).then(|| sum.iter().map(|sum| sum / count).collect());
-        let strange = block.rows.keys().filter(|number| !self.all.contains_key(number)).count();
-        (sums.into_iter().map(mean).collect(), strange)
+        rows
     }
 }
 
+/// The number of a node in the file, and its values.
+type Row<'b> = (usize, &'b [f64]);
+
+/// Means of the values at each node of the plane, none where it has none.
+fn means(rows: &[Vec<Row>]) -> Vec<Option<Vec<f64>>> {
+    let mean = |rows: &Vec<Row>| {
+        let (_, first) = rows.first()?;
+        let sum = |k: usize| rows.iter().map(|(_, values)| values[k]).sum::<f64>();
+        Some((0..first.len()).map(|k| sum(k) / rows.len() as f64).collect())
+    };
+    rows.iter().map(mean).collect()
+}
+
+/// Refuses two pressures at a node of the plane.
+fn one_pressure(source: &Source, block: &Block, rows: &[Vec<Row>], pressure: usize) -> Result<(), Error> {
+    let largest = block.rows.values().map(|values| values[pressure].abs()).fold(0.0, f64::max);
+    let apart = |rows: &Vec<Row>| {
+        let of = |(number, values): &Row| (*number, values[pressure]);
+        let (first, one) = rows.first().map(of)?;
+        let (second, other) = rows.iter().map(of).find(|(_, other)| (other - one).abs() > LAYERS * largest)?;
+        Some(format!(
+            "nodes {first} and {second} of its contact block are one of the plane, and have the pressures {one} and {other}"
+        ))
+    };
+    match rows.iter().find_map(apart) {
+        Some(message) => Err(source.refused(message, "hand in a plane model, or one layer of it alone")),
+        None => Ok(()),
+    }
+}
+
+/// Difference of pressures of the layers of a slice, over the largest, which their six digits and an iteration leave.
+const LAYERS: f64 = 1e-3;
 /// Distance of nodes, over the largest coordinate of their cell, within which they are at the same place: six digits are written.
 const SAME: f64 = 2e-6;
 /// The same of radii, of which both coordinates are rounded.

@@ -26,6 +26,9 @@ const USUAL: [(Role, &[&str]); 4] = [
     (Role::Stress, &["stress"]),
 ];
 
+/// Numbers of components as CalculiX orders those of a contact in a `.frd`.
+const CONTACT: &str = "which in CalculiX's order of six is 0 of COPEN, 1 of CSLIP1, 2 of CSLIP2, 3 of CPRESS, 4 of CSHEAR1 and 5 of CSHEAR2";
+
 /// The answer in the bytes of a file.
 pub fn parse(file: &Path, bytes: &[u8], scene: &Scene, asked: &Asked) -> Result<Answer, Error> {
     let source = Source { file, text: "" };
@@ -230,13 +233,15 @@ impl Grid<'_> {
         };
         let message =
             format!("`{}` has {} components{names}, of which {} is one", field.name, field.components, role.name());
+        let usual = |name: &&String| role.usual().contains(&&*name.to_lowercase());
         let last = field.components - 1;
-        let remedy = format!(
-            "name it by its number from 0 to {last}, as ParaView does, such as --column {}={}:{last}",
-            role.name(),
-            field.name
-        );
-        self.source.refused(message, remedy)
+        let (how, one) = match (field.has_names(), field.components, role) {
+            (true, ..) => (String::new(), field.names.iter().find(usual).unwrap_or(&field.names[last]).clone()),
+            (_, 6, Role::Pressure) => (format!(" by its number, {CONTACT}"), "3".into()),
+            (_, 6, Role::Gap) => (format!(" by its number, {CONTACT}"), "0".into()),
+            _ => (format!(" by its number from 0 to {last}, as ParaView does"), last.to_string()),
+        };
+        self.source.refused(message, format!("name it{how}, such as --column {}={}:{one}", role.name(), field.name))
     }
 
     /// The one component of a role: of a field that has one, or that is named with one.

@@ -190,6 +190,15 @@ fn bar_of_a_peak_contains_a_sharp_top_that_all_meshes_miss_alike() {
 }
 
 #[test]
+fn bar_of_a_peak_beside_points_between_which_surfaces_penetrate_is_unknown() {
+    // The truth is 389.207 MPa; the coarser meshes pass over the top alike, and gave a bar of 151 MPa about 182.
+    let (_, bars) = barred(&scene("flat-25", &[]), &kinematic());
+    let one = told_of(&bars.all, &Quantity::PeakPressure);
+    let why = one.unknown.unwrap_or("known");
+    assert!(one.bar.total().is_nan() && why.contains("penetrate one another between points"), "{one:?}");
+}
+
+#[test]
 fn bar_of_the_place_of_a_flat_peak_contains_where_it_lies() {
     let (run, bars) = barred(&scene("place", &[]), &kinematic());
     let bar = bars.of(0, &Quantity::PeakPlace).expect("a bar").total();

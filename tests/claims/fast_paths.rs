@@ -310,4 +310,8 @@ fn change_that_is_no_number_or_that_the_formulation_cannot_take_is_refused() {
     assert!(solve(&kinematic, 0.0, 0.0).contains("`cylinder`"));
     let varying = Formulation::new(Element::Node, Iteration::Varying);
     assert!(solve(&varying, 1.0, -0.01).contains("interference"));
+    // What a formula leaves where the bodies just touch is none.
+    let earlier = discretisation.solve(&varying).expect("solved");
+    let round_off = Change { load: 1.0, clearance: -1e-18 };
+    assert!(discretisation.solve_from(Some(&earlier), &varying, round_off).is_ok());
 }

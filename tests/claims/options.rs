@@ -10,7 +10,7 @@ use crate::program::{Folder, ended, program};
 use crate::scene_file::folder;
 
 /// What is chosen, and its values; an empty one is left out. What excludes one another is values of one choice.
-const CHOICES: [&[&str]; 14] = [
+const CHOICES: [&[&str]; 16] = [
     &["--element node", "--element layer", "--element line"],
     &[
         "",
@@ -22,7 +22,14 @@ const CHOICES: [&[&str]; 14] = [
         "--algorithm varying --spring element --bound inf",
         "--algorithm varying --rule correction",
     ],
-    &["--resolution 4", "--resolution 4 --order 1", "--fitted", "--fitted --order 4", "--accuracy 5%"],
+    &[
+        "--resolution 4",
+        "--resolution 4 --order 1",
+        "--fitted",
+        "--fitted --order 4",
+        "--accuracy 5%",
+        "--accuracy 5% --max-dofs 20000",
+    ],
     &["", "--a-over-r 0.1"],
     &["", "--criterion conditions", "--criterion residuals", "--criterion displacement", "--criterion state"],
     &["", "--increments 3 --curve curve.csv", "--increments 2 --curve curve.json", "--increments 2"],
@@ -34,6 +41,8 @@ const CHOICES: [&[&str]; 14] = [
     &["--json found.json", "--json found.json --force"],
     &["", "--csv profile.csv", "--vtu fields.vtu"],
     &["", "--plot drawn.svg"],
+    &["", "--html page.html"],
+    &["", "--all"],
 ];
 
 type Pair = [(usize, usize); 2];
@@ -88,6 +97,9 @@ fn wrong(arguments: &[&str]) -> Option<String> {
         let sound = match name.rsplit('.').next() {
             Some("json") => serde_json::from_str::<serde_json::Value>(&text).is_ok(),
             Some("svg") => text.starts_with("<svg") && !text.contains("NaN"),
+            Some("html") => {
+                text.starts_with("<!DOCTYPE html>") && text.trim_end().ends_with("</html>") && text.contains("<svg")
+            }
             Some("vtu") => text.contains("<VTKFile") && text.contains("contact_pressure"),
             _ => text.lines().count() > 1,
         };

@@ -5,7 +5,9 @@ use std::io::Write;
 use std::path::Path;
 
 use approx::assert_relative_eq;
+use contact_vv::case::Case;
 use contact_vv::case::library::find;
+use contact_vv::checkout::root;
 use contact_vv::referee::export::deck;
 use contact_vv::referee::units::Role;
 use contact_vv::referee::{Asked, calculix, norm, read};
@@ -15,6 +17,7 @@ use flate2::write::GzEncoder;
 
 use crate::ellipse::{self, NODES, gap, place, pressure};
 use crate::foreign::{Frd, coded, forces, vtk};
+use crate::handed;
 use crate::referee_wild::{judged, parsed, tiny, usual};
 use crate::workbench::refused;
 
@@ -143,6 +146,27 @@ fn every_unit_of_every_quantity_is_what_it_is_by_definition() {
         if [Role::Position, Role::Pressure, Role::Gap].contains(&asked) {
             fields_in_a_unit(asked, unit, ours);
         }
+    }
+}
+
+#[test]
+fn every_unit_of_places_is_one_of_coordinates_gaps_and_displacements() {
+    let ring = Case::read(&root().join("tests/cases/shrunk-ring.toml")).expect("a case");
+    for (_, unit, ours) in UNITS.iter().filter(|(role, ..)| *role == Role::Position) {
+        let row = |z: f64| format!("{:e},{:e},41,{:e}\n", 20.0 / ours, z / ours, 7.0 / ours);
+        let head = format!("r [{unit}],z [{unit}],pressure [MPa],gap [{unit}]\n");
+        let answer = handed::read(&ring, "a.csv", head + &[-15.0, 0.0, 15.0].map(row).concat(), &Asked::default());
+        let answer = answer.unwrap_or_else(|error| panic!("{unit}: {error}"));
+        for (point, place) in answer.contacts[0].points.iter().zip([-15.0, 0.0, 15.0]) {
+            assert_relative_eq!(point.position, place, max_relative = 1e-9, epsilon = 1e-12);
+            assert_relative_eq!(point.gap.expect("a gap"), 7.0, max_relative = 1e-9);
+        }
+        let mut asked = Asked { columns: vec![(Role::Displacement, "moved".into())], ..usual() };
+        asked.units.push((Role::Displacement, (*unit).to_owned()));
+        let field = parsed("a.vtk", vtk::plain(), &asked).expect(unit).field.expect("displacements");
+        let [u, v] = field.displacement[0];
+        assert_relative_eq!(u / ours, 1.0, max_relative = 1e-9);
+        assert_relative_eq!(v / ours, 2.0, max_relative = 1e-9);
     }
 }
 

@@ -16,7 +16,7 @@ use contact_vv::referee::units::Role;
 use contact_vv::referee::{Answer, Asked, Truth, Verdicts, read, verdicts};
 
 use crate::ellipse::{self, Hertz, RIGHT};
-use crate::foreign::{Frd, vtk};
+use crate::foreign::{Frd, fixed, record, vtk};
 use crate::handed::{PRESSURES, failed, in_units, judged_as, judged_rows, read, table};
 use crate::outputs::{UNITS, contact_vv};
 use crate::program::Folder;
@@ -71,7 +71,14 @@ fn files_of_the_wild_are_judged_as_what_they_hold() {
     let third = naming(&[(Role::Pressure, "CONTACT:3"), (Role::Gap, "CONTACT:0")]);
     assert_relative_eq!(peak_of(handed(of_six, &third).expect(of_six)), 100.0, max_relative = 2e-3);
     let whole = naming(&[(Role::Pressure, "CONTACT")]);
-    refused(of_six, &whole, &["`CONTACT` has 6 components", "pressure=CONTACT:5"]);
+    refused(of_six, &whole, &["`CONTACT` has 6 components", "3 of CPRESS", "pressure=CONTACT:3"]);
+    let gap = naming(&[(Role::Pressure, "CONTACT:3"), (Role::Gap, "CONTACT")]);
+    refused(of_six, &gap, &["of which gap is one", "gap=CONTACT:0"]);
+    let components = "METADATA\nCOMPONENT_NAMES\nCOPEN\nCSLIP1\nCSLIP2\nCPRESS\nCSHEAR1\nCSHEAR2\n\n";
+    let named = std::fs::read_to_string(folder().join(of_six)).expect(of_six) + components;
+    workbench::refused(parsed("theirs.vtk", &named, &whole), &["name it, such as --column pressure=CONTACT:CPRESS"]);
+    let by_name = naming(&[(Role::Pressure, "CONTACT:CPRESS"), (Role::Gap, "CONTACT:COPEN")]);
+    assert_relative_eq!(peak_of(parsed("theirs.vtk", &named, &by_name).expect("named")), 100.0, max_relative = 2e-3);
     let parts = ["values at 11 nodes, 11 of which the file does not have", "25 of the 25 nodes", "OUTPUT=3D"];
     refused("1_frd_nodes_not_in_file.frd", &usual(), &parts);
     let early = judged(handed("5_frd_last_increment_0.4.frd", &usual()).expect("read")).expect("judged");
@@ -240,6 +247,38 @@ fn nodes_of_an_expanded_slice_are_judged_as_those_of_the_plane() {
     }
     let skew = Frd { slice: true, skew: 0.05, ..Frd::plain() };
     refused("theirs.frd", skew.text(), &usual(), &["do not lie in pairs at the same x and y"]);
+}
+
+#[test]
+fn pressure_at_nodes_that_a_frd_lacks_is_refused_and_none_there_is_counted() {
+    let with = |pressure: f64| {
+        let rows: String = (901..906).map(|node| record(node, &fixed([0.0, 0.0, 0.0, pressure, 0.0, 0.0]))).collect();
+        Frd::plain().text().replace(" -3\n 9999", &format!("{rows} -3\n 9999"))
+    };
+    let parts =
+        ["54 nodes, 5 of which the file does not have", "5 of them under pressure", "0 of the 49 nodes", "OUTPUT=3D"];
+    refused("theirs.frd", with(50.0), &usual(), &parts);
+    let answer = parsed("theirs.frd", with(0.0), &usual()).expect("read");
+    assert!(
+        answer.notes.iter().any(|note| note.contains("not have 5 nodes of its contact block")),
+        "{:?}",
+        answer.notes
+    );
+    ellipse::assert(&answer, 1e-5);
+}
+
+#[test]
+fn layers_of_a_slice_that_are_pressed_unlike_are_refused() {
+    let layer = |share: f64| {
+        let row = |node: usize| {
+            let s = ellipse::place(node);
+            record(node + 101, &fixed([ellipse::gap(s), 7.0, 5.0, share * ellipse::pressure(s), 3.0, 2.0]))
+        };
+        let rows: String = (0..ellipse::NODES).map(row).collect();
+        Frd { slice: true, ..Frd::plain() }.text().replace(" -3\n 9999", &format!("{rows} -3\n 9999"))
+    };
+    ellipse::assert(&parsed("theirs.frd", layer(1.0 - 1e-4), &usual()).expect("read"), 1e-4);
+    refused("theirs.frd", layer(0.5), &usual(), &["nodes 1 and 101 of its contact block", "pressures 100 and 50"]);
 }
 
 #[test]

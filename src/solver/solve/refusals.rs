@@ -85,7 +85,7 @@ impl Formulation {
             (self.algorithm, self.rule),
             (Iteration::Kinematic, _) | (Iteration::Constant, StiffnessRule::Correction)
         );
-        if gap < 0.0 && !takes_interference {
+        if gap < -ROUND_OFF * scene.reference.gap && !takes_interference {
             let message =
                 format!("the scene starts with an interference of {} mm, which this formulation cannot take", -gap);
             let remedy = "use the kinematic algorithm, or constant with the rule correction";
@@ -104,6 +104,9 @@ impl Formulation {
         Err(Error::at(scene.name.as_str(), message, "ask for kinematic load, or for no acceleration"))
     }
 }
+
+/// Interference over the reference gap that a formula leaves where bodies just touch: such a gap counts as none.
+const ROUND_OFF: f64 = 1e-9;
 
 /// A condensed load below this fraction of the loads on the bodies is round-off of the condensation.
 const UNLOADED: f64 = 1e-13;

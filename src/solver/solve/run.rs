@@ -12,6 +12,9 @@ use crate::solve::{Change, Discretisation, Equilibrium, Formulation, edge_fitted
 /// Imbalance of a body that the round-off of its stiffness may leave, whatever the tolerance: 2e-7 of a ring fifty times as large as thick.
 pub const BALANCED: f64 = 1e-6;
 
+/// A point that carries so many times the peak is no part of the profile around it.
+const ABOVE: f64 = 1.2;
+
 /// Part of the contact in which oscillation is looked for: nearer its end a smooth pressure bends as strongly.
 pub const INSIDE: f64 = 0.8;
 
@@ -146,6 +149,12 @@ impl Run {
     /// What is left over of the forces on a body, at the worst one; NaN where that is not known.
     pub fn imbalance(&self) -> f64 {
         largest(self.equilibrium.iter().map(Equilibrium::largest))
+    }
+
+    /// Whether a point of a contact carries more than the peak through its neighbours: a corner, or too coarse a mesh.
+    pub fn stands_out(&self, contact: usize) -> bool {
+        let Measures { largest, peak, .. } = &self.contacts[contact].measures;
+        largest.pressure > ABOVE * peak.pressure
     }
 
     /// The numbers of the first contact, which is the only one of most scenes.

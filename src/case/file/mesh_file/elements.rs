@@ -8,7 +8,9 @@ use crate::error::Error;
 /// What Gmsh needs to be told for meshes of quadrilaterals.
 pub const OPTIONS: &str = "mesh with Mesh.RecombineAll = 1, or transfinite surfaces and Recombine; 8-node cells come from Mesh.ElementOrder = 2 and Mesh.SecondOrderIncomplete = 1";
 /// What makes quadrilaterals of triangles.
-pub const SUBDIVISION: &str = "mesh with quadrilaterals: Gmsh cuts all cells into them with Mesh.SubdivisionAlgorithm = 1 and Mesh.RecombineAll = 1";
+pub const SUBDIVISION: &str = "mesh with quadrilaterals: Gmsh cuts all cells into them with Mesh.SubdivisionAlgorithm = 1 and Mesh.RecombineAll = 1, \
+                               where it has the geometry; else a script of the lines `Merge \"old.msh\";`, `RecombineMesh;`, \
+                               `Mesh.SubdivisionAlgorithm = 1;`, `RefineMesh;` and `Save \"new.msh\";` cuts the cells of a mesh";
 /// What to do with a mesh of solids.
 pub const PLANE: &str = "scenes are plane: mesh the surfaces only (gmsh -2), in the plane z = 0, of quadrilaterals";
 
