@@ -6,6 +6,7 @@ use std::f64::consts::PI;
 use approx::assert_relative_eq;
 use contact_vv::accuracy;
 use contact_vv::case::library::{Bars, Patch, TruncatedHertz, find};
+use contact_vv::checkout::root;
 use contact_vv::measure::{Quantity, nodal, profile, relative_error};
 use contact_vv::mesh::{Mesh, Order};
 use contact_vv::oracle::analytic::hertz::Hertz;
@@ -454,6 +455,23 @@ fn bars_hold_on_a_thin_layer_that_is_pressed_in_part() {
                 "{quantity:?}, {digits}: {} ± {apart}, {truth}",
                 one.value
             );
+        }
+    }
+}
+
+#[test]
+fn forces_that_a_clamped_side_prescribes_are_within_their_bars() {
+    let text = std::fs::read_to_string(root().join("tests/data/wild/2_displacement_driven.toml")).expect("a scene");
+    // By cells of order 8 in three layers more, towards the corner of the clamped side too: a mesh of its own.
+    let finer = Fitted { layers: 6, ..Fitted::of_digits(6) };
+    for poisson in ["0.3", "0.4"] {
+        let scene = parsed(&text.replace("poisson = 0.3", &format!("poisson = {poisson}"))).scene;
+        let truth = solved(finer, &scene).run.measures().resultant;
+        for digits in [2, 3, 4, 5] {
+            let answer = solved(Fitted::of_digits(digits), &scene);
+            let all = accuracy::bars(&answer.discretisation, &answer.run, &[]).expect("bars").all;
+            let force = told_of(&all, &Quantity::Resultant);
+            assert!((force.value - truth).abs() <= force.bar.total(), "{digits}: {force:?} beside {truth}");
         }
     }
 }

@@ -40,7 +40,8 @@ pub(super) fn towards_ends(mut blocks: Vec<Block>, scene: &Scene, body: usize, o
     blocks = layered(blocks, scene, eye::corner(&scene.bodies[body].shape), layers + AT_CORNER, order);
     // The axis of revolution is a side, but no free one.
     let is_off_axis = |at: &Point| scene.plane.radial().is_none_or(|radial| at[radial] > 0.0);
-    let corners = held_corners(&blocks, &scene.bodies[body]).into_iter().filter(is_off_axis);
+    let near = SAME * scene.grading.unit;
+    let corners = held_corners(&blocks, &scene.bodies[body], near).into_iter().filter(is_off_axis);
     for at in corners.chain(pressed(&scene.bodies[body])) {
         let cut = layered(blocks.clone(), scene, Some(at), layers, order);
         // The long cells of a thin ring bend too much to be cut like this.
@@ -51,22 +52,24 @@ pub(super) fn towards_ends(mut blocks: Vec<Block>, scene: &Scene, body: usize, o
     blocks
 }
 
-/// Corners between a side that is held in both directions and one that is free.
-fn held_corners(blocks: &[Block], body: &Body) -> Vec<Point> {
+/// Places where a side that is held in both directions meets one that is free, of the same block or of two.
+fn held_corners(blocks: &[Block], body: &Body, near: f64) -> Vec<Point> {
     let components = |side: &Side| {
         let held: Vec<[bool; 2]> = side.names.iter().map(|name| body.held(name)).collect();
         [0, 1].into_iter().filter(|&k| held.iter().any(|held| held[k])).count()
     };
-    let corner = |[one, other]: [&Side; 2], at: Point| {
-        let is_outer = [one, other].iter().all(|side| !side.names.is_empty() && !side.inside);
-        let held = [one, other].map(components);
-        (is_outer && (held == [0, 2] || held == [2, 0])).then_some(at)
-    };
-    let of_block = |block: &Block| {
-        let (sides, corners) = (block.sides(), block.corners());
-        [0, 1, 2, 3].map(|k| corner([sides[k], sides[(k + 3) % 4]], corners[k]))
-    };
-    blocks.iter().flat_map(of_block).flatten().collect()
+    let outer = blocks.iter().flat_map(Block::sides).filter(|side| !side.names.is_empty() && !side.inside);
+    let ends: Vec<(Point, usize)> =
+        outer.flat_map(|side| [0, side.points.len() - 1].map(|end| (side.points[end], components(side)))).collect();
+    let is_here = |at: Point| move |other: &Point| (other[0] - at[0]).hypot(other[1] - at[1]) <= near;
+    let mut corners: Vec<Point> = Vec::new();
+    for (at, _) in ends.iter().filter(|(_, held)| *held == 2) {
+        let is_free = ends.iter().any(|(other, held)| *held == 0 && is_here(*at)(other));
+        if is_free && !corners.iter().any(is_here(*at)) {
+            corners.push(*at);
+        }
+    }
+    corners
 }
 
 /// Whether the lattice of a block is turned over somewhere.
