@@ -22,9 +22,10 @@ use contact_vv::referee::source::Source;
 use contact_vv::referee::units::Role;
 use contact_vv::referee::{Asked, Handed, Profile, calculix, frd, norm, read};
 use contact_vv::scene::{Action, Circle, Load, Material, MonotoneCubic, Path as ScenePath, Scene};
-use contact_vv::solution::{EdgeState, PointState, Unseen};
-use contact_vv::solve::Formulation;
+use contact_vv::solution::{EdgeState, EnergyError, PointState, Unseen};
 use contact_vv::solve::edge_fitted::{self, Fitted};
+use contact_vv::solve::{Formulation, Shear};
+
 use contact_vv::study::references;
 use serde_json::Value;
 use vtkio::IOBuffer;
@@ -120,6 +121,11 @@ fn angles_are_told_with_their_bars_in_degrees() {
         assert!((bar - known).abs() <= 0.06 * known, "{bar}: {known}");
         assert!((told - run.contacts[0].measures.half_width().to_degrees()).abs() <= known, "{told}");
     }
+    // Of a peak that is anywhere no place is told: where its bar is as wide as the contact, 58°, and not 7°.
+    let [_, _, place, bar, ..] = printed(&["pin-plate", "--resolution", "3"], "peak pressure ")[..] else {
+        panic!("no place")
+    };
+    assert!(place.abs() < bar && (5.0..10.0).contains(&bar), "{place} ± {bar}");
 }
 
 #[test]
@@ -345,6 +351,121 @@ fn the_largest_shear_of_a_pin_is_looked_for_as_deep_as_two_widths_of_its_arc() {
 }
 
 #[test]
+fn a_shear_stress_is_nearly_the_largest_as_far_as_the_parabola_through_it_and_a_sample_is() {
+    // 4 MPa less at 2 mm: 1 MPa less at half of that, and 0.25 MPa at a quarter.
+    let shear = Shear { stress: 10.0, depth: 3.0, samples: vec![[3.0, 10.0], [5.0, 6.0]] };
+    for (difference, farthest) in [(1.0, 1.0), (0.25, 0.5), (4.0, 2.0), (9.0, 2.0)] {
+        assert_relative_eq!(shear.farthest(difference), farthest, max_relative = 1e-12);
+    }
+}
+
+#[test]
+fn the_shear_stress_below_a_force_at_a_point_is_none_of_the_contact() {
+    let force = "force = { at = [2, 3], value = [0, -1000] }";
+    let changes = [["y = [0, 10]", "y = [0, 3]"], ["traction = { at = \"far\", value = [60, -100] }", force]];
+    let (made, run) = balance::solved_as_it_says(&balance::scene("pressed-corner", &changes));
+    let displacement = made.displacement_under(1.0, &run.solution);
+    assert!(run.measures().second_moment_width > 1.5 && run.measures().edge() > 2.0, "the force is below");
+    assert!(made.shear_below(&displacement, run.measures(), [0, 0]).expect("stresses").is_none());
+}
+
+#[test]
+fn a_point_a_quarter_above_the_peak_of_its_neighbours_is_noted_and_one_a_tenth_above_is_not() {
+    let (_, mut run) = find("truncated-hertz", None).expect("a case").solve().expect("solved");
+    for (above, is_noted) in [(1.25, true), (1.1, false)] {
+        let measures = &mut run.contacts[0].measures;
+        measures.largest.pressure = above * measures.peak.pressure;
+        let notes = notes::of(&run, 0);
+        assert_eq!(
+            notes.iter().any(|note| note.contains("more than the peak through its neighbours")),
+            is_noted,
+            "{notes:?}"
+        );
+    }
+}
+
+#[test]
+fn what_a_closed_form_of_one_contact_leaves_out_is_not_allowed_to_another() {
+    let mut case = scene_file::case("roller-between-plates");
+    case.checks.iter_mut().for_each(|check| check.model = if check.contact == 0 { 0.01 } else { 0.0 });
+    let of =
+        |contact: usize| case.model_error(contact, &case::Quantity::on(&case.scene, contact, Quantity::PeakPressure));
+    assert_eq!([of(0), of(1)], [0.01, case.model]);
+}
+
+#[test]
+fn approaches_and_forces_across_are_those_of_a_flat_punch_and_of_an_even_pressure() {
+    // F/(2E*a), a that of the candidates.
+    let case = find("sphere", None).expect("a case");
+    let (_, run) = case.solve().expect("solved");
+    let approach = run.transmitted() / (2.0 * 210e3 / 0.91 * case.scene.contact().stretch);
+    assert_relative_eq!(run.solution.contacts[0].approach, approach, max_relative = 1e-6);
+    // ∫ p sin s R t ds over a right angle.
+    let (meshed, run) = find("press-fit", None).expect("a case").solve().expect("solved");
+    let found = meshed.discretisation.number(&run, 0, &Quantity::Across).expect("a number");
+    let scene = &meshed.discretisation.scene;
+    let wanted = run.measures().peak.pressure * scene.contact().path.metric() * scene.thickness;
+    assert_relative_eq!(found, wanted, max_relative = 0.02);
+}
+
+#[test]
+fn a_peak_a_hundredth_of_the_half_width_off_the_middle_is_told_there() {
+    // s²/100 about 0.01 mm, below a disc that cannot turn.
+    let point = |k: i32| format!("[{}, {}]", 0.01 + 0.25 * f64::from(k), (0.25 * f64::from(k)).powi(2) / 100.0);
+    let points = (-7..=7).map(point).collect::<Vec<_>>().join(", ");
+    let gap = format!("gap-only = true\ngap = {{ table = [{points}], smooth = true }}");
+    let held = "{ at = [0, 50], component = \"x\" }";
+    let changes =
+        [("gap = { circle = 50 }", gap.as_str()), (held, &format!("{held}, {{ at = [0, 100], component = \"x\" }}"))];
+    let text = scene_file::changed(&scene_file::scene_alone(&text_of("whole-disc.toml")), &changes);
+    let folder = Folder::made();
+    let [_, place, ..] = printed(&[&folder.with("off.toml", text), "--all", "--no-error-bar"], "peak pressure ")[..]
+    else {
+        panic!("no place")
+    };
+    assert_relative_eq!(place, 0.01, max_relative = 0.02);
+}
+
+#[test]
+fn checks_of_an_iteration_that_is_cut_off_have_no_bars() {
+    let has_bars = |options: &[&str]| {
+        let (_, told, _) = contact_vv(&[&["solve", &scene("cylinder-in-metres"), "--all"], options].concat());
+        told.split("check: ").skip(1).any(|check| check.contains(" ± "))
+    };
+    assert!(has_bars(&[]) && !has_bars(&["--max-iterations", "3"]));
+}
+
+#[test]
+fn an_error_of_energy_a_tenth_above_its_bound_fails() {
+    let (_, mut run) = find("patch", None).expect("a case").solve().expect("solved");
+    // Squares: 1.21 times the bound is a tenth more in the norm of energy.
+    for (error, excess) in [(1.21, 0.1), (1.0, 0.0)] {
+        run.solution.energy = Some(EnergyError { error, bound: 1.0 });
+        let judged = case::universal::bounded(&run).expect("an energy");
+        assert_relative_eq!(judged.value, excess, epsilon = 1e-7);
+        assert_eq!(judged.verdict == case::Verdict::Pass, excess <= 0.0);
+    }
+}
+
+#[test]
+fn a_force_along_the_surface_is_found_whichever_way_it_acts() {
+    for along in [-1.0, 1.0] {
+        let (mut meshed, run) = find("truncated-hertz", None).expect("a case").solve().expect("solved");
+        let made = &mut meshed.discretisation;
+        let node = made.mesh.bodies[0].candidates[3].node;
+        let system = &mut made.system.bodies[0];
+        let equation =
+            system.dofs.of_node(node).into_iter().zip(system.dofs.frame(node)).find(|(_, axis)| axis[1].abs() < 0.5);
+        let equation = equation.and_then(|(dof, _)| dof.equation()).expect("free along x");
+        system.force[equation] += 1e-3 * along * run.transmitted();
+        let judged = case::universal::checks(made, &run).expect("checked");
+        let tangential =
+            judged.iter().find(|one| one.check.quantity.to_string().contains("tangential")).expect("a check");
+        assert_eq!(tangential.verdict, case::Verdict::Fail, "{tangential:?}");
+    }
+}
+
+#[test]
 fn hoop_stresses_lie_at_angles_in_degrees() {
     let quantity = case::Quantity::on_arc(Quantity::HoopStress { at: 0.25 * TAU });
     assert_eq!(quantity.place().as_deref(), Some("at 90°"));
@@ -368,10 +489,20 @@ fn the_document_tells_the_highest_of_its_points_and_what_the_iteration_took() {
         ("factorisations", work.factorisations),
         ("back_substitutions", work.back_substitutions),
         ("retained", run.retained),
+        ("rejected", work.rejected),
     ] {
         assert_eq!(document[key].as_u64(), Some(count as u64), "{key}");
     }
     assert_ne!(work.factorisations, work.back_substitutions);
+    let pressed = || points.iter().filter(|point| number(&point["pressure"]) > 0.0);
+    assert_eq!(contact["active_points"].as_u64(), Some(pressed().count() as u64));
+    for (key, value, other) in [
+        ("pressure_at_zero", run.measures().pressure_at_origin, "peak_pressure"),
+        ("half_width_nodes", run.measures().half_width_nodes, "second_moment_width"),
+    ] {
+        assert_relative_eq!(number(&contact[key]), value, max_relative = 1e-12);
+        assert_ne!(contact[key], contact[other]);
+    }
 }
 
 #[test]

@@ -4,6 +4,7 @@ use contact_vv::case::judged::requirements;
 use contact_vv::case::{Check, Judged, Reference, Verdict};
 use contact_vv::checkout::root;
 use contact_vv::cli;
+use contact_vv::cli::json::Line;
 use contact_vv::oracle::ReferenceKind;
 use contact_vv::report::{checks, told};
 use contact_vv::study::about::complete;
@@ -284,6 +285,16 @@ fn line_of_a_check_carries_its_numbers_its_verdict_and_why_it_failed() {
     for key in ["quantity", "value", "reference", "source", "error", "tolerance", "passed", "verdict", "reason"] {
         assert_eq!(same[key], off[key], "{key}");
     }
+}
+
+#[test]
+fn a_line_has_the_uncertainty_of_its_value_and_twice_that_of_its_reference_for_a_bar() {
+    let judged = Check::near("width", Reference::analytic("Hertz", 2.0), 0.1, "a reason").judge(2.1);
+    let reference = Reference { uncertainty: Some(0.03), ..judged.reference.clone() };
+    let line = Line::of("a trial", &Judged { uncertainty: Some(0.01), reference, ..judged });
+    let line = serde_json::to_value(line).expect("JSON");
+    let told = ["uncertainty", "reference_uncertainty", "reference_bar"].map(|key| line[key].as_f64());
+    assert_eq!(told, [Some(0.01), Some(0.03), Some(0.06)]);
 }
 
 #[test]

@@ -363,7 +363,8 @@ fn refinement_of_default_meshes_goes_to_the_solution() {
         file.scene.grading
     };
     assert!((grading(16, "").along - 1.7).abs() < 1e-12 && (grading(64, "").along - 1.7_f64.sqrt()).abs() < 1e-12);
-    assert!((grading(64, "growth = { along = 1.4 }\n").along - 1.4).abs() < 1e-12);
+    let given = grading(64, "growth = { along = 1.4, depth = 1.2, coarsest = 0.4, first = 0.5, end = 0.6 }\n");
+    assert_eq!([given.along, given.depth, given.coarsest, given.first, given.end], [1.4, 1.2, 0.4, 0.5, 0.6]);
 }
 
 #[test]

@@ -95,6 +95,8 @@ fn fields_written_for_paraview_are_those_of_the_solution() {
             let sum_of_squares = (first - second).powi(2) + (second - third).powi(2) + (third - first).powi(2);
             assert_relative_eq!((0.5 * sum_of_squares).sqrt(), equivalent[node], epsilon = 1e-9 * scale);
         }
+        let (gaps, of_contact) = (component("contact_gap"), component("contact"));
+        assert!(gaps.iter().zip(&of_contact).all(|(gap, contact)| gap.is_nan() == (*contact < 0.0)), "{name}");
         // With node elements every candidate is a contact point.
         let nodes = run.formulation.name().starts_with("node");
         for (contact, pair) in discretisation.scene.contacts.iter().enumerate().filter(|_| nodes) {
@@ -113,6 +115,21 @@ fn fields_written_for_paraview_are_those_of_the_solution() {
             }
         }
     }
+}
+
+#[test]
+fn bodies_whose_names_differ_in_other_characters_alone_have_a_field_each() {
+    let mut case = scene_file::case("blocks");
+    for (body, name) in case.scene.bodies.iter_mut().zip(["a b", "a-b"]) {
+        body.name = name.into();
+    }
+    let (discretisation, run) = solved_as_it_says(&case);
+    let cells = piece(&vtu::text(&discretisation, &run).expect("written")).data.cell;
+    let name = |attribute: &Attribute| match attribute {
+        Attribute::DataArray(array) => array.name.clone(),
+        other => panic!("{other:?}"),
+    };
+    assert_eq!(cells.iter().map(name).collect::<Vec<_>>(), ["body", "body_a_b", "body_a_b_1"]);
 }
 
 #[test]

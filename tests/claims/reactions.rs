@@ -71,6 +71,30 @@ fn run_that_ends_before_the_last_increment_has_the_reactions_of_its_own_share() 
 }
 
 #[test]
+fn what_a_contact_presses_too_much_is_left_over_of_the_force_and_turns_the_body() {
+    // 600 N, and a hundred times that from both sides, which cancels.
+    let loads =
+        ["left", "right"].map(|side| format!("{{ pressure = {{ at = \"{side}\", law = {{ uniform = 1000 }} }} }}"));
+    let loads = format!("{{ traction = {{ at = \"far\", value = [0, -20] }} }}, {}", loads.join(", "));
+    let (discretisation, mut solution) = solved(&bar("strain", 0.0, "{ at = [0, 20], component = \"x\" }", &loads));
+    let points = &discretisation.mesh.points;
+    let middle = [0, 1].map(|k| points.iter().map(|point| point[k]).sum::<f64>() / points.len() as f64);
+    let reach = points.iter().map(|[x, y]| (x - middle[0]).hypot(y - middle[1])).fold(0.0, f64::max);
+    // A part that grows along x: its force, and its moment about the middle of all nodes.
+    let (mut more, mut turning) = (0.0, 0.0);
+    for (force, candidate) in solution.contact_force.iter_mut().zip(&discretisation.mesh.bodies[0].candidates) {
+        let x = points[candidate.node][0];
+        let part = 1e-3 * x * *force;
+        (more, turning) = (more + part, turning + part * (x - middle[0]));
+        *force += part;
+    }
+    let found = discretisation.equilibrium(1.0, &solution).expect("sums")[0];
+    let largest = solution.contact_force.iter().sum::<f64>();
+    assert_relative_eq!(found.force, (more / largest).abs(), max_relative = 1e-6);
+    assert_relative_eq!(found.moment, (turning / (largest * reach)).abs(), max_relative = 1e-6);
+}
+
+#[test]
 fn supports_of_a_bar_take_what_its_stiffness_its_loads_and_the_plane_below_ask_for() {
     let pull = "{ at = \"left\", component = \"x\" }, { at = \"right\", component = \"x\", value = 0.02 }, \
                 { at = [0, 20], component = \"y\" }";
@@ -121,9 +145,11 @@ fn barred(supports: &str) -> Vec<Barred> {
 
 #[test]
 fn what_sides_with_unlike_displacements_at_their_corner_exert_has_no_bar() {
-    let [left, far] = ["{ at = \"left\", component = \"x\" }", "{ at = \"far\", component = \"x\", value"];
-    for (value, torn) in [("-0.05", true), ("0", false)] {
-        for one in barred(&format!("{left}, {far} = {value} }}")) {
+    let held = |side: &str, value: &str| format!("{{ at = \"{side}\", component = \"x\", value = {value} }}");
+    for (left, far, torn) in
+        [("0", "-0.05", true), ("0.05", "0.0501", true), ("0", "0", false), ("0.05", "0.05", false)]
+    {
+        for one in barred(&format!("{}, {}", held("left", left), held("far", far))) {
             let why = one.unknown.is_some_and(|why| why.contains("unlike displacements"));
             assert_eq!((one.bar.total().is_nan(), why), (torn, torn), "{one:?}");
         }

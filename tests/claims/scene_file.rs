@@ -198,6 +198,48 @@ fn tractions_have_a_law_for_each_component_in_any_unit() {
 }
 
 #[test]
+fn forces_and_displacements_are_their_numbers_in_any_unit() {
+    let loads = "[{ traction = { at = \"far\", force = [2, -3] } }, { force = { at = [4, 5], value = [6, -7] } }, \
+                 { rigid-face = { at = \"right\", component = \"x\", force = 8 } }]";
+    let text = with_key(&scene_alone(&text_of("rigid-cosine.toml")), "loads", loads);
+    let text = with_key(&text, "supports", "[{ at = \"left\", component = \"x\", value = 0.25 }]");
+    for (units, length, newtons) in [("", 1.0, 1.0), ("units = { length = \"cm\", force = \"kN\" }\n", 10.0, 1e3)] {
+        let scene = parsed(&(units.to_owned() + &text)).scene;
+        let body = &scene.bodies[0];
+        let [
+            Load::OnSide { action: Action::Total(total), .. },
+            Load::Force { at, force: point },
+            Load::RigidFace { force, .. },
+        ] = &body.loads[..]
+        else {
+            panic!("{:?}", body.loads)
+        };
+        let forces = [total[0], total[1], point[0], point[1], *force].map(|force| force / newtons);
+        assert_eq!(forces, [2.0, -3.0, 6.0, -7.0, 8.0]);
+        assert_eq!([at[0], at[1], body.supports[0].value].map(|x| x / length), [4.0, 5.0, 0.25]);
+    }
+}
+
+#[test]
+fn every_key_of_solve_is_taken() {
+    let keys = "algorithm = \"varying\"\nelement = \"layer\"\nbound = 7\nlayer-thickness = 0.3\nstiffness = 5\n\
+                criterion = \"residuals\"\nincrements = 3\nmax-iterations = 9\n";
+    let text = changed(&text_of("rigid-cosine.toml"), &[("[solve]\n", &format!("[solve]\n{keys}"))]);
+    let case = parsed(&text);
+    let found = case.formulation();
+    assert_eq!([found.leeway.bound, found.layer_thickness, found.stiffness], [7.0, 0.3, 5.0]);
+    assert_eq!((found.stiffness_unit.name(), found.settings.criterion.name()), ("reference", "residuals"));
+    assert_eq!([found.settings.increments, found.settings.max_iterations], [3, 9]);
+    assert_eq!(found.settings.tolerance, 1e-8);
+    // Of the kinematic algorithm the default has another unit.
+    let kinematic = parsed(&changed(
+        &text_of("rigid-cosine.toml"),
+        &[("[solve]\n", "[solve]\nelement = \"layer\"\nstiffness = 5\n")],
+    ));
+    assert_eq!(kinematic.formulation().stiffness_unit.name(), "reference");
+}
+
+#[test]
 fn page_on_scene_files_is_true() {
     let page = std::fs::read_to_string(folder().join("README.md")).expect("the page");
     let example = page.split("```toml").nth(1).and_then(|rest| rest.split("```").next()).expect("an example");

@@ -51,6 +51,13 @@ fn gap_other_than_the_drawn_one_is_taken_where_that_is_said_and_refused_where_it
     for (name, changes, wanted) in [
         ("blocks", &[INCLINED, ("uniform = 0.01", "wedge = 0.02")][..], ["at s = 10", "the gap is 0.2"]),
         ("press-fit", &[HOLE[0], HOLE[1]], ["at s = 0", "and 0.05 between"]),
+        // s²/100 but for the left side; a tenth less curved.
+        (
+            "whole-disc",
+            &[("{ circle = 50 }", "{ table = [[-1.5, 0.03], [-0.75, 0.011], [0, 0], [0.75, 0.0056], [1.5, 0.0225]] }")],
+            ["at s = -1.26", "and 0.016"],
+        ),
+        ("two-cylinders", &[("gap = \"drawn\"", "gap = { parabola = 20 }")], ["at s = ", "between the drawn bodies"]),
     ] {
         let error = read(name, changes).map(|_| ()).expect_err(name);
         assert!(wanted.iter().chain(&["`gap-only = true`"]).all(|part| error.contains(part)), "{error}");
@@ -140,7 +147,7 @@ fn gaps_are_the_same_in_metres_and_mirrored() {
         let text = text.replace("inner = 40, outer = 70", "inner = 39.99, outer = 70");
         parsed(&text.replacen(gap, "{ from = \"bodies\" }", 1)).scene
     };
-    let smooth = "{ table = [[-10, 1], [-3, 0.1], [1, 0], [12, 1]], smooth = true }";
+    let smooth = "{ table = [[-10, 1], [-3, 0.1], [1, 0], [12, 1]], smooth = true, clearance = 0.02 }";
     for (scene, places) in [
         (bodies("whole-disc", "{ circle = 50 }"), &[-1.3, -0.7, -0.1, 0.1, 0.7, 1.3][..]),
         (bodies("press-fit", "{ uniform = -0.01 }"), &[0.1, 0.7, 1.3]),
@@ -149,11 +156,11 @@ fn gaps_are_the_same_in_metres_and_mirrored() {
         let (metres, mirrored, path) = (scene.in_metres(), scene.mirrored(), &scene.contact().path);
         let unit = if path.is_straight() { 1e-3 } else { 1.0 };
         for &s in places {
-            let gap = scene.contact().profile.gap(s);
+            let gap = scene.contact().gap(s);
             assert!(gap.abs() > 0.0 && gap.is_finite(), "{}: {gap}", scene.name);
-            assert_relative_eq!(metres.contact().profile.gap(unit * s), 1e-3 * gap, epsilon = 1e-15);
+            assert_relative_eq!(metres.contact().gap(unit * s), 1e-3 * gap, epsilon = 1e-15);
             let image = if path.has_both_sides() { -s } else { s };
-            assert_relative_eq!(mirrored.contact().profile.gap(image), gap, epsilon = 1e-13);
+            assert_relative_eq!(mirrored.contact().gap(image), gap, epsilon = 1e-13);
         }
     }
 }

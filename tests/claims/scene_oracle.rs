@@ -10,7 +10,7 @@ use contact_vv::oracle::{Quantity, ReferenceKind};
 use contact_vv::referee::Truth;
 
 use crate::balance::scene;
-use crate::scene_file::{self, failures, text_of};
+use crate::scene_file::{self, changed, failures, text_of};
 use crate::workbench::{block_text, parsed, told};
 
 /// Values that checks of a file are held against, with the kinds of their references.
@@ -62,6 +62,25 @@ fn waves_have_the_load_that_was_given_and_the_pressure_of_their_formula() {
     assert_relative_eq!(values[2].0, 2.0 * load, max_relative = 1e-12);
     // Between the half-width of a small contact and that of the pressed wave.
     assert!((7.5..8.0).contains(&values[1].0), "{}", values[1].0);
+}
+
+#[test]
+fn closed_forms_of_a_file_have_its_numbers_in_their_places() {
+    // ρgH.
+    let weight = block("{ uniform = 0 }", "{ own-weight = { weight = 2, height = 20, width = 40 } }");
+    let changes = [
+        ("[[check]]\nquantity = \"second-moment-width\"\ntolerance = 0.1\n", ""),
+        ("traction = { at = \"far\", value = [0, -1] }", "body-force = [0, -2]"),
+    ];
+    assert_relative_eq!(references(&changed(&weight, &changes))[0].0, 2.0 * 20.0, max_relative = 1e-12);
+    // Persson's half-angle is that of E_p ΔR/P, E_p = E/(1 − ν²) in plane strain.
+    let half_angle = |plane: &str, load: f64| {
+        let oracle = format!("load = {load}");
+        let case = scene("pin-in-plate", &[["plane = \"stress\"", plane], ["load = 40000", &oracle]]);
+        told(&case, &Quantity::HalfWidth)
+    };
+    let stress = half_angle("plane = \"stress\"", 40000.0);
+    assert_relative_eq!(half_angle("plane = \"strain\"", 40000.0 / 0.91), stress, max_relative = 1e-9);
 }
 
 #[test]
@@ -164,6 +183,9 @@ fn noted(case: &Case) -> Vec<String> {
 fn hertz_on_an_arc_speaks_of_angles() {
     let case = scene_file::case("rigid-pin");
     let read = |quantity: Quantity| told(&case, &quantity);
+    let parabola = "{ polynomial = { load = 0.6591, coefficients = [4.995004995004995e-5, 0, 0] } }";
+    let parabola = changed(&text_of("rigid-pin.toml"), &[("{ hertz = { load = 0.6591, radius = 10010 } }", parabola)]);
+    assert_relative_eq!(told(&parsed(&parabola), &Quantity::HalfWidth), read(Quantity::HalfWidth), max_relative = 1e-6);
     let radius = case.scene.contact().path.metric();
     let half_width = (4.0 * 0.6591 * 10010.0 / (std::f64::consts::PI * 210e3)).sqrt();
     assert_relative_eq!(read(Quantity::HalfWidth), half_width / radius, max_relative = 1e-12);
@@ -194,6 +216,13 @@ fn loads_that_the_contact_does_not_carry_are_noted_with_both_numbers() {
         let notes = with(&format!("load = {load}"));
         assert!(notes[0].contains(&format!("load of {load}")) && notes[0].contains("5000.00"), "{notes:?}");
     }
+    // Without bars a hundredth of the force is, and a twentieth of peak and half-width, which grow with its root.
+    let without = |load: &str| {
+        let case = scene("block-on-parabola", &[["load = 5000", load]]);
+        let (_, run) = case.solve().expect("solved");
+        case.notes(&run, &[]).len()
+    };
+    assert_eq!(["load = 5010", "load = 4900", "load = 4000"].map(without), [0, 1, 3]);
     // Whether a half is left out is said as the scene has it.
     for (half, whole) in [("", "both halves of a symmetric one"), ("\nsymmetric = false", "the whole of it")] {
         let notes = noted(&scene(
@@ -226,6 +255,12 @@ fn cases_are_off_their_closed_forms_by_no_more_than_they_say() {
     let judged = held(&case);
     assert_eq!(judged.len(), 3);
     assert!(judged.iter().all(|one| one.verdict == Verdict::Pass), "{judged:?}");
+    // Nor is many times as much stated: errors are over that and the bar.
+    let of_library = ["cylinder", "pin-plate"].map(|name| library::find(name, None).expect("known"));
+    for case in of_library.iter().chain([&FlatPunch { size: 20.0, ..Default::default() }.case()]) {
+        let most = held(case).iter().map(|one| one.error).fold(0.0, f64::max);
+        assert!(most >= 0.05, "{}: {most} of what is stated", case.name);
+    }
     // What is not stated is seen.
     case.checks.iter_mut().for_each(|check| check.model = 0.0);
     assert!(held(&case).iter().any(|one| one.verdict == Verdict::Fail));

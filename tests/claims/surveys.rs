@@ -116,6 +116,12 @@ fn survey_that_was_broken_off_goes_on_where_it_stopped() {
 }
 
 #[test]
+fn a_number_of_what_has_no_limit_is_as_far_off_as_can_be() {
+    let found = [bars::error(5.0, 4.0), bars::error(f64::NAN, f64::INFINITY), bars::error(5.0, f64::INFINITY)];
+    assert_eq!(found, [1.0, 0.0, f64::INFINITY]);
+}
+
+#[test]
 fn series_without_a_limit_grows_and_one_with_a_limit_does_not() {
     let at = |of: &dyn Fn(f64) -> f64| unbounded::grows([4.0, 2.0, 1.0].map(of));
     assert!(at(&|h| 100.0 - 10.0 * h.ln()).is_some(), "a logarithm");

@@ -146,6 +146,12 @@ const STEP: &str = "{ blocks = [\
     { corners = [[0, 5], [10, 5], [10, 10], [0, 10]], elements = [20, 10], left = \"left\" }, \
     { corners = [[10, 5], [20, 5], [20, 10], [10, 10]], elements = [20, 10], top = \"far\" }] }";
 
+/// The same, wider by a side of one element, 60° off the upright ones below and above.
+const STEEP: &str = "{ blocks = [\
+    { corners = [[0, 0], [10, 0], [10, 5], [0, 5]], elements = [20, 10], bottom = \"contact\", left = \"left\" }, \
+    { corners = [[0, 5], [10, 5], [10.866025, 5.5], [0, 5.5]], elements = [20, 1], left = \"left\" }, \
+    { corners = [[0, 5.5], [10.866025, 5.5], [10.866025, 10], [0, 10]], elements = [20, 9], left = \"left\", top = \"far\" }] }";
+
 /// A shear stress that ends within an element, and at the line of symmetry.
 const SHEARED: &str = "{ pressure = { at = \"far\", law = { uniform = 1 } } }, \
     { traction = { at = \"far\", part = { along = \"x\", from = 0, to = 7.3 }, value = [500, 0] } }";
@@ -154,7 +160,7 @@ const SHEARED: &str = "{ pressure = { at = \"far\", law = { uniform = 1 } } }, \
 fn no_stress_is_quoted_beside_a_force_at_a_point_nor_a_corner_nor_a_pressure_without_limit() {
     let of = |from: &str, to: &str| {
         // Blocks bring their own elements.
-        let own = if to == STEP { "" } else { "elements = 8\nper = 1\n" };
+        let own = if [STEP, STEEP].contains(&to) { "" } else { "elements = 8\nper = 1\n" };
         stresses(&scene("pressed-corner", &[PARABOLA, STRAIGHT, ["elements = 4\nper = 1\n", own], [from, to]]))
     };
     let (_, plain) = of("", "");
@@ -180,6 +186,9 @@ fn no_stress_is_quoted_beside_a_force_at_a_point_nor_a_corner_nor_a_pressure_wit
         let near = |[x, y]: [f64; 2]| (x - at[0]).abs() < 0.2 && (y - at[1]).abs() < 0.2;
         assert!(without_limit.iter().any(|one| one.because == because && near(one.at)), "{because}: {without_limit:?}");
     }
+    let (_, steep) = of(RECTANGLE, STEEP);
+    let corners: Vec<[f64; 2]> = steep[0].without_limit.iter().map(|one| one.at).collect();
+    assert_eq!(corners, [[10.0, 5.0]], "{steep:?}");
 }
 
 /// Parts that follow one another end nowhere between, one that goes on to a free corner not there, and complementary shear stresses are no end.

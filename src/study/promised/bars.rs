@@ -188,6 +188,20 @@ fn solved(site: &Site) -> Result<(Sample, Vec<Barred>), Error> {
     Ok((sample, found))
 }
 
+/// How far a number is from its truth; what has no limit must not be quoted.
+pub fn error(value: f64, truth: f64) -> f64 {
+    match truth.is_finite() {
+        true => (value - truth).abs(),
+        false => {
+            if value.is_nan() {
+                0.0
+            } else {
+                f64::INFINITY
+            }
+        }
+    }
+}
+
 /// All numbers of a scene whose truth is known.
 pub fn record(site: &Site) -> Result<Record, Error> {
     let (sample, all) = solved(site)?;
@@ -195,9 +209,8 @@ pub fn record(site: &Site) -> Result<Record, Error> {
     for truth in &sample.truths {
         let is_of = |one: &&Barred| one.is_of(truth.contact, &truth.quantity);
         let [error, bar] = all.iter().find(is_of).map_or([f64::NAN; 2], |one| match truth.value.is_finite() {
-            true => [(one.value - truth.value).abs(), one.bar.total()],
-            // What has no limit must not be quoted.
-            false => [if one.value.is_nan() { 0.0 } else { f64::INFINITY }, 0.0],
+            true => [error(one.value, truth.value), one.bar.total()],
+            false => [error(one.value, truth.value), 0.0],
         });
         let size = if truth.value.is_finite() { size(&sample, truth) } else { 1.0 };
         let kind = Kind::of(&truth.quantity);
