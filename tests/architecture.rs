@@ -212,14 +212,14 @@ fn matrix_types_of_libraries_stay_inside_the_numerics() {
 
 /// Lines that a room may have; raised only by a commit that says what for.
 const BUDGETS: [(&str, usize); 9] = [
-    ("solver", 24_015),
-    ("drawing", 2_910),
-    ("case", 8_126),
-    ("oracle", 1_426),
-    ("study", 15_060),
-    ("referee", 7_814),
-    ("report", 3_264),
-    ("cli", 4_741),
+    ("solver", 24_141),
+    ("drawing", 2_744),
+    ("case", 8_144),
+    ("oracle", 1_439),
+    ("study", 14_992),
+    ("referee", 7_852),
+    ("report", 3_156),
+    ("cli", 4_650),
     ("live", 417),
 ];
 

@@ -582,9 +582,9 @@ fn a_resultant_without_a_load_is_that_of_one_solve_with_its_bar() {
     let files = contact_vv::cli::export::files(&driven("elements = 3"), false).expect("exported");
     let sheet = std::str::from_utf8(&files[0].1).expect("text");
     let line = sheet.lines().find(|line| line.contains("| resultant")).expect("a resultant");
-    assert!(line.contains("66.866"), "{line}");
+    assert!(line.contains("66.8656"), "{line}");
     for (value, bar) in &found {
-        assert!((value - 66.866).abs() <= 1e-3 && *bar <= 1e-2, "{value} ± {bar}");
+        assert!((value - 66.86566).abs() <= 1e-4 && *bar <= 1e-3, "{value} ± {bar}");
     }
     assert!((found[0].0 - found[1].0).abs() <= found[0].1 + found[1].1, "{found:?}");
     let loaded = judged(parsed("a.csv", ellipse::text(), &Asked::default()).expect("read")).expect("judged");
