@@ -119,3 +119,29 @@ fn numbers_of_fortran_without_an_e_and_names_of_ansys_and_comsol_are_read() {
         refused("theirs.csv", text, &usual(), &[&format!("`{cell}`, which is no number")]);
     }
 }
+
+#[test]
+fn rows_that_begin_with_the_mark_of_a_comment_are_rows() {
+    let text = |mark: &str| {
+        let row = |(k, s): (usize, f64)| {
+            let pressure = if k == 20 { mark.to_owned() } else { ellipse::pressure(s).to_string() };
+            format!("{pressure};{s}\n")
+        };
+        format!("CPRESS;x\n# of step 2\n{}# by hand\n#0.5;1e9\n", places().enumerate().map(row).collect::<String>())
+    };
+    for mark in ["#N/A", "#NV", "#DIV/0!", "#REF!", "********", "!", "$"] {
+        refused("theirs.csv", text(mark), &usual(), &[&format!("is `{mark}`, which is no number")]);
+    }
+    assert_eq!(failed(&found("theirs.csv", &text(&ellipse::pressure(1.0).to_string()), &usual())), [""; 0]);
+    // A number of a node that needs more digits than the format has.
+    let counted = |by: f64| {
+        let row = |(k, s): (usize, f64)| {
+            let [name, by] =
+                if k == 20 { ["********".to_owned(), by.to_string()] } else { [k.to_string(), "1".into()] };
+            format!("{name} {s} {}\n", ellipse::pressure(s) * by.parse::<f64>().unwrap_or(f64::NAN))
+        };
+        format!("node x CPRESS\n# printed 2 times\n{}", places().enumerate().map(row).collect::<String>())
+    };
+    assert_eq!(failed(&found("theirs.txt", &counted(1.0), &usual())), [""; 0]);
+    assert_ne!(failed(&found("theirs.txt", &counted(0.6), &usual())), [""; 0]);
+}
