@@ -488,3 +488,42 @@ fn reports_of_several_columns_end_with_their_extremes_and_where_these_are() {
     );
     ellipse::assert(&parsed("abaqus.rpt", text, &usual()).expect("read"), 1e-6);
 }
+
+#[test]
+fn nodal_forces_that_alternate_or_of_which_one_is_off_are_no_answer() {
+    let uniform: fn(f64) -> f64 = |_| 100.0;
+    let hertz: fn(f64) -> f64 = |s| 5769.23 * (1.0 - (s / 2.5).powi(2)).max(0.0).sqrt();
+    let alternate = |k: usize, share: f64| if k.is_multiple_of(2) { 1.0 + share } else { 1.0 - share };
+    for (name, end, pressure) in [("patch", 10.0, uniform), ("truncated-hertz", 4.0, hertz)] {
+        let length = end / 80.0;
+        let failed = |shares: &[f64], times: &dyn Fn(usize) -> f64| {
+            let steps = shares.len() - 1;
+            let share = |k: usize| match k % steps {
+                0 if k == 0 => shares[0],
+                0 if k == 80 => shares[steps],
+                0 => shares[0] + shares[steps],
+                at => shares[at],
+            };
+            let row = |k: usize| {
+                let s = length * k as f64;
+                [s, pressure(s) * share(k) * length * steps as f64 * times(k)]
+            };
+            failed(&judged_rows(truth(name), "position [mm],force [N]", (0..=80).map(row)))
+        };
+        // Of edges with two nodes, and with three of which nothing is said.
+        for shares in [&[0.5, 0.5][..], &[1.0 / 6.0, 4.0 / 6.0, 1.0 / 6.0]] {
+            assert_eq!(failed(shares, &|_| 1.0), [""; 0], "{name}");
+            for share in [0.5, -0.9] {
+                let named = failed(shares, &|k| alternate(k, share));
+                assert!(named.iter().any(|one| one.starts_with("alternation")), "{name}: {named:?}");
+            }
+            for (at, times) in [(0, 0.5), (7, 0.6), (8, 1.4)] {
+                let named = failed(shares, &|k| if k == at { times } else { 1.0 });
+                assert!(named.iter().any(|one| one.starts_with("departure")), "{name}, {at}: {named:?}");
+            }
+            // A third goes to the neighbour.
+            let moved = failed(shares, &|k| [1.0, 0.7, 1.3].get(k.saturating_sub(5)).copied().unwrap_or(1.0));
+            assert_ne!(moved, [""; 0], "{name}");
+        }
+    }
+}
