@@ -527,3 +527,27 @@ fn nodal_forces_that_alternate_or_of_which_one_is_off_are_no_answer() {
         }
     }
 }
+
+#[test]
+fn the_point_on_an_axis_and_the_last_ones_before_an_end_are_judged() {
+    for (name, peak) in [("truncated-sphere", 7345.6), ("truncated-hertz", 5769.2)] {
+        let named = |edges: usize, at: usize, times: f64| {
+            let row = |k: usize| {
+                let s = 4.0 * k as f64 / edges as f64;
+                [s, peak * (1.0 - (s / 2.5).powi(2)).max(0.0).sqrt() * if k == at { times } else { 1.0 }]
+            };
+            failed(&judged_rows(truth(name), PRESSURES, (0..=edges).map(row)))
+        };
+        for (edges, at, times) in
+            [(64, 0, 0.7), (64, 0, 0.9), (64, 39, 1.45), (64, 38, 0.7), (64, 36, 1.2), (24, 14, 1.3)]
+        {
+            assert_eq!(named(edges, at, 1.0), [""; 0], "{name}");
+            let named = named(edges, at, times);
+            assert!(named.iter().any(|one| one.starts_with("departure")), "{name}, {at}: {named:?}");
+        }
+    }
+    let flat = truth("flat-punch");
+    let rows = (0..40).map(|k| f64::from(k) / 40.0).map(|s| [s, flat.pressure(0, s)]);
+    let missing = &judged_rows(flat, PRESSURES, rows).ruled[0].missing;
+    assert!(missing.iter().any(|[what, _]| what.contains("before an end")), "{missing:?}");
+}
