@@ -402,4 +402,11 @@ fn points_of_another_contact_and_forces_and_pressures_that_are_called_the_other_
     ] {
         assert_named(&named(&thin, column, &rows, &Asked::default()), &[wanted], column);
     }
+    for (times, wanted) in [
+        (1.0 / 9.806_65, "units: pressures in kgf/mm2 are called MPa"),
+        (1.0 / 0.098_066_5, "units: pressures in kgf/cm2 are called MPa"),
+    ] {
+        let found = named(&thin, "pressure [MPa]", &profile(&RIGHT, [1.0, times]), &Asked::default());
+        assert!(found[0].starts_with(wanted), "{found:?}");
+    }
 }
