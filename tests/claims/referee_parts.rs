@@ -551,3 +551,20 @@ fn the_point_on_an_axis_and_the_last_ones_before_an_end_are_judged() {
     let missing = &judged_rows(flat, PRESSURES, rows).ruled[0].missing;
     assert!(missing.iter().any(|[what, _]| what.contains("before an end")), "{missing:?}");
 }
+
+#[test]
+fn points_of_another_contact_far_beyond_the_candidates_are_refused() {
+    let supported = truth("plate-on-two-supports");
+    let rows = |from: f64| -> String {
+        let row = |k: i32| {
+            let s = 0.05 * f64::from(k);
+            format!("{},0,{}\n", from + s, supported.pressure(if from < 0.0 { 0 } else { 1 }, s))
+        };
+        (-20..=20).map(row).collect()
+    };
+    let asked = Asked { contact: Some("left".into()), ..Asked::default() };
+    let found =
+        |text: String| read(&supported.case, "theirs.csv", format!("x [mm],y [mm],pressure [MPa]\n{text}"), &asked);
+    assert!(found(rows(-30.0)).is_ok());
+    workbench::refused(found(rows(-30.0) + &rows(30.0)), &["lies on contact `right`, beyond the stretch of `left`"]);
+}
