@@ -19,6 +19,7 @@ os.environ["OMP_NUM_THREADS"] = os.environ["OPENBLAS_NUM_THREADS"] = "1"  # befo
 MISSING = 3  # exit code
 SOFT = 10.0  # penalty over the largest Young's modulus and the smallest contact edge, as one would choose it first
 STEPS = 100
+ALIKE = 1e-3  # part of the widest gap
 START = 1e-6  # overlap to begin with at least, over the size of the scene
 PARTS = [[0, 4, 8, 7], [4, 1, 5, 8], [8, 5, 2, 6], [7, 8, 6, 3]]  # of a cell with 9 nodes
 
@@ -57,6 +58,14 @@ class Problem:
         terms = np.array([(k, 2 * n + c, f) for k, node in enumerate(nodes) for n, c, f in node["row"]])
         shape = len(nodes), 2 * len(self.points)
         self.rows = coo_matrix((terms[:, 2], terms[:, :2].T.astype(int)), shape).tocsr()
+
+    def drawn(self, method):
+        """Refuses gaps that two meshes do not have between them, such as an interference, where a code finds them itself."""
+        between, known = -(self.rows @ self.points.ravel()), np.isfinite(self.gap)
+        off, widest = np.abs(between - self.gap)[known].max(), np.abs([between, self.gap])[:, known].max()
+        if off > ALIKE * widest + 1e-9 * np.ptp(self.points):
+            raise ValueError(f"the gaps of problem.json are off by up to {off:.4g} mm from those between the meshes, of which alone this method"
+                             f" knows: {method} takes them from the file")
 
     def add_centres(self):
         """Makes the cells such with 9 nodes, of the same shape."""

@@ -49,6 +49,8 @@ def deck(problem, stiffness):
     if len(data["contacts"]) > 1:
         raise ValueError("scenes with one contact are served")
     contact, given = data["contacts"][0], np.array(data["cells"])
+    if contact["second"] is not None:
+        problem.drawn("run_calculix.py FOLDER gaps")
     points, count = problem.points[: given.max() + 1].copy(), len(given)
     kind = ("CPE" if data["plane"] == "strain" else "CPS") + str(given.shape[1])
     moved = np.zeros(2)

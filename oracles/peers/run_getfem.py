@@ -99,6 +99,8 @@ def integral(problem, model, bodies, times):
     if len(problem.data["contacts"]) > 1:
         raise ValueError("scenes with one contact are served")
     contact = problem.data["contacts"][0]
+    if contact["second"] is not None:
+        problem.drawn("run_getfem.py FOLDER basic")
     first = bodies[contact["first"]]
     first.side(np.array(contact["edges"]))
     linear, size = gf.MeshFem(first.mesh, 1), 1 if contact["second"] is None else 2

@@ -50,6 +50,7 @@ pub fn judge(truth: &Truth, profile: &Profile, tolerance: f64) -> Ruled {
     judged.extend(bench.profile_norm(&mut missing));
     judged.extend(bench.alternation());
     judged.extend(bench.lone());
+    judged.extend(bench.beside_ends(&mut missing));
     if profile.has_means {
         missing.push(["pressures at single points".into(), MEANS.into()]);
     }
@@ -151,9 +152,7 @@ impl Bench<'_> {
         points.drain(..if self.profile.across { AT_END.min(points.len()) } else { 0 });
         let is_half = !self.profile.across && !self.profile.pair().path.has_both_sides();
         if is_half {
-            // What lies on an axis has no area, and is not asked for.
-            let images = if self.profile.scene.is_around_axis(contact) { 1 } else { GROUP + 2 };
-            let behind = points.iter().filter(|[s, ..]| *s > 0.0).take(images);
+            let behind = points.iter().filter(|[s, ..]| *s > 0.0).take(GROUP + 2);
             let mirrored: Vec<[f64; 3]> = behind.map(|[s, p, wanted]| [-s, *p, *wanted]).collect();
             points.splice(0..0, mirrored.into_iter().rev());
         }
@@ -184,6 +183,49 @@ impl Bench<'_> {
         let quantity = format!("departure of {who}, at {place}: {p} for {wanted} MPa, over the peak");
         let because = "the tolerance, the bar of the reference, and what one point of an answer may be off";
         let allowed = self.tolerance + SPIKE + known.bar;
+        let check = Check::error(case::Quantity::at(quantity, ""), known.reference.clone(), allowed, because);
+        Some(self.ruled(check, error, known)).filter(|judged| judged.verdict == Verdict::Fail)
+    }
+
+    /// The worst of the last points before an end, which [`Self::lone`] passes by, where its pressure is none that the truth has within a quarter of
+    /// an edge of there, by more than one point may be off. Where the pressure has no limit they are not judged.
+    fn beside_ends(&self, missing: &mut Vec<[String; 2]>) -> Option<Judged> {
+        let Profile { contact, alone, across, order, lines, .. } = self.profile;
+        // Pressures alone have middles of straight lines between them.
+        let (nodes, reach) = (if lines.is_empty() { usize::from(order.number()) } else { 1 }, self.reach());
+        if self.truth.is_unbounded(*contact) && !alone.is_empty() {
+            let what = format!("pressures of the last {} points before an end", AT_END + 2);
+            missing.push([what, "nothing: a pressure without a limit differs from mesh to mesh".into()]);
+            return None;
+        }
+        let peak = self.truth.known(*contact, &Quantity::PeakPressure).reference.value;
+        // Our own mesh may end before the truth does, where that comes to nothing.
+        let is_low = |s: f64| (f64::MIN_POSITIVE..0.5 * peak).contains(&self.truth.pressure(*contact, s));
+        let within = || (0..alone.len()).filter(|&k| alone[k][0].abs() < reach || is_low(alone[k][0]));
+        let last = within().rev().take(AT_END + 2);
+        let first = within().take(if *across { AT_END + 2 } else { 0 });
+        let off = |k: usize| {
+            let [s, p] = alone[k];
+            let beside = |other: Option<usize>| other.and_then(|other| alone.get(other)).map(|[other, _]| other - s);
+            let [before, behind] = [k.checked_sub(nodes), Some(k + nodes)].map(beside);
+            let [from, to] = [before.or(behind.map(|length| -length))?, behind.or(before.map(|length| -length))?];
+            let parts = (0..=PARTS).map(|part| s + QUARTER * (from + (to - from) * part as f64 / PARTS as f64));
+            let end = reach.max(s.abs());
+            let truth = parts.chain([s]).map(|place| self.truth.pressure(*contact, place.clamp(-end, end)));
+            let [low, high] = truth.fold([f64::INFINITY, 0.0], |[low, high], p| [p.min(low), p.max(high)]);
+            Some(([low - p, p - high].into_iter().fold(0.0, larger) / peak, [s, p, low, high]))
+        };
+        let (error, [s, p, low, high]) =
+            last.chain(first).filter_map(off).reduce(|most, next| if next.0 > most.0 { next } else { most })?;
+        let known = self.truth.of_profile(*contact);
+        let (place, [p, low, high]) =
+            (places(self.profile.pair(), &[s]), [p, low, high].map(|one| significant(one, 4)));
+        let quantity = format!(
+            "departure before an end, at {place}: {p} for {low} to {high} MPa a quarter of an edge around, over the peak"
+        );
+        let because = "the tolerance, the bar of the reference, and what one point of an answer may be off";
+        // Corners of 8-node cells have a third of an edge.
+        let allowed = self.tolerance + SPIKE * nodes as f64 + known.bar;
         let check = Check::error(case::Quantity::at(quantity, ""), known.reference.clone(), allowed, because);
         Some(self.ruled(check, error, known)).filter(|judged| judged.verdict == Verdict::Fail)
     }
@@ -266,6 +308,10 @@ const INSIDE: f64 = 0.8;
 const BESIDE: f64 = 0.2;
 /// Points at an end where the pressure has no limit in which they may.
 const AT_END: usize = 3;
+/// Part of an edge to either side within which right answers have the pressures of the truth beside an end, on meshes of 6 edges or more, and parts
+/// of both at whose ends it is read.
+const QUARTER: f64 = 0.25;
+const PARTS: usize = 8;
 const ALTERNATE: f64 = 0.1;
 /// What one point may be off over the peak, and times what those beside it are off from which on it is alone in that.
 const SPIKE: f64 = 0.05;

@@ -49,6 +49,18 @@ pub fn explain(truth: &Truth, handed: &Handed, beside: (&Units, bool), tolerance
     };
     let mid_sides = may_have.then(|| (MID_SIDES.into(), quadratic()));
     let is_it = |(says, corrected): Correction| (sound(&corrected) && meets(&corrected)).then_some(says);
+    let others = truth.case.scene.contacts.iter().enumerate().filter(|(contact, _)| *contact != plain.contact);
+    let own_name = &truth.case.scene.contacts[plain.contact].name;
+    let swapped = others.map(|(contact, pair)| {
+        (
+            format!("the points of contact `{own_name}` are those of contact `{}`", pair.name),
+            Handed { contact, ..plain.clone() },
+        )
+    });
+    let of_others: Vec<String> = swapped.filter_map(is_it).collect();
+    if !of_others.is_empty() {
+        return of_others;
+    }
     let found: Vec<String> = corrections(truth, &plain, beside).chain(mid_sides).filter_map(is_it).collect();
     if !found.is_empty() || plain.points.iter().map(|point| point.value).sum::<f64>() >= 0.0 {
         return found;
@@ -102,6 +114,13 @@ fn of_points(truth: &Truth, handed: &Handed) -> Vec<Correction> {
         if !is_circle && !is_half {
             halves(handed).into_iter().for_each(|(says, half)| tried(&says, half));
         }
+    }
+    if are_alone {
+        let says = match handed.forces {
+            true => "pressures are called forces",
+            false => "nodal forces are called pressures",
+        };
+        tried(says, Handed { forces: !handed.forces, ..handed.clone() });
     }
     if handed.points.iter().any(|point| point.area.is_some()) {
         let says = "areas are not those of the points: leave them out, they follow from the places";

@@ -29,8 +29,8 @@ pub struct Profile {
     pub lines: Vec<f64>,
     /// Means over the edges between them.
     pub edges: Vec<EdgeState>,
-    /// Contact coordinate and pressure of the points as they were handed in, where they neither are forces nor stand beside means over edges
-    /// \[mm or rad, MPa\].
+    /// Contact coordinate and pressure of the points as they were handed in, of forces that over the area, where no means over edges stand beside
+    /// them \[mm or rad, MPa\].
     pub alone: Vec<[f64; 2]>,
     /// Whether means over edges stand beside them.
     pub has_means: bool,
@@ -66,9 +66,10 @@ impl Profile {
         let on_axis = may_lend && lends_to_axis(&mut points, handed);
         // What a node on the axis is said to press with by one who says that it has no area is none: it had nothing to divide its force by.
         let lent = usize::from(on_axis && plain.points[0].area.is_some());
-        let alone = match plain.forces || has_means {
-            false => plain.points[lent..].iter().map(|point| [point.position, point.value]).collect(),
-            true => Vec::new(),
+        let alone = match (has_means, plain.forces) {
+            (true, _) => Vec::new(),
+            (false, true) => of_nodes(&scene, plain, &points[usize::from(on_axis)..]),
+            (false, false) => plain.points[lent..].iter().map(|point| [point.position, point.value]).collect(),
         };
         let edges =
             if handed.edges.is_empty() { means(&scene, pair, &points, handed.order) } else { handed.edges.clone() };
@@ -108,6 +109,27 @@ fn states(scene: &Scene, pair: &ContactPair, points: &[Point], order: Order, for
         PointState { position: point.position, weight, pressure, gap: point.gap.unwrap_or(f64::NAN) }
     };
     points.iter().zip(tributary(scene, pair, points, order)).map(state).collect()
+}
+
+/// Places and pressures of nodes by their forces. Corners and mid-sides of 8-node cells have by turns a third and two thirds of an edge: where no areas
+/// are told, whatever is said of the order, they are those of the order by which they vary less.
+fn of_nodes(scene: &Scene, handed: &Handed, states: &[PointState]) -> Vec<[f64; 2]> {
+    let points = &handed.points;
+    if scene.is_of_revolution() || states.len() < points.len() || points.iter().any(|point| point.area.is_some()) {
+        let pressed = |state: &PointState| [state.position, state.pressure];
+        return states.iter().map(pressed).filter(|[_, p]| p.is_finite()).collect();
+    }
+    let of = |order: Order, points: &[Point]| -> Vec<[f64; 2]> {
+        let areas = tributary(scene, &scene.contacts[handed.contact], points, order);
+        points.iter().zip(areas).map(|(point, area)| [point.position, point.value / area]).collect()
+    };
+    let varies = |all: &[[f64; 2]]| -> f64 {
+        all.windows(3).map(|three| (three[1][1] - 0.5 * (three[0][1] + three[2][1])).abs()).sum()
+    };
+    // Without a last one that lies beyond the others.
+    let by_turns = of(Order::Quadratic, &points[..points.len() - 1 + points.len() % 2]);
+    let own = of(Order::Linear, points);
+    if varies(&by_turns) < varies(&own) { by_turns } else { own }
 }
 
 /// Part of the largest position that rounding explains.

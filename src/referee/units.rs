@@ -139,7 +139,7 @@ const PLACES: [(&str, f64); 10] = [
 ];
 const LENGTHS: [(&str, f64); 7] =
     [("mm", 1.0), ("m", 1e3), ("um", 1e-3), ("nm", 1e-6), ("cm", 10.0), ("in", INCH), ("ft", 12.0 * INCH)];
-const PRESSURES: [(&str, f64); 13] = [
+const PRESSURES: [(&str, f64); 15] = [
     ("MPa", 1.0),
     ("N/mm2", 1.0),
     ("kPa", 1e-3),
@@ -153,6 +153,8 @@ const PRESSURES: [(&str, f64); 13] = [
     ("psi", PSI),
     ("ksi", 1e3 * PSI),
     ("lbf/in2", PSI),
+    ("kgf/mm2", 9.806_65),
+    ("kgf/cm2", 0.098_066_5),
 ];
 const FORCES: [(&str, f64); 3] = [("N", 1.0), ("kN", 1e3), ("lbf", POUND)];
 const AREAS: [(&str, f64); 4] = [("mm2", 1.0), ("m2", 1e6), ("cm2", 100.0), ("in2", INCH * INCH)];
@@ -168,7 +170,7 @@ pub fn is_angle(unit: &str) -> bool {
 pub struct Units {
     /// Of positions: mm, m, um, nm, cm, in or ft on a straight path; deg or rad on an arc.
     pub position: Option<String>,
-    /// Of pressures: MPa, N/mm2, kPa, Pa, GPa, kN/mm2, N/m2, MN/m2, bar, atm, psi, ksi or lbf/in2.
+    /// Of pressures: MPa, N/mm2, kPa, Pa, GPa, kN/mm2, N/m2, MN/m2, bar, atm, psi, ksi, lbf/in2, kgf/mm2 or kgf/cm2.
     pub pressure: Option<String>,
     /// Of forces: N, kN or lbf.
     pub force: Option<String>,

@@ -385,3 +385,28 @@ fn radii_of_a_ring_that_touches_off_its_axis_are_named() {
         assert_named(&named(&truth, "pressure [MPa]", &rows, &Asked::default()), wanted, "a ring");
     }
 }
+
+#[test]
+fn points_of_another_contact_and_forces_and_pressures_that_are_called_the_other_are_named() {
+    let between = workbench::truth("roller-between-plates");
+    let rows = (0..=60).map(|k| 0.04 * f64::from(k)).map(|s| format!("{s},{},above\n", between.pressure(1, s)));
+    let text = format!("{PRESSURES},contact\n{}", rows.collect::<String>());
+    let found = judged_as(between, "theirs.csv", &text, &Asked::default());
+    assert_named(&found.mistakes, &["the points of contact `above` are those of contact `below`"], "roller");
+    let thin = scene("strain", 1.0);
+    let pressures = profile(&RIGHT, [1.0, 1.0]);
+    let forces = forces(&pressures, &[0.5, 0.5], 1.0);
+    for (column, rows, wanted) in [
+        ("pressure [MPa]", forces, "nodal forces are called pressures"),
+        ("force [N]", pressures.clone(), "pressures are called forces"),
+    ] {
+        assert_named(&named(&thin, column, &rows, &Asked::default()), &[wanted], column);
+    }
+    for (times, wanted) in [
+        (1.0 / 9.806_65, "units: pressures in kgf/mm2 are called MPa"),
+        (1.0 / 0.098_066_5, "units: pressures in kgf/cm2 are called MPa"),
+    ] {
+        let found = named(&thin, "pressure [MPa]", &profile(&RIGHT, [1.0, times]), &Asked::default());
+        assert!(found[0].starts_with(wanted), "{found:?}");
+    }
+}

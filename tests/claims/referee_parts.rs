@@ -660,3 +660,83 @@ fn gaps_of_displacements_on_an_arc_are_those_along_its_normal() {
         assert!((theirs.gap.expect("a gap") - ours.gap).abs() <= 1e-6 * largest, "{theirs:?}, {ours:?}");
     }
 }
+
+#[test]
+fn nodal_forces_that_alternate_or_of_which_one_is_off_are_no_answer() {
+    let uniform: fn(f64) -> f64 = |_| 100.0;
+    let hertz: fn(f64) -> f64 = |s| 5769.23 * (1.0 - (s / 2.5).powi(2)).max(0.0).sqrt();
+    let alternate = |k: usize, share: f64| if k.is_multiple_of(2) { 1.0 + share } else { 1.0 - share };
+    for (name, end, pressure) in [("patch", 10.0, uniform), ("truncated-hertz", 4.0, hertz)] {
+        let length = end / 80.0;
+        let failed = |shares: &[f64], times: &dyn Fn(usize) -> f64| {
+            let steps = shares.len() - 1;
+            let share = |k: usize| match k % steps {
+                0 if k == 0 => shares[0],
+                0 if k == 80 => shares[steps],
+                0 => shares[0] + shares[steps],
+                at => shares[at],
+            };
+            let row = |k: usize| {
+                let s = length * k as f64;
+                [s, pressure(s) * share(k) * length * steps as f64 * times(k)]
+            };
+            failed(&judged_rows(truth(name), "position [mm],force [N]", (0..=80).map(row)))
+        };
+        // Of edges with two nodes, and with three of which nothing is said.
+        for shares in [&[0.5, 0.5][..], &[1.0 / 6.0, 4.0 / 6.0, 1.0 / 6.0]] {
+            assert_eq!(failed(shares, &|_| 1.0), [""; 0], "{name}");
+            for share in [0.5, -0.9] {
+                let named = failed(shares, &|k| alternate(k, share));
+                assert!(named.iter().any(|one| one.starts_with("alternation")), "{name}: {named:?}");
+            }
+            for (at, times) in [(0, 0.5), (7, 0.6), (8, 1.4)] {
+                let named = failed(shares, &|k| if k == at { times } else { 1.0 });
+                assert!(named.iter().any(|one| one.starts_with("departure")), "{name}, {at}: {named:?}");
+            }
+            // A third goes to the neighbour.
+            let moved = failed(shares, &|k| [1.0, 0.7, 1.3].get(k.saturating_sub(5)).copied().unwrap_or(1.0));
+            assert_ne!(moved, [""; 0], "{name}");
+        }
+    }
+}
+
+#[test]
+fn the_point_on_an_axis_and_the_last_ones_before_an_end_are_judged() {
+    for (name, peak) in [("truncated-sphere", 7345.6), ("truncated-hertz", 5769.2)] {
+        let named = |edges: usize, at: usize, times: f64| {
+            let row = |k: usize| {
+                let s = 4.0 * k as f64 / edges as f64;
+                [s, peak * (1.0 - (s / 2.5).powi(2)).max(0.0).sqrt() * if k == at { times } else { 1.0 }]
+            };
+            failed(&judged_rows(truth(name), PRESSURES, (0..=edges).map(row)))
+        };
+        for (edges, at, times) in
+            [(64, 0, 0.7), (64, 0, 0.9), (64, 39, 1.45), (64, 38, 0.7), (64, 36, 1.2), (24, 14, 1.3)]
+        {
+            assert_eq!(named(edges, at, 1.0), [""; 0], "{name}");
+            let named = named(edges, at, times);
+            assert!(named.iter().any(|one| one.starts_with("departure")), "{name}, {at}: {named:?}");
+        }
+    }
+    let flat = truth("flat-punch");
+    let rows = (0..40).map(|k| f64::from(k) / 40.0).map(|s| [s, flat.pressure(0, s)]);
+    let missing = &judged_rows(flat, PRESSURES, rows).ruled[0].missing;
+    assert!(missing.iter().any(|[what, _]| what.contains("before an end")), "{missing:?}");
+}
+
+#[test]
+fn points_of_another_contact_far_beyond_the_candidates_are_refused() {
+    let supported = truth("plate-on-two-supports");
+    let rows = |from: f64| -> String {
+        let row = |k: i32| {
+            let s = 0.05 * f64::from(k);
+            format!("{},0,{}\n", from + s, supported.pressure(if from < 0.0 { 0 } else { 1 }, s))
+        };
+        (-20..=20).map(row).collect()
+    };
+    let asked = Asked { contact: Some("left".into()), ..Asked::default() };
+    let found =
+        |text: String| read(&supported.case, "theirs.csv", format!("x [mm],y [mm],pressure [MPa]\n{text}"), &asked);
+    assert!(found(rows(-30.0)).is_ok());
+    workbench::refused(found(rows(-30.0) + &rows(30.0)), &["lies on contact `right`, beyond the stretch of `left`"]);
+}

@@ -139,6 +139,8 @@ fn every_unit_is_what_its_definition_says() {
         ("MN/m2", 1e6),
         ("bar", 1e5),
         ("atm", 101_325.0),
+        ("kgf/mm2", 9_806_650.0),
+        ("kgf/cm2", 98_066.5),
         ("psi", pound / (0.0254 * 0.0254)),
         ("ksi", 1e3 * pound / (0.0254 * 0.0254)),
         ("lbf/in2", pound / (0.0254 * 0.0254)),
@@ -163,4 +165,30 @@ fn every_unit_is_what_its_definition_says() {
         [lengths.len() + angles.len(), lengths.len(), forces.len(), areas.len(), stresses.len()],
         "a unit is not asked here"
     );
+}
+
+#[test]
+fn rows_that_begin_with_the_mark_of_a_comment_are_rows() {
+    let text = |mark: &str| {
+        let row = |(k, s): (usize, f64)| {
+            let pressure = if k == 20 { mark.to_owned() } else { ellipse::pressure(s).to_string() };
+            format!("{pressure};{s}\n")
+        };
+        format!("CPRESS;x\n# of step 2\n{}# by hand\n#0.5;1e9\n", places().enumerate().map(row).collect::<String>())
+    };
+    for mark in ["#N/A", "#NV", "#DIV/0!", "#REF!", "********", "!", "$"] {
+        refused("theirs.csv", text(mark), &usual(), &[&format!("is `{mark}`, which is no number")]);
+    }
+    assert_eq!(failed(&found("theirs.csv", &text(&ellipse::pressure(1.0).to_string()), &usual())), [""; 0]);
+    // A number of a node that needs more digits than the format has.
+    let counted = |by: f64| {
+        let row = |(k, s): (usize, f64)| {
+            let [name, by] =
+                if k == 20 { ["********".to_owned(), by.to_string()] } else { [k.to_string(), "1".into()] };
+            format!("{name} {s} {}\n", ellipse::pressure(s) * by.parse::<f64>().unwrap_or(f64::NAN))
+        };
+        format!("node x CPRESS\n# printed 2 times\n{}", places().enumerate().map(row).collect::<String>())
+    };
+    assert_eq!(failed(&found("theirs.txt", &counted(1.0), &usual())), [""; 0]);
+    assert_ne!(failed(&found("theirs.txt", &counted(0.6), &usual())), [""; 0]);
 }

@@ -11,6 +11,16 @@ pub fn comment(line: &str) -> Option<&str> {
     Some(line[mark.len()..].trim_start_matches(*mark).trim())
 }
 
+/// Whether a line that begins as comments do is a row of so many cells, of which the first is no number, as `#N/A` and `****` are none: a row that is
+/// taken out has a number behind the mark, and where blanks separate cells the mark alone is one of a comment.
+pub(super) fn is_marked_row(line: &str, mark: char, wanted: usize) -> bool {
+    let own = fitting(line, mark, wanted);
+    let [first, others @ ..] = &own[..] else { return false };
+    let is_taken_out = comment(first).is_some_and(|said| number(said).is_some());
+    let is_mark = mark == ' ' && COMMENTS.contains(&first.as_str());
+    own.len() == wanted && others.iter().any(|cell| number(cell).is_some()) && !is_taken_out && !is_mark
+}
+
 /// The cells of a line, without blanks and quotes around them; where blanks separate them, a unit in brackets belongs to the name before it.
 pub(super) fn cells(line: &str, mark: char) -> Vec<String> {
     let (mut all, mut quoted, mut deep) = (vec![String::new()], false, 0);

@@ -8,8 +8,8 @@ use crate::referee::asked::Asked;
 use crate::referee::source::Source;
 use crate::referee::state::State;
 use crate::referee::table::cells::{
-    cells, comment, fitting, inner, is_data, is_known_unit, is_like_number, is_of_thousands, is_rule, is_unit, number,
-    split,
+    cells, comment, fitting, inner, is_data, is_known_unit, is_like_number, is_marked_row, is_of_thousands, is_rule,
+    is_unit, number, split,
 };
 use crate::referee::table::columns::HEADER;
 use crate::referee::units::Role;
@@ -79,7 +79,7 @@ impl<'a> Table<'a> {
         let (names, wanted) = (self.head.clone(), self.head.len());
         for (k, line) in lines.iter().enumerate().skip(begin) {
             let is_above = first.is_some_and(|first| k < first);
-            if let Some(said) = comment(line) {
+            if let Some(said) = comment(line).filter(|_| !is_marked_row(line, mark, wanted)) {
                 let own = fitting(said, mark, wanted);
                 if is_above && are_units(&own, wanted) {
                     self.head = with_units(&self.head, &own);

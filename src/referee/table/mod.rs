@@ -214,6 +214,16 @@ impl Reader<'_> {
         Ok(Some(wanted).filter(|_| !is_other))
     }
 
+    /// The other contact on whose candidates a point lies that is beyond those of its own.
+    fn elsewhere(&self, own: &ContactPair, place: [f64; 2]) -> Option<&str> {
+        let is_on = |pair: &ContactPair| {
+            let s = signed_coordinate(pair, place).abs();
+            s <= pair.stretch * (1.0 + OFF) && off_the_side(self.scene, pair, place).is_none()
+        };
+        let other = self.scene.contacts.iter().find(|other| other.name != own.name && is_on(other));
+        other.filter(|_| !is_on(own)).map(|other| other.name.as_str())
+    }
+
     /// The point of a line of a contact.
     fn point(&self, contact: usize, line: &str, cells: &[String]) -> Result<Point, Error> {
         let pair = &self.scene.contacts[contact];
@@ -250,6 +260,19 @@ impl Reader<'_> {
         };
         let value = number(Role::Pressure)?.map_or_else(|| number(Role::Force), |pressure| Ok(Some(pressure)))?;
         let value = self.asked.sign() * value.unwrap_or(f64::NAN);
+        let place = number(Role::X)?.map(|x| Ok([x, number(Role::Y)?.unwrap_or(pair.path.origin()[1])])).transpose()?;
+        if let Some((place, other)) = place.and_then(|place| Some((place, self.elsewhere(pair, place)?)))
+            && value.abs() > 0.0
+        {
+            let [x, y] = place;
+            let message =
+                format!("the point {x}, {y} mm lies on contact `{other}`, beyond the stretch of `{}`", pair.name);
+            return Err(self.source.at(
+                line,
+                message,
+                "hand in the points of each contact, which a column `contact` names",
+            ));
+        }
         Ok(Point { position, value, area: number(Role::Area)?, gap: number(Role::Gap)? })
     }
 }
