@@ -601,6 +601,10 @@ fn bodies_whose_opposite_contacts_end_near_one_another_are_fitted_to_either() {
             assert_relative_eq!(contact.measures.half_width(), half_width, max_relative = 1.5e-4);
         }
     }
+    // A point that is held on such a side has its node.
+    let held = "contact = \"bottom\" } }\nsupports = [{ at = \"left\", component = \"x\" }";
+    let at_point = [[held, &format!("{held}, {{ at = [8.0, -3.0], component = \"y\" }}")]];
+    solved(Fitted::of_digits(4), &scene("plate-between-unlike-rollers", &at_point).scene);
 }
 
 /// Small cells at the end of a contact stand beside one that is as long as the way from there to the corner.

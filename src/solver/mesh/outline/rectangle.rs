@@ -35,7 +35,7 @@ pub(super) fn blocks(layout: &Layout, x: [f64; 2], y: [f64; 2], contact: Face) -
     let far = layout.points.iter().filter(|point| has_ends && point[1] == opposite).map(|point| point[0]);
     let moved = spacing::through(&along, &far.collect::<Vec<_>>());
     let far = if moved.len() == along.len() { moved } else { along.clone() };
-    let [along, far] = each_alone(layout, x, y[1] - y[0]).unwrap_or([along, far]);
+    let [along, far] = each_alone(layout, x, y).unwrap_or([along, far]);
     let of = |height: f64| if height == opposite { &far } else { &along };
     vec![Block {
         bottom: Side::named(bottom, layout.along(of(y[0]), |x| [x, y[0]])),
@@ -45,10 +45,12 @@ pub(super) fn blocks(layout: &Layout, x: [f64; 2], y: [f64; 2], contact: Face) -
     }]
 }
 
-/// Positions on the contact and on the opposite one, each with the lines of its own alone; none where they are not as many, or lean too far.
-fn each_alone(layout: &Layout, x: [f64; 2], height: f64) -> Option<[Vec<f64>; 2]> {
-    let [along, far] = layout.each_of_two()?.map(|alone| columns(&alone, x, &[]));
-    can_lean([&along, &far], height).then_some([along, far])
+/// Positions on the contact and on the opposite one, each with the lines of its own alone; none where they are not as many, lean too far, or a
+/// point is held or pressed there.
+fn each_alone(layout: &Layout, x: [f64; 2], y: [f64; 2]) -> Option<[Vec<f64>; 2]> {
+    let has_points = layout.points.iter().any(|point| y.contains(&point[1]));
+    let [along, far] = layout.each_of_two().filter(|_| !has_points)?.map(|alone| columns(&alone, x, &[]));
+    can_lean([&along, &far], y[1] - y[0]).then_some([along, far])
 }
 
 /// Positions along the contact: from the left side on, or from the path's origin on to both sides; with the places of points that are held
