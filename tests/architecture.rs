@@ -212,12 +212,12 @@ fn matrix_types_of_libraries_stay_inside_the_numerics() {
 
 /// Lines that a room may have; raised only by a commit that says what for.
 const BUDGETS: [(&str, usize); 9] = [
-    ("solver", 24_141),
+    ("solver", 24_146),
     ("drawing", 2_744),
     ("case", 8_144),
     ("oracle", 1_439),
     ("study", 15_005),
-    ("referee", 7_974),
+    ("referee", 7_984),
     ("report", 3_156),
     ("cli", 4_650),
     ("live", 417),

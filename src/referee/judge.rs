@@ -48,9 +48,11 @@ pub fn judge(truth: &Truth, profile: &Profile, tolerance: f64) -> Ruled {
     let mut judged = vec![bench.half_width()];
     judged.extend(bench.peak(&mut missing));
     judged.extend(bench.profile_norm(&mut missing));
-    judged.extend(bench.alternation());
+    let alternation = bench.alternation();
+    let swing = alternation.as_ref().map_or(0.0, |alternation| alternation.value);
+    judged.extend(alternation);
     judged.extend(bench.lone());
-    judged.extend(bench.beside_ends(&mut missing));
+    judged.extend(bench.beside_ends(swing, &mut missing));
     if profile.has_means {
         missing.push(["pressures at single points".into(), MEANS.into()]);
     }
@@ -188,8 +190,9 @@ impl Bench<'_> {
     }
 
     /// The worst of the last points before an end, which [`Self::lone`] passes by, where its pressure is none that the truth has within a quarter of
-    /// an edge of there, by more than one point may be off. Where the pressure has no limit they are not judged.
-    fn beside_ends(&self, missing: &mut Vec<[String; 2]>) -> Option<Judged> {
+    /// an edge of there, by more than one point may be off and those within the contact swing, which is judged there. Where the pressure has no limit
+    /// they are not judged.
+    fn beside_ends(&self, swing: f64, missing: &mut Vec<[String; 2]>) -> Option<Judged> {
         let Profile { contact, alone, across, order, lines, .. } = self.profile;
         // Pressures alone have middles of straight lines between them.
         let (nodes, reach) = (if lines.is_empty() { usize::from(order.number()) } else { 1 }, self.reach());
@@ -221,11 +224,11 @@ impl Bench<'_> {
         let (place, [p, low, high]) =
             (places(self.profile.pair(), &[s]), [p, low, high].map(|one| significant(one, 4)));
         let quantity = format!(
-            "departure before an end, at {place}: {p} for {low} to {high} MPa a quarter of an edge around, over the peak"
+            "pressure beside an end, at {place}: {p}, where the truth has {low} to {high} MPa within a quarter of an edge, over the peak"
         );
         let because = "the tolerance, the bar of the reference, and what one point of an answer may be off";
         // Corners of 8-node cells have a third of an edge.
-        let allowed = self.tolerance + SPIKE * nodes as f64 + known.bar;
+        let allowed = self.tolerance + SPIKE * nodes as f64 + swing + known.bar;
         let check = Check::error(case::Quantity::at(quantity, ""), known.reference.clone(), allowed, because);
         Some(self.ruled(check, error, known)).filter(|judged| judged.verdict == Verdict::Fail)
     }

@@ -112,10 +112,11 @@ fn states(scene: &Scene, pair: &ContactPair, points: &[Point], order: Order, for
 }
 
 /// Places and pressures of nodes by their forces. Corners and mid-sides of 8-node cells have by turns a third and two thirds of an edge: where no areas
-/// are told, whatever is said of the order, they are those of the order by which they vary less.
+/// are told, whatever is said of these two orders, they are those of the order by which they vary less.
 fn of_nodes(scene: &Scene, handed: &Handed, states: &[PointState]) -> Vec<[f64; 2]> {
     let points = &handed.points;
-    if scene.is_of_revolution() || states.len() < points.len() || points.iter().any(|point| point.area.is_some()) {
+    let has_areas_between = handed.order > Order::Quadratic || scene.is_of_revolution();
+    if has_areas_between || states.len() < points.len() || points.iter().any(|point| point.area.is_some()) {
         let pressed = |state: &PointState| [state.position, state.pressure];
         return states.iter().map(pressed).filter(|[_, p]| p.is_finite()).collect();
     }
@@ -129,7 +130,7 @@ fn of_nodes(scene: &Scene, handed: &Handed, states: &[PointState]) -> Vec<[f64; 
     // Without a last one that lies beyond the others.
     let by_turns = of(Order::Quadratic, &points[..points.len() - 1 + points.len() % 2]);
     let own = of(Order::Linear, points);
-    if varies(&by_turns) < varies(&own) { by_turns } else { own }
+    if varies(&by_turns) < varies(&own[..by_turns.len()]) { by_turns } else { own }
 }
 
 /// Part of the largest position that rounding explains.

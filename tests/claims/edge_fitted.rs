@@ -605,6 +605,9 @@ fn bodies_whose_opposite_contacts_end_near_one_another_are_fitted_to_either() {
     let held = "contact = \"bottom\" } }\nsupports = [{ at = \"left\", component = \"x\" }";
     let at_point = [[held, &format!("{held}, {{ at = [8.0, -3.0], component = \"y\" }}")]];
     solved(Fitted::of_digits(4), &scene("plate-between-unlike-rollers", &at_point).scene);
+    // Contacts of one side are no opposite ones; the peak of 8-node cells.
+    let one_side = solved(Fitted::of_digits(3), &scene("two-on-the-far-side", &[]).scene);
+    assert_relative_eq!(one_side.run.measures().peak.pressure, 674.7, max_relative = 3e-4);
 }
 
 /// Small cells at the end of a contact stand beside one that is as long as the way from there to the corner.

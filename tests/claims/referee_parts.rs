@@ -12,7 +12,7 @@ use contact_vv::referee::export::deck;
 use contact_vv::referee::judge::{ENGINEERING, TENSION};
 use contact_vv::referee::units::Role;
 use contact_vv::referee::{Asked, Truth, calculix, verdicts};
-use contact_vv::solve::{Discretisation, Formulation, Run};
+use contact_vv::solve::{Discretisation, Fitted, Formulation, Run};
 use serde_json::{Value, json};
 
 use crate::balance::solved_as_it_says;
@@ -698,6 +698,13 @@ fn nodal_forces_that_alternate_or_of_which_one_is_off_are_no_answer() {
             assert_ne!(moved, [""; 0], "{name}");
         }
     }
+    // Nodes of cells of order 8 have areas of their own.
+    let truth = truth("truncated-hertz");
+    let answer = Fitted::of_digits(6).solve(&truth.case.scene, &Formulation::verification()).expect("solved");
+    let rows = answer.run.solution.points.iter().map(|p| format!("{},{}\n", p.position, p.pressure * p.weight));
+    let text = format!("position [mm],force [N]\n{}", rows.collect::<String>());
+    let asked = Asked { order: Some(Order::Octic), ..Asked::default() };
+    assert_eq!(failed(&judged_as(truth, "eight.csv", &text, &asked)), [""; 0]);
 }
 
 #[test]
@@ -715,7 +722,8 @@ fn the_point_on_an_axis_and_the_last_ones_before_an_end_are_judged() {
         {
             assert_eq!(named(edges, at, 1.0), [""; 0], "{name}");
             let named = named(edges, at, times);
-            assert!(named.iter().any(|one| one.starts_with("departure")), "{name}, {at}: {named:?}");
+            let is_told = |one: &String| one.starts_with("departure") || one.starts_with("pressure beside an end");
+            assert!(named.iter().any(is_told), "{name}, {at}: {named:?}");
         }
     }
     let flat = truth("flat-punch");

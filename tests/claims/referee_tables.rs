@@ -174,7 +174,11 @@ fn rows_that_begin_with_the_mark_of_a_comment_are_rows() {
             let pressure = if k == 20 { mark.to_owned() } else { ellipse::pressure(s).to_string() };
             format!("{pressure};{s}\n")
         };
-        format!("CPRESS;x\n# of step 2\n{}# by hand\n#0.5;1e9\n", places().enumerate().map(row).collect::<String>())
+        let said = "# peak pressure;100\n# load [N];314.16";
+        format!(
+            "CPRESS;x\n# of step 2\n{said}\n{}# by hand\n#0.5;1e9\n",
+            places().enumerate().map(row).collect::<String>()
+        )
     };
     for mark in ["#N/A", "#NV", "#DIV/0!", "#REF!", "********", "!", "$"] {
         refused("theirs.csv", text(mark), &usual(), &[&format!("is `{mark}`, which is no number")]);

@@ -11,14 +11,20 @@ pub fn comment(line: &str) -> Option<&str> {
     Some(line[mark.len()..].trim_start_matches(*mark).trim())
 }
 
-/// Whether a line that begins as comments do is a row of so many cells, of which the first is no number, as `#N/A` and `****` are none: a row that is
-/// taken out has a number behind the mark, and where blanks separate cells the mark alone is one of a comment.
+/// What spreadsheets write where a cell has no number.
+const NO_NUMBER: [&str; 12] = [
+    "#N/A", "#NV", "#NUM!", "#ZAHL!", "#DIV/0!", "#REF!", "#BEZUG!", "#VALUE!", "#WERT!", "#NULL!", "#NAME?",
+    "#VALEUR!",
+];
+
+/// Whether a line that begins as comments do is a row of so many cells, of which the first is no number: one of [`NO_NUMBER`], or marks alone, as
+/// where a number was too wide; where blanks separate cells a mark alone is one of a comment.
 pub(super) fn is_marked_row(line: &str, mark: char, wanted: usize) -> bool {
     let own = fitting(line, mark, wanted);
     let [first, others @ ..] = &own[..] else { return false };
-    let is_taken_out = comment(first).is_some_and(|said| number(said).is_some());
-    let is_mark = mark == ' ' && COMMENTS.contains(&first.as_str());
-    own.len() == wanted && others.iter().any(|cell| number(cell).is_some()) && !is_taken_out && !is_mark
+    let is_marks = comment(first) == Some("") && (mark != ' ' || first.len() > 1);
+    let is_none = NO_NUMBER.contains(&first.to_uppercase().as_str()) || is_marks;
+    own.len() == wanted && is_none && others.iter().any(|cell| number(cell).is_some())
 }
 
 /// The cells of a line, without blanks and quotes around them; where blanks separate them, a unit in brackets belongs to the name before it.

@@ -54,7 +54,8 @@ pub fn finer(scene: &Scene, resolution: Resolution) -> (Scene, Resolution) {
 /// The scene with the same elements on the contacts and gentler growth away from them; none where no far cell decides.
 ///
 /// Far cells are few on a body that bends, approximate a curved side by chords, are large at the corner of a clamped side and where a load ends
-/// within a side, and all of a body takes part where bodies are pressed by their interference: coarser meshes may have the same ones, and what they leave cancels from every difference.
+/// within a side; all of a body takes part where bodies are pressed by their interference. Coarser meshes may have the same cells there, and what
+/// these leave cancels from every difference.
 pub fn gentler(scene: &Scene, resolution: Resolution) -> Option<(Scene, Resolution)> {
     let has_other_family = scene.bodies.iter().any(|body| matches!(body.shape, Shape::Given(_)))
         || scene.contacts.iter().any(|pair| !pair.ends.places.is_empty());

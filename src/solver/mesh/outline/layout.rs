@@ -102,7 +102,9 @@ impl<'a> Layout<'a> {
     /// The same of both contacts, on opposite sides, where they are all that the body has, their ends are known and differ: lines of both side by
     /// side would leave no room for layers towards either.
     pub fn each_of_two(&self) -> Option<[Self; 2]> {
-        let pairs = self.opposite.filter(|_| self.ends.is_some() && self.several.len() == 2)?;
+        let has_ends = |pairs: &[&ContactPair; 2]| pairs.iter().all(|pair| !pair.ends.places.is_empty());
+        let are_two = |pairs: &[&ContactPair; 2]| self.several.len() == 2 && !std::ptr::eq(pairs[0], pairs[1]);
+        let pairs = self.opposite.filter(has_ends).filter(are_two)?;
         Some(pairs.map(|pair| self.alone(pair)))
     }
 
@@ -191,7 +193,7 @@ const LEAN: f64 = 0.5;
 
 /// Whether lines can be drawn from such places on one side to those on the opposite one, which lies so high: they are as many, and none leans
 /// too far.
-pub(crate) fn can_lean([low, high]: [&[f64]; 2], height: f64) -> bool {
+pub(super) fn can_lean([low, high]: [&[f64]; 2], height: f64) -> bool {
     low.len() == high.len() && low.iter().zip(high).all(|(low, high)| (low - high).abs() <= LEAN * height)
 }
 

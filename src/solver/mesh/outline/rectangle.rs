@@ -46,9 +46,9 @@ pub(super) fn blocks(layout: &Layout, x: [f64; 2], y: [f64; 2], contact: Face) -
 }
 
 /// Positions on the contact and on the opposite one, each with the lines of its own alone; none where they are not as many, lean too far, or a
-/// point is held or pressed there.
+/// point that is no corner is held or pressed there.
 fn each_alone(layout: &Layout, x: [f64; 2], y: [f64; 2]) -> Option<[Vec<f64>; 2]> {
-    let has_points = layout.points.iter().any(|point| y.contains(&point[1]));
+    let has_points = layout.points.iter().any(|point| y.contains(&point[1]) && !x.contains(&point[0]));
     let [along, far] = layout.each_of_two().filter(|_| !has_points)?.map(|alone| columns(&alone, x, &[]));
     can_lean([&along, &far], y[1] - y[0]).then_some([along, far])
 }
