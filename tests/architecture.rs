@@ -216,7 +216,7 @@ const BUDGETS: [(&str, usize); 9] = [
     ("drawing", 2_744),
     ("case", 8_144),
     ("oracle", 1_439),
-    ("study", 15_005),
+    ("study", 15_015),
     ("referee", 7_984),
     ("report", 3_156),
     ("cli", 4_650),

@@ -173,7 +173,8 @@ def main():
 def write(record):
     if LIST != ROOT / "tests/faults/faults.toml":
         return
-    RECORD.write_text(json.dumps({"record": record}, indent=1, ensure_ascii=False) + "\n")
+    lines = ",\n".join("  " + json.dumps(one, ensure_ascii=False) for one in record)
+    RECORD.write_text(f'{{"record": [\n{lines}\n]}}\n')
 
 
 if __name__ == "__main__":

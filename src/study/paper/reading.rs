@@ -260,8 +260,8 @@ impl Reading {
     }
 }
 
-/// Departures in words: `candidates end where the contact does and runs stop by contact state; or the cap is 20, or 30`.
-pub fn told<'a>(readings: impl IntoIterator<Item = &'a Reading>) -> String {
+/// Departures in words: `candidates end where the contact does and runs stop by contact state`, `the cap is 20, or 30`.
+pub fn told<'a>(readings: impl IntoIterator<Item = &'a Reading>) -> Vec<String> {
     let departure = |reading: &Reading| {
         let axes = reading.axes();
         let (last, before) = axes.split_last()?;
@@ -269,5 +269,5 @@ pub fn told<'a>(readings: impl IntoIterator<Item = &'a Reading>) -> String {
         Some((before.collect::<String>() + last.name(), reading.choice(*last)))
     };
     let groups = in_order(readings.into_iter().filter_map(departure)).into_iter();
-    groups.map(|(begins, choices)| format!("{begins} {}", choices.join(", or "))).collect::<Vec<_>>().join("; or ")
+    groups.map(|(begins, choices)| format!("{begins} {}", choices.join(", or "))).collect()
 }

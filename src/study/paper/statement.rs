@@ -364,7 +364,7 @@ fn statement(sentence: Sentence, nearest: &[Seen; 2], fared: &Fared) -> Statemen
         Sentence::LineAlways | Sentence::Proviso | Sentence::KinematicAlways => format!(", {}", scenes()),
         _ => String::new(),
     };
-    let measured = [sentence.numbers(nearest) + &on, fared.at(), fared.told()];
+    let measured = [vec![sentence.numbers(nearest) + &on, fared.at()], fared.clauses()].concat();
     let measured = starts.iter().chain(&measured).map(|one| markdown::capitalised(one));
     Statement {
         text: sentence.name(),
@@ -477,16 +477,26 @@ impl Fared {
 
     /// Which choices flip it, in words.
     pub fn told(&self) -> String {
+        self.clauses().join("; ")
+    }
+
+    /// The same, clause by clause.
+    fn clauses(&self) -> Vec<String> {
         let otherwise = self.otherwise();
-        let part = |begins: String, of: &[Reading]| (!of.is_empty()).then(|| format!("{begins} {}", told(of)));
-        let parts = [
-            part(otherwise.into(), &self.flips),
-            part(format!("{otherwise} together"), &self.together),
-            part("not so if".into(), &self.undone),
+        let clause = |begins: &str, (k, one): (usize, String)| format!("{} {one}", if k == 0 { begins } else { "or" });
+        let all = [
+            (otherwise.to_owned(), &self.flips),
+            (format!("{otherwise} together"), &self.together),
+            ("not so if".into(), &self.undone),
         ];
-        let parts: Vec<String> = parts.into_iter().flatten().collect();
-        let told = if parts.is_empty() { "none flips it".into() } else { parts.join("; ") };
-        format!("of {} departures counted: {told}", self.counted)
+        let all =
+            all.iter().flat_map(|(begins, of)| told(*of).into_iter().enumerate().map(move |one| clause(begins, one)));
+        let mut all: Vec<String> = all.collect();
+        if all.is_empty() {
+            all.push("none flips it".into());
+        }
+        all[0] = format!("of {} departures counted: {}", self.counted, all[0]);
+        all
     }
 
     /// The judgement that follows of a sentence.
@@ -499,7 +509,7 @@ impl Fared {
             0 => Judgement::NotReproduced,
             some if some < JUDGED.len() => Judgement::OnlyIf(format!("the tolerance is {}", at.join(" or "))),
             _ if by_rule.is_empty() || of.by_start().is_some() => Judgement::Reproduced,
-            _ => Judgement::Undecidable(format!("{} {}", self.otherwise(), told(by_rule))),
+            _ => Judgement::Undecidable(format!("{} {}", self.otherwise(), told(by_rule).join("; or "))),
         }
     }
 }
