@@ -15,8 +15,8 @@ pub fn root() -> PathBuf {
     chosen().unwrap_or_else(|| env!("CARGO_MANIFEST_DIR").into())
 }
 
-/// The checkout that commands write to, wherever the program was built: what [`CHECKOUT`] names in the environment, else the one that
-/// the working directory lies in; none outside of any.
+/// The checkout that commands write to, wherever the program was built: what [`CHECKOUT`] names in the environment,
+/// else the one that the working directory lies in; none outside of any.
 pub fn chosen() -> Option<PathBuf> {
     if let Some(named) = env::var_os(CHECKOUT).filter(|named| !named.is_empty()) {
         return Some(named.into());
@@ -38,8 +38,9 @@ pub fn sha256(bytes: &[u8]) -> String {
 /// Digits of a digest that are kept: what changes by chance to the same 64 bits need not be told apart.
 const KEPT: usize = 16;
 
-/// The first digits of the SHA-256 of files, of all files below folders and of functions, as `tests/digest.py` has it: of the lines `hash  name` of each, in
-/// the order of the names, which begin below `root`. `path: line` is the text of the functions of a file that begin with this line.
+/// The first digits of the SHA-256 of files, of all files below folders and of functions, as `tests/digest.py` has it:
+/// of the lines `hash  name` of each, in the order of the names, which begin below `root`. `path: line` is the text of
+/// the functions of a file that begin with this line.
 ///
 /// Hidden files do not count, nor what Python and cargo leave behind: every checkout of a commit has the same digest.
 pub fn digest<S: AsRef<str>>(root: &Path, names: &[S]) -> Result<String> {
@@ -66,7 +67,8 @@ fn functions(text: &str, head: &str) -> String {
     begins.flat_map(of).copied().collect::<Vec<_>>().join("\n")
 }
 
-/// Paths of files and of all files below folders, sorted, without hidden ones and those that Python and cargo leave behind.
+/// Paths of files and of all files below folders, sorted, without hidden ones and those that Python and cargo leave
+/// behind.
 pub fn files<S: AsRef<str>>(root: &Path, names: &[S]) -> Result<Vec<String>> {
     let mut files = Vec::new();
     for name in names {

@@ -1,6 +1,8 @@
-//! Égert's 1999 comparison of contact elements and iterations for frictionless elastic contact in 2D, implemented and verified.
+//! Égert's 1999 comparison of contact elements and iterations for frictionless elastic contact in 2D, implemented and
+//! verified.
 //!
-//! The solver is the crate [`signorini`], from a scene to numbers with error bars; its modules are those of this crate too. On it stand
+//! The solver is the crate [`signorini`], from a scene to numbers with error bars; its modules are those of this crate
+//! too. On it stand
 //!
 //! * [`oracle`] — independent truth.
 //! * [`mod@case`] — claims: problems and checks.
@@ -9,7 +11,8 @@
 //! * [`report`] — the page.
 //! * [`cli`] — what the user types.
 //!
-//! Beside them stand [`checkout`], where the project's files are, the crate [`drawing`], and [`markdown`], how results are drawn and written.
+//! Beside them stand [`checkout`], where the project's files are, the crate [`drawing`], and [`markdown`], how results
+//! are drawn and written.
 
 pub use drawing;
 use signorini::named;

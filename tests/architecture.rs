@@ -1,5 +1,5 @@
-//! The chain holds: every module imports only the links before it, no files of a folder import one another in a circle, and
-//! three traits are all there are.
+//! The chain holds: every module imports only the links before it, no files of a folder import one another in a circle,
+//! and three traits are all there are.
 
 #[path = "architecture/imports.rs"]
 mod imports;
@@ -115,7 +115,8 @@ fn import_check_bites() {
     }
 }
 
-/// What a study imports from another; what is shared lies beside the studies. What stands in the folder of no study is shared.
+/// What a study imports from another; what is shared lies beside the studies. What stands in the folder of no study is
+/// shared.
 fn of_another_study(source: &Source, studies: &BTreeSet<String>) -> Vec<String> {
     let own = source.module.get(1).filter(|own| source.link() == "study" && studies.contains(*own));
     let Some(own) = own else { return Vec::new() };
@@ -212,15 +213,15 @@ fn matrix_types_of_libraries_stay_inside_the_numerics() {
 
 /// Lines that a room may have; raised only by a commit that says what for.
 const BUDGETS: [(&str, usize); 9] = [
-    ("solver", 24_146),
-    ("drawing", 2_744),
-    ("case", 8_144),
-    ("oracle", 1_439),
-    ("study", 15_015),
-    ("referee", 7_984),
-    ("report", 3_156),
-    ("cli", 4_650),
-    ("live", 417),
+    ("solver", 24_433),
+    ("drawing", 2_758),
+    ("case", 8_224),
+    ("oracle", 1_450),
+    ("study", 15_213),
+    ("referee", 8_147),
+    ("report", 3_198),
+    ("cli", 4_681),
+    ("live", 421),
 ];
 
 #[test]

@@ -1,5 +1,5 @@
-//! What is frozen besides the runs of the paper's scenes: every mesh, every number of the scene files, of meshes fitted to their
-//! contacts and of some random scenes.
+//! What is frozen besides the runs of the paper's scenes: every mesh, every number of the scene files, of meshes fitted
+//! to their contacts and of some random scenes.
 //!
 //! A change that leaves all truths within their tolerances shows here.
 

@@ -13,7 +13,8 @@ use crate::oracle::ReferenceKind;
 use crate::solve::Run;
 
 impl Judged {
-    /// The number that is judged, where it has an error bar: what is taken at a place has none, nor an error that is judged.
+    /// The number that is judged, where it has an error bar: what is taken at a place has none, nor an error that is
+    /// judged.
     pub fn barred(&self) -> Option<&Number> {
         let number = self.check.quantity.number().filter(|_| self.check.relation != Relation::Error)?;
         let is_at_place = matches!(number, Number::Pressure { .. } | Number::HoopStress { .. });
@@ -26,7 +27,8 @@ impl Judged {
         near && self.reference.kind == ReferenceKind::Analytic
     }
 
-    /// The check with the bar of the number that it judges; NaN where that is among those that have one, and it is not known.
+    /// The check with the bar of the number that it judges; NaN where that is among those that have one, and it is not
+    /// known.
     pub fn with_bar(self, bars: &[Barred]) -> Self {
         let (contact, factor) = (self.check.contact, self.check.quantity.factor());
         let of = |number: &Number| {
@@ -46,14 +48,15 @@ impl Judged {
         self.bar_as_error().is_some_and(|bar| !bar.is_nan())
     }
 
-    /// Whether the error is within the bar and what the closed form itself may be off; none where the number has no bar or is not
-    /// held against a closed form, false where the bar is not known.
+    /// Whether the error is within the bar and what the closed form itself may be off; none where the number has no bar
+    /// or is not held against a closed form, false where the bar is not known.
     pub fn is_within_bar(&self) -> Option<bool> {
         self.bar_as_error().filter(|_| self.is_of_closed_form()).map(|bar| self.error <= bar + self.check.model)
     }
 }
 
-/// Difference of a force from the load of its closed form, over the latter, beyond which it is noted: loads are told to three digits.
+/// Difference of a force from the load of its closed form, over the latter, beyond which it is noted: loads are told to
+/// three digits.
 const LOAD: f64 = 1e-3;
 /// The same where the bar of the force is not known.
 const UNBARRED: f64 = 1e-2;
@@ -63,8 +66,8 @@ const NOTED: f64 = 0.05;
 const DIGITS: f64 = 1e-6;
 
 impl Case {
-    /// Peak, second-moment width and force of a converged run, each held against what the closed form of its contact says: it shall be
-    /// within its bar and what the case states of the closed form. Bars that are not given are none.
+    /// Peak, second-moment width and force of a converged run, each held against what the closed form of its contact
+    /// says: it shall be within its bar and what the case states of the closed form. Bars that are not given are none.
     pub fn beside_closed_forms(&self, run: &Run, bars: &[Barred]) -> Vec<Judged> {
         let contacts = (0..run.contacts.len()).filter(|_| run.solution.converged());
         contacts.flat_map(|contact| self.beside_closed_form(run, bars, contact)).collect()
@@ -102,7 +105,8 @@ impl Case {
         judged.collect()
     }
 
-    /// What the case states that its closed form is off: for the quantity, else the most that it states for any, else for all.
+    /// What the case states that its closed form is off: for the quantity, else the most that it states for any, else
+    /// for all.
     pub fn model_error(&self, contact: usize, quantity: &Quantity) -> f64 {
         let analytic = |check: &&Check| match &check.against {
             Against::Oracle => true,
@@ -115,8 +119,8 @@ impl Case {
         own.unwrap_or_else(|| stated().map(|check| check.model).fold(self.model, f64::max))
     }
 
-    /// What the closed forms say that the run contradicts, with both numbers: another load than the contact carries, or a contact
-    /// that no mesh and no stated model error explains.
+    /// What the closed forms say that the run contradicts, with both numbers: another load than the contact carries, or
+    /// a contact that no mesh and no stated model error explains.
     pub fn notes(&self, run: &Run, bars: &[Barred]) -> Vec<String> {
         let beyond = |one: &Judged| {
             let is_known = one.bar.is_some_and(f64::is_finite);
@@ -153,17 +157,20 @@ impl Case {
                     (false, false) => "the whole of it",
                 };
                 format!(
-                    "the closed form of contact `{contact}` is not of this scene: {name} has a load of {closed} N, and the contact carries {found} N, {whole}"
+                    "the closed form of contact `{contact}` is not of this scene: {name} has a load of {closed} N, and \
+                    the contact carries {found} N, {whole}"
                 )
             }
             _ => format!(
-                "the closed form of contact `{contact}` is not of this scene, or leaves more out than its checks state as `model-error`: {} is {closed} {unit} by {name}, and {found} {unit} here",
+                "the closed form of contact `{contact}` is not of this scene, or leaves more out than its checks state \
+                as `model-error`: {} is {closed} {unit} by {name}, and {found} {unit} here",
                 check.quantity.name()
             ),
         }
     }
 
-    /// The numbers of a run beside its closed forms as checks of the suite: each error over its bar and the model error stated.
+    /// The numbers of a run beside its closed forms as checks of the suite: each error over its bar and the model error
+    /// stated.
     pub fn held_to_closed_forms(&self, meshed: &Meshed, run: &Run) -> Result<Vec<Judged>, Error> {
         if self.oracles.iter().flatten().next().is_none() || !run.solution.converged() {
             return Ok(Vec::new());
@@ -189,8 +196,8 @@ impl Case {
         Check::error(quantity, reference, 1.0, because).judge(error / check.tolerance)
     }
 
-    /// Judged checks of a converged run with the bars of their numbers; what coarser meshes say is solved for once for each
-    /// contact element, and for no check that has no bar.
+    /// Judged checks of a converged run with the bars of their numbers; what coarser meshes say is solved for once for
+    /// each contact element, and for no check that has no bar.
     pub(super) fn with_bars(&self, meshed: &Meshed, run: &Run, judged: Vec<Judged>) -> Result<Vec<Judged>, Error> {
         let barred: Vec<&Number> = judged.iter().filter_map(Judged::barred).collect();
         if barred.is_empty() || !run.solution.converged() {

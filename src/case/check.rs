@@ -71,8 +71,8 @@ pub struct Check {
     pub against: Against,
     /// The largest error accepted.
     pub tolerance: f64,
-    /// What a closed form itself may be off for this scene, as the case states it: relative to the reference, absolute where that
-    /// is 0.
+    /// What a closed form itself may be off for this scene, as the case states it: relative to the reference, absolute
+    /// where that is 0.
     pub model: f64,
     /// Why this tolerance.
     pub because: Cow<'static, str>,
@@ -98,7 +98,8 @@ impl Reference {
         Self { value: factor * self.value, uncertainty: self.uncertainty.map(|u| factor.abs() * u), ..self }
     }
 
-    /// What an oracle reads for a number of a contact of a scene, in its own unit; NaN, which no check passes, where it cannot say.
+    /// What an oracle reads for a number of a contact of a scene, in its own unit; NaN, which no check passes, where it
+    /// cannot say.
     pub fn of(oracle: &dyn Oracle, scene: &Scene, contact: usize, quantity: &measure::Quantity) -> Self {
         let (value, uncertainty) = match oracle.read(quantity.known_by(&scene.contacts[contact])) {
             Reading::Value { value, uncertainty } => (value, Some(uncertainty)),

@@ -32,7 +32,8 @@ pub struct Case {
     pub formulations: Vec<Formulation>,
     /// Independent truth of each contact, in the order of the scene; what is left out has none.
     pub oracles: Vec<Option<SharedOracle>>,
-    /// What its closed forms may be off of the scene, relative, where no check states it: 0 where they are of the very scene.
+    /// What its closed forms may be off of the scene, relative, where no check states it: 0 where they are of the very
+    /// scene.
     pub model: f64,
     /// What shall hold; a case without checks is reported.
     pub checks: Vec<Check>,
@@ -101,13 +102,14 @@ impl Case {
         self.oracles.get(contact)?.as_ref()
     }
 
-    /// The pressure of a contact's oracle at a contact coordinate \[MPa\]; NaN where there is no oracle or it cannot say.
+    /// The pressure of a contact's oracle at a contact coordinate \[MPa\]; NaN where there is no oracle or it cannot
+    /// say.
     pub fn reference_pressure(&self, contact: usize, at: f64) -> f64 {
         self.reading(contact, &Number::Pressure { at }).value
     }
 
-    /// What the oracle of a contact reads for a number of the scene, in its own unit; NaN, which no check passes, where there is no oracle
-    /// or it cannot say.
+    /// What the oracle of a contact reads for a number of the scene, in its own unit; NaN, which no check passes, where
+    /// there is no oracle or it cannot say.
     pub fn reading(&self, contact: usize, quantity: &Number) -> Reference {
         match self.oracle_of(contact) {
             Some(oracle) => Reference::of(oracle.as_ref(), &self.scene, contact, quantity),

@@ -44,7 +44,8 @@ pub struct Judged {
     pub value: f64,
     /// Its standard uncertainty, in its unit; none where it is not known.
     pub uncertainty: Option<f64>,
-    /// How far the value may be from the truth of the scene, in its unit; none where it has no error bar, or was asked for none.
+    /// How far the value may be from the truth of the scene, in its unit; none where it has no error bar, or was asked
+    /// for none.
     pub bar: Option<f64>,
     /// What it was held against.
     pub reference: Reference,
@@ -88,7 +89,8 @@ impl Check {
 }
 
 impl Judged {
-    /// The same, not judged where it misses its tolerance by no more than an iteration error that was accepted beforehand.
+    /// The same, not judged where it misses its tolerance by no more than an iteration error that was accepted
+    /// beforehand.
     pub fn as_far_as(self, iteration: f64) -> Self {
         let is_relative = matches!(self.check.relation, Relation::Near | Relation::Error);
         let may_be_the_iteration = is_relative && self.error <= self.check.tolerance + iteration;
@@ -129,7 +131,8 @@ impl Judged {
     }
 }
 
-/// `|E| ≤ k u_val` of the difference E with k = 2 (ASME V&V 20-2009, 1-5), for a quantity against a reference; what the uncertainty is made of is said.
+/// `|E| ≤ k u_val` of the difference E with k = 2 (ASME V&V 20-2009, 1-5), for a quantity against a reference; what the
+/// uncertainty is made of is said.
 pub fn covered(of: &str, reference: Reference, comparison: Comparison, sources: &str) -> Judged {
     let Comparison { error, uncertainty } = comparison;
     let because = format!(
@@ -147,15 +150,17 @@ pub fn worst<'a>(judged: impl IntoIterator<Item = &'a Judged>) -> Option<&'a Ver
     judged.into_iter().map(|judged| &judged.verdict).max_by_key(|verdict| verdict.mark())
 }
 
-/// Errors below are round-off, and shares of the tolerance that differ by less are alike: which of such runs is worst, machines disagree.
+/// Errors below are round-off, and shares of the tolerance that differ by less are alike: which of such runs is worst,
+/// machines disagree.
 const ROUND_OFF: f64 = 5e-10;
 const ALIKE: f64 = 1e-6;
 
 /// Case of a check that runs of several cases are asked for, in the record of checks.
 pub const EVERY_RUN: &str = "every run";
 
-/// What is asked, once each, with its runs, the worst first: checks that hold the same quantity to the same tolerance of the same
-/// reference ask one thing of several runs; of a self-consistency the runs may have places, references and tolerances of their own.
+/// What is asked, once each, with its runs, the worst first: checks that hold the same quantity to the same tolerance
+/// of the same reference ask one thing of several runs; of a self-consistency the runs may have places, references and
+/// tolerances of their own.
 pub fn requirements<'a, T>(checks: impl IntoIterator<Item = (T, &'a Judged)>) -> Vec<Vec<(T, &'a Judged)>> {
     let mut all: Vec<Vec<(T, &Judged)>> = Vec::new();
     let mut known = BTreeMap::new();

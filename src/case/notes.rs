@@ -9,15 +9,16 @@ use crate::solve::{Element, Run};
 /// Active points and pressed edges on a half-width from which on it is worth quoting.
 pub const RESOLVED: [usize; 2] = [4, 3];
 
-/// Width of a contact over the edge in which it lies, below which it is narrower; where a mesh line lies on its end, round-off
-/// does not count.
+/// Width of a contact over the edge in which it lies, below which it is narrower; where a mesh line lies on its end,
+/// round-off does not count.
 const NARROW: f64 = 0.98;
 
 /// Departure of a pressure from its neighbours' line, over the peak, that no smooth contact on a usable mesh shows.
 const ROUGH: f64 = 0.1;
 
-/// What the solution of a converged run shows of a contact, to be known before it is quoted; one note hides no other: no contact, what a penalty costs, contact on too few points, pressures that oscillate, a
-/// point above its neighbours, an open middle.
+/// What the solution of a converged run shows of a contact, to be known before it is quoted; one note hides no other:
+/// no contact, what a penalty costs, contact on too few points, pressures that oscillate, a point above its neighbours,
+/// an open middle.
 pub fn of(run: &Run, contact: usize) -> Vec<String> {
     if !run.solution.converged() {
         return Vec::new();
@@ -39,11 +40,13 @@ pub fn of(run: &Run, contact: usize) -> Vec<String> {
         let percent = markdown::significant(100.0 * growth, 2);
         match exponent {
             Some(exponent) => format!(
-                "a corner is pressed at s = {position}: the pressure grows as r^-{} towards it, by {percent} % with every halving of the elements, and has no limit",
+                "a corner is pressed at s = {position}: the pressure grows as r^-{} towards it, by {percent} % with \
+                every halving of the elements, and has no limit",
                 markdown::significant(exponent, 2)
             ),
             None => format!(
-                "the peak grows by {percent} % with a halving of the elements: it has no limit, or is narrower than the mesh shows"
+                "the peak grows by {percent} % with a halving of the elements: it has no limit, or is narrower than \
+                the mesh shows"
             ),
         }
     });
@@ -84,7 +87,10 @@ fn unseen(run: &Run, contact: usize) -> impl Iterator<Item = String> {
             true => ("between contact points", "the gap is narrower there than an element: refine the mesh"),
             false => ("beyond the candidates", "widen the candidate stretch, or add a contact there"),
         };
-        format!("{place}, at s = {position}, the surfaces penetrate by {penetration:.2e} mm, {part:.1} % of the approach that the contact's force makes: {remedy}")
+        format!(
+            "{place}, at s = {position}, the surfaces penetrate by {penetration:.2e} mm, {part:.1} % of the \
+            approach that the contact's force makes: {remedy}"
+        )
     })
 }
 

@@ -8,7 +8,8 @@ use crate::scene::{ContactPair, Scene, Shape};
 use crate::solve::run::Contact;
 use crate::solve::{Discretisation, Run};
 
-/// Peak pressure over the contact modulus above which strains are not small: half-width over radius of a cylinder is then 0.2.
+/// Peak pressure over the contact modulus above which strains are not small: half-width over radius of a cylinder is
+/// then 0.2.
 const STRAINED: f64 = 0.1;
 /// Displacement over the size of a body from which on it is not small.
 const SQUEEZED: f64 = 0.1;
@@ -83,7 +84,8 @@ fn strained(scene: &Scene, pair: &ContactPair, contact: &Contact) -> Option<Stri
     if strain > STRAINED && strain.is_finite() {
         let question = told("GPa", &|young| young < YOUNG[0]).unwrap_or_else(|| "is `young` in MPa?".into());
         return Some(format!(
-            "the {what} pressure is {} of the contact modulus, {} MPa: strains are not small, as is assumed; {question}",
+            "the {what} pressure is {} of the contact modulus, {} MPa: strains are not small, as is assumed; \
+            {question}",
             shown(strain),
             shown(modulus)
         ));
@@ -93,7 +95,8 @@ fn strained(scene: &Scene, pair: &ContactPair, contact: &Contact) -> Option<Stri
     question.map(|question| format!("the {what} pressure is only {} of the contact modulus: {question}", shown(strain)))
 }
 
-/// Mean pressure of a contact that transmits a force, both halves, over a width, or around the axis over a circle \[MPa\].
+/// Mean pressure of a contact that transmits a force, both halves, over a width, or around the axis over a circle
+/// \[MPa\].
 fn mean(scene: &Scene, pair: &ContactPair, transmitted: f64, width: f64) -> f64 {
     if pair.path.is_around_axis(scene.plane) {
         return transmitted.abs() / (PI * (width * pair.path.metric()).powi(2));
@@ -123,7 +126,8 @@ fn interference(scene: &Scene, bodies: &[Body], body: usize, deepest: f64) -> Op
     let part = deepest / bodies[body].smallest;
     (part > DEEP).then(|| {
         format!(
-            "the bodies begin {} mm within one another, {:.0} % of the size of `{}`: strains are not small, as is assumed",
+            "the bodies begin {} mm within one another, {:.0} % of the size of `{}`: strains are not small, as is \
+            assumed",
             shown(deepest),
             100.0 * part,
             scene.bodies[body].name
@@ -136,7 +140,8 @@ fn moved(scene: &Scene, bodies: &[Body], body: usize) -> Option<String> {
     let (Body { moved, .. }, size) = (&bodies[body], bodies[body].largest);
     (*moved > SQUEEZED * size && moved.is_finite()).then(|| {
         format!(
-            "`{}` moves by up to {} mm, {:.0} % of its size: displacements are not small, as is assumed; are `young` and the loads meant so?",
+            "`{}` moves by up to {} mm, {:.0} % of its size: displacements are not small, as is assumed; are `young` \
+            and the loads meant so?",
             scene.bodies[body].name,
             shown(*moved),
             100.0 * moved / size

@@ -30,7 +30,8 @@ pub struct Meshed {
 pub type Families = [OnceLock<Family>; Element::ALL.len()];
 
 impl Meshed {
-    /// What coarser meshes say of the contact element of a run, and of the displacements that are wanted: solved for once.
+    /// What coarser meshes say of the contact element of a run, and of the displacements that are wanted: solved for
+    /// once.
     pub(super) fn family(&self, run: &Run, wanted: &[Displaced]) -> &Family {
         let Formulation { element, layer_thickness, .. } = run.formulation;
         let cell = &self.families[element as usize];
@@ -83,8 +84,8 @@ impl Case {
         Ok((meshed, run))
     }
 
-    /// Judges a run: what bounds every run, whether it converged, and of a case with checks these and what every converged run must
-    /// satisfy. A reported run that did not converge is not judged, and says so.
+    /// Judges a run: what bounds every run, whether it converged, and of a case with checks these and what every
+    /// converged run must satisfy. A reported run that did not converge is not judged, and says so.
     pub fn judge(&self, meshed: &Meshed, run: &Run) -> Result<Vec<Judged>, Error> {
         let discretisation = &meshed.discretisation;
         let mut judged: Vec<Judged> = universal::bounded(run).into_iter().collect();
@@ -131,8 +132,8 @@ impl Case {
         self.checks.iter().map(judged).collect::<Result<_, Error>>().map_err(|error| self.located(error))
     }
 
-    /// The value of what a check asks for; NaN, which no check passes, where the run did not converge. Where it is held against the
-    /// verification run of the same mesh, that is given.
+    /// The value of what a check asks for; NaN, which no check passes, where the run did not converge. Where it is held
+    /// against the verification run of the same mesh, that is given.
     fn value(
         &self,
         check: &Check,
@@ -180,7 +181,8 @@ impl Case {
     }
 }
 
-/// That an accuracy is met, by the estimate, which tells nothing where it is within what was asked and the search says otherwise.
+/// That an accuracy is met, by the estimate, which tells nothing where it is within what was asked and the search says
+/// otherwise.
 pub fn met(asked: &Asked, answer: &Answer) -> Judged {
     let estimate = answer.estimate();
     let is_contradicted = answer.unmet.is_some() && estimate <= asked.relative;

@@ -1,4 +1,5 @@
-//! What every converged run must satisfy, whatever the problem: equilibrium, invariance, condensed = full, path independence.
+//! What every converged run must satisfy, whatever the problem: equilibrium, invariance, condensed = full, path
+//! independence.
 
 use crate::case::{Check, Judged, Quantity, Reference};
 use crate::elasticity::{ElasticSystem, numbered};
@@ -60,7 +61,8 @@ pub fn checks(discretisation: &Discretisation, run: &Run) -> Result<Vec<Judged>,
     Ok(checks.into_iter().map(|judged| Judged { check: judged.check.universal(), ..judged }).collect())
 }
 
-/// Loads, contact pressures as they are reported, and reactions of every body add up to nothing, in force and in moment.
+/// Loads, contact pressures as they are reported, and reactions of every body add up to nothing, in force and in
+/// moment.
 fn equilibrium(discretisation: &Discretisation, run: &Run) -> Judged {
     let worst = run.equilibrium.iter().max_by(|a, b| a.largest().total_cmp(&b.largest()));
     let body = worst.map_or("", |worst| discretisation.scene.bodies[worst.body].name.as_str());
@@ -159,8 +161,9 @@ fn nothing_where_open(discretisation: &Discretisation, run: &Run, limit: f64) ->
     })
 }
 
-/// Largest change of a pressure, over the largest, that round-off may make: 1e-9, or where the contact is sensitive, such as to
-/// what turns a body on a short contact, what one rounding of every product in `K U`, `S u` and `b·u` adds up to.
+/// Largest change of a pressure, over the largest, that round-off may make: 1e-9, or where the contact is sensitive,
+/// such as to what turns a body on a short contact, what one rounding of every product in `K U`, `S u` and `b·u` adds
+/// up to.
 ///
 /// A product of `K U` off by ε is a force `ε |K||U|` on its dof; it changes the pressure of a point by that times the
 /// displacement v of the dof under a unit of the point (reciprocity). One of `b·u` is a gap of `ε |b||u|`:
@@ -244,7 +247,8 @@ fn same(run: &Run, name: &str, variant: &Discretisation, unit: f64, [scale, limi
     } else {
         "change of pressures, over the largest (iterations not compared: tolerance as small as the noise)"
     };
-    let because = "the same problem in another form; 1e-9, or what one rounding of every product grows to through the contact's own condition";
+    let because = "the same problem in another form; 1e-9, or what one rounding of every product grows to through the \
+        contact's own condition";
     let check = Check::error(Quantity::at(quantity, name), Reference::own(name, 0.0), limit, because);
     Ok(check.judge(if same_iterations { difference } else { f64::INFINITY }))
 }

@@ -7,8 +7,8 @@ use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use crate::case::{Case, library};
 use crate::error::{Error, Place};
 
-/// The case that a command is given: of the library, for a/R where that is given, or of a scene file, which has none; a folder of the
-/// name of a case, which `export` may have made, does not hide it.
+/// The case that a command is given: of the library, for a/R where that is given, or of a scene file, which has none; a
+/// folder of the name of a case, which `export` may have made, does not hide it.
 pub fn case(command: &str, name: &str, a_over_r: Option<f64>) -> Result<Case, Error> {
     let path = Path::new(name);
     let is_case = library::NAMES.iter().any(|(known, _)| *known == name);
@@ -33,8 +33,8 @@ pub fn typed<'a>(case: &str, options: impl IntoIterator<Item = (&'a str, Option<
     format!("contact-vv solve {case}{}", given.collect::<String>())
 }
 
-/// The parser of an option, from all members with their names and the first lines of their documentation as help; other words are
-/// refused by clap, which names the members.
+/// The parser of an option, from all members with their names and the first lines of their documentation as help; other
+/// words are refused by clap, which names the members.
 pub fn choice<T: Copy + Send + Sync>(
     told: &'static [(T, &'static str, &'static str)],
 ) -> impl TypedValueParser<Value = T> {

@@ -24,10 +24,12 @@ use crate::study::drawn;
 pub struct Arguments {
     /// Case of the library (`list` names them), or a scene file.
     case: String,
-    /// Only these, such as line.constant+newton, or line.constant as it stands in the paper; by default all nine as `solve` takes them.
+    /// Only these, such as line.constant+newton, or line.constant as it stands in the paper; by default all nine as
+    /// `solve` takes them.
     #[arg(long, value_name = "NAME", value_delimiter = ',')]
     formulations: Vec<String>,
-    /// Largest error accepted of peak, profile, width and approach against the solution of the same discrete problem, for all of them.
+    /// Largest error accepted of peak, profile, width and approach against the solution of the same discrete problem,
+    /// for all of them.
     #[arg(long, value_name = "T", allow_negative_numbers = true)]
     tolerance: Option<f64>,
     /// Write the table as JSON to a file, or to standard output with `-`.

@@ -26,10 +26,12 @@ pub struct Arguments {
     /// Folder to write into; it is made where it is not there.
     #[arg(value_name = "DIR")]
     pub folder: PathBuf,
-    /// Replace files there that hold something else than what is written; files that the scene reads are never replaced.
+    /// Replace files there that hold something else than what is written; files that the scene reads are never
+    /// replaced.
     #[arg(long)]
     pub force: bool,
-    /// Write condensed.npz too: the condensed matrices, gaps, areas and loads with our solution, for algorithms of others.
+    /// Write condensed.npz too: the condensed matrices, gaps, areas and loads with our solution, for algorithms of
+    /// others.
     #[arg(long)]
     pub condensed: bool,
 }

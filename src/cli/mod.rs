@@ -61,7 +61,8 @@ use crate::study::{self, promised};
 
 /// Contact elements and iterations for frictionless elastic contact in 2D, verified.
 ///
-/// Without a command: solves every case of the suite, prints the verdicts and writes VALIDATION.md with its pages and charts.
+/// Without a command: solves every case of the suite, prints the verdicts and writes VALIDATION.md with its pages and
+/// charts.
 #[derive(Debug, Parser)]
 #[command(name = "contact-vv", bin_name = "contact-vv", version, after_help = examples(&[
     "list",
@@ -147,11 +148,13 @@ enum Command {
     Met(survey::Arguments),
     /// Survey whether error bars hold and write snapshots/coverage.csv; interrupted, it resumes.
     Coverage(survey::Arguments),
-    /// Survey what the constants of error bars are derived from and write snapshots/counted.csv; interrupted, it resumes.
+    /// Survey what the constants of error bars are derived from and write snapshots/counted.csv; interrupted, it
+    /// resumes.
     Counted(survey::Arguments),
     /// Measure speed against accuracy on one thread and write snapshots/timings; other codes are asked where installed.
     Timings {
-        /// Solve one mesh, elements per half-width and refinement, and print the largest memory of the process in bytes.
+        /// Solve one mesh, elements per half-width and refinement, and print the largest memory of the process in
+        /// bytes.
         #[arg(long, hide = true, num_args = 2)]
         memory: Option<Vec<u32>>,
         /// Measure only our own points of speed against accuracy; other codes keep what our solve took beside them.
@@ -164,7 +167,8 @@ enum Command {
         #[arg(long, conflicts_with_all = ["points", "revolved"], value_parser = choice(Series::ASKED))]
         ask: Option<Series>,
     },
-    /// Ask CalculiX, GetFEM, NGSolve, SfePy, Kratos, Akantu, FElupe, scikit-fem and dolfinx for exported cases, and keep what they write in oracles/frozen/scoreboard.
+    /// Ask CalculiX, GetFEM, NGSolve, SfePy, Kratos, Akantu, FElupe, scikit-fem and dolfinx for exported cases, and
+    /// keep what they write in oracles/frozen/scoreboard.
     #[command(after_help = examples(&["scoreboard"]))]
     Scoreboard,
     /// Name the cases of the library.
@@ -239,12 +243,13 @@ fn examples(all: &[&str]) -> String {
 
 #[derive(Debug, Subcommand)]
 enum Part {
-    /// Tell what moved between two commits: verdicts, tolerances, checks, bars, work, surveys, timings, charts; 1 where a verdict got worse.
+    /// Tell what moved between two commits: verdicts, tolerances, checks, bars, work, surveys, timings, charts; 1 where
+    /// a verdict got worse.
     Diff(review::Arguments),
 }
 
-/// Runs the command line. Exit codes: 0 all is well, 1 a check failed or the page is stale, 2 the input is wrong, 3 a run did
-/// not converge or holds no contact.
+/// Runs the command line. Exit codes: 0 all is well, 1 a check failed or the page is stale, 2 the input is wrong, 3 a
+/// run did not converge or holds no contact.
 pub fn main() -> ExitCode {
     let well = |()| Exit::Well;
     let tell = |text: String| {
@@ -326,8 +331,8 @@ fn report_command(check: bool) -> Result<bool, Error> {
     Ok(sound && difference.is_none())
 }
 
-/// Whether all checks of a case or a study pass; its page and its charts are written, and the page is printed. How many trials that takes, and
-/// the seconds of the last time in this checkout, are told before.
+/// Whether all checks of a case or a study pass; its page and its charts are written, and the page is printed. How many
+/// trials that takes, and the seconds of the last time in this checkout, are told before.
 fn only_command(name: &str) -> Result<bool, Error> {
     let root = writable::checkout()?;
     refuse_read_only(&root)?;

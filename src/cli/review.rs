@@ -21,8 +21,8 @@ pub struct Arguments {
     base: Option<String>,
     /// Commit that is compared with it; without it, the working tree.
     commit: Option<String>,
-    /// Fail too where a tolerance was loosened that no error bar explains, a check is gone, asked of fewer runs or held against this code alone, or
-    /// the record of checks cannot be read.
+    /// Fail too where a tolerance was loosened that no error bar explains, a check is gone, asked of fewer runs or held
+    /// against this code alone, or the record of checks cannot be read.
     #[arg(long)]
     strict: bool,
     /// Write Markdown, with charts before and after side by side.
@@ -31,7 +31,8 @@ pub struct Arguments {
     /// Lines that are told at most; every heading is among them.
     #[arg(long, value_name = "N", default_value_t = LINES)]
     limit: usize,
-    /// Address below which `COMMIT/PATH` is a file of a commit, for the charts of `--markdown`; without it they are written to target/report-diff.
+    /// Address below which `COMMIT/PATH` is a file of a commit, for the charts of `--markdown`; without it they are
+    /// written to target/report-diff.
     #[arg(long, value_name = "ADDRESS", requires = "markdown")]
     images: Option<String>,
 }

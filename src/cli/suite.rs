@@ -1,5 +1,5 @@
-//! Runs all trials with a progress bar, and tells on a terminal what they found: first what did not pass, then the passes, summed up study
-//! by study.
+//! Runs all trials with a progress bar, and tells on a terminal what they found: first what did not pass, then the
+//! passes, summed up study by study.
 
 use std::sync::atomic::AtomicBool;
 use std::sync::atomic::Ordering::Relaxed;

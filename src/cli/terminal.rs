@@ -28,7 +28,8 @@ fn excerpt(error: &Error, Located { file, text, place }: &Located, styled: bool)
     renderer.render(&report)
 }
 
-/// Prints a line; a reader who has gone away (a closed pipe) is no error, but what cannot be written, on a disk that is full, ends the program.
+/// Prints a line; a reader who has gone away (a closed pipe) is no error, but what cannot be written, on a disk that is
+/// full, ends the program.
 #[expect(clippy::exit, reason = "no caller goes on well once what it printed is cut")]
 pub fn say(line: impl std::fmt::Display) {
     match writeln!(std::io::stdout(), "{line}") {

@@ -66,7 +66,8 @@ fn own_points(bar: &ProgressBar) -> Result<Vec<Point>, Error> {
     Ok(points)
 }
 
-/// Measures our own points of speed against accuracy and the searches for an accuracy again; other codes keep what our solve took beside them.
+/// Measures our own points of speed against accuracy and the searches for an accuracy again; other codes keep what our
+/// solve took beside them.
 pub fn points() -> Result<(), Error> {
     writable::in_checkout(FOLDER)?;
     let mut record = of_this_processor()?;

@@ -66,8 +66,8 @@ fn tell_lines(files: &[PathBuf], verified: &[Result<Verified, Error>]) {
     }
 }
 
-/// A row for each file, one for each of its own checks, then what did not pass: its own checks apart from what every run must
-/// satisfy.
+/// A row for each file, one for each of its own checks, then what did not pass: its own checks apart from what every
+/// run must satisfy.
 fn tell_table(files: &[PathBuf], verified: &[Result<Verified, Error>]) {
     let mut table = table(["file", "formulation", "outcome", "iterations", "its own checks", "checks of every run"]);
     for (case, run, judged) in verified.iter().flatten() {

@@ -1,11 +1,13 @@
 //! Displacement, stresses, contact pressure and gap as a VTK unstructured grid (`.vtu`), which ParaView opens.
 //!
-//! Names are those that its calculator takes: letters, digits and underscores. Lengths are in mm, stresses in MPa, tension positive.
+//! Names are those that its calculator takes: letters, digits and underscores. Lengths are in mm, stresses in MPa,
+//! tension positive.
 //!
 //! | field | at | what |
 //! |---|---|---|
 //! | `displacement` | nodes | a vector |
-//! | `stress_xx`, `stress_yy`, `stress_xy`, `stress_zz` | nodes | components; of bodies of revolution `stress_zz` is the hoop stress |
+//! | `stress_xx`, `stress_yy`, `stress_xy` | nodes | components in the plane |
+//! | `stress_zz` | nodes | out of the plane; of bodies of revolution the hoop stress |
 //! | `principal_1`, `principal_2`, `principal_3` | nodes | principal stresses, the largest first |
 //! | `von_mises` | nodes | equivalent stress |
 //! | `contact_pressure` | nodes | 0 away from the candidates |
@@ -68,8 +70,8 @@ fn in_space(plane: &[[f64; 2]]) -> Vec<f64> {
     plane.iter().flat_map(|[x, y]| [*x, *y, 0.0]).collect()
 }
 
-/// Nodal values as VTK wants them: the nodes of its Lagrange cells lie evenly on the lattice of a cell, those of ours on
-/// Gauss–Lobatto–Legendre points; the polynomials are the same.
+/// Nodal values as VTK wants them: the nodes of its Lagrange cells lie evenly on the lattice of a cell, those of ours
+/// on Gauss–Lobatto–Legendre points; the polynomials are the same.
 fn evenly<const N: usize>(mesh: &Mesh, values: &[[f64; N]]) -> Vec<[f64; N]> {
     let mut out = values.to_vec();
     if !mesh.order.is_tensor() {
@@ -143,8 +145,8 @@ fn of_bodies(discretisation: &Discretisation) -> Vec<Attribute> {
     std::iter::once(Attribute::scalars("body", 1).with_data(numbers)).chain(all).collect()
 }
 
-/// Pressure, gap and number of the contact at the candidate nodes of all bodies, at their places in the file; between contact points the pressure
-/// is that of the edge's polynomial, the gap linear.
+/// Pressure, gap and number of the contact at the candidate nodes of all bodies, at their places in the file; between
+/// contact points the pressure is that of the edge's polynomial, the gap linear.
 fn on_candidates(discretisation: &Discretisation, run: &Run, places: &[[f64; 2]]) -> [Attribute; 3] {
     let mesh = &discretisation.mesh;
     let (mut pressure, mut gap) = (vec![0.0; mesh.points.len()], vec![f64::NAN; mesh.points.len()]);

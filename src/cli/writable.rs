@@ -1,5 +1,5 @@
-//! Whether results can be written, asked before what takes long; and whether nothing is lost by it: no file that a command writes takes the
-//! place of an input, of another output, or of what the command did not write.
+//! Whether results can be written, asked before what takes long; and whether nothing is lost by it: no file that a
+//! command writes takes the place of an input, of another output, or of what the command did not write.
 
 use std::fs::{self, File, OpenOptions};
 use std::path::{Path, PathBuf};
@@ -16,7 +16,8 @@ pub fn in_checkout(name: &str) -> Result<(), Error> {
     checkout().and_then(|root| folder(&root.join(name), CHECKOUT))
 }
 
-/// The checkout that is read and written: the one that the working directory lies in, or that is named in the environment.
+/// The checkout that is read and written: the one that the working directory lies in, or that is named in the
+/// environment.
 pub fn checkout() -> Result<PathBuf, Error> {
     let named = chosen();
     if let Some(root) = named.as_ref().filter(|root| is_checkout(root)) {
@@ -27,7 +28,8 @@ pub fn checkout() -> Result<PathBuf, Error> {
         None => "neither this folder nor one above is a checkout of the project".into(),
     };
     let remedy = format!(
-        "run inside a checkout, or name it by {VARIABLE} in the environment; all but the report and the surveys runs anywhere, see `contact-vv help`"
+        "run inside a checkout, or name it by {VARIABLE} in the environment; all but the report and the surveys runs \
+        anywhere, see `contact-vv help`"
     );
     Err(Error::file(&named.unwrap_or_else(|| env::current_dir().unwrap_or(".".into())), message, remedy))
 }
@@ -104,8 +106,8 @@ pub fn refuse_ending(
     }
 }
 
-/// Refuses outputs that cannot be written, that are a file which the command reads or another output, and, unless it is forced,
-/// those in whose place there is something else than an earlier output of the same kind.
+/// Refuses outputs that cannot be written, that are a file which the command reads or another output, and, unless it is
+/// forced, those in whose place there is something else than an earlier output of the same kind.
 pub fn refuse<'a>(
     command: &str,
     outputs: impl IntoIterator<Item = Option<Output<'a>>>,

@@ -1,4 +1,5 @@
-//! What stands in a chart beside the curves: reference lines, triangles of orders, areas, bars, and points marked with words.
+//! What stands in a chart beside the curves: reference lines, triangles of orders, areas, bars, and points marked with
+//! words.
 
 use super::canvas::Canvas;
 use super::chart::{Bars, Direction, Guide, Remark, Slope};
@@ -76,7 +77,8 @@ impl Plot<'_> {
 /// Width of bold letters over that of plain ones.
 const BOLD: f64 = 1.15;
 
-/// Of places around a point one where words of a width cover nothing that is taken and stay in the frame, on the fewest points of lines, the nearest of these.
+/// Of places around a point one where words of a width cover nothing that is taken and stay in the frame, on the fewest
+/// points of lines, the nearest of these.
 fn free_place((x, y): Point, width: f64, within: Frame, taken: &[Frame], lines: &[Point]) -> Frame {
     const AROUND: [Point; 8] =
         [(1.0, 0.0), (1.0, -1.0), (1.0, 1.0), (0.0, -1.0), (0.0, 1.0), (-1.0, 0.0), (-1.0, -1.0), (-1.0, 1.0)];

@@ -1,5 +1,5 @@
-//! The canvas: shapes in display pixels, in the order in which they are painted, and the SVG they become: one file for light and for
-//! dark pages.
+//! The canvas: shapes in display pixels, in the order in which they are painted, and the SVG they become: one file for
+//! light and for dark pages.
 //!
 //! Attributes hold the colours of light pages, a style sheet exchanges them where dark ones are preferred.
 //!
@@ -134,7 +134,8 @@ impl Canvas {
         self.shapes.append(inside.set("clip-path", format!("url(#{name})")));
     }
 
-    /// The finished figure with title and notes, which are read to those who do not see it; its shapes end at the corner.
+    /// The finished figure with title and notes, which are read to those who do not see it; its shapes end at the
+    /// corner.
     pub fn drawing(mut self, title: &str, (right, bottom): Point, notes: &[String]) -> Drawing {
         let width = (right + EDGE).max(text_width(title, TITLE_SIZE) + 2.0 * EDGE).round();
         let lines = wrapped(notes, NOTE_SIZE, width - 2.0 * EDGE);

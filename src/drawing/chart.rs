@@ -88,7 +88,8 @@ pub struct Remark {
     pub at: (f64, f64),
     /// The words beside it.
     pub text: String,
-    /// What a ring around the point means, in the legend, where the same label stands once; without it there is no ring.
+    /// What a ring around the point means, in the legend, where the same label stands once; without it there is no
+    /// ring.
     pub ring: Option<String>,
     /// Colour of the curve it belongs to.
     pub colour: Colour,

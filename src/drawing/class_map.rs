@@ -1,4 +1,5 @@
-//! Maps of classes: small panels of coloured cells, regions labelled, with a boundary between cells that were predicted apart.
+//! Maps of classes: small panels of coloured cells, regions labelled, with a boundary between cells that were predicted
+//! apart.
 
 use super::canvas::{Canvas, EDGE, TITLE, WIDTH};
 use super::drawing::Drawing;
@@ -159,8 +160,9 @@ fn boundary(rows: &[&[Cell]]) -> Vec<[Corner; 2]> {
     edges
 }
 
-/// The regions of a map, cells side by side, or one above the other, that have one class and one label: of each the longest stretch of
-/// cells in one row, where its label has most room, as row, first column, and the one after the last.
+/// The regions of a map, cells side by side, or one above the other, that have one class and one label: of each the
+/// longest stretch of cells in one row, where its label has most room, as row, first column, and the one after the
+/// last.
 fn regions(rows: &[&[Cell]]) -> Vec<(usize, usize, usize)> {
     let mut seen: Vec<Vec<bool>> = rows.iter().map(|cells| vec![false; cells.len()]).collect();
     let mut found = Vec::new();

@@ -1,4 +1,5 @@
-//! Figures as byte-stable SVG text, for light and for dark pages; a figure that cannot be drawn says so when it is written.
+//! Figures as byte-stable SVG text, for light and for dark pages; a figure that cannot be drawn says so when it is
+//! written.
 //!
 //! Conventions, the same in every figure: the colour names the contact element, the dash the algorithm, the marker the
 //! mesh or the formulation; references are black and dashed, measured values are points without a line, and runs that
@@ -12,9 +13,9 @@
 //! * [`palette`]: colours, dashes, markers and the styles made of them; colours of fields and of classes.
 //! * [`theme`]: light and dark pages; [`Drawing`]: a finished figure, for both.
 //!
-//! Below these: `canvas` writes shapes as SVG, with the help of `outline`, `pen` sets lines and text, `frame` clips to a rectangle; `axis`
-//! places and writes ticks, `plot`, `annotations`, `curves`, `signs`, `legend` and `drawn` draw a chart; `field_panels`,
-//! `bands`, `mesh_lines` and `marks` a field.
+//! Below these: `canvas` writes shapes as SVG, with the help of `outline`, `pen` sets lines and text, `frame` clips to
+//! a rectangle; `axis` places and writes ticks, `plot`, `annotations`, `curves`, `signs`, `legend` and `drawn` draw a
+//! chart; `field_panels`, `bands`, `mesh_lines` and `marks` a field.
 
 mod annotations;
 mod axis;

@@ -1,5 +1,5 @@
-//! Outlines as SVG writes them, to a tenth of a pixel: finer digits differ between machines; and those of tiles joined to the regions that
-//! they cover: what a picture of thousands of cells weighs is their common sides.
+//! Outlines as SVG writes them, to a tenth of a pixel: finer digits differ between machines; and those of tiles joined
+//! to the regions that they cover: what a picture of thousands of cells weighs is their common sides.
 
 use std::collections::BTreeMap;
 
@@ -10,7 +10,8 @@ pub(super) fn tenths(value: f64) -> String {
     written(rounded(value))
 }
 
-/// Lines one after another, each with the command at its end: the very first point as it is, all others from point to point.
+/// Lines one after another, each with the command at its end: the very first point as it is, all others from point to
+/// point.
 pub(super) fn outlines(lines: &[Vec<Point>], end: &str) -> String {
     let mut text = String::new();
     let mut last = (0, 0);
@@ -38,7 +39,8 @@ pub(super) fn outlines(lines: &[Vec<Point>], end: &str) -> String {
     text
 }
 
-/// Appends a number, apart from the one before it where nothing else parts them: a sign does, and a second decimal point.
+/// Appends a number, apart from the one before it where nothing else parts them: a sign does, and a second decimal
+/// point.
 fn append(text: &mut String, number: &str) {
     let before = text.rsplit(|sign: char| sign.is_ascii_alphabetic() || [' ', '-'].contains(&sign)).next();
     let before = before.unwrap_or_default();
@@ -66,8 +68,9 @@ type Corner = (i64, i64);
 
 /// The outlines of what polygons cover together, to a tenth of a pixel.
 ///
-/// A side that two polygons run along in opposite directions is none of the outline, whatever else meets there. How often
-/// a place is encircled is the same before and after, so that filling by the rule `nonzero` shows the same, holes included.
+/// A side that two polygons run along in opposite directions is none of the outline, whatever else meets there. How
+/// often a place is encircled is the same before and after, so that filling by the rule `nonzero` shows the same, holes
+/// included.
 pub(super) fn joined(polygons: &[Vec<Point>]) -> Vec<Vec<Point>> {
     let mut sides: BTreeMap<Corner, Vec<Corner>> = BTreeMap::new();
     for polygon in polygons {

@@ -1,7 +1,8 @@
-//! Colours, dashes and markers, safe for colour-blind readers; colours of fields and of classes, the same on light and dark pages.
+//! Colours, dashes and markers, safe for colour-blind readers; colours of fields and of classes, the same on light and
+//! dark pages.
 //!
-//! The hues are those of Okabe & Ito 2008, darkened for light pages and lightened for dark ones until a line of each has a
-//! contrast of 3:1 with its card, and text in it, ink or grey one of 4.5:1 (WCAG 2.1, criteria 1.4.3 and 1.4.11).
+//! The hues are those of Okabe & Ito 2008, darkened for light pages and lightened for dark ones until a line of each
+//! has a contrast of 3:1 with its card, and text in it, ink or grey one of 4.5:1 (WCAG 2.1, criteria 1.4.3 and 1.4.11).
 
 use super::theme::{Colour, Theme, blend};
 
@@ -106,7 +107,8 @@ pub(super) fn tint(colour: Colour, share: f64) -> Colour {
     blend(CARD, colour, share)
 }
 
-/// Fills of schematic drawings, bodies: of the element, of the layer, of the pin, of the rod; and the springs of a line element.
+/// Fills of schematic drawings, bodies: of the element, of the layer, of the pin, of the rod; and the springs of a line
+/// element.
 const FILLS: [Colour; 8] = [
     Colour::new(0xE5E5E4, 0x2C2F34),
     Colour::new(0xF0D7C5, 0x452E21),
@@ -164,7 +166,8 @@ impl ColourMap {
     }
 }
 
-/// Classes on maps, from good to bad. Any two of them differ in brightness by at least 1.5:1, for those who see no green too.
+/// Classes on maps, from good to bad. Any two of them differ in brightness by at least 1.5:1, for those who see no
+/// green too.
 pub const CLASSES: [Colour; 7] = [
     Colour::same(0xFAF6C3),
     Colour::same(0x93D78F),

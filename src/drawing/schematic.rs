@@ -1,4 +1,5 @@
-//! Drawings made by hand: an SVG file in the colours of light pages, in which `{name}` stands for a number of the scene.
+//! Drawings made by hand: an SVG file in the colours of light pages, in which `{name}` stands for a number of the
+//! scene.
 //!
 //! Any editor shows and changes them. On dark pages each colour is the partner it has in the palette, or below.
 
@@ -8,8 +9,8 @@ use super::drawing::{Drawing, Error};
 use super::palette::partner;
 use super::theme::exchanged;
 
-/// The drawing of a file with its numbers, to six decimals; broken where the file asks for another number, or none of a name, or
-/// has a colour of which no dark one is known.
+/// The drawing of a file with its numbers, to six decimals; broken where the file asks for another number, or none of a
+/// name, or has a colour of which no dark one is known.
 pub fn schematic(name: &str, light: &str, numbers: &[(&str, f64)]) -> Drawing {
     let mut text = light.to_owned();
     for (number, value) in numbers {

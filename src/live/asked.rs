@@ -29,7 +29,8 @@ pub fn independent(script: Script, scene: &PhysicalScene, level: usize) -> Resul
     solved(script.module().into(), given(scene), vec![json!(level), json!(script.method())], |_| true)
 }
 
-/// Solves a scene of bodies of revolution on the mesh of a level by a script of `oracles/revolution`, by the name of its module.
+/// Solves a scene of bodies of revolution on the mesh of a level by a script of `oracles/revolution`, by the name of
+/// its module.
 pub fn revolution(module: &str, scene: &PhysicalScene, level: usize) -> Result<Answer, Error> {
     solved(module.into(), given(scene), vec![json!(level)], |_| true)
 }
@@ -41,8 +42,8 @@ fn given(scene: &PhysicalScene) -> Value {
     given
 }
 
-/// What the function `solve` of a module answers to what is given, with arrays for its lists, and to what else it is asked; refused where the
-/// answer does not fit.
+/// What the function `solve` of a module answers to what is given, with arrays for its lists, and to what else it is
+/// asked; refused where the answer does not fit.
 fn solved<T: DeserializeOwned + Send + 'static>(
     module: String,
     given: Value,

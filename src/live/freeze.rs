@@ -14,7 +14,8 @@ use contact_vv::study::independent::run::{LEVELS, Scene, series};
 
 use super::{LIVE, asked, newest};
 
-/// Asks both codes for all discrete problems, dolfinx as it is today where that is installed, writes their files once both have answered, and tells what changed.
+/// Asks both codes for all discrete problems, dolfinx as it is today where that is installed, writes their files once
+/// both have answered, and tells what changed.
 pub fn discrete() -> Result<Vec<String>, Error> {
     let answers: Vec<(Code, Frozen)> =
         Code::TWINS.into_iter().map(|code| Ok((code, ask_all(code)?))).collect::<Result<_, Error>>()?;
@@ -71,8 +72,8 @@ const PEERS: &str = "run `bash oracles/peers/setup.sh`";
 /// A relative change that is no news.
 const ROUND_OFF: f64 = 1e-9;
 
-/// Asks every script for every scene that it serves, and writes the frozen file once all have answered. Answers of a code in a process
-/// of its own are kept where neither its script nor the scene has changed.
+/// Asks every script for every scene that it serves, and writes the frozen file once all have answered. Answers of a
+/// code in a process of its own are kept where neither its script nor the scene has changed.
 pub fn independent() -> Result<Vec<String>, Error> {
     let (mut scenes, mut lines) = (BTreeMap::new(), Vec::new());
     let (old, scripts) = (Independent::load().ok(), hashes()?);

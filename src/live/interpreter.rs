@@ -63,8 +63,9 @@ fn serve(jobs: Receiver<Job>) {
 
 /// Starts Python from a configuration that names the interpreter and ignores the environment.
 fn boot() -> Result<(), Told> {
-    // SAFETY: called once, on the oracle thread, before any other use of Python. `PyConfig_InitIsolatedConfig` initialises
-    // the whole structure, which is cleared again; the thread state is released so that `Python::attach` can take it.
+    // SAFETY: called once, on the oracle thread, before any other use of Python. `PyConfig_InitIsolatedConfig`
+    // initialises the whole structure, which is cleared again; the thread state is released so that `Python::attach`
+    // can take it.
     unsafe {
         let mut config = MaybeUninit::<ffi::PyConfig>::uninit();
         ffi::PyConfig_InitIsolatedConfig(config.as_mut_ptr());

@@ -1,7 +1,7 @@
 //! The other codes, asked now through Python instead of read from `oracles/frozen`.
 //!
-//! A crate of its own, so that the suite is compiled without Python, and once. `cargo test --workspace` asks the codes, and
-//! `cargo run --release -p contact-vv-live` freezes what they answer; `oracles/setup.sh` installs what both need.
+//! A crate of its own, so that the suite is compiled without Python, and once. `cargo test --workspace` asks the codes,
+//! and `cargo run --release -p contact-vv-live` freezes what they answer; `oracles/setup.sh` installs what both need.
 //!
 //! * [`interpreter`] — one Python on one thread.
 //! * [`asked`] — what is handed over to a code, and what it answers.

@@ -1,4 +1,5 @@
-//! Today's dolfinx, in a process of its own: `oracles/setup.sh` installs it where it finds a Python from 3.12 on, which Debian 12 has not.
+//! Today's dolfinx, in a process of its own: `oracles/setup.sh` installs it where it finds a Python from 3.12 on, which
+//! Debian 12 has not.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};

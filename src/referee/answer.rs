@@ -1,4 +1,5 @@
-//! What another code found, on its own mesh: points of each contact in our units, in the order of the contact coordinate.
+//! What another code found, on its own mesh: points of each contact in our units, in the order of the contact
+//! coordinate.
 
 use std::path::PathBuf;
 
@@ -64,7 +65,8 @@ impl Answer {
         self.contacts.iter().find(|handed| handed.contact == contact)
     }
 
-    /// Turns what lies on the left half alone of a symmetric contact over: models of the left half are judged as those of the right one.
+    /// Turns what lies on the left half alone of a symmetric contact over: models of the left half are judged as those
+    /// of the right one.
     pub fn mirror(&mut self, scene: &Scene) {
         let is_half = |handed: &&mut Handed| !scene.contacts[handed.contact].path.has_both_sides();
         self.contacts.iter_mut().filter(is_half).for_each(Handed::laid_on_the_line);
@@ -83,7 +85,8 @@ impl Answer {
 
 /// What is read where there are both.
 pub const BESIDE: &str = "the pressures, not the forces beside them";
-/// Part of the distance to its neighbour by which an outermost point lies off the symmetry line for the digits of its file.
+/// Part of the distance to its neighbour by which an outermost point lies off the symmetry line for the digits of its
+/// file.
 const OFF_THE_LINE: f64 = 0.05;
 
 impl Handed {
@@ -132,7 +135,8 @@ pub fn places(pair: &ContactPair, all: &[f64]) -> String {
     format!("{} {}", all.join(" to "), if pair.path.is_straight() { "mm" } else { "°" })
 }
 
-/// Points in order; refuses too few, those without any pressure, two at one place, and three-node edges that do not add up.
+/// Points in order; refuses too few, those without any pressure, two at one place, and three-node edges that do not add
+/// up.
 pub fn ordered(
     mut points: Vec<Point>,
     order: Order,
@@ -147,7 +151,8 @@ pub fn ordered(
         let message = format!("nothing presses: all {} values of contact `{}` are 0", points.len(), pair.name);
         return Err(refused(
             message,
-            "hand in the side that has the values, of a state under the load of the scene, which --time names among several",
+            "hand in the side that has the values, of a state under the load of the scene, which --time names among \
+            several",
         ));
     }
     points.sort_by(|a, b| a.position.total_cmp(&b.position));
@@ -156,7 +161,8 @@ pub fn ordered(
         let message = format!("two points lie at one place, {}", places(pair, &[two[0].position]));
         return Err(refused(
             message,
-            "hand in the points of one side of one contact, of one step and time, each once; of a grid in parts merge their points first",
+            "hand in the points of one side of one contact, of one step and time, each once; of a grid in parts merge \
+            their points first",
         ));
     }
     // On an axis a node may have no area, and codes give none to nodes that are open.
@@ -178,7 +184,8 @@ pub fn ordered(
     Ok(points)
 }
 
-/// Points in order, those at one place made one with their mean pressure and gap: cells with points of their own repeat them.
+/// Points in order, those at one place made one with their mean pressure and gap: cells with points of their own repeat
+/// them.
 pub fn joined(mut points: Vec<Point>) -> Vec<Point> {
     points.sort_by(|a, b| a.position.total_cmp(&b.position));
     let length = points.last().zip(points.first()).map_or(0.0, |(last, first)| last.position - first.position);
@@ -192,8 +199,9 @@ pub fn joined(mut points: Vec<Point>) -> Vec<Point> {
     points.chunk_by(|a, b| b.position - a.position <= SAME * length).map(one).collect()
 }
 
-/// Points in order, and how many nodes of the contact lack one: those between others, and those up to an end on the symmetry line that is pressed.
-/// What lies beyond the others is not guessed: whether the contact ends there is judged as that of a list of points.
+/// Points in order, and how many nodes of the contact lack one: those between others, and those up to an end on the
+/// symmetry line that is pressed. What lies beyond the others is not guessed: whether the contact ends there is judged
+/// as that of a list of points.
 pub fn without_gaps(mut nodes: Vec<(f64, Option<Point>)>) -> (Vec<Point>, usize) {
     nodes.sort_by(|a, b| a.0.total_cmp(&b.0));
     let points: Vec<Point> = nodes.iter().filter_map(|(_, point)| *point).collect();
@@ -209,7 +217,8 @@ pub fn without_gaps(mut nodes: Vec<(f64, Option<Point>)>) -> (Vec<Point>, usize)
     (points, lacking - beyond)
 }
 
-/// Tension over the largest pressure that stresses have at nodes beside a contact: they are means of cells, of which one ends it.
+/// Tension over the largest pressure that stresses have at nodes beside a contact: they are means of cells, of which
+/// one ends it.
 const PULL: f64 = 0.05;
 
 /// Takes such tension for nothing, and says how much it was; none where there is none, or more.
@@ -227,7 +236,8 @@ pub fn without_pull<'a>(pressures: impl Iterator<Item = &'a mut f64>) -> Option<
     ))
 }
 
-/// Largest pressure at the end of those that are listed, over all, behind which nodes without a value are beyond the contact.
+/// Largest pressure at the end of those that are listed, over all, behind which nodes without a value are beyond the
+/// contact.
 const CLOSED: f64 = 1e-3;
 /// Fewest points of a profile.
 pub const FEWEST: usize = 3;

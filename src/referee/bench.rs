@@ -38,9 +38,10 @@ impl Bench<'_> {
         self.ruled(check, factor * value, known)
     }
 
-    /// A number that follows from all pressures: by straight lines between those at points alone, by the sum where forces are known. Where this is
-    /// farther from the truth than is allowed, and what is drawn between the points is not, it is that: an answer is judged, not a rule of
-    /// integration. Forces that are known give the resultant and its moment, whatever lies between.
+    /// A number that follows from all pressures: by straight lines between those at points alone, by the sum where
+    /// forces are known. Where this is farther from the truth than is allowed, and what is drawn between the points is
+    /// not, it is that: an answer is judged, not a rule of integration. Forces that are known give the resultant and
+    /// its moment, whatever lies between.
     pub fn read(
         &self,
         number: &Quantity,
@@ -104,8 +105,9 @@ impl Bench<'_> {
         self.longest(self.profile.edges.iter().map(|edge| edge.ends))
     }
 
-    /// The same, of samples along a line the longest straight one of those within the contact, as far as edges of an answer go. It is an edge only
-    /// where the truth bends along it: where that is as straight, points are as far apart as they say.
+    /// The same, of samples along a line the longest straight one of those within the contact, as far as edges of an
+    /// answer go. It is an edge only where the truth bends along it: where that is as straight, points are as far apart
+    /// as they say.
     pub fn size_of_lines(&self) -> f64 {
         let [begin, end] = [self.measures.begin(), self.measures.edge()];
         let lines = self.profile.lines.windows(2).map(|two| [two[0], two[1]]);
@@ -115,7 +117,8 @@ impl Bench<'_> {
         self.longest(within).min(most).max(self.size_at_end())
     }
 
-    /// Whether the pressure of the truth departs from a straight line along a stretch, by more than it may itself be off.
+    /// Whether the pressure of the truth departs from a straight line along a stretch, by more than it may itself be
+    /// off.
     fn bends(&self, [from, to]: [f64; 2]) -> bool {
         let contact = self.profile.contact;
         let known = |share: f64| self.truth.pressure(contact, from + share * (to - from));

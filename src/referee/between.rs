@@ -3,12 +3,15 @@
 use crate::mesh::Order;
 use crate::referee::answer::{Handed, Point};
 
-/// Parts into which what lies between two points is cut: the end of a root leaves `0.2/PARTS^1.5` of what lies in its part.
+/// Parts into which what lies between two points is cut: the end of a root leaves `0.2/PARTS^1.5` of what lies in its
+/// part.
 const PARTS: usize = 16;
-/// Parts between all points together from which on fewer between two of them will do: the part at the end is a small one of the contact.
+/// Parts between all points together from which on fewer between two of them will do: the part at the end is a small
+/// one of the contact.
 const ALL: usize = 64_000;
 
-/// Square that a parabola has at the first point that does not press, over that of the last that does, up to which it ends there.
+/// Square that a parabola has at the first point that does not press, over that of the last that does, up to which it
+/// ends there.
 const ENDS: f64 = 0.25;
 
 /// Straight lines with their middles, so that Simpson's rule takes their second moments exactly.
@@ -25,8 +28,8 @@ pub fn by_lines(handed: &Handed) -> Handed {
     Handed { points, order: Order::Quadratic, ..handed.clone() }
 }
 
-/// Roots of the parabolas through the squares of the three points around, which draw `p ∝ √(a² − s²)` exactly up to its end between two points; a
-/// straight line where three do not press, or the parabola has no end where the points do.
+/// Roots of the parabolas through the squares of the three points around, which draw `p ∝ √(a² − s²)` exactly up to its
+/// end between two points; a straight line where three do not press, or the parabola has no end where the points do.
 pub fn by_roots(points: &[Point]) -> Vec<Point> {
     let parts = (ALL / points.len()).clamp(1, PARTS);
     let presses = |k: &usize| points.get(*k).is_some_and(|point| point.value > 0.0);
@@ -60,7 +63,8 @@ pub fn by_roots(points: &[Point]) -> Vec<Point> {
 /// Difference from a straight line, over the largest pressure, that digits explain.
 pub const STRAIGHT: f64 = 1e-5;
 
-/// Places between which pressures lie on straight lines: the ends of edges, of which samples along a line tell many points each.
+/// Places between which pressures lie on straight lines: the ends of edges, of which samples along a line tell many
+/// points each.
 pub fn lines(points: &[Point]) -> Vec<f64> {
     let near = STRAIGHT * points.iter().map(|point| point.value.abs()).fold(0.0, f64::max);
     let mut ends = vec![points[0].position];

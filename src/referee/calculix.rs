@@ -91,7 +91,8 @@ pub fn forces_at(
     }
     if contacts.is_empty() {
         let message = format!("it has no forces of a set whose name begins with {GAPS}");
-        let remedy = "run the deck that `contact-vv export` writes; of another deck hand in the .frd, or a .csv of positions and forces";
+        let remedy = "run the deck that `contact-vv export` writes; of another deck hand in the .frd, or a .csv of \
+            positions and forces";
         return Err(source.refused(message, remedy));
     }
     read.insert(0, "reactions behind the gap elements as contact forces, turned round".into());

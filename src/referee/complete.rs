@@ -12,8 +12,9 @@ use crate::scene::ContactPair;
 
 /// Intervals over which the force behind an end is summed.
 const INTERVALS: usize = 2000;
-/// Times the spacing of the points beside it from which on a step between two points is a hole: of those on either side, or of the two next ones
-/// on each, since steps that grow one way are not longer than both; and share of the force that may lie in holes.
+/// Times the spacing of the points beside it from which on a step between two points is a hole: of those on either
+/// side, or of the two next ones on each, since steps that grow one way are not longer than both; and share of the
+/// force that may lie in holes.
 const HOLE: f64 = 5.0;
 const BETWEEN: f64 = 3.5;
 const HIDDEN: f64 = 0.05;
@@ -26,7 +27,8 @@ const EVERY: &str = "hand in every point of the contact; what lies between two o
 /// Share of the force of a contact between two places; between two places that are beyond it none.
 type Share<'a> = &'a dyn Fn([f64; 2]) -> f64;
 
-/// Refuses an answer that ends, or begins, under pressure while the contact of the truth goes on, or that has holes in it.
+/// Refuses an answer that ends, or begins, under pressure while the contact of the truth goes on, or that has holes in
+/// it.
 pub fn all(truth: &Truth, answer: &Answer, handed: &Handed, profile: &Profile, tolerance: f64) -> Result<(), Error> {
     let contact = profile.contact;
     let pair = &truth.case.scene.contacts[contact];
@@ -62,8 +64,8 @@ fn cut(share: Share, reach: [f64; 2], handed: &Handed, profile: &Profile) -> Opt
         ([profile.points.first()?, profile.points.last()?], [profile.edges.first()?, profile.edges.last()?]);
     let largest = profile.points.iter().map(|point| point.pressure.abs()).fold(0.0, larger);
     let is_pressed = |pressure: f64| pressure.abs() > PRESSED * largest;
-    // An end within one edge of that of the contact is judged as what it is; at a symmetry line none ends, and areas may be of points within
-    // edges.
+    // An end within one edge of that of the contact is judged as what it is; at a symmetry line none ends, and areas
+    // may be of points within edges.
     let path = &profile.pair().path;
     let is_half = !path.has_both_sides() && !profile.across && !profile.scene.is_around_axis(profile.contact);
     let has_areas = handed.points.iter().all(|point| point.area.is_some());
@@ -99,7 +101,8 @@ fn hole(share: Share, pair: &ContactPair, handed: &Handed) -> Option<String> {
     };
     (share > HIDDEN).then(|| {
         format!(
-            "contact `{}` has no point from {}, {times:.0} times as far apart as those beside them, and {:.1} % of the force lies there{others}",
+            "contact `{}` has no point from {}, {times:.0} times as far apart as those beside them, and {:.1} % of the \
+            force lies there{others}",
             pair.name,
             places(pair, widest),
             100.0 * share
@@ -107,8 +110,9 @@ fn hole(share: Share, pair: &ContactPair, handed: &Handed) -> Option<String> {
     })
 }
 
-/// The steps between points that are much longer than those beside them, with how many times. Of four on either side the longest quarter does not
-/// count: other holes may be among them, and points that lie in pairs have every second step short.
+/// The steps between points that are much longer than those beside them, with how many times. Of four on either side
+/// the longest quarter does not count: other holes may be among them, and points that lie in pairs have every second
+/// step short.
 fn holes(handed: &Handed) -> Vec<([f64; 2], f64)> {
     let steps: Vec<[f64; 2]> = handed.points.windows(2).map(|two| [two[0].position, two[1].position]).collect();
     let length = |step: &[f64; 2]| step[1] - step[0];

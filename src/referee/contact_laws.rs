@@ -36,8 +36,8 @@ pub(super) fn of_gaps(bench: &Bench, missing: &mut Vec<[String; 2]>) -> Vec<Judg
     judged
 }
 
-/// The approach that a contact makes by its own force \[mm\], `Σ A p/(E* t)`; around an axis of revolution that of a flat punch of the contact
-/// radius, `Σ A p/(2E* a)`.
+/// The approach that a contact makes by its own force \[mm\], `Σ A p/(E* t)`; around an axis of revolution that of a
+/// flat punch of the contact radius, `Σ A p/(2E* a)`.
 pub(super) fn approach(truth: &Truth, profile: &Profile) -> f64 {
     let (scene, pair) = (&profile.scene, profile.pair());
     let force: f64 = profile.points.iter().map(|point| point.weight * point.pressure.abs()).sum();
@@ -51,9 +51,10 @@ pub(super) fn approach(truth: &Truth, profile: &Profile) -> f64 {
 /// What gaps beyond the contact are told by.
 const OPEN: &str = "error of the gaps beyond the contact, over them and the approach, in L2";
 
-/// `√(Σ A (g − g_ref)² / Σ A max(g_ref, δ)²)` with the approach δ that the contact makes, over the points that are open in our fine answer,
-/// within its candidates, between whose nodes its gap is linear; none where none is by more than the tolerance of the approach. A gap of 0
-/// there is passed over, and this is said: some codes write 0 where they do not search.
+/// `√(Σ A (g − g_ref)² / Σ A max(g_ref, δ)²)` with the approach δ that the contact makes, over the points that are open
+/// in our fine answer, within its candidates, between whose nodes its gap is linear; none where none is by more than
+/// the tolerance of the approach. A gap of 0 there is passed over, and this is said: some codes write 0 where they do
+/// not search.
 fn open_gaps(bench: &Bench, approach: f64, missing: &mut Vec<[String; 2]>) -> Option<Judged> {
     let (contact, profile) = (bench.profile.contact, bench.profile);
     let is_half = !bench.truth.case.scene.contacts[contact].path.has_both_sides();
@@ -87,7 +88,8 @@ fn open_gaps(bench: &Bench, approach: f64, missing: &mut Vec<[String; 2]>) -> Op
     (size > 0.0).then(|| check.judge((error / size).sqrt()))
 }
 
-/// Part of the edge length over the half-width that gaps may be off beyond the end: our own coarse meshes of both orders take two thirds of it.
+/// Part of the edge length over the half-width that gaps may be off beyond the end: our own coarse meshes of both
+/// orders take two thirds of it.
 const OPENS: f64 = 0.6;
 /// Part of the largest position that rounding explains.
 const SAME: f64 = 1e-9;

@@ -44,7 +44,8 @@ pub(super) fn of_another_mesh(check: &Check, least: f64) -> Check {
 const BECAUSE: &str =
     "the tolerance asked for, which is more than that of the scene file: the answer is that of another mesh";
 
-/// What the tolerance of a check is relative to: in its unit the size of the contact, or its peak, where the reference is 0.
+/// What the tolerance of a check is relative to: in its unit the size of the contact, or its peak, where the reference
+/// is 0.
 fn scale(bench: &Bench, check: &Check) -> f64 {
     let size = match check.quantity.number() {
         Some(Quantity::Pressure { .. } | Quantity::PeakPressure) => {
@@ -55,7 +56,8 @@ fn scale(bench: &Bench, check: &Check) -> f64 {
     if check.relation == Relation::NearAbsolutely { check.quantity.factor() * size.reference.value } else { 1.0 }
 }
 
-/// The number of a check by the pressures handed in, in its unit, as the rows above read it; none where they do not tell it.
+/// The number of a check by the pressures handed in, in its unit, as the rows above read it; none where they do not
+/// tell it.
 fn value(bench: &Bench, check: &Check) -> Option<f64> {
     let number = match &check.quantity {
         Asked::Number { of, .. } => of,
@@ -81,7 +83,8 @@ fn value(bench: &Bench, check: &Check) -> Option<f64> {
     Some(factor * value?)
 }
 
-/// Whether a check holds the force of the contact against the load within the round-off of this code, which is asked of no other.
+/// Whether a check holds the force of the contact against the load within the round-off of this code, which is asked of
+/// no other.
 fn is_own_equilibrium(check: &Check, reference: &Reference) -> bool {
     let is_of_force = check.quantity.number() == Some(&Quantity::Resultant);
     is_of_force && reference.kind == ReferenceKind::SelfConsistency && check.tolerance < DIGITS

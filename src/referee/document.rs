@@ -39,25 +39,28 @@ pub struct Contact {
     /// Its name; may be left out where the scene has one only.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub name: Option<String>,
-    /// Units of its lists, where they are others than those of the document: of contacts along arcs beside others along straight lines.
+    /// Units of its lists, where they are others than those of the document: of contacts along arcs beside others along
+    /// straight lines.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub units: Option<Units>,
     /// Order of the contact edges: 1, every point is a corner (the default); 2, corners and mid-sides by turns.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub order: Option<u8>,
-    /// Contact coordinate of each point: distance from the middle of the contact on a straight path, angle from the load line on an arc;
-    /// negative on the other half. Of a contact around the axis of revolution the radius.
+    /// Contact coordinate of each point: distance from the middle of the contact on a straight path, angle from the
+    /// load line on an arc; negative on the other half. Of a contact around the axis of revolution the radius.
     pub position: Vec<f64>,
     /// Contact pressure per area of the undeformed path, positive in compression.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub pressure: Vec<f64>,
-    /// Nodal contact force along the normal, positive in compression: instead of the pressure. Of bodies of revolution that of the whole ring.
+    /// Nodal contact force along the normal, positive in compression: instead of the pressure. Of bodies of revolution
+    /// that of the whole ring.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub force: Vec<f64>,
     /// Remaining gap, positive where open; null where there is no other side.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub gap: Vec<Option<f64>>,
-    /// Tributary area of each point; follows from positions and order where it is left out. Of bodies of revolution that of the whole ring.
+    /// Tributary area of each point; follows from positions and order where it is left out. Of bodies of revolution
+    /// that of the whole ring.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub area: Vec<f64>,
     /// Mean pressures over the edges, where the code knows them.
@@ -86,7 +89,8 @@ pub fn schema() -> String {
 }
 
 /// What to do about a document that is none.
-const SCHEMA: &str = "write it by the schema that `contact-vv schema answer` prints; `contact-vv export` writes one to begin with; numbers are \
+const SCHEMA: &str = "write it by the schema that `contact-vv schema answer` prints; `contact-vv export` writes one to \
+    begin with; numbers are \
      finite: leave out only points beyond the contact";
 
 /// The answer in a text.
@@ -263,8 +267,8 @@ impl Reader<'_> {
     }
 }
 
-/// From where to where edges in order leave out, or have twice, a part of the contact; none where they are none. The first and the last point may
-/// lie within edges.
+/// From where to where edges in order leave out, or have twice, a part of the contact; none where they are none. The
+/// first and the last point may lie within edges.
 fn wrong_step(edges: &[EdgeState], points: &[Point]) -> Option<[f64; 2]> {
     let ([first, .., last], [begin, .., end]) = (points, edges) else { return None };
     let (first, last) = (first.position, last.position);

@@ -1,4 +1,5 @@
-//! Displacements on another code's mesh, brought to the nodes of ours: from there equilibrium, energy and all else follow by our own formulas.
+//! Displacements on another code's mesh, brought to the nodes of ours: from there equilibrium, energy and all else
+//! follow by our own formulas.
 
 use crate::elasticity::point::Cells;
 use crate::referee::side::Cell;
@@ -15,7 +16,8 @@ pub struct Field {
     pub displacement: Vec<[f64; 2]>,
 }
 
-/// How far outside a cell, over its size, a point still belongs to it: the edges of coarse triangles miss a curved outline by as much.
+/// How far outside a cell, over its size, a point still belongs to it: the edges of coarse triangles miss a curved
+/// outline by as much.
 const OUTSIDE: f64 = 0.08;
 /// The same of one that lies within, but for round-off.
 const WITHIN: f64 = 1e-9;

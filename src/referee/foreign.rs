@@ -13,7 +13,8 @@ const OF_ABAQUS: &str = "write COORD and CPRESS of the nodes of the contact side
 /// What ParaView is to write.
 const OF_PARAVIEW: &str = "open it in ParaView, and save the data as one .vtu";
 /// What a run is to write.
-const OF_RUN: &str = "hand in what the run wrote of the contact side: the .frd of CalculiX, a report (.rpt) of Abaqus with COORD and CPRESS, or a .csv";
+const OF_RUN: &str = "hand in what the run wrote of the contact side: the .frd of CalculiX, a report (.rpt) of Abaqus \
+    with COORD and CPRESS, or a .csv";
 
 /// A kind of file: what it is, and what to do.
 type Kind = (&'static str, &'static str);

@@ -1,5 +1,5 @@
-//! Answers of CalculiX as fields (`.frd`): pressures and gaps of any deck with contact pairs, displacements of all; of plane cells, or of the slice
-//! into which CalculiX expands them.
+//! Answers of CalculiX as fields (`.frd`): pressures and gaps of any deck with contact pairs, displacements of all; of
+//! plane cells, or of the slice into which CalculiX expands them.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -20,10 +20,13 @@ use crate::scene::Scene;
 const CONTACT: &str =
     "write `*CONTACT FILE` with CDIS and CSTR in the step, and run ccx again; of an exported deck hand in the .dat";
 /// How they are written such that their nodes are there.
-const EXPANDED: &str = "write *CONTACT FILE and *NODE FILE with OUTPUT=3D, so that the file has the nodes into which ccx expands plane elements and those \
+const EXPANDED: &str = "write *CONTACT FILE and *NODE FILE with OUTPUT=3D, so that the file has the nodes into which \
+    ccx expands plane elements and those \
                         of the contact are among them; or hand in a .csv of positions and nodal forces";
-/// How they are written where the file has the expanded nodes, and those of the contact are of the plane, as of a surface of nodes.
-const IN_PLANE: &str = "leave OUTPUT=3D out, so that the file has the nodes of the plane elements, by which the contact names its own; or hand in a \
+/// How they are written where the file has the expanded nodes, and those of the contact are of the plane, as of a
+/// surface of nodes.
+const IN_PLANE: &str = "leave OUTPUT=3D out, so that the file has the nodes of the plane elements, by which the \
+    contact names its own; or hand in a \
                         .csv of positions and nodal forces";
 /// What to do about a node with two kinds of numbers.
 const TWICE: &str = "keep one line a node, that of the side and state which are judged, or run ccx again";
@@ -78,7 +81,8 @@ pub fn parse(file: &Path, text: &str, scene: &Scene, asked: &Asked) -> Result<An
     let (points, lacking) = without_gaps(nodes.iter().map(point).collect());
     if lacking + lost > 0 {
         let message = format!(
-            "its contact block has values at {} nodes, {} of which the file does not have, {lost} of them under pressure; {lacking} of the {} \
+            "its contact block has values at {} nodes, {} of which the file does not have, {lost} of them under \
+            pressure; {lacking} of the {} \
              nodes of contact `{}` have none, and none is no zero",
             block.rows.len(),
             strange.len(),
@@ -111,8 +115,9 @@ pub fn parse(file: &Path, text: &str, scene: &Scene, asked: &Asked) -> Result<An
     Ok(Answer { file: file.into(), code, read, notes, units, contacts, field })
 }
 
-/// The displacements of a file, of a state where one is given; none where it has none, or their unit is not known. `ours` is the unit of our own
-/// decks. Places of nodes are those of a deck where it has them: a file has six digits, by which a thin ring of 1 m loses its shape.
+/// The displacements of a file, of a state where one is given; none where it has none, or their unit is not known.
+/// `ours` is the unit of our own decks. Places of nodes are those of a deck where it has them: a file has six digits,
+/// by which a thin ring of 1 m loses its shape.
 pub fn displacements(
     (source, scene): (&Source, &Scene),
     asked: &Asked,
@@ -256,7 +261,8 @@ fn numbers(text: &str) -> Option<Vec<f64>> {
     Some(all)
 }
 
-/// Where the first number ends: its exponent has digits up to the sign of the next one, or to the one digit before the point of the next one.
+/// Where the first number ends: its exponent has digits up to the sign of the next one, or to the one digit before the
+/// point of the next one.
 fn end_of_number(text: &str) -> usize {
     let Some(exponent) = text.find(['E', 'e']) else { return text.len() };
     let rest = &text[exponent + 1..];
@@ -283,7 +289,8 @@ const KINDS: [Kind; 8] = [
 /// Types of lines, as which gap elements are written.
 const LINES: [&str; 2] = ["11", "12"];
 
-/// The mesh in the plane: nodes at the same place of the slice are one, those of a sector of bodies of revolution at the same radius.
+/// The mesh in the plane: nodes at the same place of the slice are one, those of a sector of bodies of revolution at
+/// the same radius.
 struct Plane {
     /// All nodes of the file; of a sector turned into the plane.
     all: BTreeMap<usize, [f64; 2]>,
@@ -391,9 +398,10 @@ impl Plane {
         }
     }
 
-    /// Part of what nodes move along the radius that is written of them. Of cells of revolution in the plane it is the mean along x over the two
-    /// ends of the sector of 2° into which ccx expands them, by Simpson's rule where there is a node between, as at corners of 8-node cells. The
-    /// ripple between both kinds of nodes had 14 % of the strain energy of a torus of 1 m.
+    /// Part of what nodes move along the radius that is written of them. Of cells of revolution in the plane it is the
+    /// mean along x over the two ends of the sector of 2° into which ccx expands them, by Simpson's rule where there is
+    /// a node between, as at corners of 8-node cells. The ripple between both kinds of nodes had 14 % of the strain
+    /// energy of a torus of 1 m.
     fn part_along_radius(&self, scene: &Scene) -> Vec<f64> {
         if !scene.is_of_revolution() || !self.turned.is_empty() {
             return vec![1.0; self.places.len()];
@@ -445,7 +453,8 @@ fn one_pressure(source: &Source, block: &Block, rows: &[Vec<Row>], pressure: usi
         let (first, one) = rows.first().map(of)?;
         let (second, other) = rows.iter().map(of).find(|(_, other)| (other - one).abs() > LAYERS * largest)?;
         Some(format!(
-            "nodes {first} and {second} of its contact block are one of the plane, and have the pressures {one} and {other}"
+            "nodes {first} and {second} of its contact block are one of the plane, and have the pressures {one} and \
+            {other}"
         ))
     };
     match rows.iter().find_map(apart) {
@@ -456,7 +465,8 @@ fn one_pressure(source: &Source, block: &Block, rows: &[Vec<Row>], pressure: usi
 
 /// Difference of pressures of the layers of a slice, over the largest, which their six digits and an iteration leave.
 const LAYERS: f64 = 1e-3;
-/// Distance of nodes, over the largest coordinate of their cell, within which they are at the same place: six digits are written.
+/// Distance of nodes, over the largest coordinate of their cell, within which they are at the same place: six digits
+/// are written.
 const SAME: f64 = 2e-6;
 /// The same of radii, of which both coordinates are rounded.
 const SAME_RADIUS: f64 = 1e-5;

@@ -1,4 +1,5 @@
-//! Answers as VTK unstructured grids (`.vtu`, or `.vtk` of the legacy format): nodal pressure, or stress, on the mesh of the other code.
+//! Answers as VTK unstructured grids (`.vtu`, or `.vtk` of the legacy format): nodal pressure, or stress, on the mesh
+//! of the other code.
 
 use std::collections::HashMap;
 use std::path::Path;
@@ -18,7 +19,8 @@ use crate::referee::vtu::AGAIN;
 use crate::referee::{table, vtk, vtu};
 use crate::scene::{ContactPair, Scene};
 
-/// Names that fields have without being named, by what they hold. Grids have fields inside bodies too: `p` may be a mean stress there.
+/// Names that fields have without being named, by what they hold. Grids have fields inside bodies too: `p` may be a
+/// mean stress there.
 const USUAL: [(Role, &[&str]); 4] = [
     (Role::Pressure, &["contact_pressure", "contact pressure", "cpress", "pressure"]),
     (Role::Gap, &["contact_gap", "contact gap", "gap", "copen"]),
@@ -27,7 +29,8 @@ const USUAL: [(Role, &[&str]); 4] = [
 ];
 
 /// Numbers of components as CalculiX orders those of a contact in a `.frd`.
-const CONTACT: &str = "which in CalculiX's order of six is 0 of COPEN, 1 of CSLIP1, 2 of CSLIP2, 3 of CPRESS, 4 of CSHEAR1 and 5 of CSHEAR2";
+const CONTACT: &str = "which in CalculiX's order of six is 0 of COPEN, 1 of CSLIP1, 2 of CSLIP2, 3 of CPRESS, 4 of \
+    CSHEAR1 and 5 of CSHEAR2";
 
 /// The answer in the bytes of a file.
 pub fn parse(file: &Path, bytes: &[u8], scene: &Scene, asked: &Asked) -> Result<Answer, Error> {
@@ -63,7 +66,8 @@ pub fn parse(file: &Path, bytes: &[u8], scene: &Scene, asked: &Asked) -> Result<
     Ok(Answer { file: file.into(), code: None, read, notes, units: asked.units(), contacts, field })
 }
 
-/// A quadrilateral of order p, whose nodes lie evenly, as cells of nine nodes, or of four where p is odd; none where no order has so many nodes.
+/// A quadrilateral of order p, whose nodes lie evenly, as cells of nine nodes, or of four where p is odd; none where no
+/// order has so many nodes.
 fn parts(nodes: &[usize]) -> Option<Vec<Cell>> {
     let p = nodes.len().isqrt().checked_sub(1).filter(|p| *p > 0 && (p + 1).pow(2) == nodes.len())?;
     let at: HashMap<[usize; 2], usize> = Order::lattice(p).zip(nodes.iter().copied()).collect();
@@ -107,11 +111,13 @@ impl Grid<'_> {
                 1..=4 | 21 | 68 => continue,
                 other => {
                     let message = format!(
-                        "it has cells of VTK's type {other}, and read are those of types 5, 22, 9, 23, 28 and 70, and 7, 8 and 69 of as many nodes"
+                        "it has cells of VTK's type {other}, and read are those of types 5, 22, 9, 23, 28 and 70, and \
+                        7, 8 and 69 of as many nodes"
                     );
                     return Err(self.source.refused(
                         message,
-                        "hand in the plane mesh, as triangles of 3 or 6 nodes, or quadrilaterals of 4, 8, 9 or (p + 1)²",
+                        "hand in the plane mesh, as triangles of 3 or 6 nodes, or quadrilaterals of 4, 8, 9 or (p + \
+                        1)²",
                     ));
                 }
             };
@@ -198,7 +204,8 @@ impl Grid<'_> {
         self.source.factor(role, &format!("`{}`", field.name), written, asked.unit(role))
     }
 
-    /// The field of a role, and its component where one is named, `NAME:COMPONENT`; none where there is none of its usual names, and none was named.
+    /// The field of a role, and its component where one is named, `NAME:COMPONENT`; none where there is none of its
+    /// usual names, and none was named.
     fn field(&self, role: Role, asked: &Asked) -> Result<Option<(&Field, Option<usize>)>, Error> {
         let first = |is_it: &dyn Fn(&str) -> bool| self.fields.iter().find(|field| is_it(&field.name));
         let found = |name: &str| {
@@ -254,7 +261,8 @@ impl Grid<'_> {
         }
     }
 
-    /// The pressure of a node in our unit, of a field or from the stresses; what was read, and whether it is of stresses.
+    /// The pressure of a node in our unit, of a field or from the stresses; what was read, and whether it is of
+    /// stresses.
     fn pressures<'g>(
         &'g self,
         points: &'g [[f64; 2]],
@@ -281,11 +289,13 @@ impl Grid<'_> {
                 field.name,
                 field.names.join(", ")
             );
-            let remedy = "call them XX, YY and XY, S11, S22 and S12, or SX, SY and SXY; or name a pressure by --column pressure=NAME";
+            let remedy = "call them XX, YY and XY, S11, S22 and S12, or SX, SY and SXY; or name a pressure by --column \
+                pressure=NAME";
             return Err(self.source.refused(message, remedy));
         }
         if self.fields.is_empty() {
-            let remedy = "write the pressure of the contact side, or the stress, at its nodes: what a file has of cells is not read";
+            let remedy = "write the pressure of the contact side, or the stress, at its nodes: what a file has of \
+                cells is not read";
             return Err(self.source.refused("it has no field at its nodes", remedy));
         }
         let Some((field, at)) = places else {
@@ -314,7 +324,8 @@ impl Grid<'_> {
         Ok((Box::new(pressure), how, true))
     }
 
-    /// Remaining gaps of some nodes: a field, or from the displacements where the other side is rigid and its gap a formula.
+    /// Remaining gaps of some nodes: a field, or from the displacements where the other side is rigid and its gap a
+    /// formula.
     fn gaps(
         &self,
         nodes: &[usize],

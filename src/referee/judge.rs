@@ -108,15 +108,17 @@ impl Bench<'_> {
         let edge = if self.profile.scene.is_around_axis(contact) { OF_RINGS * EDGE } else { EDGE };
         let allowed = self.tolerance + edge * self.size_of_lines() / self.half_width_known().reference.value;
         let quantity = "error of the mean pressures over its edges, relative in L2";
-        let because = "the tolerance, the bar of the reference, and what the end of the contact leaves within an edge of this mesh";
+        let because = "the tolerance, the bar of the reference, and what the end of the contact leaves within an edge \
+            of this mesh";
         let check = Check::error(quantity, known.reference.clone(), allowed + known.bar, because);
         Some(self.ruled(check, error, known))
     }
 
     /// How far pressures alternate from point to point, which means over edges do not show.
     ///
-    /// Largest `|e_i − (e_{i−1} + e_{i+1})/2| / 2` of the errors e of three points in a row well within the contact, over the peak; where the
-    /// pressure has no limit, of errors over the pressure itself: up to the last points before an end where it has none.
+    /// Largest `|e_i − (e_{i−1} + e_{i+1})/2| / 2` of the errors e of three points in a row well within the contact,
+    /// over the peak; where the pressure has no limit, of errors over the pressure itself: up to the last points before
+    /// an end where it has none.
     fn alternation(&self) -> Option<Judged> {
         let contact = self.profile.contact;
         let is_unbounded = self.truth.is_unbounded(contact);
@@ -141,9 +143,9 @@ impl Bench<'_> {
         Some(check.judge(largest))
     }
 
-    /// The few points in a row whose pressures depart most from the truth while those of two on either side do not, where one is off by more than is
-    /// allowed: the peak that is fitted passes them by, and of many points the norm. Not the last ones before an end, nor where the truth bends as
-    /// much from point to point.
+    /// The few points in a row whose pressures depart most from the truth while those of two on either side do not,
+    /// where one is off by more than is allowed: the peak that is fitted passes them by, and of many points the norm.
+    /// Not the last ones before an end, nor where the truth bends as much from point to point.
     fn lone(&self) -> Option<Judged> {
         let contact = self.profile.contact;
         let peak = self.truth.known(contact, &Quantity::PeakPressure).reference.value;
@@ -189,9 +191,9 @@ impl Bench<'_> {
         Some(self.ruled(check, error, known)).filter(|judged| judged.verdict == Verdict::Fail)
     }
 
-    /// The worst of the last points before an end, which [`Self::lone`] passes by, where its pressure is none that the truth has within a quarter of
-    /// an edge of there, by more than one point may be off and those within the contact swing, which is judged there. Where the pressure has no limit
-    /// they are not judged.
+    /// The worst of the last points before an end, which [`Self::lone`] passes by, where its pressure is none that the
+    /// truth has within a quarter of an edge of there, by more than one point may be off and those within the contact
+    /// swing, which is judged there. Where the pressure has no limit they are not judged.
     fn beside_ends(&self, swing: f64, missing: &mut Vec<[String; 2]>) -> Option<Judged> {
         let Profile { contact, alone, across, order, lines, .. } = self.profile;
         // Pressures alone have middles of straight lines between them.
@@ -224,7 +226,8 @@ impl Bench<'_> {
         let (place, [p, low, high]) =
             (places(self.profile.pair(), &[s]), [p, low, high].map(|one| significant(one, 4)));
         let quantity = format!(
-            "pressure beside an end, at {place}: {p}, where the truth has {low} to {high} MPa within a quarter of an edge, over the peak"
+            "pressure beside an end, at {place}: {p}, where the truth has {low} to {high} MPa within a quarter of an \
+            edge, over the peak"
         );
         let because = "the tolerance, the bar of the reference, and what one point of an answer may be off";
         // Corners of 8-node cells have a third of an edge.
@@ -233,7 +236,8 @@ impl Bench<'_> {
         Some(self.ruled(check, error, known)).filter(|judged| judged.verdict == Verdict::Fail)
     }
 
-    /// Whether a place lies well within the contact, and not where the pressure has no limit: at its ends, or at s = 0 under a cone.
+    /// Whether a place lies well within the contact, and not where the pressure has no limit: at its ends, or at s = 0
+    /// under a cone.
     fn has_limit(&self, s: f64) -> bool {
         let contact = self.profile.contact;
         let ends = &self.truth.run.contacts[contact].measures;
@@ -311,8 +315,8 @@ const INSIDE: f64 = 0.8;
 const BESIDE: f64 = 0.2;
 /// Points at an end where the pressure has no limit in which they may.
 const AT_END: usize = 3;
-/// Part of an edge to either side within which right answers have the pressures of the truth beside an end, on meshes of 6 edges or more, and parts
-/// of both at whose ends it is read.
+/// Part of an edge to either side within which right answers have the pressures of the truth beside an end, on meshes
+/// of 6 edges or more, and parts of both at whose ends it is read.
 const QUARTER: f64 = 0.25;
 const PARTS: usize = 8;
 const ALTERNATE: f64 = 0.1;
@@ -323,7 +327,8 @@ const LONE: f64 = 4.0;
 const GROUP: usize = 4;
 /// Half-widths over which profiles are compared.
 const COMPARED: f64 = 1.5;
-/// Part of the edge length over the half-width that the profile may be off: our own coarse meshes of both orders stay within it.
+/// Part of the edge length over the half-width that the profile may be off: our own coarse meshes of both orders stay
+/// within it.
 const EDGE: f64 = 0.3;
 
 /// Times that around an axis of revolution, whose outer rings weigh more.

@@ -1,7 +1,8 @@
 //! Usual mistakes: what turns an answer that does not meet its truth into one that does is named.
 //!
-//! A mistake is a correction of positions and pressures. Loads, radii and moduli enter by the powers of Hertz's contact,
-//! `a ∝ √(PR/E*)`, `p ∝ √(PE*/R)`, of bodies of revolution `a ∝ ∛(FR/E*)`, `p ∝ ∛(FE*²/R²)`, and by those of a contact whose width is given.
+//! A mistake is a correction of positions and pressures. Loads, radii and moduli enter by the powers of Hertz's
+//! contact, `a ∝ √(PR/E*)`, `p ∝ √(PE*/R)`, of bodies of revolution `a ∝ ∛(FR/E*)`, `p ∝ ∛(FE*²/R²)`, and by those of a
+//! contact whose width is given.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -22,8 +23,8 @@ type Correction = (String, Handed);
 
 /// The mistakes that explain an answer: each turns what fails into what passes. Gaps take no part.
 ///
-/// `beside` are its units, as the file or --unit calls them, and whether its displacements have the strain energy of the scene: loads, radii and
-/// moduli are right then.
+/// `beside` are its units, as the file or --unit calls them, and whether its displacements have the strain energy of
+/// the scene: loads, radii and moduli are right then.
 pub fn explain(truth: &Truth, handed: &Handed, beside: (&Units, bool), tolerance: f64) -> Vec<String> {
     let plain = thinned(handed);
     let failed = |profile: &Profile| {
@@ -84,7 +85,8 @@ fn corrections<'a>(
     scaled.chain(of_points(truth, handed))
 }
 
-/// Corrections of the points one by one. What moves values among them says nothing of means over edges that were handed in beside them.
+/// Corrections of the points one by one. What moves values among them says nothing of means over edges that were handed
+/// in beside them.
 fn of_points(truth: &Truth, handed: &Handed) -> Vec<Correction> {
     let (scene, pair) = (&truth.case.scene, &truth.case.scene.contacts[handed.contact]);
     let (is_circle, has_both_sides) = (scene.is_around_axis(handed.contact), pair.path.has_both_sides());
@@ -178,8 +180,8 @@ fn from_other_lines(handed: &Handed) -> Vec<Correction> {
     (1..4).flat_map(|quarters| [(quarters, 1.0), (quarters, -1.0)]).filter_map(turned).collect()
 }
 
-/// Factors on pressures and on positions: numbers that are called others, then, unless the scene was solved, another scene; units that are called
-/// others, and numbers without, where nothing else has the same.
+/// Factors on pressures and on positions: numbers that are called others, then, unless the scene was solved, another
+/// scene; units that are called others, and numbers without, where nothing else has the same.
 fn scales(truth: &Truth, handed: &Handed, (own, is_of_scene): (&Units, bool)) -> Vec<(String, [f64; 2])> {
     let scene = &truth.case.scene;
     let is_circle = scene.is_around_axis(handed.contact);
@@ -261,7 +263,8 @@ fn widens(truth: &Truth, contact: usize) -> bool {
     (gap(-NEAR_END).max(gap(NEAR_END)) - gap(0.0)) > ALIKE * ALIKE * half
 }
 
-/// What is said where twice the scene's, or half of it, presses over the scene's width: of the load only where it does not change the width.
+/// What is said where twice the scene's, or half of it, presses over the scene's width: of the load only where it does
+/// not change the width.
 fn of_amount(truth: &Truth, handed: &Handed, of_load: [&'static str; 2]) -> [&'static str; 2] {
     match (widens(truth, handed.contact), handed.forces) {
         (false, _) => of_load,
@@ -285,7 +288,8 @@ fn of_hertz(is_circle: bool, [load, radius, modulus]: [f64; 3]) -> [f64; 2] {
     [pressure.recip(), width.recip()]
 }
 
-/// Those of bodies of revolution: of a load so many times the scene's `a` and `p₀` are `∛` of it, of a contact of given radius p alone.
+/// Those of bodies of revolution: of a load so many times the scene's `a` and `p₀` are `∛` of it, of a contact of given
+/// radius p alone.
 fn of_revolution(truth: &Truth, handed: &Handed) -> Vec<(&'static str, [f64; 2])> {
     let scene = &truth.case.scene;
     let half = "the load is half of the scene's: that is of the whole body of revolution";
@@ -337,8 +341,10 @@ fn of_strips(truth: &Truth, handed: &Handed) -> Vec<(&'static str, [f64; 2])> {
         ],
     };
     let [of_half, of_twice] = of_amount(truth, handed, [half, twice]);
-    let wider = "the radius is twice the scene's (a diameter for a radius), or E* half of it (an elastic other side for a rigid one)";
-    let narrower = "the radius is half of the scene's (a radius for a diameter), or E* twice as large (a rigid other side for an elastic one)";
+    let wider = "the radius is twice the scene's (a diameter for a radius), or E* half of it (an elastic other side \
+        for a rigid one)";
+    let narrower = "the radius is half of the scene's (a radius for a diameter), or E* twice as large (a rigid other \
+        side for an elastic one)";
     let sphere =
         "p₀ = 3F/2πa² is that of a sphere, whose a = ∛(3FR/4E*): of a cylinder p₀ = 2F/πat and a = √(4FR/πE*t)";
     let (other, plane) = match scene.plane {
@@ -364,7 +370,8 @@ fn of_strips(truth: &Truth, handed: &Handed) -> Vec<(&'static str, [f64; 2])> {
     ]
 }
 
-/// Units that are called others: positions, pressures or forces, or both. Forces do not change with the unit of positions.
+/// Units that are called others: positions, pressures or forces, or both. Forces do not change with the unit of
+/// positions.
 fn units(pair: &ContactPair, handed: &Handed, units: &Units, is_circle: bool) -> Vec<(String, [f64; 2])> {
     let role = if handed.forces { Role::Force } else { Role::Pressure };
     let [places, values] = [(Role::Position, pair.path.is_straight()), (role, true)].map(|(role, are_lengths)| {
@@ -384,8 +391,8 @@ fn units(pair: &ContactPair, handed: &Handed, units: &Units, is_circle: bool) ->
     all
 }
 
-/// What numbers of a role in a unit may be, each with its factor: in another unit, then in that unit, and converted to it from another once more; and
-/// whether they are in another. Lengths or angles, the first of a size.
+/// What numbers of a role in a unit may be, each with its factor: in another unit, then in that unit, and converted to
+/// it from another once more; and whether they are in another. Lengths or angles, the first of a size.
 fn others(role: Role, own: &str, are_lengths: bool) -> Vec<(String, f64, bool)> {
     let Some(ours) = role.factor(own) else { return vec![] };
     let what = if are_lengths { format!("{}s", role.name()) } else { "angles".into() };
@@ -421,8 +428,8 @@ fn normalised(truth: &Truth, handed: &Handed) -> Vec<(String, [f64; 2])> {
     all.into_iter().filter(|(_, by)| by.iter().all(|x| x.is_normal())).map(|(text, by)| (says(text), by)).collect()
 }
 
-/// What turns a sphere's peak into that of a cylinder, with its half-width and without: since `a² = 4PR/πE*`, the sphere has `a₃³ = 3πta²/16`, and
-/// its peak is `3ta/4a₃²` times that of the cylinder.
+/// What turns a sphere's peak into that of a cylinder, with its half-width and without: since `a² = 4PR/πE*`, the
+/// sphere has `a₃³ = 3πta²/16`, and its peak is `3ta/4a₃²` times that of the cylinder.
 fn of_spheres(truth: &Truth, handed: &Handed) -> [[f64; 2]; 2] {
     let known = truth.known(handed.contact, &Quantity::SecondMomentWidth);
     let (a, thickness) = (known.reference.value, truth.case.scene.thickness);
@@ -453,7 +460,8 @@ fn scaled(handed: &Handed, pressure: f64, place: f64, area: f64) -> Handed {
     }
 }
 
-/// The values moved by one point, the end filled up; and all positions moved so that the centre of pressure lies in the middle.
+/// The values moved by one point, the end filled up; and all positions moved so that the centre of pressure lies in the
+/// middle.
 fn shifts(scene: &Scene, handed: &Handed) -> Vec<Correction> {
     let values: Vec<f64> = handed.points.iter().map(|point| point.value).collect();
     let last = values.len() - 1;
@@ -495,7 +503,8 @@ fn halves(handed: &Handed) -> Vec<Correction> {
     both.map(|(name, sign)| (format!("the {name} half of the profile is missing"), half(0.0 - sign))).collect()
 }
 
-/// Without gaps, and of a great many pressures at points alone by so many only that mistakes are told by: corners and mid-sides by turns still.
+/// Without gaps, and of a great many pressures at points alone by so many only that mistakes are told by: corners and
+/// mid-sides by turns still.
 fn thinned(handed: &Handed) -> Handed {
     let [last, step] = [handed.points.len() - 1, (handed.points.len() / ENOUGH) | 1];
     let may_be = handed.order == Order::Linear && !handed.forces && handed.edges.is_empty();

@@ -4,8 +4,8 @@
 //! * [`source`] — a file that is handed in, and how it is refused.
 //! * [`answer`] — what another code found.
 //! * [`asked`] — how a file is to be read.
-//! * [`table`], [`document`], [`grid`], [`calculix`], [`frd`] — answers as CSV, as JSON, of VTK and of CalculiX; [`mod@read`] — a file by its ending; `foreign` — what it is where it
-//!   is none of them.
+//! * [`table`], [`document`], [`grid`], [`calculix`], [`frd`] — answers as CSV, as JSON, of VTK and of CalculiX;
+//!   [`mod@read`] — a file by its ending; `foreign` — what it is where it is none of them.
 //! * [`state`] — which state of an analysis is judged.
 //! * `unstructured` — a grid of VTK; `vtu`, `vtk` — one in XML, and in the legacy format; `pvd` — one of several.
 //! * [`side`] — which nodes of a mesh lie on the contact side, and whether they are all that is pressed.
@@ -16,7 +16,8 @@
 //! * [`norm`] — the distance of a profile from the truth.
 //! * [`truth`] — what a case is judged by.
 //! * [`mod@bench`] — what a profile is judged with.
-//! * [`mod@judge`] — the verdicts; [`contact_laws`], `declared` — those of gaps and sides, and of a scene file's own checks.
+//! * [`mod@judge`] — the verdicts; [`contact_laws`], `declared` — those of gaps and sides, and of a scene file's own
+//!   checks.
 //! * [`series`] — a refinement series of answers; [`picture`] — one drawn on the truth.
 //! * [`export`] — all that is needed to run a case elsewhere.
 //! * [`mistakes`] — what explains an answer that does not meet its truth.
@@ -73,7 +74,8 @@ pub struct Verdicts {
     pub mistakes: Vec<String>,
     /// Contacts of the scene that were not handed in.
     pub absent: Vec<String>,
-    /// What the closed forms of the case say that our own run contradicts, and what makes the answer another one than may be meant.
+    /// What the closed forms of the case say that our own run contradicts, and what makes the answer another one than
+    /// may be meant.
     pub notes: Vec<String>,
 }
 

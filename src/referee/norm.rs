@@ -2,12 +2,15 @@
 
 use crate::solution::EdgeState;
 
-/// Points of an edge at which the truth is read: its root at the end of a contact is integrated to about 1e-3 of the edge's mean.
+/// Points of an edge at which the truth is read: its root at the end of a contact is integrated to about 1e-3 of the
+/// edge's mean.
 const READ: usize = 32;
-/// Points of all edges together from which on fewer of each will do: the edge at the end is a small part of the contact.
+/// Points of all edges together from which on fewer of each will do: the edge at the end is a small part of the
+/// contact.
 const ALL: usize = 64_000;
 
-/// `√(Σ A (p̄ − p̄_ref)² / Σ A p̄_ref²)` of the means over edges, those of the truth by the midpoint rule, weighted by the radius over rings.
+/// `√(Σ A (p̄ − p̄_ref)² / Σ A p̄_ref²)` of the means over edges, those of the truth by the midpoint rule, weighted by
+/// the radius over rings.
 pub fn of_means(edges: &[EdgeState], truth: impl Fn(f64) -> f64) -> f64 {
     let points = (ALL / edges.len().max(1)).clamp(1, READ);
     let of = |edge: &EdgeState| match edge.axis {

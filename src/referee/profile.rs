@@ -1,4 +1,5 @@
-//! What was handed in as the profile that measures are taken of: contact points and edge means, by the formulas of every run.
+//! What was handed in as the profile that measures are taken of: contact points and edge means, by the formulas of
+//! every run.
 
 use std::f64::consts::TAU;
 
@@ -22,15 +23,15 @@ pub struct Profile {
     pub order: Order,
     /// Contact points, in the order of the contact coordinate.
     pub points: Vec<PointState>,
-    /// The same with more of them between: on roots where pressures alone were handed in, on straight lines where their forces are known
-    /// along edges with two nodes; none elsewhere.
+    /// The same with more of them between: on roots where pressures alone were handed in, on straight lines where their
+    /// forces are known along edges with two nodes; none elsewhere.
     pub between: Vec<PointState>,
     /// Places between which pressures alone lie on straight lines; none elsewhere.
     pub lines: Vec<f64>,
     /// Means over the edges between them.
     pub edges: Vec<EdgeState>,
-    /// Contact coordinate and pressure of the points as they were handed in, of forces that over the area, where no means over edges stand beside
-    /// them \[mm or rad, MPa\].
+    /// Contact coordinate and pressure of the points as they were handed in, of forces that over the area, where no
+    /// means over edges stand beside them \[mm or rad, MPa\].
     pub alone: Vec<[f64; 2]>,
     /// Whether means over edges stand beside them.
     pub has_means: bool,
@@ -64,7 +65,8 @@ impl Profile {
         let has_means = !plain.edges.is_empty();
         let may_lend = scene.is_around_axis(handed.contact) || begun.is_some() && handed.forces;
         let on_axis = may_lend && lends_to_axis(&mut points, handed);
-        // What a node on the axis is said to press with by one who says that it has no area is none: it had nothing to divide its force by.
+        // What a node on the axis is said to press with by one who says that it has no area is none: it had nothing to
+        // divide its force by.
         let lent = usize::from(on_axis && plain.points[0].area.is_some());
         let alone = match (has_means, plain.forces) {
             (true, _) => Vec::new(),
@@ -101,7 +103,8 @@ impl Profile {
     }
 }
 
-/// Contact points by the areas handed in, or else those that belong to them; `forces` tells whether values are nodal forces.
+/// Contact points by the areas handed in, or else those that belong to them; `forces` tells whether values are nodal
+/// forces.
 fn states(scene: &Scene, pair: &ContactPair, points: &[Point], order: Order, forces: bool) -> Vec<PointState> {
     let state = |(point, area): (&Point, f64)| {
         let weight = point.area.unwrap_or(area);
@@ -111,8 +114,9 @@ fn states(scene: &Scene, pair: &ContactPair, points: &[Point], order: Order, for
     points.iter().zip(tributary(scene, pair, points, order)).map(state).collect()
 }
 
-/// Places and pressures of nodes by their forces. Corners and mid-sides of 8-node cells have by turns a third and two thirds of an edge: where no areas
-/// are told, whatever is said of these two orders, they are those of the order by which they vary less.
+/// Places and pressures of nodes by their forces. Corners and mid-sides of 8-node cells have by turns a third and two
+/// thirds of an edge: where no areas are told, whatever is said of these two orders, they are those of the order by
+/// which they vary less.
 fn of_nodes(scene: &Scene, handed: &Handed, states: &[PointState]) -> Vec<[f64; 2]> {
     let points = &handed.points;
     let has_areas_between = handed.order > Order::Quadratic || scene.is_of_revolution();
@@ -140,8 +144,8 @@ pub const EDGES: f64 = 1.1;
 /// Steps before the last candidate at which the middle of an edge lies: half of one where edges are alike.
 pub const HALF: std::ops::Range<f64> = 0.3..0.7;
 
-/// What was handed in of a contact, with the points beyond that carry nothing where those that press alone are listed, and its ends where the
-/// points are the middles of edges and it reaches to the last candidates.
+/// What was handed in of a contact, with the points beyond that carry nothing where those that press alone are listed,
+/// and its ends where the points are the middles of edges and it reaches to the last candidates.
 pub fn ended(truth: &Truth, handed: &Handed) -> Handed {
     let (mut all, ours) = (handed.clone(), &truth.run.contacts[handed.contact].measures);
     let is_plain = handed.order == Order::Linear && handed.edges.is_empty();
@@ -180,11 +184,12 @@ fn on_both_sides(scene: &Scene, contact: usize) -> Scene {
     scene
 }
 
-/// Part of the area of its neighbour that a point on the axis has at most, whose edge is of order 2 or more: none but for rounding.
+/// Part of the area of its neighbour that a point on the axis has at most, whose edge is of order 2 or more: none but
+/// for rounding.
 const NO_AREA: f64 = 1e-6;
 
-/// Whether the first point lies on the axis and has no area, `∫ N r dr = 0`: it then gets the pressure of its neighbour, to which its force
-/// is added.
+/// Whether the first point lies on the axis and has no area, `∫ N r dr = 0`: it then gets the pressure of its
+/// neighbour, to which its force is added.
 fn lends_to_axis(points: &mut [PointState], handed: &Handed) -> bool {
     let [first, second, ..] = points else { return false };
     let has_no_area = first.weight.abs() <= NO_AREA * second.weight;
@@ -197,9 +202,9 @@ fn lends_to_axis(points: &mut [PointState], handed: &Handed) -> bool {
     has_no_area
 }
 
-/// The same begun on the symmetry line, where points such as the middles of edges do not: the first pressure holds up to there, and a first force
-/// is of all the area up to there. None where it begins there, or lies on both sides. Tables of bodies of revolution may leave out the axis, where
-/// nodes have no area.
+/// The same begun on the symmetry line, where points such as the middles of edges do not: the first pressure holds up
+/// to there, and a first force is of all the area up to there. None where it begins there, or lies on both sides.
+/// Tables of bodies of revolution may leave out the axis, where nodes have no area.
 fn begun(scene: &Scene, handed: &Handed, across: bool) -> Option<Handed> {
     let [first, second] = [handed.points[0], handed.points[1]];
     let (length, revolves) = (second.position - first.position, scene.is_around_axis(handed.contact));
@@ -220,7 +225,8 @@ fn begun(scene: &Scene, handed: &Handed, across: bool) -> Option<Handed> {
     points.extend(&handed.points);
     if handed.forces {
         let areas = tributary(scene, &scene.contacts[handed.contact], &points, Order::Linear);
-        // On straight lines it is an edge of which the first point is the middle; of rings their hat functions have the area of the first.
+        // On straight lines it is an edge of which the first point is the middle; of rings their hat functions have the
+        // area of the first.
         points[1].area = Some(areas[1] + if revolves { 0.0 } else { areas[0] });
         points[0] = Point { value: 0.0, area: Some(0.0), ..points[0] };
     }
@@ -232,7 +238,8 @@ fn shares(order: Order) -> Vec<f64> {
     lobatto(usize::from(order.number()) + 1).into_iter().map(|(_, weight)| 0.5 * weight).collect()
 }
 
-/// The same of an edge of bodies of revolution, each times its mean radius, `∫ N_k r ds / ∫ ds` \[mm\]; the rule is exact from order 2 on.
+/// The same of an edge of bodies of revolution, each times its mean radius, `∫ N_k r ds / ∫ ds` \[mm\]; the rule is
+/// exact from order 2 on.
 fn radii(radii: &[f64], order: Order) -> Vec<f64> {
     match (order, radii) {
         (Order::Linear, [a, b]) => vec![(2.0 * a + b) / 6.0, (a + 2.0 * b) / 6.0],
@@ -240,7 +247,8 @@ fn radii(radii: &[f64], order: Order) -> Vec<f64> {
     }
 }
 
-/// Area that belongs to each point \[mm²\]: its shares of its edges times the thickness; of bodies of revolution `∫ N_k 2πr dr`.
+/// Area that belongs to each point \[mm²\]: its shares of its edges times the thickness; of bodies of revolution
+/// `∫ N_k 2πr dr`.
 pub fn tributary(scene: &Scene, pair: &ContactPair, points: &[Point], order: Order) -> Vec<f64> {
     let (mut sums, plain) = (vec![0.0; points.len()], shares(order));
     let steps = plain.len() - 1;
@@ -257,8 +265,8 @@ pub fn tributary(scene: &Scene, pair: &ContactPair, points: &[Point], order: Ord
     sums.into_iter().map(|sum| sum * across).collect()
 }
 
-/// What was handed in of a contact by its points, in any order: those of edges of an order, or, where none is told, of that of which their areas
-/// tell. Refused as [`ordered`] says.
+/// What was handed in of a contact by its points, in any order: those of edges of an order, or, where none is told, of
+/// that of which their areas tell. Refused as [`ordered`] says.
 pub fn handed(
     (scene, contact): (&Scene, usize),
     points: Vec<Point>,
@@ -273,8 +281,8 @@ pub fn handed(
     Ok(Handed { contact, points, order, edges: vec![], forces })
 }
 
-/// Points of 8-node cells with that of the axis, whose area is 0, where it alone lacks to make edges whole, the first one
-/// being in the middle of an edge: answers leave it out.
+/// Points of 8-node cells with that of the axis, whose area is 0, where it alone lacks to make edges whole, the first
+/// one being in the middle of an edge: answers leave it out.
 pub fn from_axis((scene, contact): (&Scene, usize), mut points: Vec<Point>, order: Order) -> Vec<Point> {
     points.sort_by(|a, b| a.position.total_cmp(&b.position));
     let lacks = order == Order::Quadratic && points.len().is_multiple_of(2) && scene.is_around_axis(contact);
@@ -291,7 +299,8 @@ pub fn from_axis((scene, contact): (&Scene, usize), mut points: Vec<Point>, orde
 /// Part of the largest area, or of an edge, by which areas, or its middle, may be off from those of an order.
 const OFF: f64 = 0.01;
 
-/// The order of the edges of which the areas of points tell: 2 where they are theirs and not those of edges with two nodes; else 1.
+/// The order of the edges of which the areas of points tell: 2 where they are theirs and not those of edges with two
+/// nodes; else 1.
 fn order_of_areas(scene: &Scene, pair: &ContactPair, points: &[Point]) -> Order {
     let Some(areas) = points.iter().map(|point| point.area).collect::<Option<Vec<f64>>>() else { return Order::Linear };
     let largest = areas.iter().copied().fold(0.0, f64::max);

@@ -1,4 +1,5 @@
-//! Collections of ParaView (`.pvd`): a grid in a file of its own for each time, of which one is judged; and grids in pieces (`.pvtu`) that have one.
+//! Collections of ParaView (`.pvd`): a grid in a file of its own for each time, of which one is judged; and grids in
+//! pieces (`.pvtu`) that have one.
 
 use std::path::{Path, PathBuf};
 
@@ -19,7 +20,8 @@ pub fn only_piece(file: &Path, text: &str) -> Option<PathBuf> {
     piece.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("vtu")).then_some(piece)
 }
 
-/// The file that is judged and its state, that of the largest time or that of the time that is asked for; and the states of all.
+/// The file that is judged and its state, that of the largest time or that of the time that is asked for; and the
+/// states of all.
 pub fn chosen(file: &Path, text: &str, asked: &Asked) -> Result<(PathBuf, State, Vec<State>), Error> {
     let source = Source { file, text };
     let (mut found, mut at) = (Vec::new(), 0);

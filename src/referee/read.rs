@@ -100,7 +100,8 @@ fn of_collection(file: &Path, text: &str, case: &Case, asked: &Asked) -> Result<
     Ok(answer)
 }
 
-/// Nodal forces of an exported deck, and the displacements of the same time of the file of fields of the same name, where it has them.
+/// Nodal forces of an exported deck, and the displacements of the same time of the file of fields of the same name,
+/// where it has them.
 fn exported(file: &Path, table: &str, scene: &Scene, asked: &Asked) -> Result<Answer, Error> {
     let deck = deck_of(file)?;
     let (mut answer, state) = calculix::forces_at(file, table, &deck, scene, asked)?;
@@ -135,8 +136,8 @@ fn decompressed(file: &Path, bytes: &[u8]) -> Result<Vec<u8>, Error> {
     limited(file, plain)
 }
 
-/// The text in bytes: in UTF-8; in UTF-16, as which Windows marks it; or, where it has letters of neither, in Latin-1. Lines end in CR alone where
-/// Excel for the Mac wrote them.
+/// The text in bytes: in UTF-8; in UTF-16, as which Windows marks it; or, where it has letters of neither, in Latin-1.
+/// Lines end in CR alone where Excel for the Mac wrote them.
 fn text<'a>(file: &Path, bytes: &'a [u8]) -> Result<Cow<'a, str>, Error> {
     let words = |of: fn([u8; 2]) -> u16| bytes[2..].as_chunks().0.iter().map(|two| of(*two)).collect::<Vec<u16>>();
     let text = match bytes {

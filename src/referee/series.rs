@@ -1,4 +1,5 @@
-//! A refinement series of answers: observed orders, what the series says of its own limit, and whether that is the truth.
+//! A refinement series of answers: observed orders, what the series says of its own limit, and whether that is the
+//! truth.
 
 use crate::case::{Check, Judged};
 use crate::measure::order::{Observed, Richardson, pairs, richardson};

@@ -1,4 +1,5 @@
-//! Which edges of a mesh made elsewhere lie on the contact side of the first body, and whether they are all that is pressed there.
+//! Which edges of a mesh made elsewhere lie on the contact side of the first body, and whether they are all that is
+//! pressed there.
 
 use std::collections::{HashMap, HashSet, VecDeque};
 
@@ -15,7 +16,8 @@ const NEAR: f64 = 0.02;
 const ALONG: f64 = 0.5;
 /// Rounding of the stretch.
 const SAME: f64 = 1e-6;
-/// Pressure over the largest, above which an edge is pressed, and a contact does not end: stresses at free nodes are not quite 0.
+/// Pressure over the largest, above which an edge is pressed, and a contact does not end: stresses at free nodes are
+/// not quite 0.
 pub(super) const PRESSED: f64 = 0.02;
 /// Share of the force that may lie elsewhere, or behind an end.
 pub(super) const DROPPED: f64 = 1e-3;
@@ -24,7 +26,8 @@ const APART: f64 = 1e-2;
 /// Part of the candidate stretch that a side reaches over which lies there with its points in another unit.
 const REACHED: f64 = 0.5;
 /// What to do about points that lie elsewhere.
-const UNDEFORMED: &str = "hand in the mesh undeformed, in plane cells, in the coordinates of the scene and the unit of --unit position=UNIT; --contact \
+const UNDEFORMED: &str = "hand in the mesh undeformed, in plane cells, in the coordinates of the scene and the unit of \
+    --unit position=UNIT; --contact \
                           names one of several";
 /// What to do about cells of the other half of a scene whose contact does not lie on the symmetry line.
 const ONE_HALF: &str = "; of a symmetric whole hand in the half that the scene is";
@@ -61,8 +64,8 @@ pub struct Side {
 }
 
 impl Side {
-    /// The side of a contact, that of the first body; that of the second one where only it has values other than 0, which is then said. Refused
-    /// where no edge lies there.
+    /// The side of a contact, that of the first body; that of the second one where only it has values other than 0,
+    /// which is then said. Refused where no edge lies there.
     pub fn of(
         source: &Source,
         (scene, contact): (&Scene, usize),
@@ -106,7 +109,8 @@ impl Side {
                 format!("{least:.4} to {most:.4}")
             };
             let message = format!(
-                "no edge of its cells lies on the side of contact `{}`, within the candidate stretch; its points lie at x = {}, y = {} mm",
+                "no edge of its cells lies on the side of contact `{}`, within the candidate stretch; its points lie \
+                at x = {}, y = {} mm",
                 pair.name,
                 range(0),
                 range(1)
@@ -140,8 +144,9 @@ impl Side {
         if self.edges.iter().all(|edge| edge.len() == 3) { Order::Quadratic } else { Order::Linear }
     }
 
-    /// Refuses a side of which only a part is read: edges that go on from it are pressed too, by what their nodes say along their own normal.
-    /// Edges of bodies of revolution are rings about x = 0 or y = 0; those without another side are not pressed, whatever corners beside them say.
+    /// Refuses a side of which only a part is read: edges that go on from it are pressed too, by what their nodes say
+    /// along their own normal. Edges of bodies of revolution are rings about x = 0 or y = 0; those without another side
+    /// are not pressed, whatever corners beside them say.
     pub fn all_pressed(
         &self,
         source: &Source,
@@ -183,7 +188,8 @@ impl Side {
         let is_beyond = |edge: &Edge| edge.iter().any(|&node| pair.path.coordinate(points[node]).abs() > pair.stretch);
         let beyond = pressed().filter(|edge| is_beyond(edge)).count();
         let message = format!(
-            "{} of the edges that are pressed lie off the undeformed path of contact `{}`, {beyond} of them beyond its candidate stretch: {:.2} % of \
+            "{} of the edges that are pressed lie off the undeformed path of contact `{}`, {beyond} of them beyond its \
+            candidate stretch: {:.2} % of \
              the force would be left out",
             pressed().count(),
             pair.name,
@@ -254,14 +260,16 @@ fn unit_that_fits(
         Some((count, factor)) if count > more_than => {
             let factor = crate::markdown::significant(factor, 4);
             format!(
-                "; with all coordinates times {factor} it would lie there, so that their unit may be another one than was named"
+                "; with all coordinates times {factor} it would lie there, so that their unit may be another one than \
+                was named"
             )
         }
         _ => String::new(),
     }
 }
 
-/// Whether an edge lies on the contact side of a body, within the candidate stretch: that of the second one within the gap from the first.
+/// Whether an edge lies on the contact side of a body, within the candidate stretch: that of the second one within the
+/// gap from the first.
 fn lies_on(scene: &Scene, (pair, body): (&ContactPair, usize), points: &[[f64; 2]], edge: &Edge) -> bool {
     let is_within = |&node: &usize| pair.path.coordinate(points[node]).abs() <= pair.stretch * (1.0 + SAME);
     let length = distance(points[edge[0]], points[edge[1]]);

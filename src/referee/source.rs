@@ -26,8 +26,8 @@ impl Source<'_> {
         Error::at(Located::new((self.file, self.text), begin..begin + part.len()), message, remedy)
     }
 
-    /// What turns numbers of a role into ours, by the unit that the file says, `written`, or that --unit names; `what` has it. None is guessed,
-    /// and where both are there they are one.
+    /// What turns numbers of a role into ours, by the unit that the file says, `written`, or that --unit names; `what`
+    /// has it. None is guessed, and where both are there they are one.
     pub fn factor(&self, role: Role, what: &str, written: Option<&str>, named: Option<&str>) -> Result<f64, Error> {
         let give = || format!("give --unit {}=UNIT, with one of {}", role.name(), role.known_units());
         if let Some([message, remedy]) = written.zip(named).and_then(|both| role.contradiction(what, both)) {

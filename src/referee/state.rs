@@ -38,7 +38,8 @@ impl State {
 
     /// Refuses to choose in a file of one state.
     pub fn only(file: &Path) -> Error {
-        let remedy = "leave them out: they choose among those of a .frd or .dat of CalculiX, of a .pvd, or of a table's column `time`, `step` or `frame`";
+        let remedy = "leave them out: they choose among those of a .frd or .dat of CalculiX, of a .pvd, or of a \
+            table's column `time`, `step` or `frame`";
         Error::file(file, "--time and --step are asked for, and it has one state", remedy)
     }
 
@@ -61,15 +62,18 @@ impl State {
         of.iter().rposition(is_it).ok_or_else(refused)
     }
 
-    /// What is to be said where it is not that of the end of the last step: a later one is there, or its time lies within a step of the usual
-    /// length 1.
+    /// What is to be said where it is not that of the end of the last step: a later one is there, or its time lies
+    /// within a step of the usual length 1.
     pub fn notes(&self, all: &[Self]) -> Vec<String> {
         let last = all.iter().map(|state| state.time).fold(self.time, f64::max);
         let later = !self.is_at(last);
         let within = !self.is_at(self.time.round()) || self.is_at(0.0);
         let later = later.then(|| format!("the answer is of {self}, and its file goes on to time {last}"));
         let within = within.then(|| {
-            format!("the answer is of {self}, which is not the end of a step of length 1: if its steps have that length, it has not the whole load of the scene")
+            format!(
+                "the answer is of {self}, which is not the end of a step of length 1: if its steps have that \
+                length, it has not the whole load of the scene"
+            )
         });
         later.into_iter().chain(within).collect()
     }

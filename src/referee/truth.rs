@@ -1,4 +1,5 @@
-//! The truth of a case: its closed form where it has one, else our own fine answer; each with what it may itself be off.
+//! The truth of a case: its closed form where it has one, else our own fine answer; each with what it may itself be
+//! off.
 
 use std::sync::OnceLock;
 
@@ -32,7 +33,8 @@ pub struct Truth {
     pub run: Run,
     /// What its numbers may be off.
     pub bars: Vec<Barred>,
-    /// The run on a mesh fitted to the contact, whose pressures are known better; none where there is none, or they are not.
+    /// The run on a mesh fitted to the contact, whose pressures are known better; none where there is none, or they are
+    /// not.
     pub fitted: Option<Run>,
     /// Our own answer on the mesh that the case is exported on: known from the first field on that is judged.
     pub exported: OnceLock<Exported>,
@@ -105,8 +107,9 @@ impl Truth {
         Known { reference: Reference { name, kind, value, uncertainty: None }, bar }
     }
 
-    /// The closed form's value where there is one, with what the case states that it may be off; else ours with its bar. What our own
-    /// answer departs from a closed form widens nothing: a fault of ours would let others be off by as much.
+    /// The closed form's value where there is one, with what the case states that it may be off; else ours with its
+    /// bar. What our own answer departs from a closed form widens nothing: a fault of ours would let others be off by
+    /// as much.
     pub fn known(&self, contact: usize, quantity: &Quantity) -> Known {
         let closed = self.closed(quantity);
         closed.map_or_else(
@@ -127,8 +130,8 @@ impl Truth {
         self.case.model_error(0, &case::Quantity::on(&self.case.scene, 0, known_by.clone()))
     }
 
-    /// Whether equilibrium tells the force of a contact: loads act on a body of it that no support holds along the load line, and the forces of
-    /// its other contacts are told so too.
+    /// Whether equilibrium tells the force of a contact: loads act on a body of it that no support holds along the load
+    /// line, and the forces of its other contacts are told so too.
     pub fn is_told_by_loads(&self, contact: usize) -> bool {
         let scene = &self.case.scene;
         let bodies = |contact: usize| {
@@ -171,7 +174,8 @@ impl Truth {
         nodal::pressure_at(run.solution.part(contact), pair.stretch, s)
     }
 
-    /// Whether the profile is that of a closed form, which is about s = 0: not of a contact whose centre of pressure lies elsewhere.
+    /// Whether the profile is that of a closed form, which is about s = 0: not of a contact whose centre of pressure
+    /// lies elsewhere.
     pub fn has_closed_profile(&self) -> bool {
         *self.is_closed.get_or_init(|| self.closed_profile().is_some())
     }
@@ -214,7 +218,8 @@ fn takes(bars: &mut [Barred], known: &Answered) -> bool {
     true
 }
 
-/// The case on a mesh with elements half as large, by exact active sets; none where that cannot be made, or does not converge.
+/// The case on a mesh with elements half as large, by exact active sets; none where that cannot be made, or does not
+/// converge.
 fn finer(case: &Case) -> Option<(Discretisation, Run)> {
     if case.accuracy.is_some() {
         return None;

@@ -36,8 +36,9 @@ impl Role {
     pub const OF_TABLES: [Self; 8] =
         [Self::Position, Self::X, Self::Y, Self::Pressure, Self::Force, Self::Gap, Self::Area, Self::Contact];
 
-    /// Names that columns and fields have without being named, in small letters, the one that goes first in front: those of contacts, then those that may be of a body.
-    /// They are our own, and those of ParaView, MOOSE, Abaqus, Ansys, COMSOL, code_aster and CalculiX.
+    /// Names that columns and fields have without being named, in small letters, the one that goes first in front:
+    /// those of contacts, then those that may be of a body. They are our own, and those of ParaView, MOOSE, Abaqus,
+    /// Ansys, COMSOL, code_aster and CalculiX.
     pub fn usual(self) -> &'static [&'static str] {
         match self {
             Self::Position => &["position", "arc_length", "length"],
@@ -91,15 +92,16 @@ impl Role {
         }
     }
 
-    /// What a unit of it is in ours; none where that is not known. `N/mm²` and `N / mm^2` are `N/mm2`, `µm` is `um`, `inch` is `in`; `MPA` and
-    /// `Mpa` are `MPa`, but `mPa` is none of these.
+    /// What a unit of it is in ours; none where that is not known. `N/mm²` and `N / mm^2` are `N/mm2`, `µm` is `um`,
+    /// `inch` is `in`; `MPA` and `Mpa` are `MPa`, but `mPa` is none of these.
     pub fn factor(self, unit: &str) -> Option<f64> {
         let plain = unit.replace(['^', '*', ' '], "").replace('²', "2").replace(['µ', 'μ'], "u").replace("inch", "in");
         let usual = LETTERS.iter().find(|(own, _)| *own == plain).map_or(&*plain, |(_, usual)| usual);
         self.units().iter().find(|(known, _)| *known == usual).map(|(_, factor)| *factor)
     }
 
-    /// What is wrong, and what to do, where a file says one unit and --unit names another; none where both are one, or one is not known.
+    /// What is wrong, and what to do, where a file says one unit and --unit names another; none where both are one, or
+    /// one is not known.
     pub fn contradiction(self, what: &str, (written, named): (&str, &str)) -> Option<[String; 2]> {
         let ([own, other], option) =
             ([self.factor(written)?, self.factor(named)?], format!("--unit {}={named}", self.name()));

@@ -53,7 +53,8 @@ impl Field {
         self.names.iter().enumerate().any(|(k, name)| !name.is_empty() && *name != k.to_string())
     }
 
-    /// The axes with which the name of a component ends, by letters: `xy` of `S12`, and of a stress `xx` of `SX`; else the name.
+    /// The axes with which the name of a component ends, by letters: `xy` of `S12`, and of a stress `xx` of `SX`; else
+    /// the name.
     fn axes(&self, name: &str) -> String {
         let own = name.to_lowercase();
         let axes = &own[own.trim_end_matches(['x', 'y', 'z', '1', '2', '3']).len()..];
@@ -69,8 +70,8 @@ impl Field {
         }
     }
 
-    /// The component of a number, from 0 as in ParaView, or of a name: one that the file gives, as it is or by its axes; where it gives none, `x` of
-    /// a vector and `xy` of a stress.
+    /// The component of a number, from 0 as in ParaView, or of a name: one that the file gives, as it is or by its
+    /// axes; where it gives none, `x` of a vector and `xy` of a stress.
     pub fn component(&self, name: &str) -> Option<usize> {
         let usual: &[&str] = match self.components {
             2 | 3 => &["x", "y", "z"],

@@ -1,5 +1,6 @@
-//! Files of the legacy VTK format, up to version 5.1, ASCII or binary, as ParaView, meshio, FElupe and SfePy write them. `vtkio` 0.7.0-rc2
-//! refuses ASCII arrays that hold `nan`, and cells by `OFFSETS` of another type than `vtktypeint64` ("Parse error: Digit" for both).
+//! Files of the legacy VTK format, up to version 5.1, ASCII or binary, as ParaView, meshio, FElupe and SfePy write
+//! them. `vtkio` 0.7.0-rc2 refuses ASCII arrays that hold `nan`, and cells by `OFFSETS` of another type than
+//! `vtktypeint64` ("Parse error: Digit" for both).
 
 use std::path::Path;
 
@@ -105,7 +106,8 @@ impl Reader<'_> {
         std::iter::from_fn(|| (self.at < self.bytes.len()).then(|| self.line())).find(|line| !line.is_empty())
     }
 
-    /// Names of the components of the array before, where that was of nodes; what else stands there, up to an empty line, is passed over.
+    /// Names of the components of the array before, where that was of nodes; what else stands there, up to an empty
+    /// line, is passed over.
     fn metadata(&mut self) {
         let lines: Vec<String> = std::iter::from_fn(|| Some(self.line()).filter(|line| !line.is_empty())).collect();
         let names = lines.iter().skip_while(|line| *line != "COMPONENT_NAMES").skip(1).map(|name| plain(name));
@@ -114,7 +116,8 @@ impl Reader<'_> {
         }
     }
 
-    /// Passes over a string: a line, or its letters behind their number, whose two first bits tell by how many bytes it is written.
+    /// Passes over a string: a line, or its letters behind their number, whose two first bits tell by how many bytes it
+    /// is written.
     fn pass_over_word(&mut self) -> Result<(), Error> {
         if !self.binary && self.at < self.bytes.len() {
             self.line();

@@ -1,6 +1,7 @@
-//! VTU files as other programs write them: arrays as text, binary or appended, in base64 or raw, compressed by zlib or not. `vtkio` 0.7.0-rc2, which
-//! writes ours, refuses raw appended data (NGSolve, and VTK by default: "unknown variant `raw`"; the feature `binary` by which it reads them is not
-//! declared), takes a last block that is full for none ("DataArraySizeMismatch { expected: 4, actual: 0 }"), and panics where a file is cut.
+//! VTU files as other programs write them: arrays as text, binary or appended, in base64 or raw, compressed by zlib or
+//! not. `vtkio` 0.7.0-rc2, which writes ours, refuses raw appended data (NGSolve, and VTK by default: "unknown variant
+//! `raw`"; the feature `binary` by which it reads them is not declared), takes a last block that is full for none
+//! ("DataArraySizeMismatch { expected: 4, actual: 0 }"), and panics where a file is cut.
 
 use std::borrow::Cow;
 use std::io::Read;
@@ -15,7 +16,8 @@ use crate::error::Error;
 use crate::referee::unstructured::{Field, Grid};
 
 /// What to do with a file that is not read.
-pub const AGAIN: &str = "save it as a VTK unstructured grid (.vtu) in one piece, little endian, its arrays as text, plain or compressed by zlib";
+pub const AGAIN: &str = "save it as a VTK unstructured grid (.vtu) in one piece, little endian, its arrays as text, \
+    plain or compressed by zlib";
 /// Most bytes of an array.
 const LARGEST: u64 = 64 << 20;
 /// Parts of a piece that hold arrays.

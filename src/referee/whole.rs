@@ -1,5 +1,5 @@
-//! What displacements on the whole mesh tell: whether their stresses are in equilibrium with loads and pressures, their strain energy, and the
-//! displacements, reactions, approaches and shears that a scene file declares.
+//! What displacements on the whole mesh tell: whether their stresses are in equilibrium with loads and pressures, their
+//! strain energy, and the displacements, reactions, approaches and shears that a scene file declares.
 
 use std::ops::Range;
 
@@ -26,7 +26,8 @@ const SAME: f64 = 1e-9;
 /// What gaps of displacements are told by.
 const OVERLAP: &str =
     "gap or overlap of the displacements under pressure, weighted by force, over the approach that the contact makes";
-/// What strains are told by, what those of coarse meshes differ by, and the energy over that of all bodies that are looked at that tells something.
+/// What strains are told by, what those of coarse meshes differ by, and the energy over that of all bodies that are
+/// looked at that tells something.
 const STRAINS: &str = "departure of the strains from ours, apart from a factor";
 const ALIKE: f64 = 0.02;
 const LEAST: f64 = 1e-3;
@@ -51,7 +52,8 @@ struct Whole<'a> {
     tolerance: f64,
 }
 
-/// Judges a field: what belongs to no contact goes to the first of the profiles, of which there is one. Whether its strain energy is that of the scene.
+/// Judges a field: what belongs to no contact goes to the first of the profiles, of which there is one. Whether its
+/// strain energy is that of the scene.
 pub fn judge(
     truth: &Truth,
     field: &Field,
@@ -112,7 +114,8 @@ const AT_POINT: f64 = 0.05;
 /// Poisson's ratio beyond which it is: stresses of 4-node cells by 2 % at 0.49, all by half at 0.4999.
 const INCOMPRESSIBLE: f64 = 0.45;
 
-/// Why the energy of a body in a right field is not that of the scene once its displacements are brought to another mesh, if it is not.
+/// Why the energy of a body in a right field is not that of the scene once its displacements are brought to another
+/// mesh, if it is not.
 fn lost(own: &Discretisation, body: usize) -> Option<&'static str> {
     match () {
         _ if has_force(own, body) => Some("beside a force at a point it has no limit, and grows with every mesh"),
@@ -174,12 +177,13 @@ const MOTIONS: [(&str, [usize; 2]); 4] = [
 /// One way stretched, the other squeezed.
 const SQUEEZED: &str = "stresses against loads and pressures: stretched one way, squeezed the other";
 
-/// What a motion of a body works: the motion, what the stresses work less what loads and pressures do, and what every load and pressure works, all
-/// taken as positive.
+/// What a motion of a body works: the motion, what the stresses work less what loads and pressures do, and what every
+/// load and pressure works, all taken as positive.
 type Work = ((&'static str, [usize; 2]), f64, f64);
 
 impl Whole<'_> {
-    /// Strain energy of some bodies against that of our fine answer, which may be off by what it is apart from that on the exported mesh.
+    /// Strain energy of some bodies against that of our fine answer, which may be off by what it is apart from that on
+    /// the exported mesh.
     fn energy(&self, energies: &[[f64; 2]], bodies: &[usize]) -> Judged {
         let [fine, coarse] = [0, 1].map(|which| bodies.iter().map(|&body| energies[body][which]).sum::<f64>());
         let bar = (fine - coarse).abs();
@@ -196,8 +200,9 @@ impl Whole<'_> {
         check.judge(bodies.iter().map(|&body| of(self.own.mesh.bodies[body].nodes.clone())).sum())
     }
 
-    /// `1 − a(u, u')/√(a(u, u) a(u', u'))` of the displacements and ours on the exported mesh, by the body where it is most: 0 where strains are
-    /// alike but for a factor, 2 where they have the other sign, which no energy shows. Not of bodies that hardly deform.
+    /// `1 − a(u, u')/√(a(u, u) a(u', u'))` of the displacements and ours on the exported mesh, by the body where it is
+    /// most: 0 where strains are alike but for a factor, 2 where they have the other sign, which no energy shows. Not
+    /// of bodies that hardly deform.
     fn strains(&self, ours: &[[f64; 2]], (energies, bodies): (&[[f64; 2]], &[usize])) -> Result<Judged, Error> {
         let forces = internal(self.own, ours)?;
         let least = LEAST * bodies.iter().map(|&body| energies[body][1]).sum::<f64>();
@@ -218,9 +223,9 @@ impl Whole<'_> {
         Ok(Check::error(quantity, reference, larger(ALIKE, self.tolerance), because).judge(apart))
     }
 
-    /// The gap that the displacements leave under pressure, weighted by force, over the approach that the contact makes, or its moment over the reach
-    /// of the pressure, where an overlap on one side makes up for a gap on the other: of every node of our mesh its initial gap less the normal
-    /// displacements of both sides.
+    /// The gap that the displacements leave under pressure, weighted by force, over the approach that the contact
+    /// makes, or its moment over the reach of the pressure, where an overlap on one side makes up for a gap on the
+    /// other: of every node of our mesh its initial gap less the normal displacements of both sides.
     fn overlap(&self, profile: &Profile) -> Option<Judged> {
         let Discretisation { mesh, condensed, interfaces, .. } = self.own;
         let interface = interfaces.get(profile.contact)?;
@@ -249,7 +254,8 @@ impl Whole<'_> {
         Some(check.judge(gap / contact_laws::approach(self.truth, profile)))
     }
 
-    /// Whether supports move as they prescribe: the largest departure of a node that one holds, over the largest displacement.
+    /// Whether supports move as they prescribe: the largest departure of a node that one holds, over the largest
+    /// displacement.
     fn supports(&self) -> Result<Option<Judged>, Error> {
         let Discretisation { scene, mesh, .. } = self.own;
         let mut worst = None;
@@ -266,8 +272,9 @@ impl Whole<'_> {
         Ok(worst.map(|off| check.judge(off / largest)))
     }
 
-    /// Virtual work of the stresses in every body against that of loads and pressures on it, for linear motions under which no support works: of
-    /// each motion the body that is most off, over the largest work that it does and what it may miss of that.
+    /// Virtual work of the stresses in every body against that of loads and pressures on it, for linear motions under
+    /// which no support works: of each motion the body that is most off, over the largest work that it does and what it
+    /// may miss of that.
     fn equilibrium(&self, bodies: &[usize], profiles: &[Profile]) -> Result<Vec<Judged>, Error> {
         let mut worst: Vec<(&'static str, usize, f64)> = Vec::new();
         for &body in bodies {
@@ -302,7 +309,8 @@ impl Whole<'_> {
         }
     }
 
-    /// What works leave, by motion; of a nearly incompressible body under those that change no volume, since what its mean stress works is lost.
+    /// What works leave, by motion; of a nearly incompressible body under those that change no volume, since what its
+    /// mean stress works is lost.
     fn left(&self, body: usize, works: &[Work]) -> Vec<(&'static str, f64)> {
         let named = |((name, _), left, _): &Work| (*name, *left);
         if !is_incompressible(self.own, body) {
@@ -318,8 +326,8 @@ impl Whole<'_> {
         sheared.chain(squeezed.map(|left| (SQUEEZED, left))).collect()
     }
 
-    /// The works of a body under linear motions. Bodies of revolution move along x as `u_r ∝ r` alone: all else tears them at the axis, or has a
-    /// hoop strain that no polynomial is.
+    /// The works of a body under linear motions. Bodies of revolution move along x as `u_r ∝ r` alone: all else tears
+    /// them at the axis, or has a hoop strain that no polynomial is.
     fn works(&self, body: usize, profiles: &[Profile]) -> Result<Vec<Work>, Error> {
         let (points, nodes) = (&self.own.mesh.points, &self.own.mesh.bodies[body].nodes);
         let mut works = Vec::new();
@@ -349,8 +357,8 @@ impl Whole<'_> {
         0.1 * force * span(0).max(span(1))
     }
 
-    /// Where a linear motion of a component of a body begins, such that supports and rigid faces are at rest, or move as one; none where they
-    /// are not.
+    /// Where a linear motion of a component of a body begins, such that supports and rigid faces are at rest, or move
+    /// as one; none where they are not.
     fn at_rest(&self, index: usize, component: usize, along: usize) -> Result<Option<f64>, Error> {
         let Discretisation { scene, mesh, .. } = self.own;
         let size = |values: &[f64]| values.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
@@ -445,7 +453,8 @@ impl Whole<'_> {
         Ok(judged)
     }
 
-    /// What the tolerance of a check is relative to: where the reference is 0, in its unit the largest displacement, or the largest force inside.
+    /// What the tolerance of a check is relative to: where the reference is 0, in its unit the largest displacement, or
+    /// the largest force inside.
     fn scale(&self, check: &Check) -> f64 {
         if check.relation != Relation::NearAbsolutely {
             return 1.0;

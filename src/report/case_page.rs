@@ -52,12 +52,14 @@ pub fn page((name, runs): &Shared, has_sheet: bool) -> String {
 fn problem(name: &str, case: &Case, has_sheet: bool) -> String {
     let input = match &case.places {
         Some(places) => format!(
-            "Input: [tests/cases/{0}](../../tests/cases/{0}), solved by `contact-vv solve tests/cases/{0}`.\n\n```toml\n{1}\n```\n\n",
+            "Input: [tests/cases/{0}](../../tests/cases/{0}), solved by `contact-vv solve \
+            tests/cases/{0}`.\n\n```toml\n{1}\n```\n\n",
             case.name,
             places.text().trim_end()
         ),
         None if has_sheet => format!(
-            "Input: the [benchmark sheet](../sheets/{name}.md) has geometry, material, loads, supports and reference values; \
+            "Input: the [benchmark sheet](../sheets/{name}.md) has geometry, material, loads, supports and reference \
+            values; \
              `contact-vv solve {name}` solves it.\n\n"
         ),
         None => described::scene(&case.scene).join("\n\n") + "\n\n",

@@ -9,8 +9,8 @@ use crate::uncertainty::COVERAGE;
 
 /// Name of the first column.
 const TRIAL: &str = "trial";
-/// What a check is told by in a column; the flag tells whether the sentence above the table has its reference and tolerance, which the
-/// cell then has not.
+/// What a check is told by in a column; the flag tells whether the sentence above the table has its reference and
+/// tolerance, which the cell then has not.
 type Cell = fn(&Judged, bool) -> String;
 const COLUMNS: [(&str, Cell); 8] = [
     ("at", |one, _| place(&one.check.quantity)),
@@ -168,7 +168,8 @@ fn with_trials(names: &[&str], cells: &Cells, trials: usize) -> Vec<String> {
     std::iter::once(told).chain(cells.iter().cloned()).collect()
 }
 
-/// A table without its empty columns and, where that is wanted, without those that say the same in every row, but for the first; the latter are told.
+/// A table without its empty columns and, where that is wanted, without those that say the same in every row, but for
+/// the first; the latter are told.
 fn without_repeats(head: Vec<String>, rows: Vec<Vec<String>>, lift: bool) -> (Vec<String>, Vec<Vec<String>>, String) {
     let same = |column: usize| rows.iter().all(|row| row[column] == rows[0][column]);
     let is_empty = |column: usize| same(column) && rows[0][column].is_empty();
@@ -210,7 +211,8 @@ fn with_uncertainty(value: f64, uncertainty: Option<f64>) -> String {
     }
 }
 
-/// The universal requirements, number of runs, worst error over its tolerance, verdict; with their reasons on the page of all checks alone.
+/// The universal requirements, number of runs, worst error over its tolerance, verdict; with their reasons on the page
+/// of all checks alone.
 pub fn of_every_run<'a>(judged: impl Iterator<Item = &'a Judged>, with_reasons: bool) -> String {
     let head = ["every run", "runs checked", "worst error", "its tolerance", "verdict", "because"];
     let head = &head[..if with_reasons { 6 } else { 5 }];

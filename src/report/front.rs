@@ -1,5 +1,5 @@
-//! The front page: one computed answer to each question, the paper's statements, the verdicts, and the way to every page; and the chart
-//! of the page of all checks: how much of their tolerances they use, by what they are held against.
+//! The front page: one computed answer to each question, the paper's statements, the verdicts, and the way to every
+//! page; and the chart of the page of all checks: how much of their tolerances they use, by what they are held against.
 
 use std::cmp::Reverse;
 
@@ -38,9 +38,12 @@ pub fn page(findings: &[Finding]) -> String {
     ];
     let body: String = parts.map(|(question, answer)| format!("## {question}\n\n{answer}\n")).concat();
     format!(
-        "# Validation report\n\nThree contact elements × three iterations for frictionless elastic contact in 2D (Égert 1999). \
-         Numbers, verdicts and conditions are computed, and with them the sentences that have any; typed are definitions, sources, hypotheses, \
-         the paper's misprints, decisions where it is silent, reasons, limits and obstacles. Do not edit. What letters stand for: {}.\n\n{}\n",
+        "# Validation report\n\nThree contact elements × three iterations for frictionless elastic contact in 2D \
+        (Égert 1999). \
+         Numbers, verdicts and conditions are computed, and with them the sentences that have any; typed are \
+         definitions, sources, hypotheses, \
+         the paper's misprints, decisions where it is silent, reasons, limits and obstacles. Do not edit. What letters \
+         stand for: {}.\n\n{}\n",
         link("symbols", symbols::FILE),
         body.trim_end()
     )
@@ -72,7 +75,8 @@ pub fn right(findings: &[Finding]) -> String {
         (0, _) => "**Nothing was checked.**".to_string(),
         (number, 0) => {
             format!(
-                "**No check fails**: {pass} of {number} pass{not_run}: {propositions} propositions, judged in {number} rows."
+                "**No check fails**: {pass} of {number} pass{not_run}: {propositions} propositions, judged in {number} \
+                rows."
             )
         }
         (number, _) => format!("**✗ {fail} of {number} checks fail**; {pass} pass{not_run}.{}", told::failures(&all)),
@@ -82,7 +86,8 @@ pub fn right(findings: &[Finding]) -> String {
             let unknown = outside.iter().filter(|(_, one)| !one.has_known_bar()).count();
             let beyond = outside.len() - unknown;
             Some(format!(
-                " Of {all} numbers beside a closed form {beyond} are off by more than their error bar and the model error that their case states; of {unknown} the \
+                " Of {all} numbers beside a closed form {beyond} are off by more than their error bar and the model \
+                error that their case states; of {unknown} the \
                  bar is not known ({}).",
                 link("which", &format!("{}#error-bars-beside-checks", study_page::file(promised::Numbers::NAME)))
             ))
@@ -132,8 +137,10 @@ pub fn against(findings: &[Finding]) -> String {
     let named: Vec<Passed> = analytic.into_iter().take(NAMED).chain(outside).collect();
     let more = all_of_them - named.len();
     format!(
-        "{}\nOf what other codes answer {of_codes} more checks are made: {}. {} {}. The {NAMED} closed forms with the most numbers \
-         that agree with them, not by round-off alone, every other code, and what was measured; {more} more closed forms stand in {}:\n\n{}",
+        "{}\nOf what other codes answer {of_codes} more checks are made: {}. {} {}. The {NAMED} closed forms with the \
+        most numbers \
+         that agree with them, not by round-off alone, every other code, and what was measured; {more} more closed \
+         forms stand in {}:\n\n{}",
         markdown::table(&head, &rows),
         to_study("the scoreboard", scoreboard::Numbers::NAME),
         experiments(findings),
@@ -175,8 +182,8 @@ fn told_agreement(one: Option<&&Judged>) -> String {
 /// A tolerance from which on an error is counted in what it may be, and is no agreement.
 const COUNTED: f64 = 1.0;
 
-/// Every truth that some check passed against but for those of the scoreboard, those with the most agreements first, then those with the most
-/// numbers.
+/// Every truth that some check passed against but for those of the scoreboard, those with the most agreements first,
+/// then those with the most numbers.
 pub fn truths(findings: &[Finding]) -> Vec<Passed<'_>> {
     let all = told::each(findings.iter().filter(|finding| finding.study != scoreboard::Numbers::NAME));
     let passed = all.into_iter().filter(|one| one.verdict == Verdict::Pass && OUTSIDE.contains(&one.reference.kind));
@@ -213,7 +220,8 @@ fn cost() -> String {
     let Ok(record) = Record::read().map(Record::in_one_run) else { return "No timings were read.".into() };
     let processor = &record.measured.machine.processor;
     format!(
-        "{}\nSeconds of one machine ({processor}), one thread, those of other codes scaled by our own solve beside them; {}.\n\n{}",
+        "{}\nSeconds of one machine ({processor}), one thread, those of other codes scaled by our own solve beside \
+        them; {}.\n\n{}",
         conclusion(&record),
         to_study("all our runs, growth, stages, memory, targets", timings::Numbers::NAME),
         picture(FRONTS[0], FRONTS[1])
@@ -245,8 +253,10 @@ fn advice(findings: &[Finding]) -> String {
     });
     let default = converged.map(|table| {
         format!(
-            "If nothing is said, `contact-vv` takes `{}`. Runs of it on all scenes, on candidates of their own and on longer ones:\n\n{table}\n\
-             *{}* is the named error that no spring is left to hold a body. It names what may be the cause: a load that pulls the bodies apart, \
+            "If nothing is said, `contact-vv` takes `{}`. Runs of it on all scenes, on candidates of their own and on \
+            longer ones:\n\n{table}\n\
+             *{}* is the named error that no spring is left to hold a body. It names what may be the cause: a load \
+             that pulls the bodies apart, \
              a soft start, or a contact smaller than two elements, for which `--accuracy` seeks a mesh.\n\n",
             Method::default(Element::Node, Iteration::Kinematic),
             Ended::Unsupported.name(),
@@ -296,7 +306,8 @@ fn verdicts(findings: &[Finding]) -> String {
         format!(", first by what is recommended, {} + {}", element.name(), algorithm.name())
     });
     format!(
-        "Iterations to convergence{first}; ✓ all checks of the run pass, ✗ some fail, ○ some could not be run, · reported only.\n\n{}\n{}",
+        "Iterations to convergence{first}; ✓ all checks of the run pass, ✗ some fail, ○ some could not be run, · \
+        reported only.\n\n{}\n{}",
         matrix::verdict_matrix(findings, recommended, named),
         matrix::other_cases(findings, named)
     )
@@ -345,7 +356,8 @@ fn index(findings: &[Finding]) -> String {
     };
     let rooms: Vec<String> = study_page::asked(findings).map(one).collect();
     format!(
-        "Studies, with their numbers of checks: {}.\n\nBesides: {}. The README says how to read them and how to make them again.\n",
+        "Studies, with their numbers of checks: {}.\n\nBesides: {}. The README says how to read them and how to make \
+        them again.\n",
         rooms.join(" · "),
         link("all checks", CHECKS)
     )

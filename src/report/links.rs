@@ -1,4 +1,5 @@
-//! Links to pages, and those of a text that is read elsewhere than it was written for: what every page behind the front page begins with.
+//! Links to pages, and those of a text that is read elsewhere than it was written for: what every page behind the front
+//! page begins with.
 
 use crate::case::Judged;
 use crate::report::told;
@@ -20,7 +21,8 @@ pub fn to_page(text: &str, file: &str) -> String {
 }
 
 /// Ways back.
-const WAYS: &str = "[Front page](../../VALIDATION.md) · [all cases](cases.md) · [all checks](checks.md) · [the paper](paper.md) · [symbols](symbols.md)";
+const WAYS: &str = "[Front page](../../VALIDATION.md) · [all cases](cases.md) · [all checks](checks.md) · [the \
+    paper](paper.md) · [symbols](symbols.md)";
 
 /// A page behind the front page: title, what it asks, what became of its checks, ways back, and the rest.
 pub fn page(title: &str, lead: &str, judged: &[&Judged], body: &str) -> String {

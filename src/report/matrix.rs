@@ -57,8 +57,8 @@ fn full_and_others(findings: &[Finding]) -> (Vec<Case<'_>>, Vec<Case<'_>>) {
     cases.into_iter().partition(is_full)
 }
 
-/// The verdict matrix in Markdown: sign and iterations of the cases that all formulations solve, a row each formulation, the recommended one
-/// first; `link` names a case and links its page.
+/// The verdict matrix in Markdown: sign and iterations of the cases that all formulations solve, a row each
+/// formulation, the recommended one first; `link` names a case and links its page.
 pub fn verdict_matrix(findings: &[Finding], first: Option<Formulated>, link: impl Fn(&Finding) -> String) -> String {
     let cases = full_and_others(findings).0;
     let head: Vec<String> =

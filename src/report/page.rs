@@ -1,5 +1,5 @@
-//! The whole report: the front page, a page a case and a study, charts, benchmark sheets and their values; or one page of it; written, and
-//! compared with what is committed.
+//! The whole report: the front page, a page a case and a study, charts, benchmark sheets and their values; or one page
+//! of it; written, and compared with what is committed.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -16,8 +16,8 @@ use crate::study::sheet::{self, SHEETS, Sheet};
 use crate::study::{self, Files, Finding, Room, Study, Trial, cases, drawn, on_page, paper, promised, references};
 use crate::uncertainty::COVERAGE;
 
-/// The report, made from the findings of the whole suite: paths and texts of the front page, the pages behind it, the charts, the
-/// benchmark sheets and the record.
+/// The report, made from the findings of the whole suite: paths and texts of the front page, the pages behind it, the
+/// charts, the benchmark sheets and the record.
 pub fn compose(findings: &[Finding]) -> Result<Files, Error> {
     let problem = schematic("contact problem", include_str!("pictures/contact-problem.svg"), &[]);
     let elements = schematic("contact elements", include_str!("pictures/contact-elements.svg"), &[]);
@@ -72,12 +72,17 @@ fn pages(findings: &[Finding]) -> Result<Files, Error> {
 fn of_checks(findings: &[Finding]) -> String {
     let judged = told::each(findings);
     let body = format!(
-        "*Verification* holds the code against closed forms and orders of accuracy (kind *analytic*); *benchmarking* holds it against \
-         other codes (*cross-code*); *self-consistency* asks it the same in another way; *validation* compares with measurement. The checks are \
-         {} propositions, each of a quantity, how it shall stand to a reference, and the kind of that, judged in {} rows: one for each case and \
-         reference, by the worst of the runs that are held to it. The tables below count these runs. ± is the error bar, {COVERAGE} standard \
+        "*Verification* holds the code against closed forms and orders of accuracy (kind *analytic*); *benchmarking* \
+        holds it against \
+         other codes (*cross-code*); *self-consistency* asks it the same in another way; *validation* compares with \
+         measurement. The checks are \
+         {} propositions, each of a quantity, how it shall stand to a reference, and the kind of that, judged in {} \
+         rows: one for each case and \
+         reference, by the worst of the runs that are held to it. The tables below count these runs. ± is the error \
+         bar, {COVERAGE} standard \
          uncertainties of the value from refinement; how many bars hold, {} tells.\n\n{}\n{}## Truths\n\n\
-         Every truth that is not this code, but for those of the scoreboard, with the numbers held against it, and the relative errors above round-off:\n\n{}\n## Every run\n\n{}",
+         Every truth that is not this code, but for those of the scoreboard, with the numbers held against it, and the \
+         relative errors above round-off:\n\n{}\n## Every run\n\n{}",
         told::propositions(judged.iter().copied()),
         judged.len(),
         links::to_page("what is promised", &study_page::file(promised::Numbers::NAME)),
@@ -200,7 +205,8 @@ pub fn write_all(files: &[(String, String)], root: &Path) -> Result<(), Error> {
     })
 }
 
-/// What differs between what is committed under a root and a report, files that it no longer has included; none where nothing does.
+/// What differs between what is committed under a root and a report, files that it no longer has included; none where
+/// nothing does.
 pub fn difference(report: &[(String, String)], root: &Path) -> Result<Option<Difference>, Error> {
     let committed = Tree::on_disk(root)?;
     let written = committed.with("what the code writes now", report.to_vec(), &stale(report, root));

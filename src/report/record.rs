@@ -1,7 +1,7 @@
 //! The record: what was judged, counted and stated, as tables that two commits can be compared by.
 //!
-//! Rows are sorted by their keys; numbers have four significant digits, and what is round-off is 0, so that every machine writes the
-//! same bytes.
+//! Rows are sorted by their keys; numbers have four significant digits, and what is round-off is 0, so that every
+//! machine writes the same bytes.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -28,7 +28,8 @@ pub const RUNS: &str = "snapshots/runs.csv";
 /// The record of statements.
 pub const STATEMENTS: &str = "snapshots/statements.csv";
 
-/// Errors are written in steps of this: below half of it they are round-off, which differs from machine to machine, and 0.
+/// Errors are written in steps of this: below half of it they are round-off, which differs from machine to machine, and
+/// 0.
 pub const ROUND_OFF: f64 = 1e-9;
 
 /// The record as files: their paths below the project folder, and their texts.
@@ -97,8 +98,8 @@ fn counted(finding: &Finding, of: fn(&Run) -> usize) -> String {
     run.map(|run| of(run).to_string()).unwrap_or_default()
 }
 
-/// A check as the record has it, of one that several runs are asked for that of the worst; the first six columns are its
-/// key, and no two checks have the same.
+/// A check as the record has it, of one that several runs are asked for that of the worst; the first six columns are
+/// its key, and no two checks have the same.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct CheckRow {
     /// The study.

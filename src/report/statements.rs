@@ -50,14 +50,16 @@ pub fn section(findings: &[Finding]) -> String {
     ];
     let table = markdown::columns(&columns, &judge(findings));
     format!(
-        "## Its statements\n\n{} What is measured of iterations is of cylinder and pin–rod, in this order, under that reading, by a cap of \
+        "## Its statements\n\n{} What is measured of iterations is of cylinder and pin–rod, in this order, under that \
+        reading, by a cap of \
          {}.\n\n{table}\n",
         statement::RULE,
         Reading::nearest().cap
     )
 }
 
-/// How the paper's varying stiffness with line elements ends on its scenes where the error stops it, as the atlas has recorded.
+/// How the paper's varying stiffness with line elements ends on its scenes where the error stops it, as the atlas has
+/// recorded.
 fn by_error() -> String {
     let Settings { tolerance, max_iterations, .. } = Settings::default();
     let method = Method::usual(Element::Line, Iteration::Varying);
@@ -79,7 +81,8 @@ fn by_error() -> String {
 pub fn two_stops() -> String {
     let stop = Reading::nearest().stop.name();
     format!(
-        "Every run here stops by its error, and the paper's statements are judged by {stop}, which a run can meet before: there a method may \
+        "Every run here stops by its error, and the paper's statements are judged by {stop}, which a run can meet \
+        before: there a method may \
          end in every case that is given up here. {}.\n",
         markdown::capitalised(&by_error())
     )
@@ -102,8 +105,8 @@ fn statement(text: &'static str, found: Option<(String, String, Judgement)>) -> 
     Statement { text, clause, measured, judgement }
 }
 
-/// The statement on agreement, which is of iterations with the discrete solution, with what this is off of Hertz and of the others: where that is
-/// more than the checks allow, nothing is reproduced.
+/// The statement on agreement, which is of iterations with the discrete solution, with what this is off of Hertz and of
+/// the others: where that is more than the checks allow, nothing is reproduced.
 fn with_reference(statement: Statement, findings: &[Finding]) -> Statement {
     let both = passes(findings, cylinder::NINE).zip(passes(findings, pin_rod::NINE));
     let Some((cylinder, rod)) = both else { return statement };
@@ -112,7 +115,8 @@ fn with_reference(statement: Statement, findings: &[Finding]) -> Statement {
     let width = worst(cylinder::NINE, Number::SecondMomentWidth.into());
     let means = worst(pin_rod::NINE, Quantity::EdgeMeans);
     let measured = format!(
-        "{}. By the discrete solutions of all nine: p₀ within {peak:.2} % of Hertz, a within {width:.2} %, pin–rod peak within {rod_peak:.2} %, edge means \
+        "{}. By the discrete solutions of all nine: p₀ within {peak:.2} % of Hertz, a within {width:.2} %, pin–rod \
+        peak within {rod_peak:.2} %, edge means \
          within {means:.2} %",
         statement.measured
     );
@@ -169,7 +173,8 @@ fn condensation_pays(findings: &[Finding]) -> Statement {
     // NaN where one is.
     let [low, high] = gains.iter().fold([f64::INFINITY, 0.0], |[low, high], x| [-larger(-low, -x), larger(high, *x)]);
     let measured = format!(
-        "operations without over with condensation, where the algorithm factorises at every iteration: {low:.1} to {high:.0}; with constant stiffness one factorisation serves either way"
+        "operations without over with condensation, where the algorithm factorises at every iteration: {low:.1} to \
+        {high:.0}; with constant stiffness one factorisation serves either way"
     );
     let clause = format!("{low:.1} to {high:.0} times the operations without");
     let found = (!gains.is_empty()).then(|| (clause, measured, Judgement::of(low > 1.0)));

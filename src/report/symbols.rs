@@ -12,7 +12,8 @@ pub const FILE: &str = "symbols.md";
 pub const SYMBOLS: [[&str; 2]; 30] = [
     [
         "κ₀ = k ℓ/E*",
-        "initial stiffness k of the contact springs per area, made a pure number by the length ℓ of the scene (Hertz's half-width, or the \
+        "initial stiffness k of the contact springs per area, made a pure number by the length ℓ of the scene (Hertz's \
+        half-width, or the \
          radius of the pin) and the contact modulus E* (1/E* = Σ (1−ν²)/E in plane strain, Σ 1/E in plane stress)",
     ],
     ["κ = k ℓ/E*", "the same of any spring"],
@@ -27,7 +28,8 @@ pub const SYMBOLS: [[&str; 2]; 30] = [
     ["k_b", "what both bodies resist at a contact point, over its area, while its neighbours stay"],
     [
         "f̂, q",
-        "loads, condensed to the displacements of contact nodes; in the paper q is these displacements, in the patch test the pressure",
+        "loads, condensed to the displacements of contact nodes; in the paper q is these displacements, in the patch \
+        test the pressure",
     ],
     ["p₀", "largest pressure"],
     ["a", "half-width of the contact"],
@@ -48,7 +50,8 @@ pub const SYMBOLS: [[&str; 2]; 30] = [
     ["u, u/g", "displacement, and the same over the gap"],
     [
         "±",
-        "error bar: an estimate of what a value may be off; *What is promised* counts how many hold. Of a standard uncertainty it is twice that. No bound",
+        "error bar: an estimate of what a value may be off; *What is promised* counts how many hold. Of a standard \
+        uncertainty it is twice that. No bound",
     ],
     ["… to …", "range: the least and the largest of what was found"],
     ["u_val", "standard uncertainty, from all sources, of the difference of two values (ASME V&V 20)"],
@@ -63,7 +66,8 @@ fn held(findings: &[Finding]) -> String {
     });
     let told = |numbers: Vec<[f64; 2]>| {
         format!(
-            "\nOf {} true errors of random scenes {} % lie within their error bar; where that is not known they count as outside.\n",
+            "\nOf {} true errors of random scenes {} % lie within their error bar; where that is not known they count \
+            as outside.\n",
             numbers.len(),
             markdown::significant(100.0 * bars::share_within(&numbers, 1.0), 3)
         )

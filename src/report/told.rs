@@ -85,8 +85,8 @@ pub fn closest(judged: &[&Judged]) -> Option<String> {
     Some(format!("{}, {} of {tolerance} allowed", worst.check.quantity, error(worst)))
 }
 
-/// The error of a check: relative ones in per cent, others in the unit of the quantity. Round-off, which differs between machines, is told
-/// by the tolerance that it keeps.
+/// The error of a check: relative ones in per cent, others in the unit of the quantity. Round-off, which differs
+/// between machines, is told by the tolerance that it keeps.
 pub fn error(one: &Judged) -> String {
     let tolerance = one.check.tolerance;
     match one.error {
@@ -98,7 +98,8 @@ pub fn error(one: &Judged) -> String {
     }
 }
 
-/// An error, a bar or a tolerance in the terms of a check: as it is told where the quantity is itself an error, else in its unit.
+/// An error, a bar or a tolerance in the terms of a check: as it is told where the quantity is itself an error, else in
+/// its unit.
 pub fn in_unit(one: &Judged, number: f64, told: fn(f64) -> String) -> String {
     let of_tolerance = one.check.tolerance;
     let relative = match one.check.relation {

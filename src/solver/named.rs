@@ -1,7 +1,7 @@
 //! Enums whose members are named once: for the command line, for scene files and for results.
 
-/// Declares such an enum. From the one list come `ALL`, `NAMES`, `name()`, `named()` and the values of a command-line option,
-/// whose help is the first line of each member's documentation: a member cannot be left out of any of them.
+/// Declares such an enum. From the one list come `ALL`, `NAMES`, `name()`, `named()` and the values of a command-line
+/// option, whose help is the first line of each member's documentation: a member cannot be left out of any of them.
 #[macro_export]
 macro_rules! named_enum {
     (

@@ -33,7 +33,8 @@ pub enum Outcome {
     Diverged,
     /// Another criterion than the iteration error was met, and that error is above the tolerance, or unknown.
     Stopped,
-    /// The state no longer changes, and the iteration error is above the tolerance: round-off, or springs at their limit.
+    /// The state no longer changes, and the iteration error is above the tolerance: round-off, or springs at their
+    /// limit.
     Stalled,
     /// The largest number of iterations was made.
     Capped,
@@ -52,15 +53,15 @@ impl std::fmt::Display for Outcome {
     }
 }
 
-/// How far an answer is from the discrete solution of its own element and mesh, on the scale of that solution: of several
-/// contacts the largest of each.
+/// How far an answer is from the discrete solution of its own element and mesh, on the scale of that solution: of
+/// several contacts the largest of each.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct IterationError {
     /// `|p − p*|/p*` of the largest pressure.
     pub peak: f64,
-    /// Share of the force at the wrong place, `½ Σ A |p̄ − p̄*| / Σ A p̄*` over the means of the candidate edges, and of tension, which
-    /// is cut from the pressures told; of a contact that is open in the discrete solution the force
+    /// Share of the force at the wrong place, `½ Σ A |p̄ − p̄*| / Σ A p̄*` over the means of the candidate edges, and
+    /// of tension, which is cut from the pressures told; of a contact that is open in the discrete solution the force
     /// that it carries over the largest force.
     pub force: f64,
     /// `|a − a*|/a*`, a the half-width by second moment, or `|c − c*|/a*` of the centre of pressure if that is larger.
@@ -91,8 +92,8 @@ impl IterationError {
     }
 }
 
-/// Error of the last iteration in the energy norm, `‖u − u*‖²_S`, and the bound that the iteration's own forces and gaps give, both over
-/// what the contact forces of the discrete solution store.
+/// Error of the last iteration in the energy norm, `‖u − u*‖²_S`, and the bound that the iteration's own forces and
+/// gaps give, both over what the contact forces of the discrete solution store.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
 pub struct EnergyError {
     /// The error.
@@ -165,8 +166,8 @@ pub struct EdgeState {
     pub weight: f64,
     /// Mean contact pressure \[MPa\].
     pub pressure: f64,
-    /// Contact coordinate of the axis of revolution about which it is a ring, whose mean is `∫p r dr / ∫r dr`; none in the plane,
-    /// and where the radius is the same throughout.
+    /// Contact coordinate of the axis of revolution about which it is a ring, whose mean is `∫p r dr / ∫r dr`; none in
+    /// the plane, and where the radius is the same throughout.
     #[serde(skip)]
     pub axis: Option<f64>,
 }
@@ -309,12 +310,13 @@ pub struct Solution {
     pub edges: Vec<EdgeState>,
     /// Which points and edges belong to each contact of the scene.
     pub contacts: Vec<Share>,
-    /// What the iteration shall end in: the discrete solution, or under the rule `penalty` that of the springs' own law; none
-    /// where it was not found.
+    /// What the iteration shall end in: the discrete solution, or under the rule `penalty` that of the springs' own
+    /// law; none where it was not found.
     pub target: Option<States>,
     /// The discrete solution itself, where springs of the rule `penalty` are the target.
     pub rigid: Option<States>,
-    /// Error in the energy norm against the discrete solution; none without contact forces, or where that was not found.
+    /// Error in the energy norm against the discrete solution; none without contact forces, or where that was not
+    /// found.
     pub energy: Option<EnergyError>,
     /// Spring force per area of each point before the projection to p ≥ 0 \[MPa\].
     pub spring_pressures: Vec<f64>,
@@ -322,7 +324,8 @@ pub struct Solution {
     pub displacement: Vec<f64>,
     /// Force of the contact on the retained dofs, `−Σ A p b` \[N\].
     pub contact_force: Vec<f64>,
-    /// What is passed over of each contact: penetrations between its points and beside them; nothing is known before it has converged.
+    /// What is passed over of each contact: penetrations between its points and beside them; nothing is known before it
+    /// has converged.
     pub unseen: Vec<Vec<Unseen>>,
     /// Force that is none: what rounding leaves where bodies just touch \[N\].
     pub round_off: f64,

@@ -1,10 +1,10 @@
 //! What `uncertainty` means everywhere: a standard uncertainty u, one standard deviation, in the unit of its value.
 //!
-//! What a refinement series gives is a bound U that covers about 95 %. A bound is called one, and becomes a standard uncertainty
-//! here and nowhere else: `u = U/k`, k = 2. ASME V&V 20-2009, section 2-4, leaves k between 1.15 (an error distributed about the
-//! extrapolated value) and 2 (a normal error about the finest one); 2 gives the smallest u, and hence the strictest comparison.
-//! Sources that are independent add as `√Σu²`; a known difference that is not corrected for is a source, too (JCGM 100:2008,
-//! Guide to the expression of uncertainty, 5.1.2 and F.2.4.5).
+//! What a refinement series gives is a bound U that covers about 95 %. A bound is called one, and becomes a standard
+//! uncertainty here and nowhere else: `u = U/k`, k = 2. ASME V&V 20-2009, section 2-4, leaves k between 1.15 (an error
+//! distributed about the extrapolated value) and 2 (a normal error about the finest one); 2 gives the smallest u, and
+//! hence the strictest comparison. Sources that are independent add as `√Σu²`; a known difference that is not corrected
+//! for is a source, too (JCGM 100:2008, Guide to the expression of uncertainty, 5.1.2 and F.2.4.5).
 
 /// Coverage factor k: two standard uncertainties cover about 95 % of a normal error (JCGM 100:2008, 6.3.3).
 pub const COVERAGE: f64 = 2.0;
@@ -34,7 +34,8 @@ impl Comparison {
         Self { error: ours - theirs, uncertainty: combined(sources) }
     }
 
-    /// `|E|/u_val`; NaN, which no check passes, where either is not finite: an infinite uncertainty would cover anything.
+    /// `|E|/u_val`; NaN, which no check passes, where either is not finite: an infinite uncertainty would cover
+    /// anything.
     pub fn ratio(&self) -> f64 {
         if self.uncertainty.is_finite() { self.error.abs() / self.uncertainty } else { f64::NAN }
     }

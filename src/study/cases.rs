@@ -1,5 +1,6 @@
-//! The cases of the suite, each solved by its formulations; with pictures of the two examples: the schemes of their scenes, and contact
-//! pressure as in the paper's Figs 10 and 14, of all nine formulations with their differences to the reference.
+//! The cases of the suite, each solved by its formulations; with pictures of the two examples: the schemes of their
+//! scenes, and contact pressure as in the paper's Figs 10 and 14, of all nine formulations with their differences to
+//! the reference.
 
 use std::path::PathBuf;
 use std::sync::{Arc, OnceLock};
@@ -36,7 +37,8 @@ fn files() -> Result<Vec<File>, Error> {
     Ok(file::files_in(&root().join(FILES))?.into_iter().map(of).collect())
 }
 
-/// Names by which a case may be asked for, and the page that it is on: its own, that of the page, and the path of its file.
+/// Names by which a case may be asked for, and the page that it is on: its own, that of the page, and the path of its
+/// file.
 pub fn names() -> Result<Vec<[String; 2]>, Error> {
     let built_in = library::all().into_iter().map(|case| (case.name.clone(), page(&case)));
     let files = files()?.into_iter().filter_map(|(name, case)| Some((name, page(&case.ok()?))));
@@ -232,7 +234,8 @@ pub fn charts(page: &str) -> Option<String> {
         }
         "pin-rod" => (
             "pressure-pin-rod.svg",
-            "As Fig. 14, without Gaertner's curves: pressure of all nine formulations, and their difference to one of them",
+            "As Fig. 14, without Gaertner's curves: pressure of all nine formulations, and their difference to one of \
+            them",
         ),
         _ => return None,
     };
@@ -313,7 +316,8 @@ fn on_cylinder(runs: &[&Run]) -> Drawing {
     panels("Cylinder on a rigid plane: all nine formulations", &[pressure, difference], 2)
 }
 
-/// Pressure against angle on the pin, and its difference to the formulation that verification uses: there is no closed form.
+/// Pressure against angle on the pin, and its difference to the formulation that verification uses: there is no closed
+/// form.
 fn on_pin(runs: &[&Run]) -> Drawing {
     let own = Formulation::verification();
     let is_own = |run: &&&Run| run.formulation.is_like(&own);

@@ -1,5 +1,6 @@
-//! The solver against other finite element codes on the same discrete problem: our mesh, loads, supports and line elements, assembled and
-//! solved by another code; agreement to round-off, a code check. Below is our discretisation as plain numbers, for the other code.
+//! The solver against other finite element codes on the same discrete problem: our mesh, loads, supports and line
+//! elements, assembled and solved by another code; agreement to round-off, a code check. Below is our discretisation as
+//! plain numbers, for the other code.
 
 use crate::algorithm::StiffnessRule;
 use crate::case::{Check, Judged, Quantity, Reference, library};
@@ -35,7 +36,8 @@ impl Study for Numbers {
     const ABOUT: About = About {
         title: "Against other codes: the same problem assembled twice",
         asked: "Whether other codes, given the same mesh, find the same numbers.",
-        limits: "Errors of the mesh, of the supports and of the contact rows are common to all; independent codes share none of them.",
+        limits: "Errors of the mesh, of the supports and of the contact rows are common to all; independent codes \
+            share none of them.",
     };
 
     /// All trials, against frozen answers.
@@ -55,7 +57,8 @@ impl Study for Numbers {
         }
         Ok(format!(
             "{text}\nTo ask the codes themselves, {SET_UP} and `cargo test --release --workspace`.\n\n\
-             Each code takes our mesh and assembles stiffness, loads and edge functions for itself; supports and penalty line elements \
+             Each code takes our mesh and assembles stiffness, loads and edge functions for itself; supports and \
+             penalty line elements \
              (two Gauss points an edge) are put together from these in Python, condensed nowhere.\n\n"
         ))
     }
@@ -219,8 +222,8 @@ fn fixed_vector(prime: f64, dofs: &Dofs) -> Vec<f64> {
     vector
 }
 
-/// What both codes make of the same mesh, how far they may be apart, and why: assembly differs by the order of sums, and two direct solvers
-/// work on a system of condition 1e6 and more.
+/// What both codes make of the same mesh, how far they may be apart, and why: assembly differs by the order of sums,
+/// and two direct solvers work on a system of condition 1e6 and more.
 type Part = (&'static str, f64, &'static str);
 const STIFFNESS: Part = ("difference of the stiffness on the same mesh", 1e-11, "the order of sums only");
 const LOADS: Part = ("difference of the loads on the same mesh", 1e-11, "the order of sums only");

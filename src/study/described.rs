@@ -1,8 +1,8 @@
-//! A scene in words and numbers, where a case comes from; and how a scene is run by codes that no script of ours starts, MOOSE and MFEM, in
-//! their own words.
+//! A scene in words and numbers, where a case comes from; and how a scene is run by codes that no script of ours
+//! starts, MOOSE and MFEM, in their own words.
 //!
-//! What is said of these codes is from their documentation and sources: MOOSE's `Contact` action and its tests, libMesh's reader of Gmsh files,
-//! MFEM's mesh formats and its miniapp `miniapps/tribol/contact-patch-test.cpp`.
+//! What is said of these codes is from their documentation and sources: MOOSE's `Contact` action and its tests,
+//! libMesh's reader of Gmsh files, MFEM's mesh formats and its miniapp `miniapps/tribol/contact-patch-test.cpp`.
 
 use std::f64::consts::PI;
 
@@ -59,7 +59,8 @@ fn body(body: &Body) -> String {
 fn shape(shape: &Shape) -> String {
     match shape {
         Shape::Rectangle { x, y, contact } => format!(
-            "rectangle {} ≤ x ≤ {}, {} ≤ y ≤ {}; `contact` is its {} side, `far` the opposite one, `left` and `right` the others",
+            "rectangle {} ≤ x ≤ {}, {} ≤ y ≤ {}; `contact` is its {} side, `far` the opposite one, `left` and `right` \
+            the others",
             x[0],
             x[1],
             y[0],
@@ -70,7 +71,8 @@ fn shape(shape: &Shape) -> String {
             }
         ),
         Shape::Disc { centre, radius, sector, contact } => format!(
-            "{} of a disc of radius {radius} about {centre:?}; `contact` is its {} arc, `axis` x = {}, `cut` or `middle` the horizontal diameter",
+            "{} of a disc of radius {radius} about {centre:?}; `contact` is its {} arc, `axis` x = {}, `cut` or \
+            `middle` the horizontal diameter",
             match sector {
                 Sector::Quarter => "lower right quarter",
                 Sector::RightHalf => "right half",
@@ -84,7 +86,8 @@ fn shape(shape: &Shape) -> String {
             centre[0]
         ),
         Shape::Ring { inner, outer, sweep, both_sides, contact, .. } => format!(
-            "ring from the downward vertical {} through {} °, inner circle of radius {} about {:?}, outer circle of radius {} about {:?}; \
+            "ring from the downward vertical {} through {} °, inner circle of radius {} about {:?}, outer circle of \
+            radius {} about {:?}; \
              `contact` is its {} arc, `start` and `end` the straight sides",
             if *both_sides { "to either side" } else { "counter-clockwise" },
             sweep.to_degrees(),
@@ -98,8 +101,10 @@ fn shape(shape: &Shape) -> String {
             }
         ),
         Shape::Eye { hole, outer_radius, shank_half_width, shank_end, .. } => format!(
-            "right half (x ≥ 0) of a rod's eye: hole of radius {} about {:?} (`contact`), outer radius {outer_radius} about the same point, shank of half-width \
-             {shank_half_width} upwards with a flat `end` {shank_end} above that point, joined without a fillet; `axis` is x = 0",
+            "right half (x ≥ 0) of a rod's eye: hole of radius {} about {:?} (`contact`), outer radius {outer_radius} \
+            about the same point, shank of half-width \
+             {shank_half_width} upwards with a flat `end` {shank_end} above that point, joined without a fillet; \
+             `axis` is x = 0",
             hole.radius, hole.centre
         ),
         Shape::Blocks(blocks) => format!("{} quadrilateral blocks", blocks.len()),
@@ -155,7 +160,8 @@ fn contact(scene: &Scene, pair: &ContactPair) -> String {
     let clearance =
         if pair.clearance > 0.0 { format!(", and {} more everywhere", pair.clearance) } else { String::new() };
     format!(
-        "**Contact `{}`** of `{first}` with {other}, without friction. Coordinate s: {along}. Initial normal gap: {}. Contact may occur for |s| ≤ {} \
+        "**Contact `{}`** of `{first}` with {other}, without friction. Coordinate s: {along}. Initial normal gap: {}. \
+        Contact may occur for |s| ≤ {} \
          {unit}.{half}",
         pair.name,
         gap(&pair.profile) + &clearance,
@@ -199,18 +205,22 @@ pub fn equations(plane: PlaneHypothesis) -> String {
                 Some(1) => "sym ∇u in (r, z) = (y, x) and ε_θ = u_r/r, all integrals with 2πr",
                 _ => "sym ∇u in (r, z) = (x, y) and ε_θ = u_r/r, all integrals with 2πr",
             },
-            "The second-moment radius is √(5/2 ∫p r² dA / ∫p dA), dA = 2πr dr: that of a semi-ellipsoid is its radius; the contact radius is where the \
+            "The second-moment radius is √(5/2 ∫p r² dA / ∫p dA), dA = 2πr dr: that of a semi-ellipsoid is its radius; \
+            the contact radius is where the \
              contact ends.",
         ],
         false => [
             "sym ∇u",
-            "The second-moment width is 2 √(∫p s²/∫p) about the centre of pressure, on an arc the same of the angle; the half-width is half of what lies \
+            "The second-moment width is 2 √(∫p s²/∫p) about the centre of pressure, on an arc the same of the angle; \
+            the half-width is half of what lies \
              between the ends of the contact.",
         ],
     };
     format!(
-        "## Equations\n\nSmall strain: ε = {hoop}, σ = λ tr ε I + 2μ ε with {lame} and μ = E/(2(1+ν)), div σ + b = 0. On the contact n is the outward \
-         normal of the first body on its undeformed path, and w = (u₁ − u₂)·n, with u₂ = 0 where the other side is rigid. There g = g₀ − w ≥ 0, p = −n·σn ≥ 0, p g = 0, \
+        "## Equations\n\nSmall strain: ε = {hoop}, σ = λ tr ε I + 2μ ε with {lame} and μ = E/(2(1+ν)), div σ + b = 0. \
+        On the contact n is the outward \
+         normal of the first body on its undeformed path, and w = (u₁ − u₂)·n, with u₂ = 0 where the other side is \
+         rigid. There g = g₀ − w ≥ 0, p = −n·σn ≥ 0, p g = 0, \
          and there is no shear. p is per area of the undeformed path. {width}"
     )
 }
@@ -222,7 +232,8 @@ pub fn sources(case: &Case) -> Vec<String> {
     std::iter::once(case.source.clone()).filter(|source| !source.is_empty()).chain(cited).collect()
 }
 
-/// What is typed into both codes: numbers of sides and bodies, elastic constants, supports, loads, contacts, and what is to be printed.
+/// What is typed into both codes: numbers of sides and bodies, elastic constants, supports, loads, contacts, and what
+/// is to be printed.
 pub fn elsewhere(name: &str, scene: &Scene, mesh: &Mesh) -> String {
     let numbers = gmsh::numbers(scene, mesh);
     let listed: Vec<String> = numbers.iter().map(|(name, number)| format!("`{name}` {number}")).collect();
@@ -234,10 +245,12 @@ pub fn elsewhere(name: &str, scene: &Scene, mesh: &Mesh) -> String {
     let plane = match scene.plane {
         PlaneHypothesis::Strain => "In two dimensions both solve plane strain, as the scene is",
         PlaneHypothesis::Stress => {
-            "In two dimensions both solve plane strain, which E' = E (1 + 2ν)/(1 + ν)² and ν' = ν/(1 + ν), as below, make the plane stress of the scene"
+            "In two dimensions both solve plane strain, which E' = E (1 + 2ν)/(1 + ν)² and ν' = ν/(1 + ν), as below, \
+            make the plane stress of the scene"
         }
         PlaneHypothesis::Axisymmetric | PlaneHypothesis::AxisymmetricAboutX => {
-            "MOOSE has bodies of revolution by `coord_type = RZ` in `[Mesh]`; MFEM's `ElasticityIntegrator` has no hoop strain, so that it needs the whole \
+            "MOOSE has bodies of revolution by `coord_type = RZ` in `[Mesh]`; MFEM's `ElasticityIntegrator` has no \
+            hoop strain, so that it needs the whole \
              body in three dimensions"
         }
     };
@@ -247,13 +260,15 @@ pub fn elsewhere(name: &str, scene: &Scene, mesh: &Mesh) -> String {
     };
     let rigid = match scene.contacts.iter().any(|pair| pair.second.is_none()) {
         true => {
-            "The rigid other side is a body of your own with the initial gap of the scene, fixed in all its nodes; `RIGID` is its contact side. "
+            "The rigid other side is a body of your own with the initial gap of the scene, fixed in all its nodes; \
+            `RIGID` is its contact side. "
         }
         false => "",
     };
     let pressed = |pair: &ContactPair| match pair.profile {
         Profile::Uniform(gap) if gap < 0.0 && pair.second.is_some() => Some(format!(
-            "The mesh has no interference: both sides of `{}` lie on one another, and the {} mm by which they overlap are to be given beside it, as by \
+            "The mesh has no interference: both sides of `{}` lie on one another, and the {} mm by which they overlap \
+            are to be given beside it, as by \
              moving the nodes of one body. ",
             pair.name, -gap
         )),

@@ -1,5 +1,6 @@
-//! What is compared of runs, and how far two answers are apart; NaN, which no check passes, where they cannot be compared. Answers of other
-//! codes are read from `oracles/frozen`, for which Rust alone suffices; live ones are asked now, and held against the frozen ones as well.
+//! What is compared of runs, and how far two answers are apart; NaN, which no check passes, where they cannot be
+//! compared. Answers of other codes are read from `oracles/frozen`, for which Rust alone suffices; live ones are asked
+//! now, and held against the frozen ones as well.
 
 use crate::case::{Check, Judged, Quantity, Reference};
 use crate::measure::order::richardson;
@@ -22,7 +23,8 @@ pub fn errors(run: &Run, truth: [f64; 2]) -> [f64; 2] {
     [0, 1].map(|k| relative_error(found[k], truth[k]))
 }
 
-/// A number on the finest of three meshes, coarse to fine, with its standard uncertainty by Richardson; none on other series.
+/// A number on the finest of three meshes, coarse to fine, with its standard uncertainty by Richardson; none on other
+/// series.
 pub fn on_finest(series: &[PhysicalAnswer], of: fn(&PhysicalAnswer) -> f64) -> Option<[f64; 2]> {
     let [coarse, medium, fine] = series else { return None };
     let values = [coarse, medium, fine].map(of);

@@ -1,5 +1,5 @@
-//! How formulations are drawn everywhere: colour = element, dash = algorithm; what holds and loads a scene, as marks on its field; and
-//! what a page's picture is called.
+//! How formulations are drawn everywhere: colour = element, dash = algorithm; what holds and loads a scene, as marks on
+//! its field; and what a page's picture is called.
 
 use crate::algorithm::Acceleration;
 use crate::drawing::palette::{self, Dash, Marker, Style};
@@ -111,7 +111,8 @@ pub fn picture(file: &str, caption: &str) -> String {
 /// What is to be known beside a picture of all nine formulations: what their agreement cannot show.
 pub fn how_stopped() -> String {
     format!(
-        "All nine are stopped within {:e} of the solution of the discrete problem, which an active set finds before: they show elements and mesh.",
+        "All nine are stopped within {:e} of the solution of the discrete problem, which an active set finds before: \
+        they show elements and mesh.",
         Settings::default().tolerance
     )
 }

@@ -1,5 +1,6 @@
-//! Fault injection: what turned red when a fault was put into a copy of the tree; and whether what a script has recorded is of the present
-//! sources: each entry is bound to what it tests, and to nothing else; what caught a fault must still be asked.
+//! Fault injection: what turned red when a fault was put into a copy of the tree; and whether what a script has
+//! recorded is of the present sources: each entry is bound to what it tests, and to nothing else; what caught a fault
+//! must still be asked.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -74,8 +75,9 @@ pub struct Asked {
 }
 
 impl Caught {
-    /// Whether a claim of this name is among the claims, of this kind by the list of truths; of a trial, whether a check of its case, or of every run,
-    /// asks for its quantity. Of what shows nothing, such as what broke off, nothing is asked.
+    /// Whether a claim of this name is among the claims, of this kind by the list of truths; of a trial, whether a
+    /// check of its case, or of every run, asks for its quantity. Of what shows nothing, such as what broke off,
+    /// nothing is asked.
     pub fn is_there(&self) -> bool {
         if !TELLING.contains(&self.kind.as_str()) {
             return true;
@@ -260,8 +262,8 @@ pub struct Record<T> {
 /// What all entries have in common.
 #[derive(Clone, Debug, Deserialize)]
 pub struct Entry {
-    /// Files, folders and functions that what it says depends on: of a fault its file and those of the claims that caught it, of a fuzz
-    /// target the reader that it calls, of a mutant its function.
+    /// Files, folders and functions that what it says depends on: of a fault its file and those of the claims that
+    /// caught it, of a fuzz target the reader that it calls, of a mutant its function.
     #[serde(default)]
     pub bound: Vec<String>,
     /// Their digest when it was made; none where that was not recorded.
@@ -332,7 +334,8 @@ impl Share {
 /// Folder of what computes, beside what reads and tells.
 const SOLVER: &str = "src/solver";
 
-/// What is caught of all mutants of a folder: the shares of its rooms, each by the number of its mutants, those of which none was tried left out.
+/// What is caught of all mutants of a folder: the shares of its rooms, each by the number of its mutants, those of
+/// which none was tried left out.
 ///
 /// The interval of `Σ w p` reaches `√Σ w²(p − l)²` below it, and above it likewise (Zou & Donner 2008).
 pub fn together(rooms: &[Room], folder: &str, of: fn(&Room) -> &Share) -> String {
@@ -421,7 +424,8 @@ impl Made {
         read_json(&root().join(self.file), self.renew)
     }
 
-    /// The check of what is committed against the checkout: not run where an entry was made on other sources than those that it is bound to now: nothing is known of it on these.
+    /// The check of what is committed against the checkout: not run where an entry was made on other sources than those
+    /// that it is bound to now: nothing is known of it on these.
     pub fn judge(&self, record: &[Entry]) -> Judged {
         let old = record.iter().filter(|entry| !entry.is_current()).count();
         let all = record.len();

@@ -64,7 +64,8 @@ impl Study for Numbers {
             ("field-pin-rod.svg", "As Fig. 13. Pin and rod: mesh and vertical stress on the deformed shape"),
             (
                 "figure-15.svg",
-                "Fig. 15, which quantity it shows not being known: hoop stress and displacement along pin and rod by the five combinations \
+                "Fig. 15, which quantity it shows not being known: hoop stress and displacement along pin and rod by \
+                the five combinations \
                  that the paper shows, without Gaertner's curves",
             ),
             ("iteration-paths.svg", "Figs 6 and 7, and kinematic load beside them: the path of the iterations"),
@@ -98,15 +99,17 @@ pub struct Along {
     pub converged: bool,
     /// Along the candidates of each body.
     pub arcs: Vec<Arc>,
-    /// Largest difference of the hoop stress to that of node elements with kinematic load, over the largest hoop stress.
+    /// Largest difference of the hoop stress to that of node elements with kinematic load, over the largest hoop
+    /// stress.
     pub off: f64,
 }
 
-/// A body along its candidates: its name, and angle \[°\] with hoop stress \[MPa\], and with displacement along the outward normal \[mm\].
+/// A body along its candidates: its name, and angle \[°\] with hoop stress \[MPa\], and with displacement along the
+/// outward normal \[mm\].
 pub type Arc = (String, [Vec<[f64; 2]>; 2]);
 
-/// A scene whose fields are shown: the case, the factor on its displacements, the largest stress that is told apart over the pressure of
-/// the scene, none where all of it is compression, and the part that is enlarged over its length.
+/// A scene whose fields are shown: the case, the factor on its displacements, the largest stress that is told apart
+/// over the pressure of the scene, none where all of it is compression, and the part that is enlarged over its length.
 pub type Shown = (fn() -> Case, f64, Option<f64>, [[f64; 2]; 2]);
 
 /// The cylinder on its plane, and the pin in the eye of the rod.
@@ -124,8 +127,8 @@ pub struct Field {
     pub stress: drawing::Field,
     /// Load of the scene on the modelled part \[N\].
     pub load: f64,
-    /// Vertical force of the recovered stresses on the candidates of each body, by its name, and on the horizontal cut of the disc, which the
-    /// flag tells \[N\].
+    /// Vertical force of the recovered stresses on the candidates of each body, by its name, and on the horizontal cut
+    /// of the disc, which the flag tells \[N\].
     pub resultants: Vec<(String, bool, f64)>,
 }
 
@@ -300,7 +303,8 @@ fn along_chart(alongs: &[&Along]) -> Drawing {
 /// Iterations that have their numbers: later ones lie too near to one another.
 const NUMBERED: usize = 4;
 
-/// The way of each iteration to the solution of two bars closing a gap, in the plane of approach and pressure of their contact.
+/// The way of each iteration to the solution of two bars closing a gap, in the plane of approach and pressure of their
+/// contact.
 fn paths(runs: &[&Run]) -> Drawing {
     let bars = bars();
     let (push, stiffness) = (bars.push * bars.gap, bars.young / (2.0 * bars.length));
@@ -347,7 +351,8 @@ fn on_spring([approach, pressure, stiffness]: &State, at: f64) -> f64 {
     pressure + stiffness * (at - approach)
 }
 
-/// The states joined over the corners between them: first its spring changes at a fixed approach, then it returns to equilibrium along that.
+/// The states joined over the corners between them: first its spring changes at a fixed approach, then it returns to
+/// equilibrium along that.
 pub fn walk(states: &[State]) -> Vec<(f64, f64)> {
     let first = states.first().map(|state| (state[0], state[1]));
     let more = states.windows(2).flat_map(|two| [(two[0][0], on_spring(&two[1], two[0][0])), (two[1][0], two[1][1])]);

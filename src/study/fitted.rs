@@ -1,5 +1,5 @@
-//! Cells of high order fitted to the end of the contact: how many digits of peak, second-moment width and half-width they give,
-//! for how many degrees of freedom.
+//! Cells of high order fitted to the end of the contact: how many digits of peak, second-moment width and half-width
+//! they give, for how many degrees of freedom.
 
 use rayon::prelude::*;
 
@@ -19,8 +19,8 @@ use crate::study::random::{Family, Site};
 pub const ASKED: [(usize, f64); 3] = [(4, 1e-4), (5, 1e-5), (6, 1e-6)];
 /// The same of the truncated sphere.
 pub const ASKED_OF_REVOLUTION: [(usize, f64); 4] = [(3, 1e-3), ASKED[0], ASKED[1], ASKED[2]];
-/// Times that error within which the half-width is: it is the place of the mesh line, which the search leaves before peak and second-moment
-/// width, which depend on it in second order, are at rest.
+/// Times that error within which the half-width is: it is the place of the mesh line, which the search leaves before
+/// peak and second-moment width, which depend on it in second order, are at rest.
 pub const OF_END: f64 = 3.0;
 /// Relative error that is asked of other scenes.
 const ASKED_ELSEWHERE: f64 = 1e-5;
@@ -138,7 +138,8 @@ fn numbers() -> Result<Numbers, Error> {
     Ok(Numbers { meshes: on_all(plane)?, revolved: on_all(of_revolution)?, scenes: elsewhere()? })
 }
 
-/// A scene under a part of the load that it is drawn for, by its half-width, with its peak pressure and both widths, which are one there.
+/// A scene under a part of the load that it is drawn for, by its half-width, with its peak pressure and both widths,
+/// which are one there.
 type Drawn = fn(f64) -> (Scene, [f64; 3]);
 
 /// A mesh under the worst of all loads.

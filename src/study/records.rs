@@ -55,8 +55,8 @@ impl<S: Sync + Send, R: Serialize + DeserializeOwned + Clone + Sync + Send> Surv
         of_site.iter().try_for_each(|(site, lines)| write(&unfinished.join(format!("{site}.csv")), &head, lines))
     }
 
-    /// Runs every site, whose lines are kept under its name in the folder `unfinished` until all are written to `record`; `done` is
-    /// told when one more is ready.
+    /// Runs every site, whose lines are kept under its name in the folder `unfinished` until all are written to
+    /// `record`; `done` is told when one more is ready.
     pub fn renew(&self, unfinished: &Path, record: &Path, done: impl Fn() + Sync) -> Result<usize, Error> {
         survey([unfinished, record], &(self.head)(), &(self.sites)()?, self.key, self.run, done)
     }
@@ -140,7 +140,8 @@ pub struct Millionths(pub f64);
 const DIGITS: f64 = 6e-3;
 
 impl Millionths {
-    /// Whether two are the same but for the digits that are not kept, and for what is round-off; what is unknown is like itself.
+    /// Whether two are the same but for the digits that are not kept, and for what is round-off; what is unknown is
+    /// like itself.
     pub fn is_like(self, other: Self, round_off: f64) -> bool {
         let (Self(a), Self(b)) = (self, other);
         let is_same = a.total_cmp(&b).is_eq() || (a.is_nan() && b.is_nan());

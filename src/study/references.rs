@@ -52,9 +52,11 @@ impl Study for Numbers {
     const NAME: &'static str = "references";
     const ABOUT: About = About {
         title: "Reference answers and benchmark sheets",
-        asked: "Which numbers of scenes without a closed form are known to five digits, and what somebody with another code \
+        asked: "Which numbers of scenes without a closed form are known to five digits, and what somebody with another \
+            code \
             needs to run the cases of the library.",
-        limits: "The error bar of an answer is drawn from differences between meshes of this code; who found it too, and what they \
+        limits: "The error bar of an answer is drawn from differences between meshes of this code; who found it too, \
+            and what they \
             confirm it to, stands beside it. A closed form may be of an idealised scene; the sheet says where.",
     };
 
@@ -74,8 +76,8 @@ impl Study for Numbers {
         answers.into_iter().chain(sheets).collect()
     }
 
-    /// The checks: answers are known to five digits; values of a sheet are met by the codes that solved the case, but for those that its
-    /// reference answer is held against.
+    /// The checks: answers are known to five digits; values of a sheet are met by the codes that solved the case, but
+    /// for those that its reference answer is held against.
     fn judge(&self) -> Result<Vec<Judged>, Error> {
         Ok(match self {
             Numbers::Answer { known, .. } => known.iter().flat_map(judge_answer).collect(),
@@ -140,7 +142,8 @@ fn on_8_node_cells(case: &Case) -> Result<(Discretisation, Run, Vec<Barred>), Er
     Ok((made, run, barred))
 }
 
-/// What is known of a scene, from whichever trial found it first; neither waits, for what it waits for may be its own work.
+/// What is known of a scene, from whichever trial found it first; neither waits, for what it waits for may be its own
+/// work.
 pub type Shared = Arc<OnceLock<Result<reference::Answer, Error>>>;
 
 fn once(found: &Shared, scene: &Scene) -> Result<reference::Answer, Error> {
@@ -187,7 +190,8 @@ fn solve_once(name: &str, found: &Shared) -> Result<Sheet, Error> {
     sheet(&case, &discretisation, &run, &barred, found)
 }
 
-/// The sheet of a case from a run, whose numbers have bars; or from cells fitted to the contact, where that can be and tells more.
+/// The sheet of a case from a run, whose numbers have bars; or from cells fitted to the contact, where that can be and
+/// tells more.
 pub fn sheet(
     case: &Case,
     discretisation: &Discretisation,
@@ -247,7 +251,8 @@ pub fn sheet(
     Ok(sheet)
 }
 
-/// What other codes answered of a case of the library: what each is called, whether its springs are felt, and its answers from coarse to fine.
+/// What other codes answered of a case of the library: what each is called, whether its springs are felt, and its
+/// answers from coarse to fine.
 fn series(name: &str) -> Result<Vec<Called>, Error> {
     if AROUND.contains(&name) {
         return Ok(Revolution::built_in()?.of(name));

@@ -75,8 +75,8 @@ pub fn ratios(above: &[f64], below: &[f64]) -> Vec<f64> {
     above.iter().zip(below).map(|(a, b)| a / b).collect()
 }
 
-/// The value below which this share of some values is, on a straight line between the two around it; NaN where there is no value, or
-/// one is NaN.
+/// The value below which this share of some values is, on a straight line between the two around it; NaN where there is
+/// no value, or one is NaN.
 pub fn quantile(values: &[f64], share: f64) -> f64 {
     let mut sorted = values.to_vec();
     sorted.sort_by(f64::total_cmp);

@@ -59,7 +59,8 @@ pub struct Sheet {
     pub sources: Vec<String>,
     /// Plane `strain` or `stress`, or `axisymmetric` of bodies of revolution.
     pub plane: &'static str,
-    /// Thickness \[mm\]: forces are of all of it; 1 of bodies of revolution, whose forces are of the whole circumference.
+    /// Thickness \[mm\]: forces are of all of it; 1 of bodies of revolution, whose forces are of the whole
+    /// circumference.
     pub thickness: f64,
     /// Whether the scene is one half of a symmetric one: resultants are of the whole, loads and reactions of that half.
     pub half_of_symmetric: bool,
@@ -125,15 +126,16 @@ pub enum FoundBy {
     EightNodeCells,
 }
 
-/// A code that found a value too, with a mesh and a contact of its own; or our cells, where the value is that of a closed form.
+/// A code that found a value too, with a mesh and a contact of its own; or our cells, where the value is that of a
+/// closed form.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct Confirmed {
     /// Code and method.
     pub by: String,
     /// What it found.
     pub value: f64,
-    /// How far that may be off: three standard uncertainties of a refinement series and what springs leave; twice the largest difference between
-    /// settings of a method of high order; or our bar.
+    /// How far that may be off: three standard uncertainties of a refinement series and what springs leave; twice the
+    /// largest difference between settings of a method of high order; or our bar.
     pub bar: f64,
     /// What the value is confirmed to: difference and that bar, relative.
     pub to: f64,
@@ -206,7 +208,8 @@ impl Value {
         Confirmed { by: other.by.into(), value: other.value, bar: other.bar, to }
     }
 
-    /// The closed form, where it is of the very scene, else our value; who found it too; no digits but those that are known.
+    /// The closed form, where it is of the very scene, else our value; who found it too; no digits but those that are
+    /// known.
     fn published(&self, is_exact: bool) -> Self {
         let mut one = self.clone();
         if let Some(closed) = self.closed_form.filter(|_| is_exact) {
@@ -227,7 +230,8 @@ impl Value {
         one
     }
 
-    /// Whether its closed form, where there is one, is within its bar, and that of a peak or a second-moment width narrow.
+    /// Whether its closed form, where there is one, is within its bar, and that of a peak or a second-moment width
+    /// narrow.
     fn holds_closed_form(&self) -> bool {
         let is_telling = matches!(self.number, Quantity::PeakPressure | Quantity::SecondMomentWidth);
         let tells = !is_telling || self.bar <= TELLS * self.value.abs();
@@ -235,7 +239,8 @@ impl Value {
     }
 }
 
-/// A value to the second digit of its bar; without one to six digits, and to those that all machines agree on where it is exact.
+/// A value to the second digit of its bar; without one to six digits, and to those that all machines agree on where it
+/// is exact.
 fn rounded(value: f64, bar: f64) -> f64 {
     match bar {
         bar if bar.is_nan() => digits(value, 6),

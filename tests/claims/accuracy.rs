@@ -24,7 +24,8 @@ pub const ASKED: [f64; 3] = [1e-2, 3e-3, 1e-3];
 /// Half-angle of the pin \[degrees\].
 const ANGLE: f64 = 60.0;
 
-/// Truncated Hertz under the load that makes its contact so many times as long as the nominal one, on the outline of that one.
+/// Truncated Hertz under the load that makes its contact so many times as long as the nominal one, on the outline of
+/// that one.
 fn truncated(ratio: f64) -> Case {
     let nominal = TruncatedHertz::default();
     let (a_over_r, size, stretch) = (nominal.a_over_r * ratio, nominal.size / ratio, nominal.stretch / ratio);
@@ -141,7 +142,8 @@ fn cells_end_with_a_contact_whose_end_the_first_mesh_misses() {
 
 #[test]
 fn other_algorithms_leave_what_the_mesh_of_kinematic_load_does() {
-    // By constant stiffness a tolerance that is near to what the mesh leaves presses points beyond the contact: a closer one is asked for.
+    // By constant stiffness a tolerance that is near to what the mesh leaves presses points beyond the contact: a
+    // closer one is asked for.
     for (family, number, algorithm, asked) in [
         (Family::Wedge, 93_000, Iteration::Varying, 1e-3),
         (Family::Wedge, 93_000, Iteration::Constant, 1e-3),
@@ -224,7 +226,8 @@ fn a_bar_of_elements_too_wide_for_the_top_is_no_best() {
     let bar = answer.estimates[0].bar.total();
     let off = (answer.run.measures().peak.pressure - truth).abs();
     assert!(bar.is_nan() || off <= bar + 2e-3 * truth, "{off} beyond {bar}");
-    // Of a lower one the bars are wider on the next meshes: the first is the best up to that which moves its peak by more than its bar.
+    // Of a lower one the bars are wider on the next meshes: the first is the best up to that which moves its peak by
+    // more than its bar.
     for (most, best) in [(1_000, 0), (4_000, 2)] {
         let asked = Asked { high_order: false, most_dofs: Some(most), ..by_moment(1e-2) };
         let answer = accuracy::solve(&hump(0.0005), &kinematic(), &asked).expect("solved");
@@ -236,7 +239,8 @@ fn a_bar_of_elements_too_wide_for_the_top_is_no_best() {
 
 #[test]
 fn what_cannot_be_met_is_said_with_the_best_that_was_found() {
-    // The pressure under the corner of a flat punch has no limit, on however many cells; the half-width is met all the same.
+    // The pressure under the corner of a flat punch has no limit, on however many cells; the half-width is met all the
+    // same.
     let punch = find("flat-punch", None).expect("known");
     let answer = accuracy::solve(&punch.scene, &kinematic(), &by_moment(1e-2)).expect("solved");
     assert!(answer.unmet.as_ref().is_some_and(|why| why.contains("no limit")) && answer.run.solution.converged());

@@ -32,7 +32,8 @@ fn rolling(a: f64, centre: f64, stretch: f64, [left, right]: [f64; 2], mesh: &st
     let law = format!("polynomial = {{ along = \"x\", coefficients = [{mean}, {slope}] }}");
     let load = format!("pressure = {{ at = \"far\", law = {{ {law} }} }}");
     let contact = format!(
-        "both-sides = true\ngap = {{ parabola = {RADIUS} }}\nstretch = {stretch}\n[reference]\nlength = 2\npressure = 4000\n\
+        "both-sides = true\ngap = {{ parabola = {RADIUS} }}\nstretch = {stretch}\n[reference]\nlength = 2\npressure = \
+        4000\n\
          [mesh]\n{mesh}"
     );
     block_text([left, right], 40.0, &load, &contact).replace("at = [0, 40]", &format!("at = [{right}, 40]"))
@@ -205,12 +206,15 @@ fn disc_on_blocks_of_wide_cells_is_answered() {
     let load = 9000.0;
     let text = format!(
         "plane = \"strain\"\nthickness = 1\n[[body]]\nname = \"disc\"\nyoung = 4e5\npoisson = 0.3\n\
-         shape = {{ disc = {{ centre = [0, 30], radius = 30 }} }}\nsupports = [{{ at = \"axis\", component = \"x\" }}]\n\
+         shape = {{ disc = {{ centre = [0, 30], radius = 30 }} }}\nsupports = [{{ at = \"axis\", component = \"x\" \
+         }}]\n\
          loads = [{{ traction = {{ at = \"cut\", force = [0, -{load}] }} }}]\n\
          [[body]]\nname = \"block\"\nyoung = 4e5\npoisson = 0.3\n\
-         shape = {{ blocks = [{{ corners = [[0, -15], [16, -15], [16, 0], [0, 0]], elements = [13, 6], bottom = \"far\", top = \"contact\", left = \"left\" }}] }}\n\
+         shape = {{ blocks = [{{ corners = [[0, -15], [16, -15], [16, 0], [0, 0]], elements = [13, 6], bottom = \
+         \"far\", top = \"contact\", left = \"left\" }}] }}\n\
          supports = [{{ at = \"left\", component = \"x\" }}, {{ at = \"far\", component = \"y\" }}]\n\
-         [contact]\nfirst = \"block\"\nsecond = \"disc\"\ngap = {{ circle = 30 }}\nstretch = 4\n[mesh]\naccuracy = \"1 %\"\n"
+         [contact]\nfirst = \"block\"\nsecond = \"disc\"\ngap = {{ circle = 30 }}\nstretch = 4\n[mesh]\naccuracy = \"1 \
+         %\"\n"
     );
     let answer =
         accuracy::solve(&parsed(&text).scene, &Formulation::verification(), &Asked::new(0.01)).expect("solved");

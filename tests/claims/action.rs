@@ -37,7 +37,8 @@ fn answers() -> Folder {
     folder
 }
 
-/// A script of the Action in a folder, with what it is told by the environment; standard output, then what is in a file it writes.
+/// A script of the Action in a folder, with what it is told by the environment; standard output, then what is in a file
+/// it writes.
 fn script(name: &str, folder: &Path, told: &[(&str, String)], file: &str) -> (Option<i32>, String, String) {
     let path = format!("{}/bin:{}", folder.display(), std::env::var("PATH").expect("a path"));
     let mut command = Command::new("bash");
@@ -130,7 +131,8 @@ fn the_action_writes_summary_and_junit_and_ends_as_the_program_does() {
         let folder = answers();
         folder.with("bare.csv", "position,pressure\n::set-env::```,1\n");
         let program = env!("CARGO_BIN_EXE_contact-vv-tested");
-        let inputs = json!({ "case": "truncated-hertz", "files": files, "units": "position=mm\npressure=MPa", "columns": "",
+        let units = "position=mm\npressure=MPa";
+        let inputs = json!({ "case": "truncated-hertz", "files": files, "units": units, "columns": "",
             "options": options, "junit": "a b.xml", "program": program });
         let (ended, log, summary) = script("judge.sh", folder.path(), &[("INPUTS", inputs.to_string())], "summary");
         assert_eq!(ended, Some(code), "{files}: {log}");

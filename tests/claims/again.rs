@@ -28,7 +28,8 @@ impl<S: Sync + Send, R: Serialize + DeserializeOwned + Clone + Sync + Send> Agai
         Ok(self.compared(&self.survey.read()?, &fresh))
     }
 
-    /// A record held against sites run again, each by its name with its lines, in the order of the record: lines, and those that moved.
+    /// A record held against sites run again, each by its name with its lines, in the order of the record: lines, and
+    /// those that moved.
     pub fn compared(&self, recorded: &[R], fresh: &[(String, Vec<R>)]) -> [usize; 2] {
         let of_site = sorted(recorded.iter().map(|line| ((self.survey.of)(line), line)));
         let (mut again, mut moved) = (0, 0);
@@ -42,7 +43,8 @@ impl<S: Sync + Send, R: Serialize + DeserializeOwned + Clone + Sync + Send> Agai
     }
 }
 
-/// The cheapest of each kind of body, profile and load; outcome and iterations as recorded always, the error where it is above round-off.
+/// The cheapest of each kind of body, profile and load; outcome and iterations as recorded always, the error where it
+/// is above round-off.
 pub const CONVERGED: Again<converged::Site, converged::Record> = Again {
     survey: converged::SURVEY,
     is_chosen: |site| CHEAPEST.iter().any(|&(scene, stretch)| site.scene == scene && site.stretch == stretch),
@@ -81,7 +83,8 @@ const CHEAPEST: [(&str, f64); 22] = [
     ("blocks.toml", 150.0),
 ];
 
-/// Of each family of closed form the six chosen, of others, whose truth takes longer than the solution, one with cells of either kind.
+/// Of each family of closed form the six chosen, of others, whose truth takes longer than the solution, one with cells
+/// of either kind.
 pub const BARS: Again<Site, bars::Record> = Again {
     survey: bars::SURVEY,
     is_chosen: |site| match family::JUDGED.contains(&site.family) {
@@ -105,8 +108,8 @@ pub const COUNTED: Again<Site, counted::Record> = Again {
     },
 };
 
-/// One scene of each family to the first of the accuracies, of those of closed form in turn to that and the third, or to the second and
-/// the fourth; mesh and verdict as recorded always, errors but for the iteration.
+/// One scene of each family to the first of the accuracies, of those of closed form in turn to that and the third, or
+/// to the second and the fourth; mesh and verdict as recorded always, errors but for the iteration.
 pub const MET: Again<(Site, f64), met::Record> = Again {
     survey: met::SURVEY,
     is_chosen: |(site, asked)| {

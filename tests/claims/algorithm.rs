@@ -225,7 +225,8 @@ fn a_step_from_given_springs_leaves_those_of_its_equation() {
     let hard = SCALE.hard();
     // Algorithm, load and stiffness before; stiffness and force of the spring after it.
     for (what, mut algorithm, load, before, stiffness, force) in [
-        // Equation (3.2) at u = 90/500 = 0.18, p = 18: secant k w/g = 100·1.8; correction p⁺ = 18 + 100·0.08 = 26 over w.
+        // Equation (3.2) at u = 90/500 = 0.18, p = 18: secant k w/g = 100·1.8; correction p⁺ = 18 + 100·0.08 = 26 over
+        // w.
         ("varying secant", varying(Secant), 90.0, 100.0, 180.0, 0.0),
         ("varying correction", varying(Correction), 90.0, 100.0, 26.0 / 0.18, 0.0),
         // u = 90/1100 = 9/110, by the present stiffness; u = 90/320 = 9/32, by the initial one, which is the larger.
@@ -240,7 +241,8 @@ fn a_step_from_given_springs_leaves_those_of_its_equation() {
         ("pulled", kinematic(Switching), 15.0, 100.0, 0.0, 0.0),
         ("closed", kinematic(Switching), 90.0, 0.0, hard, 0.0),
         ("open", kinematic(Switching), 15.0, 0.0, 0.0, 0.0),
-        // Of an approach of 60 N/(E* t) = 0.06 a tenth of the tolerance is 6e-6; penetration 60/(300 + 2k) is 3e-6 at k = 1e7.
+        // Of an approach of 60 N/(E* t) = 0.06 a tenth of the tolerance is 6e-6; penetration 60/(300 + 2k) is 3e-6 at k
+        // = 1e7.
         ("hard enough", kinematic(Switching), 90.0, 1e7, 1e7, 0.0),
         ("too soft", kinematic(Switching), 90.0, 3e6, hard, 0.0),
         ("penalty closed", kinematic(Penalty), 90.0, 0.0, 100.0, 0.0),

@@ -98,8 +98,8 @@ fn atlas_turns_red_where_a_prediction_failed() {
     assert_eq!(spoiled(kinematic - 1, &|r| r.iterations += 2), None);
 }
 
-/// Of the meshes of the full planes every third is entered again, and on it three of twenty points; of the others every mesh, and
-/// one of twenty points.
+/// Of the meshes of the full planes every third is entered again, and on it three of twenty points; of the others every
+/// mesh, and one of twenty points.
 const FULL: [usize; 2] = [3, 3];
 const OTHERS: [usize; 2] = [1, 1];
 const OF: usize = 20;

@@ -156,7 +156,8 @@ fn the_axis_exerts_nothing_on_a_body_of_revolution() {
     }
 }
 
-/// Measures of so many rings on a radius with the means of a pressure over their areas; `force(r)` is that within r, over 2π.
+/// Measures of so many rings on a radius with the means of a pressure over their areas; `force(r)` is that within r,
+/// over 2π.
 fn of_rings(count: usize, radius: f64, force: impl Fn(f64) -> f64) -> Measures {
     let ends = |k: usize| [k, k + 1].map(|k| radius * k as f64 / count as f64);
     let ring = |k: usize| {
@@ -191,7 +192,8 @@ fn means_over_rings_are_means_over_their_areas() {
     let hertz = of_rings(43, 2.0, force);
     assert_relative_eq!(hertz.peak.pressure, 1.0, max_relative = 1e-5);
     assert_relative_eq!(hertz.pressure_at_origin, 1.0, max_relative = 1e-5);
-    // The force beyond r is (1 − r²)^{3/2}, whose 2/3-th power falls along a line over r² from the axis on, however few the rings.
+    // The force beyond r is (1 − r²)^{3/2}, whose 2/3-th power falls along a line over r² from the axis on, however few
+    // the rings.
     for (count, radius) in [(43, 2.0), (5, 1.6), (6, 1.3), (8, 1.3)] {
         assert_relative_eq!(of_rings(count, radius, force).edge(), 1.0, max_relative = 1e-9);
     }

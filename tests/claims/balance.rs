@@ -1,4 +1,5 @@
-//! What the springs really do: tension that is cut, the equilibrium of every body, bodies of very different stiffness, bodies that touch.
+//! What the springs really do: tension that is cut, the equilibrium of every body, bodies of very different stiffness,
+//! bodies that touch.
 
 use std::path::PathBuf;
 
@@ -85,7 +86,8 @@ fn leaves_pass_on_what_beam_theory_says_under_any_load() {
 
 #[test]
 fn iteration_that_is_cut_off_while_a_spring_pulls_is_not_converged() {
-    // On the way peak, width and approach are within the tolerance while more than the contact's force is tension, which is cut.
+    // On the way peak, width and approach are within the tolerance while more than the contact's force is tension,
+    // which is cut.
     let case = scene("leaf-spring", &[]);
     let mut formulation = Formulation::new(Element::Node, Iteration::Kinematic);
     let (_, whole) = solved(&case, &formulation);

@@ -57,7 +57,8 @@ fn twins() -> Vec<Twin> {
     // A disc on a block whose nodes do not face its own, drawn.
     let block = "[[body]]\nname = \"block\"\nyoung = 210e3\npoisson = 0.3\ndensity = 0.7\n\
         shape = { rectangle = { x = [-30, 30], y = [-30, 0], contact = \"top\" } }\n\
-        supports = [{ at = [0, -30], component = \"x\" }, { at = \"far\", component = \"y\" }]\n\n[contact]\nsecond = \"block\"\n";
+        supports = [{ at = [0, -30], component = \"x\" }, { at = \"far\", component = \"y\" }]\n\n[contact]\nsecond = \
+        \"block\"\n";
     let drawn = [("[contact]\n", block), ("{ circle = 50 }", "\"drawn\""), ("stretch = 1.5", "stretch = 2")];
     let halves = [("whole = true", "half = true"), ("[-30, 30]", "[0, 30]"), ("[0, -30]", "\"left\"")];
     all.push(twin("disc on block", changed(&disc, &drawn), "axis", &halves));
@@ -123,8 +124,10 @@ fn eccentric(slope: f64) -> String {
 fn wedge(x: f64, stretch: f64) -> String {
     let [left, right] = [0.01 * (x + 5.0), 0.01 * (5.0 - x)];
     let contact = format!(
-        "both-sides = true\nstretch = {stretch}\ngap = {{ table = [[-5, {left}], [{x}, 0], [5, {right}]] }}\n[reference]\n\
-         length = 1\npressure = 2000\n[mesh]\nelements = 40\nper = 4\ngrowth = {{ coarsest = 0.1 }}\n[solve]\ntolerance = 1e-8"
+        "both-sides = true\nstretch = {stretch}\ngap = {{ table = [[-5, {left}], [{x}, 0], [5, {right}]] \
+        }}\n[reference]\n\
+         length = 1\npressure = 2000\n[mesh]\nelements = 40\nper = 4\ngrowth = {{ coarsest = 0.1 \
+         }}\n[solve]\ntolerance = 1e-8"
     );
     let face = "rigid-face = { at = \"far\", component = \"y\", force = -4615.3846 }";
     block_text([-40.0, 40.0], 40.0, face, &contact)
@@ -217,7 +220,8 @@ fn blocks_that_cross_the_middle_are_the_rectangle() {
     let rectangle = parsed(&eccentric(4.0));
     let blocks = eccentric(4.0).replace(
         "{ rectangle = { x = [-10, 10], y = [0, 8], contact = \"bottom\" } }",
-        "{ blocks = [{ corners = [[-10, 0], [4, 0], [4, 8], [-10, 8]], elements = [7, 4], bottom = \"contact\", top = \"far\" }, \
+        "{ blocks = [{ corners = [[-10, 0], [4, 0], [4, 8], [-10, 8]], elements = [7, 4], bottom = \"contact\", top = \
+        \"far\" }, \
          { corners = [[4, 0], [10, 0], [10, 8], [4, 8]], elements = [3, 4], bottom = \"contact\", top = \"far\" }] }",
     );
     let blocks = blocks.replace("elements = 4\nper = 10\n", "").replace("at = [0, 8]", "at = [4, 8]");

@@ -155,8 +155,8 @@ fn a_flat_bottom_between_ever_smaller_shoulders_becomes_a_punch() {
 
 #[test]
 fn waves_are_those_of_the_half_plane_seen_through_the_tangent() {
-    // cot(α − β) = 1/(tan α − tan β) but for a term that an even pressure leaves out: with u = tan(πx/λ) a row of contacts has
-    // the equation of one contact, whose slope is that of the waves at x(u).
+    // cot(α − β) = 1/(tan α − tan β) but for a term that an even pressure leaves out: with u = tan(πx/λ) a row of
+    // contacts has the equation of one contact, whose slope is that of the waves at x(u).
     let waves = Waves { modulus: MODULUS, amplitude: 1e-3, wavelength: 10.0, mean: 20.0 };
     let end = (PI * waves.half_width() / 10.0).tan();
     let steps = 4000;
@@ -239,8 +239,9 @@ fn stresses_below_several_stretches_are_those_of_flamant_and_carry_the_load() {
 
 #[test]
 fn a_ring_on_a_pin_is_that_of_another_program() {
-    // Radii, modulus and ratio of the ring, clearance, the pressure `P cos θ` outside that presses it on, and what is true of it by
-    // Michell's series with collocation and an active set: half-angle, half-angle by second moment [degrees] and peak.
+    // Radii, modulus and ratio of the ring, clearance, the pressure `P cos θ` outside that presses it on, and what is
+    // true of it by Michell's series with collocation and an active set: half-angle, half-angle by second moment
+    // [degrees] and peak.
     for (radii, [young, poisson], clearance, outside, [half_angle, second_moment, peak]) in [
         (
             [3.943901632747056, 6.3970700630983375],
@@ -289,7 +290,8 @@ fn rows_are_westergaards_waves_and_deep_layers_hertz() {
 
 #[test]
 fn a_thin_layer_is_a_row_of_springs() {
-    // p = E* (d − s²/2R)/h, but for the last few h before the end of the contact: at ten layers from there nothing is left of it.
+    // p = E* (d − s²/2R)/h, but for the last few h before the end of the contact: at ten layers from there nothing is
+    // left of it.
     let (modulus, radius, thickness) = (2.1e5, 1e3, 0.1);
     let profile = Profile::Parabola { radius };
     let found = Strip::Sliding(thickness).pressed(modulus, &profile, 1.0, 2.0).expect("a contact");
@@ -298,8 +300,8 @@ fn a_thin_layer_is_a_row_of_springs() {
     assert!(beside.abs() > 1e-3 * found.approach, "near its end it is not: {beside}");
 }
 
-/// `p = E (1 − ν)/((1 + ν)(1 − 2ν)) d/h`: bonded to its base it cannot widen; what the bending of the profile leaves is less than half a per
-/// cent at a twentieth of the half-width.
+/// `p = E (1 − ν)/((1 + ν)(1 − 2ν)) d/h`: bonded to its base it cannot widen; what the bending of the profile leaves is
+/// less than half a per cent at a twentieth of the half-width.
 #[test]
 fn a_thin_layer_that_is_bonded_is_a_row_of_stiffer_springs() {
     let (modulus, thickness, half_width) = (2.1e5, 0.05, 1.0);

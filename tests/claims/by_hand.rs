@@ -43,7 +43,8 @@ use crate::workbench::{kinematic, parsed, truth};
 fn smooth_table_of_uneven_points_on_a_parabola_has_its_slope_and_its_gap_between_them() {
     const POINTS: [f64; 7] = [-3.0, -2.6, -1.5, -0.4, 0.7, 1.0, 2.4];
     let cubic = MonotoneCubic::through(&POINTS.map(|s| [s, 0.25 * s * s]));
-    // Three points tell the slope of a parabola wherever they lie; around the lowest point the slope is bounded, so that no cell overshoots.
+    // Three points tell the slope of a parabola wherever they lie; around the lowest point the slope is bounded, so
+    // that no cell overshoots.
     for s in [-2.9, -2.5, -2.0, -1.7, 1.2, 1.9, 2.3] {
         assert_relative_eq!(cubic.gap(s), 0.25 * s * s, max_relative = 1e-12);
         assert_relative_eq!(cubic.slope(s), 0.5 * s, max_relative = 1e-12);
@@ -56,7 +57,8 @@ fn pressures_on_a_line_do_not_oscillate_however_unevenly_their_points_lie() {
     let mut points = [0.0, 1.0, 3.0, 4.0, 9.0].map(at);
     assert!(profile::oscillation(&points, 9.0) <= 1e-14);
     points[3].pressure += 6.0;
-    // Point 3 leaves the line through its neighbours by 6; point 2 is 4 from the line through (1, 9) and (4, 12). Beyond the limit none counts.
+    // Point 3 leaves the line through its neighbours by 6; point 2 is 4 from the line through (1, 9) and (4, 12).
+    // Beyond the limit none counts.
     for (limit, departure) in [(9.0, 6.0), (4.0, 4.0), (3.0, 0.0)] {
         assert_relative_eq!(profile::oscillation(&points, limit), departure, epsilon = 1e-12);
     }
@@ -631,8 +633,8 @@ fn a_pressure_that_departs_by_a_hundredth_is_judged_as_that() {
     assert_relative_eq!(departure.value, 0.01, max_relative = 1e-5);
 }
 
-/// What is said of a block of modulus [`MODULUS`], so wide and so high, its `sides` held, that is pressed on a rigid gap: of a plane one, or one of
-/// revolution where no side is held.
+/// What is said of a block of modulus [`MODULUS`], so wide and so high, its `sides` held, that is pressed on a rigid
+/// gap: of a plane one, or one of revolution where no side is held.
 fn pressed(
     ([wide, high], sides): ([f64; 2], &[&str]),
     gap: &str,
@@ -643,7 +645,8 @@ fn pressed(
     let supports: String = sides.iter().map(|side| format!("{{ at = \"{side}\", component = \"x\" }}, ")).collect();
     let text = format!(
         "{plane}\nmesh = {{ {mesh} }}\n[[body]]\nname = \"b\"\nyoung = 210000.0\npoisson = 0.2\n\
-         shape = {{ rectangle = {{ x = [0, {wide}], y = [0, {high}], contact = \"bottom\" }} }}\nsupports = [{supports}]\n\
+         shape = {{ rectangle = {{ x = [0, {wide}], y = [0, {high}], contact = \"bottom\" }} }}\nsupports = \
+         [{supports}]\n\
          loads = [{{ traction = {{ at = \"far\", force = [0, {}] }} }}]\n\
          [contact]\nfirst = \"b\"\ngap = {{ {gap} }}\nstretch = {stretch}\n",
         0.0 - force
@@ -656,8 +659,8 @@ const MODULUS: f64 = 210_000.0 / (1.0 - 0.2 * 0.2);
 
 #[test]
 fn half_widths_and_peaks_under_other_powers_than_the_second_lie_within_their_bars() {
-    // The contact radius of c rⁿ under F, by the transform of the profile: F = 2E* c κ n/(n + 1) aⁿ⁺¹, κ = √π/2 · n Γ(n/2)/Γ((n + 1)/2), with
-    // κ n/(n + 1) by n as given.
+    // The contact radius of c rⁿ under F, by the transform of the profile: F = 2E* c κ n/(n + 1) aⁿ⁺¹, κ = √π/2 · n
+    // Γ(n/2)/Γ((n + 1)/2), with κ n/(n + 1) by n as given.
     let fitted = [
         (0.000507917816, 4.93, 3662.63089, 1.380742),
         (0.0005, 4.0, 4.0 * 4.0 / 3.0 * 4.0 / 5.0 * MODULUS * 0.0005, 1.0),
@@ -674,7 +677,8 @@ fn half_widths_and_peaks_under_other_powers_than_the_second_lie_within_their_bar
     let asked: (&str, &[&str]) = ("accuracy = \"0.3 %\"", &[]);
     let cusp = of_powers(&[], "[[0.0005, 1.95]]", [286.389234, 1.9], asked);
     within_its_bar(&cusp, "peak-pressure", 141.538709);
-    // On equal cells the peak of r^1.6 converges with the 0.3rd power of the dofs: layers towards the axis have it with few.
+    // On equal cells the peak of r^1.6 converges with the 0.3rd power of the dofs: layers towards the axis have it with
+    // few.
     let kappa = 1.839430255;
     let force = 2.0 * MODULUS * 1.6 / 2.6 * kappa * 0.01 * 2_f64.powf(2.6);
     let layered = of_powers(&[], "[[0.01, 1.6]]", [force, 3.4], ("accuracy = \"0.1 %\"", &[]));
@@ -690,8 +694,8 @@ fn half_widths_and_peaks_under_other_powers_than_the_second_lie_within_their_bar
     // The peak of r^3.04 lies at 0.562 of the radius: E* c κ n/π ∫ tⁿ⁻¹/√(t² − r²) dt from r to a, by quadrature.
     let ridge = of_powers(&[], "[[0.00033, 3.04]]", [257.405193, 2.5], asked);
     within_its_bar(&ridge, "peak-pressure", 98.0658054);
-    // Of c s²ᵏ on a half-plane: F/t = E* π/2 · (2k)!/(k! 2ᵏ)² · 2k c a²ᵏ, half of which the half carries; cells of high order whose lines do not
-    // know the end.
+    // Of c s²ᵏ on a half-plane: F/t = E* π/2 · (2k)!/(k! 2ᵏ)² · 2k c a²ᵏ, half of which the half carries; cells of high
+    // order whose lines do not know the end.
     let half = 0.5 * MODULUS * std::f64::consts::FRAC_PI_2;
     for order in [5, 8] {
         let mesh = format!("elements = 12, per = 0.83, order = {order}");
@@ -706,7 +710,8 @@ fn half_widths_and_peaks_under_other_powers_than_the_second_lie_within_their_bar
 
 #[test]
 fn an_end_that_all_meshes_read_at_a_node_that_they_share_is_not_exact() {
-    // Two spheres of Hertz, whose contact ends at a node that the coarser meshes have too, or three hundredths of an element beyond it.
+    // Two spheres of Hertz, whose contact ends at a node that the coarser meshes have too, or three hundredths of an
+    // element beyond it.
     let folder = Folder::made();
     for beyond in [0.0, 0.03] {
         let radius: f64 = 0.3 * (1.0 + beyond / 12.0);
@@ -765,7 +770,8 @@ fn a_closed_form_is_not_accused_where_the_bar_is_unknown() {
     assert!(!solved.to_string().contains("is not of this scene"), "{solved}");
 }
 
-/// A block pressed on waves by a share of what presses them flat, to an accuracy, and its end: p̄ = p* sin²(πa/λ) with p* = πE*Δ/λ.
+/// A block pressed on waves by a share of what presses them flat, to an accuracy, and its end: p̄ = p* sin²(πa/λ) with
+/// p* = πE*Δ/λ.
 fn waves(share: f64, [amplitude, wavelength]: [f64; 2], size: [f64; 2], stretch: f64, accuracy: &str) -> (Value, f64) {
     let load = share * PI * MODULUS * amplitude / wavelength * size[0];
     let gap = format!("cosine = {{ amplitude = {amplitude}, wavelength = {wavelength} }}");
@@ -776,8 +782,8 @@ fn waves(share: f64, [amplitude, wavelength]: [f64; 2], size: [f64; 2], stretch:
 
 #[test]
 fn waves_touch_as_westergaard_has_it_on_a_high_block_and_nearly_pressed_flat() {
-    // Nearly flat, the edge in which the contact ends presses by less than a thousandth of the peak: without its force the end was a third of
-    // an element off.
+    // Nearly flat, the edge in which the contact ends presses by less than a thousandth of the peak: without its force
+    // the end was a third of an element off.
     for (waves, end) in
         [waves(0.5, [0.01, 4.0], [2.0, 20.0], 1.5, "0.3 %"), waves(0.995, [0.01, 40.0], [20.0, 60.0], 20.0, "0.1 %")]
     {

@@ -147,7 +147,8 @@ fn square_rules_integrate_what_they_promise() {
     }
 }
 
-/// Number of eigenvalues of a symmetric matrix below a limit: that of negative pivots of K − limit·I (Sylvester's law of inertia).
+/// Number of eigenvalues of a symmetric matrix below a limit: that of negative pivots of K − limit·I (Sylvester's law
+/// of inertia).
 fn eigenvalues_below(k: &DMatrix<f64>, limit: f64) -> usize {
     let n = k.nrows();
     let mut left = k - DMatrix::identity(n, n) * limit;

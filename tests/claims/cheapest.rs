@@ -1,4 +1,5 @@
-//! A search goes on where it pays, solves nothing twice, is bounded by `--max-dofs`, and tells of every mesh before it is solved.
+//! A search goes on where it pays, solves nothing twice, is bounded by `--max-dofs`, and tells of every mesh before it
+//! is solved.
 
 use std::sync::{LazyLock, Mutex};
 
@@ -108,7 +109,8 @@ fn mesh_that_judges_one_is_the_next_that_is_judged() {
     assert_eq!(orders[orders.len() - 2].dofs, answer.run.dofs);
 }
 
-/// A face that stays straight under a force is one that a support pushes as far: both have a corner towards the free side.
+/// A face that stays straight under a force is one that a support pushes as far: both have a corner towards the free
+/// side.
 #[test]
 fn a_straight_face_that_does_not_slide_has_the_corners_of_a_held_side() {
     let text = |pushed: &str| {
@@ -228,7 +230,8 @@ fn every_mesh_is_as_much_finer_as_the_bars_before_it_ask_for_and_those_are_told(
     let told = told.into_inner().expect("nobody panicked");
     let meshes: Vec<_> = answer.tried.iter().filter(|tried| tried.purpose == "mesh").collect();
     assert!(answer.unmet.is_none() && meshes.len() > 2, "{meshes:?}");
-    // The first has 0.2/√error elements in the contact; bars fall with them to the power of 1.7, and none is more than 2.5 times as fine.
+    // The first has 0.2/√error elements in the contact; bars fall with them to the power of 1.7, and none is more than
+    // 2.5 times as fine.
     let (mut elements, mut by_bars) = ((0.2 / 1.5e-3_f64.sqrt()).ceil(), 0);
     for (k, mesh) in meshes.iter().enumerate() {
         // One that is hardly pressed is counted as well.
@@ -325,8 +328,8 @@ fn a_higher_order_is_tried_before_8_node_cells_whatever_is_asked() {
     assert!(said.contains("no limit") && answer.tried.iter().all(|tried| tried.dofs <= 6_000), "{said}");
 }
 
-/// Without an end that cells hide, coarse meshes tell what is met: looked at on as many elements as the accuracy asks for elsewhere, these took
-/// 76,125, 66,400 and 206,552 dofs.
+/// Without an end that cells hide, coarse meshes tell what is met: looked at on as many elements as the accuracy asks
+/// for elsewhere, these took 76,125, 66,400 and 206,552 dofs.
 #[test]
 fn contacts_without_an_end_are_answered_as_coarse_as_their_bars_allow() {
     for (file, most) in [("eccentric-load", 500), ("press-fit", 16_000), ("three-rings", 45_000)] {
@@ -336,17 +339,20 @@ fn contacts_without_an_end_are_answered_as_coarse_as_their_bars_allow() {
     }
 }
 
-/// Three rollers under a plate: cells of order 8 were given up at 27,521 dofs, for 8-node cells of 1.3 million that did not meet it either.
+/// Three rollers under a plate: cells of order 8 were given up at 27,521 dofs, for 8-node cells of 1.3 million that did
+/// not meet it either.
 #[test]
 fn rows_of_contacts_are_met_to_a_millionth() {
     let row = [-40.0, 0.0, 40.0].map(|x| {
         format!(
-            "[[contact]]\nname = \"at {x}\"\nfirst = \"plate\"\norigin = [{x}, 0]\nboth-sides = true\ngap = {{ parabola = 25 }}\nstretch = 1\n"
+            "[[contact]]\nname = \"at {x}\"\nfirst = \"plate\"\norigin = [{x}, 0]\nboth-sides = true\ngap = {{ \
+            parabola = 25 }}\nstretch = 1\n"
         )
     });
     let plate = "plane = \"strain\"\nthickness = 1\n[[body]]\nname = \"plate\"\nyoung = 70e3\npoisson = 0.33\n\
         shape = { rectangle = { x = [-60, 60], y = [0, 20], contact = \"bottom\" } }\n\
-        supports = [{ at = [-60, 20], component = \"x\" }]\nloads = [{ traction = { at = \"far\", force = [0, -1500] } }]\n";
+        supports = [{ at = [-60, 20], component = \"x\" }]\nloads = [{ traction = { at = \"far\", force = [0, -1500] } \
+        }]\n";
     let scene = parsed(&format!("{plate}{}[mesh]\nelements = 12\nper = 1\n", row.concat())).scene;
     let answer = accuracy::solve(&scene, &Formulation::verification(), &Asked::new(1e-6)).expect("solved");
     assert!(answer.unmet.is_none(), "{:?}", answer.unmet);

@@ -1,4 +1,5 @@
-//! What a check is: a sentence rendered from data, an error that NaN fails, a row on the page, and a line for other programs.
+//! What a check is: a sentence rendered from data, an error that NaN fails, a row on the page, and a line for other
+//! programs.
 
 use contact_vv::case::judged::requirements;
 use contact_vv::case::{Check, Judged, Reference, Verdict};

@@ -212,7 +212,8 @@ fn scoreboard_asks_in_the_checkout_it_runs_in_and_writes_nothing_where_a_code_is
     assert!(folder.path().join("target/scoreboard").is_dir(), "it is asked where it runs");
 }
 
-/// By a Python without any package but its own, and by one as it is installed; no answer is frozen where the scripts are copied to.
+/// By a Python without any package but its own, and by one as it is installed; no answer is frozen where the scripts
+/// are copied to.
 #[test]
 fn scripts_of_the_oracles_show_how_to_start_them_and_what_they_lack_instead_of_a_traceback() {
     let folder = Folder::made();
@@ -259,7 +260,8 @@ fn what_did_not_pass_is_told_first_and_passes_are_summed_up() {
     let judged = |name: &'static str, value: f64| {
         Check::error(name, Reference::own("none", 0.0), 1e-3, "for this test").judge(value)
     };
-    let why = "nothing to hold it against, which takes many words to say, so that a line of it would be longer than any terminal";
+    let why = "nothing to hold it against, which takes many words to say, so that a line of it would be longer than \
+        any terminal";
     let absent = Check::error("a third number", Reference::own("none", 0.0), 1e-3, "for this test");
     let absent = absent.not_run(ReferenceKind::Measured, "none", why.into());
     let mut findings = vec![found(), found()];

@@ -1,5 +1,5 @@
-//! All nine formulations on one scene: a row for each, whatever becomes of it, and the command that converges where another does not; and one
-//! scene under many loads.
+//! All nine formulations on one scene: a row for each, whatever becomes of it, and the command that converges where
+//! another does not; and one scene under many loads.
 
 use std::f64::consts::PI;
 
@@ -108,7 +108,8 @@ fn where_a_run_does_not_converge_the_command_that_is_told_does() {
     for asked in [
         "cylinder --element line --algorithm varying --acceleration none",
         "cylinder --element line --algorithm constant --acceleration none --stiffness 1e5 --tolerance 1e-6",
-        "cylinder --a-over-r 0.1 --resolution 8 --element node --algorithm constant --acceleration none --stiffness 1e4",
+        "cylinder --a-over-r 0.1 --resolution 8 --element node --algorithm constant --acceleration none --stiffness \
+        1e4",
         &format!("{path} --element line --algorithm varying --acceleration none"),
     ] {
         let (well, _, told) = contact_vv(&[vec!["solve", "--no-error-bar"], asked.split(' ').collect()].concat());

@@ -1,4 +1,5 @@
-//! Corners that are pressed: the exponent of the pressure by contact mechanics, and on meshes; and what no point and no coarser mesh sees.
+//! Corners that are pressed: the exponent of the pressure by contact mechanics, and on meshes; and what no point and no
+//! coarser mesh sees.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -120,11 +121,15 @@ fn corner_that_is_not_pressed_leaves_a_peak_its_limit() {
 
 #[test]
 fn peak_under_a_corner_has_no_limit_whatever_meshes_the_bodies() {
-    let blocks = [
-        r#"{ blocks = [{ corners = [[0, 0], [10, 0], [10, 10], [0, 10]], elements = [8, 8], bottom = "contact", top = "load", left = "sym-u" }] }"#,
-        r#"{ blocks = [{ corners = [[0, -10], [10, -10], [10, 0], [0, 0]], elements = [8, 8], bottom = "fix", top = "contact", left = "sym-l" }, { corners = [[10, -10], [20, -10], [20, 0], [10, 0]], elements = [8, 8], bottom = "fix", top = "contact" }] }"#,
-    ];
-    let as_blocks = [[UPPER, blocks[0]], [LOWER, blocks[1]]];
+    let block = |[x, y]: [i32; 2], names: &str| {
+        let corners = [[x, y], [x + 10, y], [x + 10, y + 10], [x, y + 10]];
+        format!("{{ corners = {corners:?}, elements = [8, 8], {names} }}")
+    };
+    let blocks = |all: &[String]| format!("{{ blocks = [{}] }}", all.join(", "));
+    let upper = blocks(&[block([0, 0], r#"bottom = "contact", top = "load", left = "sym-u""#)]);
+    let left = block([0, -10], r#"bottom = "fix", top = "contact", left = "sym-l""#);
+    let wide = blocks(&[left.clone(), block([10, -10], r#"bottom = "fix", top = "contact""#)]);
+    let as_blocks = [[UPPER, &upper], [LOWER, &wide]];
     let as_rectangles = rectangles("stretch = 10\n[mesh]\nelements = 16\nper = 10");
     for case in [scene("corner", &[]), scene("corner", &as_blocks), scene("corner", &as_rectangles)] {
         let (discretisation, run) = solved(&case, &kinematic());
@@ -139,10 +144,7 @@ fn peak_under_a_corner_has_no_limit_whatever_meshes_the_bodies() {
         assert!(answer.unmet.is_some_and(|why| why.contains("no limit")));
     }
     // With the blocks as wide as one another the pressure is the load, and has one.
-    let narrow = [
-        r#"{ blocks = [{ corners = [[0, -10], [10, -10], [10, 0], [0, 0]], elements = [8, 8], bottom = "fix", top = "contact", left = "sym-l" }] }"#,
-    ];
-    let case = scene("corner", &[[UPPER, blocks[0]], [LOWER, narrow[0]]]);
+    let case = scene("corner", &[[UPPER, &upper], [LOWER, &blocks(&[left])]]);
     let (discretisation, run) = solved(&case, &kinematic());
     assert!(run.with_limits(&discretisation).expect("finer meshes").contacts[0].unbounded.is_none());
 }
@@ -160,7 +162,8 @@ fn second_place_that_touches_between_nodes_beyond_the_candidates_is_refused() {
 
 #[test]
 fn asperity_narrower_than_an_element_is_noted() {
-    let gap = "gap = { table = [[0, 0], [0.3, 0.0005], [0.59, 0.0017], [0.6, 0], [0.61, 0.0018], [2, 0.02], [20, 2]], smooth = true }";
+    let gap = "gap = { table = [[0, 0], [0.3, 0.0005], [0.59, 0.0017], [0.6, 0], [0.61, 0.0018], [2, 0.02], [20, 2]], \
+        smooth = true }";
     let was = "gap = { even = [0.001, -1.388888888888889e-05, 4.822530864197531e-08] }";
     for (elements, told) in [("elements = 3", true), ("elements = 25", false)] {
         let case = scene("far", &[[was, gap], ["elements = 6", elements]]);
@@ -232,12 +235,14 @@ fn peak_on_one_point_is_unresolved_and_not_without_limit() {
     assert!(notes::of(&run, 0).iter().any(|note| note.contains("rests on 1 of")), "{:?}", notes::of(&run, 0));
 }
 
-/// Mirrored at the rigid plane the side is a half-plane whose shear leaps by 2τ: `p = (4τ/π) ln 1/r`, `(4τ/π) ln 2` more a halving.
+/// Mirrored at the rigid plane the side is a half-plane whose shear leaps by 2τ: `p = (4τ/π) ln 1/r`, `(4τ/π) ln 2`
+/// more a halving.
 #[test]
 fn a_side_sheared_down_to_the_contact_leaves_its_peak_without_limit_and_one_that_is_pressed_does_not() {
     let of = |shear: f64, mesh: &str| {
         let load = format!(
-            "traction = {{ at = \"far\", value = [0, -50] }} }}, {{ traction = {{ at = \"right\", value = [-7, {shear}] }}"
+            "traction = {{ at = \"far\", value = [0, -50] }} }}, {{ traction = {{ at = \"right\", value = [-7, \
+            {shear}] }}"
         );
         parsed(&block_text(
             [0.0, 20.0],
@@ -271,7 +276,8 @@ fn a_side_sheared_down_to_the_contact_leaves_its_peak_without_limit_and_one_that
 
 #[test]
 fn a_peak_in_the_last_element_may_lie_anywhere_in_it() {
-    let load = "pressure = { at = \"far\", law = { uniform = 10 } } }, { pressure = { at = \"far\", part = { along = \"x\", from = 7, to = 8 }, law = { uniform = 10 } }";
+    let load = "pressure = { at = \"far\", law = { uniform = 10 } } }, { pressure = { at = \"far\", part = { along = \
+        \"x\", from = 7, to = 8 }, law = { uniform = 10 } }";
     let place = |mesh: &str| {
         let contact = format!("gap = {{ uniform = 0 }}\nstretch = 10\n[mesh]\nper = 10\n{mesh}");
         let (_, bars) = barred(&parsed(&block_text([0.0, 10.0], 15.0, load, &contact)), &kinematic());

@@ -1,5 +1,5 @@
-//! How far differences between meshes tell the error: the constants derived again from the recorded sample, and bars by them computed again
-//! from meshes that are solved here.
+//! How far differences between meshes tell the error: the constants derived again from the recorded sample, and bars by
+//! them computed again from meshes that are solved here.
 
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -55,7 +55,8 @@ fn hold(sample: &[&Record], constants: [f64; 2]) -> bool {
     families.values().all(|[all, beyond]| *beyond as f64 <= share * *all as f64)
 }
 
-/// F and C of the narrowest bars that hold, by the mean of their logarithms: for each F the least C; NaN where none hold.
+/// F and C of the narrowest bars that hold, by the mean of their logarithms: for each F the least C; NaN where none
+/// hold.
 fn narrowest(sample: &[&Record]) -> [f64; 2] {
     let width = |constants: [f64; 2]| sample.iter().map(|one| bar(one, constants).ln()).sum::<f64>();
     let [factors, hidden] = DECADES;
@@ -215,7 +216,8 @@ fn a_bar_that_no_mesh_tells_says_so() {
 
 #[test]
 fn blocks_of_fewer_elements_grow_as_far_as_those_of_more() {
-    let block = "{ blocks = [{ corners = [[0, 0], [10, 0], [10, 10], [0, 10]], elements = [8, 20], growth = [1.0, 1.3], bottom = \"contact\", top = \"far\", left = \"left\" }] }";
+    let block = "{ blocks = [{ corners = [[0, 0], [10, 0], [10, 10], [0, 10]], elements = [8, 20], growth = [1.0, \
+        1.3], bottom = \"contact\", top = \"far\", left = \"left\" }] }";
     let shape = "{ rectangle = { x = [0, 10], y = [0, 10], contact = \"bottom\" } }";
     let case = scene("pressed-corner", &[[shape, block], ["[mesh]\nelements = 4\nper = 1", ""]]);
     for (coarse, _) in coarser(&case.scene, case.resolution) {

@@ -49,8 +49,12 @@ fn checks() -> Vec<CheckRow> {
 
 const SNAPSHOT: &str =
     "---\nsource: tests/suite.rs\n---\noutcome: converged\niterations: 20\nback-substitutions: 40\ndofs: 100\n";
-const CHART: &str = "<svg><title>t</title><path d=\"M0 0L1 1\" fill=\"#0072B2\"/><path d=\"M2 2\" fill=\"#FDFDFC\"/><text>a</text></svg>";
-const TIMINGS: &str = r#"{"machine": {"processor": "one"}, "growth": [{"dofs": 9, "whole": {"median": 2.0, "least": 1.0, "most": 3.0}}]}"#;
+const CHART: &str = "<svg><title>t</title><path d=\"M0 0L1 1\" fill=\"#0072B2\"/><path d=\"M2 2\" \
+    fill=\"#FDFDFC\"/><text>a</text></svg>";
+const TIMINGS: &str = r#"{
+    "machine": {"processor": "one"},
+    "growth": [{"dofs": 9, "whole": {"median": 2.0, "least": 1.0, "most": 3.0}}]
+}"#;
 
 /// A tree with these checks, three snapshots, a survey, a chart and timings.
 fn tree(rows: &[CheckRow]) -> Tree {
@@ -409,7 +413,8 @@ fn markdown_shows_charts_before_and_after_side_by_side() {
     let moved = CHART.replace("M2 2", "M3 3");
     let after = before.with("another", vec![("snapshots/charts/one.svg".into(), moved)], &[]);
     let text = Difference::of(&before, &after).markdown(40, &["old/".into(), String::new()]);
-    let row = "| ![snapshots/charts/one.svg](old/snapshots/charts/one.svg) | ![snapshots/charts/one.svg](snapshots/charts/one.svg) |";
+    let row = "| ![snapshots/charts/one.svg](old/snapshots/charts/one.svg) | \
+        ![snapshots/charts/one.svg](snapshots/charts/one.svg) |";
     assert!(text.contains(row), "{text}");
 }
 

@@ -1,5 +1,5 @@
-//! Digitised curves: admitted whole or refused by the name of what is missing; held against ours, what agrees passes and what does not turns red,
-//! whatever the quantity and its unit. So are readings of a photograph.
+//! Digitised curves: admitted whole or refused by the name of what is missing; held against ours, what agrees passes
+//! and what does not turns red, whatever the quantity and its unit. So are readings of a photograph.
 
 use std::f64::consts::PI;
 use std::fmt::Write;
@@ -279,10 +279,12 @@ fn friction_of_the_source_is_stated_as_a_difference_of_model() {
 }
 
 const ROD: &str = "pin_radius = 10.0\nclearance = 0.05\neye_outer_radius = 20.0\nshank_width = 20.0\nshank_end = 60.0\n\
-    thickness = 1.0\nforce = 2000.0\nfriction = 0.0\n[pin]\nyoung = 210e3\npoisson = 0.3\n[rod]\nyoung = 210e3\npoisson = 0.3\n";
+    thickness = 1.0\nforce = 2000.0\nfriction = 0.0\n[pin]\nyoung = 210e3\npoisson = 0.3\n[rod]\nyoung = \
+    210e3\npoisson = 0.3\n";
 const SHEET: &str = "pin_radius = 10.0\nclearance = 0.01\nrim_radius = 5000.0\nthickness = 1.0\nfriction = 0.0\n\
     [pin]\nyoung = 210e3\npoisson = 0.3\n[sheet]\nyoung = 210e3\npoisson = 0.3\n";
-const PROVENANCE: &str = "citation = \"synthetic\"\ndigitised_by = \"nobody\"\nmethod = \"computed\"\n[[curves]]\nfile = \"curve.csv\"\n\
+const PROVENANCE: &str = "citation = \"synthetic\"\ndigitised_by = \"nobody\"\nmethod = \"computed\"\n[[curves]]\nfile \
+    = \"curve.csv\"\n\
     figure = \"none\"\naxis_calibration = \"none\"\nkind = \"measured\"\nhand = \"first hand\"\n";
 
 /// The verdict on a curve of two quantities: columns, relative errors of both, points.
@@ -362,7 +364,8 @@ fn red(photograph: &Photograph) -> Vec<usize> {
 fn the_photograph_agrees_and_every_spoiled_number_turns_red() {
     let sound = photograph::compare(&read(&file()).expect("fringes")).expect("compared");
     assert_eq!(red(&sound), Vec::<usize>::new());
-    // At no width do any constants leave less than those that are fitted there; beside the best width its own leave hardly more.
+    // At no width do any constants leave less than those that are fitted there; beside the best width its own leave
+    // hardly more.
     let over = sound.widths.iter().map(|[_, own, fitted]| own / fitted);
     let least = over.reduce(f64::min).expect("widths");
     assert!((1.0..1.05).contains(&least), "{least}");

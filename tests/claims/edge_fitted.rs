@@ -1,5 +1,5 @@
-//! Meshes with lines on the ends of the contact: how many digits they give, and for how many dofs; how far they are iterated, and what no mesh is
-//! fitted to.
+//! Meshes with lines on the ends of the contact: how many digits they give, and for how many dofs; how far they are
+//! iterated, and what no mesh is fitted to.
 
 use std::f64::consts::PI;
 
@@ -555,7 +555,8 @@ fn a_contact_that_ends_close_to_its_candidates_or_its_block_is_found_within_its_
     }
 }
 
-/// A thin layer bonded to a rigid plane, pushed against a profile: two truncated series of its pressure agree by chance 0.4 % below the peak.
+/// A thin layer bonded to a rigid plane, pushed against a profile: two truncated series of its pressure agree by chance
+/// 0.4 % below the peak.
 const LAYER: &str = "plane = \"axisymmetric\"\n[[body]]\nname = \"layer\"\nyoung = 1000\npoisson = 0.3\n\
     shape = { rectangle = { x = [0, 20], y = [-1, 0], contact = \"top\" } }\n\
     supports = [{ at = \"far\", component = \"y\", value = 0.03 }, { at = \"far\", component = \"x\" }]\n\
@@ -563,7 +564,8 @@ const LAYER: &str = "plane = \"axisymmetric\"\n[[body]]\nname = \"layer\"\nyoung
     [mesh]\nelements = 64\nper = 4\n[reference]\nlength = 4\n";
 /// A block under a table whose curvature leaps at s = 3, near which the contact ends.
 const BESIDE_KNOT: &str = "plane = \"strain\"\nthickness = 1\n[[body]]\nname = \"block\"\nyoung = 1000\npoisson = 0.3\n\
-    shape = { rectangle = { x = [0, 15], y = [0, 10], contact = \"bottom\" } }\nsupports = [{ at = \"left\", component = \"x\" }]\n\
+    shape = { rectangle = { x = [0, 15], y = [0, 10], contact = \"bottom\" } }\nsupports = [{ at = \"left\", component \
+    = \"x\" }]\n\
     loads = [{ rigid-face = { at = \"far\", component = \"y\", force = -12 } }]\n\
     [contact]\nfirst = \"block\"\nsymmetric = true\nstretch = 7\n\
     gap = { table = [[0, 0], [1, 0.001], [2, 0.004], [3, 0.012], [4, 0.03], [7, 0.15]], smooth = true }\n\
@@ -615,7 +617,8 @@ fn bodies_whose_opposite_contacts_end_near_one_another_are_fitted_to_either() {
 fn a_contact_that_ends_far_from_a_corner_does_not_press_it() {
     let ring = |name: &str, [poisson, inner, outer, sweep]: [f64; 4], contact: &str| {
         format!(
-            "[[body]]\nname = \"{name}\"\nyoung = 1000\npoisson = {poisson}\nshape = {{ ring = {{ centre = [0, 0], inner = {inner}, \
+            "[[body]]\nname = \"{name}\"\nyoung = 1000\npoisson = {poisson}\nshape = {{ ring = {{ centre = [0, 0], \
+            inner = {inner}, \
              outer = {outer}, sweep = {sweep}, contact = \"{contact}\" }} }}\n"
         )
     };
@@ -634,7 +637,8 @@ fn a_contact_that_ends_far_from_a_corner_does_not_press_it() {
     assert!(told.contacts[0].unbounded.is_none(), "{:?}", told.contacts[0].unbounded);
 }
 
-/// A paraboloid of radius R, pushed by δ: a² = δ R, p₀ = 2 E* a / (π R); no node that carries an area sees it on the first meshes.
+/// A paraboloid of radius R, pushed by δ: a² = δ R, p₀ = 2 E* a / (π R); no node that carries an area sees it on the
+/// first meshes.
 #[test]
 fn a_contact_smaller_than_an_element_about_the_axis_is_found() {
     let (radius, pushed): (f64, f64) = (100.0, 0.0005);

@@ -26,7 +26,8 @@ fn disc(sector: Sector, contact: Face, places: Vec<f64>, layers: usize) -> Scene
 
 #[test]
 fn frames_fill_every_sector_of_a_disc_and_touch_all_its_sides() {
-    // Two cells in the box, three in each of three frames, and two around each layer's corner on either side of the end.
+    // Two cells in the box, three in each of three frames, and two around each layer's corner on either side of the
+    // end.
     let quarter = 2 + 3 * 3 + 4 * 2;
     for (sector, quarters, cells) in [
         (Sector::Quarter, 1.0, quarter),
@@ -144,7 +145,8 @@ fn every_contact_of_a_body_is_found_alike_by_cells_of_neighbouring_orders() {
     }
 }
 
-/// A whole cylinder, pressed on a rigid plane by a force so far beside its middle: contact holds it, so that its pressure is centred there.
+/// A whole cylinder, pressed on a rigid plane by a force so far beside its middle: contact holds it, so that its
+/// pressure is centred there.
 fn beside_the_middle(shift: f64) -> Scene {
     let file = std::fs::read_to_string(scene("whole-disc")).expect("file");
     let force = "{ traction = { at = \"middle\", value = [0, -36.2491511] } }";

@@ -336,7 +336,8 @@ fn part_of_an_arc_lies_between_two_angles_even_across_the_top() {
             [50.0 * s, 50.0 - 50.0 * c]
         });
         let [fx, fy] = [-3.0 * (b[1] - a[1]), 3.0 * (b[0] - a[0])].map(|f| f * scene.thickness);
-        // The ends lie on the curve of the cells, which is the circle in the limit, with the third power of their length.
+        // The ends lie on the curve of the cells, which is the circle in the limit, with the third power of their
+        // length.
         let error = |refinement| {
             let mesh = Mesh::of(&scene, resolution(8, refinement, Order::Quadratic)).expect("mesh");
             distance(&sums(&scene, &mesh), &[fx, fy, -50.0 * fx]) / (50.0 * fx.hypot(fy))

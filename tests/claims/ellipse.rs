@@ -1,4 +1,5 @@
-//! Hertz's contact of cylinders as somebody computed it, and that of the scene `tiny` on the contact side of small meshes: 49 nodes, 0.1 mm apart.
+//! Hertz's contact of cylinders as somebody computed it, and that of the scene `tiny` on the contact side of small
+//! meshes: 49 nodes, 0.1 mm apart.
 
 use std::f64::consts::PI;
 

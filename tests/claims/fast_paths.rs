@@ -192,7 +192,8 @@ fn springs_that_come_to_rest_are_eliminated_once_and_solved_as_if_factorised_ane
         let (mut springs, mut kept, mut number) = (problem.initial_springs(), Settling::default(), noise(5));
         let mut work = Work::default();
         for step in 0..60 {
-            // Those of the far half come to rest one after the other; the others move, and one of the first stirs again.
+            // Those of the far half come to rest one after the other; the others move, and one of the first stirs
+            // again.
             let moving = points.len().saturating_sub(step * points.len() / 40).max(points.len() / 4);
             springs.stiffness[..moving].iter_mut().for_each(|k| *k *= 1.0 + 0.3 * number());
             if step % 17 == 16 {

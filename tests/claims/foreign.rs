@@ -98,8 +98,10 @@ pub mod vtk {
             format!("CELL_DATA {count}\nSCALARS pressure double\nLOOKUP_TABLE default\n{}", "3\n".repeat(count));
         let meta = "METADATA\nINFORMATION 1\nNAME L2_NORM_RANGE LOCATION vtkDataArray\nDATA 2 0 1\n\n";
         format!(
-            "{head}{grid}{types}{before}POINT_DATA {number}\nSCALARS contact_pressure double 1\nLOOKUP_TABLE default\n{pressures}{meta}\
-             VECTORS moved float\n{}FIELD FieldData 2\nS 6 {number} double\n{six}{meta}contact%20gap 1 {number} float\n{gaps}",
+            "{head}{grid}{types}{before}POINT_DATA {number}\nSCALARS contact_pressure double 1\nLOOKUP_TABLE \
+            default\n{pressures}{meta}\
+             VECTORS moved float\n{}FIELD FieldData 2\nS 6 {number} double\n{six}{meta}contact%20gap 1 {number} \
+             float\n{gaps}",
             "1 2 3\n".repeat(number)
         )
     }
@@ -219,7 +221,8 @@ pub mod vtu {
     pub fn array(kind: &str, name: &str, components: usize, numbers: &str) -> String {
         let several = if components > 1 { format!("NumberOfComponents=\"{components}\" ") } else { String::new() };
         format!(
-            "<DataArray type=\"{kind}\" Name=\"{name}\" {several}format=\"ascii\">\n{numbers}\n<InformationKey name=\"L2_NORM_RANGE\" \
+            "<DataArray type=\"{kind}\" Name=\"{name}\" {several}format=\"ascii\">\n{numbers}\n<InformationKey \
+            name=\"L2_NORM_RANGE\" \
              location=\"vtkDataArray\" length=\"2\">\n<Value index=\"0\">0</Value>\n</InformationKey>\n</DataArray>\n"
         )
     }
@@ -232,9 +235,12 @@ pub mod vtu {
         let ends = list(&mut (1..=cells.len()).map(|k| cells[..k].concat().len().to_string()));
         let types = list(&mut cells.iter().map(|cell| if cell.len() == 4 { "9" } else { "23" }.into()));
         format!(
-            "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt32\" \
-             compressor=\"vtkLZ4DataCompressor\">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n\
-             <PointData>\n{fields}</PointData>\n<Points>\n{}</Points>\n<Cells>\n{}{}{}</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n",
+            "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" \
+            header_type=\"UInt32\" \
+             compressor=\"vtkLZ4DataCompressor\">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\"{}\" \
+             NumberOfCells=\"{}\">\n\
+             <PointData>\n{fields}</PointData>\n<Points>\n{}</Points>\n<Cells>\n{}{}{}</Cells>\n</Piece>\n\
+             </UnstructuredGrid>\n</VTKFile>\n",
             points.len(),
             cells.len(),
             array("Float64", "Points", 3, &places),
@@ -245,7 +251,8 @@ pub mod vtu {
     }
 }
 
-/// A grid whose arrays are coded in one of VTK's ways: appended or in line, raw or in base64, compressed or not, headers of 4 or 8 bytes.
+/// A grid whose arrays are coded in one of VTK's ways: appended or in line, raw or in base64, compressed or not,
+/// headers of 4 or 8 bytes.
 pub fn coded(appended: bool, raw: bool, zlib: bool, wide: bool, ints: &str) -> Vec<u8> {
     let (points, cells) = mesh();
     let at = |own: fn(f64) -> f64| (0..2 * NODES).map(|k| if k < NODES { own(place(k)) } else { 0.0 }).collect();
@@ -302,7 +309,8 @@ pub fn coded(appended: bool, raw: bool, zlib: bool, wide: bool, ints: &str) -> V
     let [width, packer] =
         [if wide { "UInt64" } else { "UInt32" }, if zlib { " compressor=\"vtkZLibDataCompressor\"" } else { "" }];
     let mut text = format!(
-        "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"{width}\"{packer}><UnstructuredGrid>\
+        "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" \
+        header_type=\"{width}\"{packer}><UnstructuredGrid>\
          <Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">",
         points.len(),
         cells.len()

@@ -1,5 +1,6 @@
-//! Rings on flats, closed boundaries of Gmsh meshes, clearances beside profiles, waves that are pressed flat, and rigid pins in plates: these have no
-//! closed form but that of small angles, and are held by geometry, equilibrium, that limit, and a very stiff pin.
+//! Rings on flats, closed boundaries of Gmsh meshes, clearances beside profiles, waves that are pressed flat, and rigid
+//! pins in plates: these have no closed form but that of small angles, and are held by geometry, equilibrium, that
+//! limit, and a very stiff pin.
 
 use std::f64::consts::{FRAC_2_PI, FRAC_PI_2, FRAC_PI_4, PI};
 
@@ -75,13 +76,14 @@ fn thick_ring_on_a_flat_has_the_contact_of_hertz_and_of_a_disc() {
 
 #[test]
 fn thin_ring_on_a_flat_gives_way_as_a_curved_beam() {
-    // Half of the diametral compression under two forces P, `P R³ (π/4 − 2/π)/EI`, I = h³/12 (Timoshenko); what is left out falls
-    // with the square of h/R.
+    // Half of the diametral compression under two forces P, `P R³ (π/4 − 2/π)/EI`, I = h³/12 (Timoshenko); what is left
+    // out falls with the square of h/R.
     let (radius, force) = (50.0_f64, 10.0);
     for height in [2.0_f64, 4.0] {
         let [inner, outer] = [radius - 0.5 * height, radius + 0.5 * height];
         let shape = format!(
-            "{{ ring = {{ centre = [0, {outer}], inner = {inner}, outer = {outer}, sweep = 90, contact = \"outer\" }} }}"
+            "{{ ring = {{ centre = [0, {outer}], inner = {inner}, outer = {outer}, sweep = 90, contact = \"outer\" }} \
+            }}"
         );
         let face = format!("[{{ rigid-face = {{ at = \"end\", component = \"y\", force = {} }} }}]", -0.5 * force);
         let gap = format!("{{ circle = {outer} }}");
@@ -224,7 +226,8 @@ fn closed_rim_of_a_gmsh_mesh_is_used_where_it_faces_the_flat() {
             let mesh = &meshed.discretisation.mesh;
             let heights = mesh.bodies[0].candidates.iter().map(|candidate| mesh.points[candidate.node][1]);
             assert!(heights.fold(0.0, f64::max) < 1.0, "candidates at the top");
-            // The top, 100 mm above, is no part of what penetrates: what 4-node edges pass over is the same as of the lower half.
+            // The top, 100 mm above, is no part of what penetrates: what 4-node edges pass over is the same as of the
+            // lower half.
             let deepest = |run: &Run| run.solution.unseen[0].iter().map(|one| one.penetration).fold(0.0, f64::max);
             assert_relative_eq!(deepest(&run), deepest(&part), epsilon = 1e-9);
         }
@@ -376,7 +379,8 @@ fn half_a_tube_is_in_contact_where_it_faces_the_other_body_alone() {
     assert!((half[0] / 700.86 - 1.0).abs() < 2e-3, "{half:?}");
 }
 
-/// The file with the force on a half, and mesh and stretch for the contact that Hertz gives there, times `times` its own.
+/// The file with the force on a half, and mesh and stretch for the contact that Hertz gives there, times `times` its
+/// own.
 fn under(times: f64) -> String {
     let root = times.sqrt();
     let [force, stretch, per] = [
@@ -423,7 +427,8 @@ fn rigid_pin_comes_to_hertz_as_its_angle_falls() {
 fn very_stiff_pin_is_a_rigid_one() {
     let pin = "[[body]]\nname = \"pin\"\nyoung = 210e8\npoisson = 0.3\n\
                shape = { disc = { centre = [0, -0.01], radius = 10, half = true } }\n\
-               supports = [{ at = \"axis\", component = \"x\" }, { at = \"middle\", component = \"y\" }]\n\n[contact]\n";
+               supports = [{ at = \"axis\", component = \"x\" }, { at = \"middle\", component = \"y\" \
+               }]\n\n[contact]\n";
     let rigid = solved(&text_of("rigid-pin.toml")).2;
     let stiff = |young: &str| {
         let second = "first = \"plate\"\nsecond = \"pin\"";

@@ -210,7 +210,8 @@ fn split(common: bool, seam: f64) -> String {
     let [low, high] = second;
     format!(
         "{text}$Nodes\n1 8 1 8\n2 1 0 8\n1\n2\n3\n4\n5\n6\n7\n8\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n2 0 0\n2 1 0\n{seam} 0 0\n\
-         {seam} 1 0\n$EndNodes\n$Elements\n4 7 1 7\n1 1 1 2\n1 1 2\n2 {low} 5\n1 2 1 2\n3 6 {high}\n4 3 4\n1 3 1 1\n5 4 1\n\
+         {seam} 1 0\n$EndNodes\n$Elements\n4 7 1 7\n1 1 1 2\n1 1 2\n2 {low} 5\n1 2 1 2\n3 6 {high}\n4 3 4\n1 3 1 1\n5 \
+         4 1\n\
          2 1 3 2\n6 1 2 3 4\n7 {low} 5 6 {high}\n$EndElements\n"
     )
 }
@@ -228,8 +229,10 @@ fn mesh_that_does_not_hang_together_is_refused() {
     // A node inside a side: three cells, two of which meet the third's upper side at its middle.
     let text = TWO_CELLS.split("$Nodes").next().expect("a head");
     let hanging = format!(
-        "{text}$Nodes\n1 8 1 8\n2 1 0 8\n1\n2\n3\n4\n5\n6\n7\n8\n0 0 0\n2 0 0\n2 1 0\n0 1 0\n1 1 0\n0 2 0\n1 2 0\n2 2 0\n\
-         $EndNodes\n$Elements\n4 7 1 7\n1 1 1 1\n1 1 2\n1 2 1 2\n3 8 7\n4 7 6\n1 3 1 2\n5 6 4\n6 4 1\n2 1 3 3\n7 1 2 3 4\n\
+        "{text}$Nodes\n1 8 1 8\n2 1 0 8\n1\n2\n3\n4\n5\n6\n7\n8\n0 0 0\n2 0 0\n2 1 0\n0 1 0\n1 1 0\n0 2 0\n1 2 0\n2 2 \
+        0\n\
+         $EndNodes\n$Elements\n4 7 1 7\n1 1 1 1\n1 1 2\n1 2 1 2\n3 8 7\n4 7 6\n1 3 1 2\n5 6 4\n6 4 1\n2 1 3 3\n7 1 2 3 \
+         4\n\
          8 4 5 7 6\n9 5 3 8 7\n$EndElements\n"
     );
     workbench::refused(read(&hanging).expect("read").solve(), &["hangs inside a side of another cell at (1.0"]);

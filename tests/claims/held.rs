@@ -1,4 +1,5 @@
-//! Bodies that are held at corners, at points and by two supports at a node: what each support takes, and how well that is known.
+//! Bodies that are held at corners, at points and by two supports at a node: what each support takes, and how well that
+//! is known.
 
 use std::f64::consts::PI;
 
@@ -15,7 +16,8 @@ use crate::workbench::{kinematic, parsed};
 /// A scene of one body under a pressure of 10 MPa, or as it is loaded, on a rigid profile.
 fn scene(body: &str, contact: &str, mesh: &str) -> Case {
     parsed(&format!(
-        "plane = \"strain\"\nthickness = 1\n[[body]]\nname = \"b\"\n{body}\n[contact]\nfirst = \"b\"\n{contact}\n[reference]\npressure = 10\n\
+        "plane = \"strain\"\nthickness = 1\n[[body]]\nname = \"b\"\n{body}\n[contact]\nfirst = \
+        \"b\"\n{contact}\n[reference]\npressure = 10\n\
          [mesh]\n{mesh}\n[solve]\ntolerance = 1e-8\n"
     ))
 }
@@ -28,13 +30,15 @@ fn barred(case: &Case, side: &str) -> Vec<Barred> {
     bars(&discretisation, &run, &wanted).expect("bars").all
 }
 
-/// Walls on both sides and a far side that cannot slide: both hold the node where they meet, and no shear acts on either.
+/// Walls on both sides and a far side that cannot slide: both hold the node where they meet, and no shear acts on
+/// either.
 #[test]
 fn a_node_that_two_supports_hold_leans_on_the_one_that_faces_it_whichever_is_listed_first() {
     for supports in [["left", "right", "far"], ["far", "right", "left"]] {
         let listed = supports.map(|at| format!("{{ at = \"{at}\", component = \"x\" }}")).join(", ");
         let body = format!(
-            "young = 1000\npoisson = 0.3\nshape = {{ rectangle = {{ x = [0, 10], y = [0, 10], contact = \"bottom\" }} }}\n\
+            "young = 1000\npoisson = 0.3\nshape = {{ rectangle = {{ x = [0, 10], y = [0, 10], contact = \"bottom\" }} \
+            }}\n\
              supports = [{listed}]\nloads = [{{ traction = {{ at = \"far\", value = [0, -10] }} }}]"
         );
         for elements in [3, 8] {
@@ -53,7 +57,8 @@ fn a_node_that_two_supports_hold_leans_on_the_one_that_faces_it_whichever_is_lis
 /// Candidates that end before the body does are fewer than its cells, though these lie in one row.
 #[test]
 fn a_layer_of_one_row_of_cells_has_no_bars_however_far_it_goes_beyond_the_candidates() {
-    let body = "young = 60e3\npoisson = 0.38\nshape = { rectangle = { x = [0, 33], y = [0, 1], contact = \"bottom\" } }\n\
+    let body = "young = 60e3\npoisson = 0.38\nshape = { rectangle = { x = [0, 33], y = [0, 1], contact = \"bottom\" } \
+        }\n\
                 supports = [{ at = \"left\", component = \"x\" }, { at = \"far\", component = \"x\" }]\n\
                 loads = [{ rigid-face = { at = \"far\", component = \"y\", force = -216 } }]";
     let contact = "gap = { parabola = 2e5 }\nstretch = 28";
@@ -63,7 +68,8 @@ fn a_layer_of_one_row_of_cells_has_no_bars_however_far_it_goes_beyond_the_candid
     assert!(peak.bar.total().is_nan(), "{peak:?}");
 }
 
-/// Where a side that is held meets a free one displacements converge as the stresses there have it, and not with the order of the cells.
+/// Where a side that is held meets a free one displacements converge as the stresses there have it, and not with the
+/// order of the cells.
 #[test]
 fn bars_of_reactions_and_displacements_hold_where_a_body_is_clamped_beside_a_free_side() {
     let case = balance::scene("clamped-beside-a-free-side", &[]);
@@ -78,14 +84,17 @@ fn bars_of_reactions_and_displacements_hold_where_a_body_is_clamped_beside_a_fre
     told(&|one| matches!(one, Quantity::Reaction { body: 1, support: 1 }), 86.133);
 }
 
-/// A block that is held at a point of its far side, by which a contact nearly begins, and one whose coarse mesh reads the begin at 0.
+/// A block that is held at a point of its far side, by which a contact nearly begins, and one whose coarse mesh reads
+/// the begin at 0.
 #[test]
 fn contacts_that_begin_beside_the_origin_are_fitted_to_where_they_begin() {
     let beside = |slope: f64| {
         let body = format!(
-            "young = 210e3\npoisson = 0.3\nshape = {{ rectangle = {{ x = [-80, 80], y = [0, 80], contact = \"bottom\" }} }}\n\
+            "young = 210e3\npoisson = 0.3\nshape = {{ rectangle = {{ x = [-80, 80], y = [0, 80], contact = \"bottom\" \
+            }} }}\n\
              supports = [{{ at = [0, 80], component = \"x\" }}]\n\
-             loads = [{{ pressure = {{ at = \"far\", law = {{ polynomial = {{ along = \"x\", coefficients = [40, {slope}] }} }} }} }}]"
+             loads = [{{ pressure = {{ at = \"far\", law = {{ polynomial = {{ along = \"x\", coefficients = [40, \
+             {slope}] }} }} }} }}]"
         );
         scene(&body, "both-sides = true\ngap = { parabola = 500 }\nstretch = 14", "elements = 8\nper = 3")
     };
@@ -124,13 +133,15 @@ fn reaches(case: &Case, quantity: &Quantity, truth: f64, part: f64) -> bool {
     (found.value - truth).abs() <= found.bar.total() && found.bar.total() <= part * truth
 }
 
-/// A disc and a ball weigh what their volume does; the cells far from the contact are chords on every mesh that its own is compared with.
+/// A disc and a ball weigh what their volume does; the cells far from the contact are chords on every mesh that its own
+/// is compared with.
 #[test]
 fn own_weight_of_round_bodies_is_within_its_bar() {
     let of = |plane: &str, thickness: &str, weight: f64, order: usize| {
         parsed(&format!(
             "plane = \"{plane}\"\n{thickness}[[body]]\nname = \"b\"\nyoung = 210e3\npoisson = 0.3\n\
-             shape = {{ disc = {{ centre = [0, 50], radius = 50, half = true }} }}\nsupports = [{{ at = \"axis\", component = \"x\" }}]\n\
+             shape = {{ disc = {{ centre = [0, 50], radius = 50, half = true }} }}\nsupports = [{{ at = \"axis\", \
+             component = \"x\" }}]\n\
              loads = [{{ body-force = [0, {}] }}]\n[contact]\nfirst = \"b\"\ngap = {{ circle = 50 }}\nstretch = 2\n\
              [mesh]\nelements = 12\nper = 1\norder = {order}\n[reference]\nlength = 1\n[solve]\ntolerance = 1e-9\n",
             0.0 - weight
@@ -148,7 +159,8 @@ fn own_weight_of_round_bodies_is_within_its_bar() {
     }
 }
 
-/// Westergaard's wave a ten-thousandth before it is pressed flat, as it is, and beyond: near where it ends it presses by less than what counts.
+/// Westergaard's wave a ten-thousandth before it is pressed flat, as it is, and beyond: near where it ends it presses
+/// by less than what counts.
 #[test]
 fn a_contact_that_fades_out_ends_within_its_bar() {
     let (modulus, wavelength, amplitude) = (70e3 / (1.0 - 0.33 * 0.33), 20.0, 0.01);
@@ -156,7 +168,8 @@ fn a_contact_that_fades_out_ends_within_its_bar() {
     for share in [0.9999, 1.0, 1.0001] {
         let pressure = share * flat;
         let body = format!(
-            "young = 70e3\npoisson = 0.33\nshape = {{ rectangle = {{ x = [0, 10], y = [0, 60], contact = \"bottom\" }} }}\n\
+            "young = 70e3\npoisson = 0.33\nshape = {{ rectangle = {{ x = [0, 10], y = [0, 60], contact = \"bottom\" }} \
+            }}\n\
              supports = [{{ at = \"left\", component = \"x\" }}, {{ at = \"right\", component = \"x\" }}]\n\
              loads = [{{ pressure = {{ at = \"far\", law = {{ uniform = {pressure} }} }} }}]"
         );

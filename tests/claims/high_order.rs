@@ -20,7 +20,8 @@ fn few(order: Order) -> usize {
     if order.is_high() { 2 } else { 8 }
 }
 
-/// Displacements of degree p in x and y without body forces: `u = Re z^p`, `v = −Im z^p` is harmonic and without dilatation.
+/// Displacements of degree p in x and y without body forces: `u = Re z^p`, `v = −Im z^p` is harmonic and without
+/// dilatation.
 fn harmonic(p: i32, [x, y]: [f64; 2]) -> [f64; 2] {
     let (radius, angle) = (x.hypot(y), y.atan2(x));
     let size = 1e-3 * radius.powi(p);

@@ -57,7 +57,8 @@ fn cells_of_ordinary_materials_are_the_plain_ones_and_others_follow_without_a_ju
 
 #[test]
 fn cells_of_order_p_keep_every_dilatation_of_degree_p_less_one() {
-    // A skewed cell reproduces complete polynomials of degree p: smoothing leaves their dilatation, and the energy, alone.
+    // A skewed cell reproduces complete polynomials of degree p: smoothing leaves their dilatation, and the energy,
+    // alone.
     for order in Order::ALL.into_iter().filter(|order| *order != Order::Linear) {
         let p = i32::from(order.number());
         let points: Vec<[f64; 2]> = nodes(order).iter().map(|[x, y]| [x + 0.5 * y + 3.0, 0.2 * x + 0.7 * y]).collect();
@@ -214,8 +215,8 @@ fn thick_ring_of_rubber_follows_lame_as_one_of_steel_does() {
     }
 }
 
-/// A block that is so many half-widths wide and high, pressed by a rigid parabola under which a half-space touches over 1 mm, to 0.1 %:
-/// errors of peak and half-width by Hertz's strip or circle, relative, each with its bar.
+/// A block that is so many half-widths wide and high, pressed by a rigid parabola under which a half-space touches over
+/// 1 mm, to 0.1 %: errors of peak and half-width by Hertz's strip or circle, relative, each with its bar.
 fn pressed(plane: PlaneHypothesis, poisson: f64, size: f64) -> [[f64; 2]; 2] {
     let (young, radius) = (1000.0, 20.0);
     let modulus = young / (1.0 - poisson * poisson);
@@ -230,8 +231,10 @@ fn pressed(plane: PlaneHypothesis, poisson: f64, size: f64) -> [[f64; 2]; 2] {
     let text = format!(
         "{of_plane}\n[[body]]\nname = \"block\"\nyoung = {young:?}\npoisson = {poisson:?}\n\
          shape = {{ rectangle = {{ x = [0, {size}], y = [0, {size}], contact = \"bottom\" }} }}\n\
-         supports = [{{ at = \"left\", component = \"x\" }}]\nloads = [{{ traction = {{ at = \"far\", value = [0, {:?}] }} }}]\n\
-         [contact]\nfirst = \"block\"\ngap = {{ parabola = {radius:?} }}\nstretch = 1.3\n{symmetric}\n[mesh]\naccuracy = \"0.1 %\"\n",
+         supports = [{{ at = \"left\", component = \"x\" }}]\nloads = [{{ traction = {{ at = \"far\", value = [0, \
+         {:?}] }} }}]\n\
+         [contact]\nfirst = \"block\"\ngap = {{ parabola = {radius:?} }}\nstretch = 1.3\n{symmetric}\n[mesh]\naccuracy \
+         = \"0.1 %\"\n",
         0.0 - load / area
     );
     let case = Case::parse(Path::new("rubber.toml"), &text).expect("a case");

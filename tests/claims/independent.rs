@@ -1,4 +1,5 @@
-//! The comparison with other codes bites: spoiled answers turn red, other scenes and scripts are refused, and the scripts share nothing.
+//! The comparison with other codes bites: spoiled answers turn red, other scenes and scripts are refused, and the
+//! scripts share nothing.
 
 use std::fs;
 use std::path::PathBuf;

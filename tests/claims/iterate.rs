@@ -1,4 +1,5 @@
-//! What an iteration solves, system matrix and equilibrium; the loop counts, stops, tells how an iteration ended, and keeps the last state.
+//! What an iteration solves, system matrix and equilibrium; the loop counts, stops, tells how an iteration ended, and
+//! keeps the last state.
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use contact_vv::algorithm::{

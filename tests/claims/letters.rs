@@ -1,4 +1,5 @@
-//! How wide a text is set: by the letters of DejaVu Sans, the widest of the fonts that browsers take where nothing else is named.
+//! How wide a text is set: by the letters of DejaVu Sans, the widest of the fonts that browsers take where nothing else
+//! is named.
 
 /// Thousandths of the size, from the space to the tilde.
 const PLAIN: [u16; 95] = [

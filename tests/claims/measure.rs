@@ -157,7 +157,8 @@ fn parabola_through_the_highest_means_is_exact_for_one_and_ends_where_the_contac
         assert_relative_eq!(peak::by_parabola(&profile, 4.0), 4.0, max_relative = 1e-11);
         assert_relative_eq!(peak::of(&profile, 1.5).pressure, 4.0, max_relative = 1e-11);
     }
-    // Three pairs hold four edges: the others are not seen where they make no second hump, whether the highest place is an end or not.
+    // Three pairs hold four edges: the others are not seen where they make no second hump, whether the highest place is
+    // an end or not.
     for (centre, seen) in [(1.95, 6..10), (1.05, 0..4), (1.5, 3..7)] {
         let profile = edges(1.0, 2.0, 10, |s| 9.0 * s - (s - centre).powi(3) / 3.0);
         for k in (0..10).filter(|k| !seen.contains(k)) {

@@ -1,4 +1,5 @@
-//! The mesh: exact areas and curves, nesting, orientation, closed boundaries; growth that follows the elements, so that refinement goes to the solution.
+//! The mesh: exact areas and curves, nesting, orientation, closed boundaries; growth that follows the elements, so that
+//! refinement goes to the solution.
 
 use std::collections::HashMap;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -390,7 +391,8 @@ fn corners_of_blocks_that_differ_by_rounding_are_one_node_whichever_way_they_dif
 
 #[test]
 fn growth_and_coarsest_element_of_finer_meshes_follow_the_order_of_the_cells() {
-    // Of n times as many elements q^(n^−1/p), and the coarsest over n^(1/p); of coarser ones by a ratio the other way, their unit times that.
+    // Of n times as many elements q^(n^−1/p), and the coarsest over n^(1/p); of coarser ones by a ratio the other way,
+    // their unit times that.
     let grading = Grading { unit: 3.0, along: 1.7, depth: 1.4, first: 1.0, coarsest: 0.3, end: 1.0 };
     for order in [Order::Linear, Order::Quadratic, Order::Octic] {
         let power = f64::from(order.number()).recip();

@@ -1,4 +1,5 @@
-//! Meshes of other programs: one mesh is one body in every format, 9-node cells are what they are, and a file that is spoiled is refused.
+//! Meshes of other programs: one mesh is one body in every format, 9-node cells are what they are, and a file that is
+//! spoiled is refused.
 
 use std::fmt::Display;
 
@@ -16,7 +17,8 @@ use crate::scene_fuzz::mutated;
 use crate::scene_mistakes::assert_told;
 use crate::workbench::{self, noise, parsed};
 
-/// A body of 3 × 2 cells on 0 … 2 × 0 … 1, none of them a rectangle, every other one listed clockwise, with sparse numbers.
+/// A body of 3 × 2 cells on 0 … 2 × 0 … 1, none of them a rectangle, every other one listed clockwise, with sparse
+/// numbers.
 pub struct Body {
     pub nodes: Vec<(u64, [f64; 2])>,
     pub cells: Vec<(u64, Vec<u64>)>,
@@ -242,9 +244,12 @@ fn inp(body: &Body) -> String {
     axis.dedup();
     let (first, last) = axis.split_at(2);
     format!(
-        "** A deck of a pre-processor.\n*Heading\n a body, 1, 2\n*NODE, NSET=Nall\n{nodes}**\n*element , type=cpe{count}R, elset = body\n{cells}\
-         *ELEMENT, TYPE=T3D{}\n{lines}*ELSET, ELSET=roof, GENERATE\n500, 505, 2\n*NSET, NSET=\"Some\"\n{},\n*nset, nset=axis\n SOME\n{}\n\
-         *SURFACE, NAME=sole, TYPE=ELEMENT\n{sole}*MATERIAL, NAME=steel\n*ELASTIC\n210000., 0.3\n*STEP\n*STATIC\n*NODE PRINT, NSET=axis\nU\n*END STEP\n",
+        "** A deck of a pre-processor.\n*Heading\n a body, 1, 2\n*NODE, NSET=Nall\n{nodes}**\n*element , \
+        type=cpe{count}R, elset = body\n{cells}\
+         *ELEMENT, TYPE=T3D{}\n{lines}*ELSET, ELSET=roof, GENERATE\n500, 505, 2\n*NSET, NSET=\"Some\"\n{},\n*nset, \
+         nset=axis\n SOME\n{}\n\
+         *SURFACE, NAME=sole, TYPE=ELEMENT\n{sole}*MATERIAL, NAME=steel\n*ELASTIC\n210000., 0.3\n*STEP\n*STATIC\n*NODE \
+         PRINT, NSET=axis\nU\n*END STEP\n",
         if count == 4 { 2 } else { 3 },
         listed(first),
         listed(last),
@@ -263,7 +268,8 @@ fn on_plane(plane: &str, [file, group, contact]: [&str; 3], more: &str) -> Strin
 /// A scene of the body, pressed by a traction on its roof, with a support.
 fn scene(file: &str, load: &str, support: &str) -> String {
     let more = format!(
-        "supports = [{{ at = {support}, component = \"x\" }}]\nloads = [{{ pressure = {{ at = \"roof\", law = {load} }} }}]\n"
+        "supports = [{{ at = {support}, component = \"x\" }}]\nloads = [{{ pressure = {{ at = \"roof\", law = {load} \
+        }} }}]\n"
     );
     on_plane("plane = \"stress\"\nthickness = 1", [file, "body", "sole"], &more)
 }
@@ -385,7 +391,8 @@ fn sides_of_a_deck_are_named_by_surfaces_sets_of_elements_and_sets_of_nodes() {
         format!("*ELEMENT, TYPE=COH2D4, ELSET=glue\n900, {0}, {0}\n*NSET, NSET=sole\n{nodes}", glued.join(", ")),
         // The lower cells are every second one; the middle one is listed clockwise, so that its lower side is its last.
         format!(
-            "*ELSET, ELSET=low, GENERATE\n{}, {last}, 28,,\n*ELSET, ELSET=mid\n{}\n*SURFACE, NAME=sole\nlow, S1\nmid, S4\n",
+            "*ELSET, ELSET=low, GENERATE\n{}, {last}, 28,,\n*ELSET, ELSET=mid\n{}\n*SURFACE, NAME=sole\nlow, S1\nmid, \
+            S4\n",
             cells[0], cells[1]
         ),
     ] {
@@ -406,7 +413,8 @@ fn sides_of_a_deck_are_named_by_surfaces_sets_of_elements_and_sets_of_nodes() {
     assert!(mesh.boundaries["Nall"].len() == 10 && !mesh.inner.contains("Nall"));
 }
 
-/// The deck as a pre-processor of Abaqus writes it: nodes and cells in a part, sides by sets of the assembly, a point of reference off the plane.
+/// The deck as a pre-processor of Abaqus writes it: nodes and cells in a part, sides by sets of the assembly, a point
+/// of reference off the plane.
 fn assembled(body: &Body) -> String {
     let deck = inp(body);
     let [begin, sets] = ["*NODE", "*ELEMENT, TYPE=T3D"].map(|what| deck.find(what).expect("a block"));
@@ -415,9 +423,11 @@ fn assembled(body: &Body) -> String {
         own.chunks(16).map(|line| line.join(", ") + "\n").collect::<String>()
     };
     format!(
-        "*Heading\n*Part, name=Part-1\n*End Part\n*Part, name=Block\n{}*Nset, nset=roof\n{}*End Part\n*Assembly, name=Assembly\n\
+        "*Heading\n*Part, name=Part-1\n*End Part\n*Part, name=Block\n{}*Nset, nset=roof\n{}*End Part\n*Assembly, \
+        name=Assembly\n\
          *Instance, name=Block-1, part=BLOCK\n*End Instance\n*Node\n 5, 0., 0., 9.\n*Nset, nset=point\n 5,\n\
-         *Nset, nset=axis, internal, instance=Block-1\n{}*Nset, nset=low, instance=block-1\n{}*Surface, type=NODE, name=sole, internal\n\
+         *Nset, nset=axis, internal, instance=Block-1\n{}*Nset, nset=low, instance=block-1\n{}*Surface, type=NODE, \
+         name=sole, internal\n\
          low, 1.\n*End Assembly\n*Step\n*Boundary\nBlock-1.roof, 1\n*End Step\n",
         &deck[begin..sets],
         nodes(1),
@@ -491,7 +501,8 @@ fn decks_may_leave_blank_what_is_zero_and_list_corners_alone() {
     of_deck(&long);
 }
 
-/// A deck of a strip of 4-node cells on 0 … 2 × 0 … 1: node 10 i + j + 1 is the j-th of column i. Sets of nodes as they are given.
+/// A deck of a strip of 4-node cells on 0 … 2 × 0 … 1: node 10 i + j + 1 is the j-th of column i. Sets of nodes as they
+/// are given.
 fn strip(columns: usize, sets: &[(&str, Vec<usize>)]) -> String {
     let tag = |i: usize, j: usize| 10 * i + j + 1;
     let nodes = (0..=columns).flat_map(|i| (0..2).map(move |j| (i, j)));
@@ -569,7 +580,8 @@ fn every_mistake_in_a_deck_names_its_line() {
 
 #[test]
 fn meshes_that_meshio_writes_are_read() {
-    // Every quadrilateral as an element of revolution, lines as beams of two nodes; names as meshio takes them from Gmsh.
+    // Every quadrilateral as an element of revolution, lines as beams of two nodes; names as meshio takes them from
+    // Gmsh.
     for (count, kind) in [(4, "CAX4P"), (8, "S8R5"), (9, "S9R5")] {
         let deck = inp(&Body::of(count))
             .replace(&format!("cpe{count}R"), kind)
@@ -730,7 +742,8 @@ fn quadrilaterals_with_a_node_twice_are_triangles_and_files_that_are_no_mesh_say
     }
 }
 
-/// Halving keeps how much coarser the other side is: its cells are made no longer than those of the mesh from the start.
+/// Halving keeps how much coarser the other side is: its cells are made no longer than those of the mesh from the
+/// start.
 #[test]
 fn a_mesh_of_4_node_cells_is_answered_on_a_body_that_is_meshed_beside_it() {
     let (columns, rows) = (72, 42);
@@ -752,13 +765,16 @@ fn a_mesh_of_4_node_cells_is_answered_on_a_body_that_is_meshed_beside_it() {
     let deck = format!("*NODE\n{nodes}*ELEMENT, TYPE=CPS4, ELSET=plate\n{cells}{sides}");
     let scene = |shape: &str, far: &str, guess: f64| {
         format!(
-            "plane = \"stress\"\nthickness = 2.5\n[[body]]\nname = \"plate\"\nyoung = 70e3\npoisson = 0.33\nshape = {shape}\n\
+            "plane = \"stress\"\nthickness = 2.5\n[[body]]\nname = \"plate\"\nyoung = 70e3\npoisson = 0.33\nshape = \
+            {shape}\n\
              supports = [{{ at = [-20, 24], component = \"x\" }}]\n\
-             loads = [{{ pressure = {{ at = \"{far}\", law = {{ polynomial = {{ along = \"x\", coefficients = [60, 1] }} }} }} }}]\n\
+             loads = [{{ pressure = {{ at = \"{far}\", law = {{ polynomial = {{ along = \"x\", coefficients = [60, 1] \
+             }} }} }} }}]\n\
              [[body]]\nname = \"base\"\nyoung = 210e3\npoisson = 0.3\n\
              shape = {{ rectangle = {{ x = [-40, 40], y = [-50, 0], contact = \"top\" }} }}\n\
              supports = [{{ at = \"far\", component = \"y\" }}, {{ at = \"left\", component = \"x\" }}]\n\
-             [contact]\nfirst = \"plate\"\nsecond = \"base\"\nboth-sides = true\ngap = {{ parabola = 900 }}\nstretch = {guess}\n\
+             [contact]\nfirst = \"plate\"\nsecond = \"base\"\nboth-sides = true\ngap = {{ parabola = 900 }}\nstretch = \
+             {guess}\n\
              [mesh]\naccuracy = \"1 %\"\n"
         )
     };

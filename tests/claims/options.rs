@@ -47,8 +47,8 @@ const CHOICES: [&[&str]; 16] = [
 
 type Pair = [(usize, usize); 2];
 
-/// Rows of one value a choice, until every pair of values of two choices stands in one: each row begins with a pair that is left,
-/// and takes from each further choice what covers the most of them (Cohen et al. 1997).
+/// Rows of one value a choice, until every pair of values of two choices stands in one: each row begins with a pair
+/// that is left, and takes from each further choice what covers the most of them (Cohen et al. 1997).
 fn rows() -> Vec<Vec<usize>> {
     let values = |choice: usize| (0..CHOICES[choice].len()).map(move |value| (choice, value));
     let below = |choice: usize| (0..choice).flat_map(values);
@@ -112,7 +112,8 @@ fn wrong(arguments: &[&str]) -> Option<String> {
     if converged == (code == Some(3)) {
         return Some(format!("{} ended with {code:?}", found["outcome"]));
     }
-    // What is called converged is near the truth: within what the coarsest of these meshes and the softest penalty leave.
+    // What is called converged is near the truth: within what the coarsest of these meshes and the softest penalty
+    // leave.
     let peak = found["contacts"][0]["peak_pressure"].as_f64().unwrap_or(f64::NAN);
     let off = (peak / hertz(arguments) - 1.0).abs();
     let soft = arguments.contains(&"penalty");

@@ -495,8 +495,8 @@ fn an_export_replaces_no_mesh_that_the_scene_reads_and_no_answer_that_was_filled
     }
 }
 
-/// Lattice places of the nodes of VTK's Lagrange quadrilateral: corners around, then the sides, each along its axis, then the
-/// inside row by row (vtkHigherOrderQuadrilateral::PointIndexFromIJK).
+/// Lattice places of the nodes of VTK's Lagrange quadrilateral: corners around, then the sides, each along its axis,
+/// then the inside row by row (vtkHigherOrderQuadrilateral::PointIndexFromIJK).
 fn place(m: usize, [i, j]: [usize; 2]) -> usize {
     let inner = m - 1;
     match ([i, j].map(|k| k == 0 || k == m), [i, j]) {

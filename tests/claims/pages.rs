@@ -1,5 +1,5 @@
-//! The report: a short front page, pages behind it that links reach, every check on one of them, and sentences that follow the numbers; one page
-//! of it by the name of its case or study.
+//! The report: a short front page, pages behind it that links reach, every check on one of them, and sentences that
+//! follow the numbers; one page of it by the name of its case or study.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -101,8 +101,8 @@ fn seen(cell: &str) -> String {
     std::iter::once(first).chain(rest.map(String::from)).collect::<String>().replace(['[', '*'], "")
 }
 
-/// Least width at which a browser sets a table of these lines in GitHub's style: letters of 16, 13 left and right of what a cell holds, a line
-/// of 1 between cells \[px\]. Words are not parted, and code is set smaller.
+/// Least width at which a browser sets a table of these lines in GitHub's style: letters of 16, 13 left and right of
+/// what a cell holds, a line of 1 between cells \[px\]. Words are not parted, and code is set smaller.
 fn least_width(lines: &[&str]) -> f64 {
     let row = |line: &&str| line.trim_matches('|').split(" | ").map(seen).collect::<Vec<_>>();
     let rows: Vec<Vec<String>> = lines.iter().filter(|line| !line.starts_with("|---")).map(row).collect();

@@ -101,7 +101,8 @@ fn supports_of_a_bar_take_what_its_stiffness_its_loads_and_the_plane_below_ask_f
     let push = "{ at = \"left\", component = \"x\" }, { at = \"far\", component = \"y\", value = -0.05 }";
     let held = "{ at = \"left\", component = \"x\" }, { at = [0, 20], component = \"y\" }";
     let loads = "{ traction = { at = \"left\", value = [2, 0] } }, { force = { at = [0, 20], value = [5, -11] } }";
-    // Sideways, above an open gap: E' A u / L with E' = E in plane stress, E / (1 − ν²) in plane strain; of the height, over the gap.
+    // Sideways, above an open gap: E' A u / L with E' = E in plane stress, E / (1 − ν²) in plane strain; of the height,
+    // over the gap.
     let [stress, strain] = [1000.0, 1000.0 / (1.0 - 0.25 * 0.25)].map(|modulus| modulus * (20.0 * 3.0) * 0.02 / 10.0);
     let pressed = 1000.0 * (10.0 * 3.0) * (0.05 - 0.01) / 20.0;
     for (what, text, wanted, below) in [
@@ -156,7 +157,8 @@ fn what_sides_with_unlike_displacements_at_their_corner_exert_has_no_bar() {
     }
 }
 
-/// What a point takes beside a side falls with the logarithm of the cells: no mesh tells how far it is from 0. What statics give stays known.
+/// What a point takes beside a side falls with the logarithm of the cells: no mesh tells how far it is from 0. What
+/// statics give stays known.
 #[test]
 fn force_that_a_point_takes_beside_a_side_has_no_bar() {
     let [point, side] = ["{ at = [10, 20], component = \"x\" }", "{ at = \"left\", component = \"x\" }"];
@@ -182,7 +184,8 @@ fn block(plane: &str, body: &str) -> Case {
     ))
 }
 
-/// What a point takes beside the contact it takes from it: as its part vanishes, so does the bar of all that the contact tells.
+/// What a point takes beside the contact it takes from it: as its part vanishes, so does the bar of all that the
+/// contact tells.
 #[test]
 fn contact_that_shares_its_force_with_a_point_has_no_bar() -> Result<(), Error> {
     let [strain, revolution] = ["plane = \"strain\"\nthickness = 1", "plane = \"axisymmetric\""];
@@ -228,8 +231,10 @@ fn a_contact_that_no_point_reaches_keeps_its_bars() -> Result<(), Error> {
              [[body]]\nname = \"right\"\nyoung = 210e3\npoisson = 0.3\n\
              shape = {{ rectangle = {{ x = [20, 60], y = [0, 20], contact = \"bottom\" }} }}\n\
              supports = [{{ at = \"left\", component = \"x\" }}, {{ at = {value}, component = \"y\", value = -0.1 }}]\n\
-             [[contact]]\nname = \"a\"\nfirst = \"left\"\norigin = [-40, 0]\nboth-sides = true\ngap = {{ parabola = 100 }}\nstretch = 2\n\
-             [[contact]]\nname = \"b\"\nfirst = \"right\"\norigin = [40, 0]\nboth-sides = true\ngap = {{ parabola = 100 }}\nstretch = 2\n\
+             [[contact]]\nname = \"a\"\nfirst = \"left\"\norigin = [-40, 0]\nboth-sides = true\ngap = {{ parabola = \
+             100 }}\nstretch = 2\n\
+             [[contact]]\nname = \"b\"\nfirst = \"right\"\norigin = [40, 0]\nboth-sides = true\ngap = {{ parabola = \
+             100 }}\nstretch = 2\n\
              [mesh]\nelements = 8\nper = 2\n"
         )
     };

@@ -78,7 +78,8 @@ fn judged_as_solved(truth: &Truth, discretisation: &Discretisation, run: &Run) -
     found
 }
 
-/// Straight lines are no edges of an answer where they are as long as the contact: a trapezoid of Hertz's force and second moment is none of his.
+/// Straight lines are no edges of an answer where they are as long as the contact: a trapezoid of Hertz's force and
+/// second moment is none of his.
 #[test]
 fn a_trapezoid_of_the_right_force_and_width_is_not_met_however_densely_it_is_sampled() {
     let a = TruncatedHertz::default().half_width();
@@ -90,7 +91,8 @@ fn a_trapezoid_of_the_right_force_and_width_is_not_met_however_densely_it_is_sam
     assert!(found.iter().any(|one| one.contains("mean pressures")), "{found:?}");
 }
 
-/// As a line through the mesh of another code is sampled: an end is told to within an edge of that, and not within two samples.
+/// As a line through the mesh of another code is sampled: an end is told to within an edge of that, and not within two
+/// samples.
 #[test]
 fn samples_along_the_straight_lines_of_an_answer_are_met_as_its_nodes_are() {
     let a = TruncatedHertz::default().half_width();
@@ -109,7 +111,8 @@ fn samples_along_the_straight_lines_of_an_answer_are_met_as_its_nodes_are() {
     }
 }
 
-/// What lies between points that press alone is not handed in: neither straight lines nor roots there are an answer's fault.
+/// What lies between points that press alone is not handed in: neither straight lines nor roots there are an answer's
+/// fault.
 #[test]
 fn exact_pressures_at_few_points_are_met_and_two_percent_of_load_are_not() {
     let a = TruncatedHertz::default().half_width();

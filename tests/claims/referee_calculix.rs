@@ -1,4 +1,5 @@
-//! Fields of CalculiX: displacements are judged as those of a grid, from a `.frd` alone or beside the `.dat` of an exported deck.
+//! Fields of CalculiX: displacements are judged as those of a grid, from a `.frd` alone or beside the `.dat` of an
+//! exported deck.
 
 use contact_vv::case::library::find;
 use contact_vv::case::{Case, Verdict};
@@ -22,7 +23,8 @@ pub fn frd(discretisation: &Discretisation, run: &Run) -> String {
     text.extend((0..mesh.cells()).map(|cell| cell_of(cell + 1, 10, &numbered(cell))));
     // A gap element.
     text += &cell_of(mesh.cells() + 1, 11, &[1, 2]);
-    text += " -3\n  100CL  101 1.00000E+00\n -4  DISP        4    1\n -5  D1          1    2    1    0\n -5  D2          1    2    2    0\n";
+    text += " -3\n  100CL  101 1.00000E+00\n -4  DISP        4    1\n -5  D1          1    2    1    0\n \
+        -5  D2          1    2    2    0\n";
     text += " -5  D3          1    2    3    0\n -5  ALL         1    2    0    0    1ALL\n";
     let moved = discretisation.displacement_under(run.share(), &run.solution);
     text.extend(moved.iter().enumerate().map(|(k, [u, v])| record(k + 1, &fixed([*u, *v, 0.0]))));

@@ -1,4 +1,5 @@
-//! Files as other programs code, name and cut them: letters of Windows and of old Macs, what VTK and COMSOL write beside numbers, left halves.
+//! Files as other programs code, name and cut them: letters of Windows and of old Macs, what VTK and COMSOL write
+//! beside numbers, left halves.
 
 use approx::assert_relative_eq;
 use contact_vv::referee::units::Role;
@@ -62,7 +63,8 @@ fn nodes_beyond_the_contact_may_have_no_number_in_grids_as_in_files_of_calculix(
     assert_eq!(answer.contacts[0].points.len(), 22);
     assert!(judged(answer).expect("judged").met());
     let within = |s: f64| if s > 1.55 { "nan".into() } else { written(s) };
-    // Where the last one is pressed they are beyond what is handed in, as in a table that ends there: as far as the contact does.
+    // Where the last one is pressed they are beyond what is handed in, as in a table that ends there: as far as the
+    // contact does.
     let found = judged(read("theirs.vtu", grid(|x, y| [x, y, 0.0], within)));
     // √(1 − 0.75²) of the largest, and 1 − (2/π)(asin 0.75 + 0.75 √(1 − 0.75²)) of the force.
     refused_as(found, &["stop at 1.5", "with 66 % of the largest, and 14.4 % of the force lies beyond"]);

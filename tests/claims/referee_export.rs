@@ -1,4 +1,5 @@
-//! What is exported is the case: its mesh for Gmsh is read back as it was, and its answers are judged as what `solve` says.
+//! What is exported is the case: its mesh for Gmsh is read back as it was, and its answers are judged as what `solve`
+//! says.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -30,7 +31,8 @@ fn scene_of([body, contact]: [&str; 2], file: &str, path: &str) -> String {
     format!(
         "plane = \"strain\"\nthickness = 1\n[[body]]\nname = \"{body}\"\nyoung = 1000\npoisson = 0.3\n\
          shape = {{ mesh = {{ file = \"{file}\", group = \"{body}\", contact = \"{contact}\" }} }}\n\
-         [contact]\nfirst = \"{body}\"\ngap = {{ uniform = 0 }}\ngap-only = true\n{path}\nstretch = 1e-1\n[reference]\npressure = 5\n"
+         [contact]\nfirst = \"{body}\"\ngap = {{ uniform = 0 }}\ngap-only = true\n{path}\nstretch = \
+         1e-1\n[reference]\npressure = 5\n"
     )
 }
 
@@ -464,7 +466,8 @@ fn codes_in_plane_strain_are_told_the_plane_stress_of_a_scene_and_the_sides_of_i
         own.and_then(|word| word.trim_end_matches('.').parse().ok()).unwrap_or_else(|| panic!("{before}: {rest:.40}"))
     };
     for body in &case.scene.bodies {
-        // Plane stress is σ_x = E/(1 − ν²) (ε_x + ν ε_y), plane strain (λ + 2μ) ε_x + λ ε_y; of that E = μ(3λ + 2μ)/(λ + μ), ν = λ/2(λ + μ).
+        // Plane stress is σ_x = E/(1 − ν²) (ε_x + ν ε_y), plane strain (λ + 2μ) ε_x + λ ε_y; of that E = μ(3λ + 2μ)/(λ
+        // + μ), ν = λ/2(λ + μ).
         let (young, poisson) = (body.material.young, body.material.poisson);
         let [lambda, shear] = [young * poisson / (1.0 - poisson * poisson), 0.5 * young / (1.0 + poisson)];
         let own = format!("`{}`: λ", body.name);

@@ -102,27 +102,33 @@ fn bodies_that_pull_apart_and_supports_that_move_are_found_without_any_load() {
     }
 }
 
-/// The wrong sign of one body, or of a model of which one contact is handed in, and what moves as a whole: no energy and no support tells.
+/// The wrong sign of one body, or of a model of which one contact is handed in, and what moves as a whole: no energy
+/// and no support tells.
 #[test]
 fn displacements_of_the_wrong_sign_or_through_the_other_body_are_found_whatever_is_held_or_missing() {
     let strains = "departure of the strains";
     let overlap = "gap or overlap of the displacements";
     let ring = |name: &str, radii: [u8; 2], side: &str, supports: &str| {
         format!(
-            "[[body]]\nname = \"{name}\"\nyoung = 70e3\npoisson = 0.3\nshape = {{ ring = {{ centre = [0, 0], inner = {}, outer = {}, sweep = 90, \
-             contact = \"{side}\" }} }}\nsupports = [{{ at = \"start\", component = \"x\" }}, {{ at = \"end\", component = \"y\" }}{supports}]\n",
+            "[[body]]\nname = \"{name}\"\nyoung = 70e3\npoisson = 0.3\nshape = {{ ring = {{ centre = [0, 0], inner = \
+            {}, outer = {}, sweep = 90, \
+             contact = \"{side}\" }} }}\nsupports = [{{ at = \"start\", component = \"x\" }}, {{ at = \"end\", \
+             component = \"y\" }}{supports}]\n",
             radii[0], radii[1]
         )
     };
     let outer = ", { at = \"outer\", component = \"x\" }, { at = \"outer\", component = \"y\" }";
     let held = format!(
-        "title = \"ring in a held ring\"\nplane = \"strain\"\nthickness = 1\n{}{}[contact]\nfirst = \"inner\"\nsecond = \"outer\"\n\
-         arc = {{ centre = [0, 0], radius = 40 }}\ngap = {{ uniform = -0.02 }}\nstretch = 90\n[mesh]\nelements = 8\nper = 62.8\n",
+        "title = \"ring in a held ring\"\nplane = \"strain\"\nthickness = 1\n{}{}[contact]\nfirst = \"inner\"\nsecond \
+        = \"outer\"\n\
+         arc = {{ centre = [0, 0], radius = 40 }}\ngap = {{ uniform = -0.02 }}\nstretch = 90\n[mesh]\nelements = \
+         8\nper = 62.8\n",
         ring("inner", [20, 40], "outer", ""),
         ring("outer", [40, 70], "inner", outer)
     );
     let turned = |moved: [f64; 2]| moved.map(|u| 0.0 - u);
-    // The scene, its contact that is handed in alone, the body that is moved, all where none is named, how, and what tells.
+    // The scene, its contact that is handed in alone, the body that is moved, all where none is named, how, and what
+    // tells.
     type Row<'a> = (String, Option<usize>, Option<usize>, &'a dyn Fn([f64; 2]) -> [f64; 2], &'a [&'a str]);
     let roller = text_of("roller-between-plates.toml");
     // Rubber, whose strains are not looked at, in a ring that has next to none of the energy.
@@ -306,7 +312,8 @@ fn displacements_approaches_and_shears_that_a_scene_file_declares_are_judged_and
 }
 
 /// Blocks that cannot widen come nearer by their gap and `p (h₁/M₁ + h₂/M₂)`, `M = E (1 − ν)/((1 + ν)(1 − 2ν))`.
-const APPROACH: &str = "[[check]]\nquantity = \"approach\"\nvalue = 0.018358310488\ntolerance = 1e-8\nkind = \"analytic\"\n\
+const APPROACH: &str = "[[check]]\nquantity = \"approach\"\nvalue = 0.018358310488\ntolerance = 1e-8\nkind = \
+    \"analytic\"\n\
                         source = \"uniform state\"\nbecause = \"cells of any order are exact\"\n";
 
 /// What a case declares is met by our own displacements, and not by ones that are 1.2 times as large.

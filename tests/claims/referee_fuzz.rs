@@ -1,4 +1,5 @@
-//! One answer in every format is judged alike, and refused where it is cut; what mutations do to it is asked by the fuzz target `handed`.
+//! One answer in every format is judged alike, and refused where it is cut; what mutations do to it is asked by the
+//! fuzz target `handed`.
 
 use std::path::Path;
 

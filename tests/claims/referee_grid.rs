@@ -16,7 +16,8 @@ use crate::referee_wild::{parsed, usual};
 use crate::scene_file;
 use crate::workbench::{refused, truth};
 
-/// Our own answer, every cell with points of its own; `offset` is added to and taken from the pressures of every second cell in turn.
+/// Our own answer, every cell with points of its own; `offset` is added to and taken from the pressures of every second
+/// cell in turn.
 fn grid(discretisation: &Discretisation, run: &Run, offset: f64, share: bool) -> String {
     grid_of(0, discretisation, run, offset, share)
 }
@@ -150,7 +151,8 @@ fn stresses_on_a_slanted_side_are_taken_along_its_normal_in_every_unit() {
             };
             let rows: String = nodes().map(row).collect();
             let text = format!(
-                "# vtk DataFile Version 3.0\nring\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 38 double\n{points}CELLS 18 90\n{cells}\
+                "# vtk DataFile Version 3.0\nring\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 38 double\n{points}CELLS \
+                18 90\n{cells}\
                  CELL_TYPES 18\n{}POINT_DATA 38\nFIELD FieldData 1\nstress {components} 38 double\n{rows}",
                 "9\n".repeat(18)
             );

@@ -1,4 +1,5 @@
-//! Forces of halves: at the middles of edges, without the node on the symmetry line or on the axis, and of a model of both halves or of a sector.
+//! Forces of halves: at the middles of edges, without the node on the symmetry line or on the axis, and of a model of
+//! both halves or of a sector.
 
 use std::f64::consts::{PI, TAU};
 
@@ -118,11 +119,13 @@ fn positions_of_a_contact_that_is_not_symmetric_with_the_other_sign_are_named() 
     assert_eq!(says(truth, PRESSURES, rows(-1.0)), ["positions run the other way: change their sign"]);
 }
 
-/// The right half of a beam on two rounded supports, of which one is left: its contact has both sides, the scene one half.
+/// The right half of a beam on two rounded supports, of which one is left: its contact has both sides, the scene one
+/// half.
 #[test]
 fn contact_off_the_symmetry_line_carries_what_both_halves_do() {
     let load = "traction = { at = \"far\", value = [0, -10] }";
-    let contact = "origin = [60, 0]\nboth-sides = true\nsymmetric = true\ngap = { parabola = 25 }\nstretch = 2\n[mesh]\nelements = 8\nper = 0.8";
+    let contact = "origin = [60, 0]\nboth-sides = true\nsymmetric = true\ngap = { parabola = 25 }\nstretch = \
+        2\n[mesh]\nelements = 8\nper = 0.8";
     let truth = Truth::of(parsed(&block_text([0.0, 90.0], 30.0, load, contact))).expect("solved");
     let (meshed, run) = truth.case.solve().expect("solved");
     let points = run.solution.points_of(0);

@@ -1,4 +1,5 @@
-//! What is wrong over a few points fails, where the pressure of the truth is straight and where points are many; what is right there passes.
+//! What is wrong over a few points fails, where the pressure of the truth is straight and where points are many; what
+//! is right there passes.
 
 use std::ops::Range;
 

@@ -373,9 +373,12 @@ fn an_end_is_that_of_the_closed_form_to_one_edge_of_the_mesh_around_it() {
 
 #[test]
 fn radii_of_a_ring_that_touches_off_its_axis_are_named() {
-    let text = "title = \"ring on a flat\"\nplane = \"axisymmetric\"\n[[body]]\nname = \"ring\"\nyoung = 210e3\npoisson = 0.3\n\
-                shape = { rectangle = { x = [30, 50], y = [0, 25], contact = \"bottom\" } }\nloads = [{ traction = { at = \"far\", value = [0, -50] } }]\n\
-                [contact]\nfirst = \"ring\"\norigin = [40, 0]\ngap = { circle = 200 }\nstretch = 6\nboth-sides = true\n[mesh]\nelements = 16\nper = 2\n";
+    let text = "title = \"ring on a flat\"\nplane = \"axisymmetric\"\n[[body]]\nname = \"ring\"\nyoung = \
+        210e3\npoisson = 0.3\n\
+                shape = { rectangle = { x = [30, 50], y = [0, 25], contact = \"bottom\" } }\nloads = [{ traction = { \
+                at = \"far\", value = [0, -50] } }]\n\
+                [contact]\nfirst = \"ring\"\norigin = [40, 0]\ngap = { circle = 200 }\nstretch = 6\nboth-sides = \
+                true\n[mesh]\nelements = 16\nper = 2\n";
     let truth = Truth::of(workbench::parsed(text)).expect("solved");
     for (from, wanted) in
         [(0.0, &[][..]), (40.0, &["positions are radii: count them from the middle of the contact, at r = 40.00 mm"])]

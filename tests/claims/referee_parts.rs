@@ -1,4 +1,5 @@
-//! What is left out of an answer, stands there of another contact, or hides behind something else is named, and never judged as the whole.
+//! What is left out of an answer, stands there of another contact, or hides behind something else is named, and never
+//! judged as the whole.
 
 use std::ops::RangeInclusive;
 use std::path::Path;
@@ -338,8 +339,9 @@ fn areas_of_corners_and_mid_sides_tell_that_edges_have_three_nodes() {
     assert!(!rows([0.25, 0.5, 0.25]).met());
 }
 
-/// Σ F s² of four edges of a pressure that is the same everywhere is 5.6 % larger than the ∫ p s² ds they stand for, the half-width 2.8 %: of four
-/// edges of 5 mm whose two end nodes have half an area, (2·½·10² + 2·5² + 0)/4 = 37.5 where 10²/3 is true.
+/// Σ F s² of four edges of a pressure that is the same everywhere is 5.6 % larger than the ∫ p s² ds they stand for,
+/// the half-width 2.8 %: of four edges of 5 mm whose two end nodes have half an area, (2·½·10² + 2·5² + 0)/4 = 37.5
+/// where 10²/3 is true.
 #[test]
 fn second_moments_of_forces_along_a_few_edges_are_those_of_what_lies_between() {
     let truth = truth("patch");
@@ -354,7 +356,8 @@ fn second_moments_of_forces_along_a_few_edges_are_those_of_what_lies_between() {
     for found in [of_forces(1.0), of_pressures(1.0)] {
         assert!(found.met(), "{:?}", failed(&found));
     }
-    // What is between makes no force that is not there, nor another width of areas that are not those of the points, whose sum is right.
+    // What is between makes no force that is not there, nor another width of areas that are not those of the points,
+    // whose sum is right.
     assert!(!of_forces(1.02).met() && !of_pressures(1.02).met());
     let equal = (0..=4).map(|k| [place(k), pressure, 4.0 * thickness]);
     let found = judged_rows(truth, "position [mm],pressure [MPa],area [mm2]", equal);
@@ -405,7 +408,8 @@ fn tables_of_code_aster_are_judged_at_their_last_time() {
         let row = |s: f64| format!(" N{s} 1 {time} {s:.9E} {s:.9E} 0.0E+00 {:.9E}\n", -share * ellipse::pressure(s));
         (0..ellipse::NODES).map(ellipse::place).map(row).collect()
     };
-    let head = "#\n#ASTER 15.04.00 CONCEPT tab CALCULE LE 28/11/2025\n#TABLE_SDASTER\n NOEUD NUME_ORDRE INST ABSC_CURV COOR_X COOR_Y LAGS_C\n";
+    let head = "#\n#ASTER 15.04.00 CONCEPT tab CALCULE LE 28/11/2025\n#TABLE_SDASTER\n NOEUD NUME_ORDRE INST ABSC_CURV \
+        COOR_X COOR_Y LAGS_C\n";
     let text = format!("{head}{}{}", rows(0.5, "5.0E-01"), rows(1.0, "1.0E+00"));
     let found = parsed("tab.txt", &text, &Asked { tension_positive: true, ..usual() }).expect("read");
     ellipse::assert(&found, 1e-6);
@@ -460,7 +464,8 @@ fn uniform_and_linear_pressures_are_judged_by_few_points_on_either_side() {
         let found = of_fit(&mut places.map(|k| 5.0 + 10.0 * f64::from(k)), 1.0);
         assert_eq!(failed(&found), [""; 0]);
     }
-    // A column `contact` of one contact may tell its status; twice the pressure is no load where there is none, and 2 % more is no shift.
+    // A column `contact` of one contact may tell its status; twice the pressure is no load where there is none, and 2 %
+    // more is no shift.
     let hertz = truth("truncated-hertz");
     let places = || (0..=60).map(|k| 0.05 * f64::from(k));
     let rows: String = places().map(|s| format!("{s},{},Sticking\n", hertz.pressure(0, s))).collect();
@@ -491,7 +496,8 @@ fn reports_of_several_columns_end_with_their_extremes_and_where_these_are() {
         })
         .collect();
     let text = format!(
-        "Node COORD.COOR1 COORD.COOR2 CPRESS COPEN\n{rows}\n  Minimum              0.             0.             0.             0.\n\
+        "Node COORD.COOR1 COORD.COOR2 CPRESS \
+        COPEN\n{rows}\n  Minimum              0.             0.             0.             0.\n\
          \x20     At Node          1              1             60              1\n"
     );
     ellipse::assert(&parsed("abaqus.rpt", text, &usual()).expect("read"), 1e-6);
@@ -510,7 +516,8 @@ fn the_order_of_an_answer_is_that_which_is_asked_for_or_that_of_its_cells() {
     let forces = foreign::forces("GAPS_CONTACT", "0.1000000E+01", (1..=3).map(|node| (node, -100.0)));
     let of = |cells: &str, order: Option<Order>| {
         let deck = format!(
-            "** truncated-hertz: mm, N, MPa.\n*NODE\n1, 0, 0\n2, 2, 0\n3, 4, 0\n*ELEMENT, TYPE={cells}\n*NSET, NSET=GAPS_CONTACT\n1, 2, 3\n"
+            "** truncated-hertz: mm, N, MPa.\n*NODE\n1, 0, 0\n2, 2, 0\n3, 4, 0\n*ELEMENT, TYPE={cells}\n*NSET, \
+            NSET=GAPS_CONTACT\n1, 2, 3\n"
         );
         let asked = Asked { order, ..Asked::default() };
         calculix::forces(Path::new("a.dat"), &forces, &deck, &case.scene, &asked).expect("read").contacts[0].order
@@ -610,7 +617,8 @@ fn a_truth_is_of_half_the_elements_and_has_nothing_beyond_its_candidates() {
 fn a_force_that_a_file_declares_is_judged_but_for_our_own_round_off() {
     let judged = |tolerance: &str| {
         let check = format!(
-            "[[check]]\nquantity = \"resultant\"\nvalue = 7\ntolerance = {tolerance}\nkind = \"self-consistency\"\nsource = \"statics\"\nbecause = \".\"\n"
+            "[[check]]\nquantity = \"resultant\"\nvalue = 7\ntolerance = {tolerance}\nkind = \
+            \"self-consistency\"\nsource = \"statics\"\nbecause = \".\"\n"
         );
         let scene = scene_alone(&text_of("whole-disc.toml"));
         let truth = Truth::of(workbench::parsed(&(scene + &check))).expect("solved");

@@ -1,5 +1,5 @@
-//! Every reader, quantity by quantity and unit by unit, on files with two states, cells of both orientations and every column; numbers from the
-//! closed form of Hertz.
+//! Every reader, quantity by quantity and unit by unit, on files with two states, cells of both orientations and every
+//! column; numbers from the closed form of Hertz.
 
 use std::io::Write;
 use std::path::Path;

@@ -1,4 +1,5 @@
-//! What the referee cannot read it refuses, naming the file, what was found and the remedy: the answers of tests/data/refused-answers.toml.
+//! What the referee cannot read it refuses, naming the file, what was found and the remedy: the answers of
+//! tests/data/refused-answers.toml.
 
 use std::collections::BTreeMap;
 

@@ -1,4 +1,5 @@
-//! Tables of several states, of more than the contact side, of other spellings: what they hold is read, or refused by its column.
+//! Tables of several states, of more than the contact side, of other spellings: what they hold is read, or refused by
+//! its column.
 
 use contact_vv::referee::units::Role;
 use contact_vv::referee::{Asked, Verdicts};
@@ -122,7 +123,8 @@ fn numbers_of_fortran_without_an_e_and_names_of_ansys_and_comsol_are_read() {
 
 #[test]
 fn every_unit_is_what_its_definition_says() {
-    // The inch, the pound and standard gravity are exact by the treaty of 1959 and the CGPM of 1901; the atmosphere by that of 1954.
+    // The inch, the pound and standard gravity are exact by the treaty of 1959 and the CGPM of 1901; the atmosphere by
+    // that of 1954.
     let pound = 0.453_592_37 * 9.806_65;
     let lengths = [("mm", 1e-3), ("m", 1.0), ("um", 1e-6), ("nm", 1e-9), ("cm", 1e-2), ("in", 0.0254), ("ft", 0.3048)];
     let angles = [("rad", 1.0), ("deg", std::f64::consts::PI / 180.0), ("°", std::f64::consts::PI / 180.0)];

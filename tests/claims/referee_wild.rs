@@ -1,4 +1,5 @@
-//! Files as people have them: what they hold is read, whatever its widths, marks and names; what they lack is no zero, and a part is not judged.
+//! Files as people have them: what they hold is read, whatever its widths, marks and names; what they lack is no zero,
+//! and a part is not judged.
 
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
@@ -149,7 +150,8 @@ fn tables_say_the_same_whatever_their_marks_numbers_and_names() {
         format!("x [mm],p [MPa],nodes\n{}\n", row(",", plain).trim_end().replace('\n', ",\"2,3\"\n") + ",\"2,3\""),
         format!("$ x (mm)  Contact Pressure (MPa)\n{}", row("  ", plain)),
         format!(
-            "***\nField Output Report, written Mon Nov 23 10:21:07\n\n  Node    COORD.COOR1 [mm]    CPRESS [MPa]\n  Label              @Loc 1          @Loc 1\n-----\n{}\n\n  \
+            "***\nField Output Report, written Mon Nov 23 10:21:07\n\n  Node    COORD.COOR1 [mm]    CPRESS \
+            [MPa]\n  Label              @Loc 1          @Loc 1\n-----\n{}\n\n  \
              Minimum 0.  0.\n      At Node 4\n",
             row("  ", plain).lines().enumerate().map(|(k, line)| format!("  {}  {line}\n", k + 1)).collect::<String>()
         ),
@@ -197,7 +199,8 @@ fn radius_and_axis_are_those_of_the_scene_whichever_way_it_is_turned() {
 
 #[test]
 fn gaps_of_0_beyond_the_contact_are_counted() {
-    // The gap 0.002 mm (ξ √(ξ² − 1) − arcosh ξ), ξ = s / 2 mm, is over 1 % of P/E* = 0.00314 mm at 2.1 mm and beyond: 28 of the places.
+    // The gap 0.002 mm (ξ √(ξ² − 1) − arcosh ξ), ξ = s / 2 mm, is over 1 % of P/E* = 0.00314 mm at 2.1 mm and beyond:
+    // 28 of the places.
     let rows = ellipse::rows(",", |x| x.to_string()).replace('\n', ",0\n");
     let found = parsed("gaps.csv", format!("position [mm],pressure [MPa],gap [mm]\n{rows}"), &usual()).and_then(judged);
     let missing = &found.expect("judged").ruled[0].missing;
@@ -376,7 +379,8 @@ fn a_table_with_holes_is_not_judged_and_the_widest_is_named_with_the_force_in_it
             .collect();
         rows(kept)
     };
-    // Between s₁ and s₂ the ellipse has (F(s₂) − F(s₁))/F(a) of its force, F = asin s/a + s/a √(1 − s²/a²), where a = 2 mm.
+    // Between s₁ and s₂ the ellipse has (F(s₂) − F(s₁))/F(a) of its force, F = asin s/a + s/a √(1 − s²/a²), where a = 2
+    // mm.
     for (from, hole, parts) in [
         // In the middle of a half, at its peak, beside its end.
         (0, [0.5, 1.1], ["no point from 0.4500 to 1.150 mm", "14 times", "40.5 % of the force"]),
@@ -404,7 +408,8 @@ fn a_table_with_holes_is_not_judged_and_the_widest_is_named_with_the_force_in_it
     ] {
         refused("theirs.csv", without(0, &holes), &Asked::default(), &["7 times", part, "and in 1 more like it"]);
     }
-    // Even tables that are coarse, graded to the middle or to the end, with pairs of points, with a small hole or one beyond the contact.
+    // Even tables that are coarse, graded to the middle or to the end, with pairs of points, with a small hole or one
+    // beyond the contact.
     let graded = |ratio: f64, to: f64| {
         let step = |k: i32| 0.02 * ratio.powi(k);
         let places: Vec<f64> = (0..).map(|k| (0..k).map(step).sum::<f64>()).take_while(|s| *s < to).collect();
@@ -500,7 +505,8 @@ fn of_a_collection_the_last_grid_is_judged_or_that_of_a_time() {
         |time: &str, file: &str| format!("<DataSet timestep=\"{time}\" group=\"\" part=\"0\" file=\"{file}\"/>\n");
     let whole = |entries: &str| {
         format!(
-            "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>\n{entries}</Collection>\n</VTKFile>\n"
+            "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" \
+            version=\"0.1\">\n<Collection>\n{entries}</Collection>\n</VTKFile>\n"
         )
     };
     let file = folder.path().join("series.pvd");
@@ -600,7 +606,8 @@ fn loads_tell_the_force_of_a_contact_where_its_body_is_free_along_them_and_its_o
         assert_eq!(found, wanted, "{file}");
     };
     assert!(TRUTH.is_told_by_loads(0));
-    // From the upper plate to the roller and on to the lower one; not of a plate on two supports, nor of rings that press each other.
+    // From the upper plate to the roller and on to the lower one; not of a plate on two supports, nor of rings that
+    // press each other.
     told("roller-between-plates.toml", &[true, true]);
     told("plate-on-two-supports.toml", &[false, false]);
     told("press-fit.toml", &[false]);
@@ -674,18 +681,23 @@ fn declared_widths_are_read_of_straight_lines_as_those_above_them() {
     assert_eq!(failed(&found), [""; 0]);
 }
 
-/// A cylinder on a plane, without a closed form, on a mesh of so few elements that our own run tells no bar of its peak, or one of a part of it.
+/// A cylinder on a plane, without a closed form, on a mesh of so few elements that our own run tells no bar of its
+/// peak, or one of a part of it.
 fn coarse(elements: usize) -> Truth {
     let text = format!(
-        "title = \"cylinder on a rigid plane\"\nplane = \"strain\"\nthickness = 1\n[[body]]\nname = \"cylinder\"\nyoung = 210e3\npoisson = 0.3\n\
-         shape = {{ disc = {{ centre = [0, 50], radius = 50 }} }}\nsupports = [{{ at = \"axis\", component = \"x\" }}]\n\
-         loads = [{{ traction = {{ at = \"cut\", value = [0, -23] }} }}]\n[contact]\nfirst = \"cylinder\"\ngap = {{ circle = 50 }}\nstretch = 5\n\
+        "title = \"cylinder on a rigid plane\"\nplane = \"strain\"\nthickness = 1\n[[body]]\nname = \
+        \"cylinder\"\nyoung = 210e3\npoisson = 0.3\n\
+         shape = {{ disc = {{ centre = [0, 50], radius = 50 }} }}\nsupports = [{{ at = \"axis\", component = \"x\" \
+         }}]\n\
+         loads = [{{ traction = {{ at = \"cut\", value = [0, -23] }} }}]\n[contact]\nfirst = \"cylinder\"\ngap = {{ \
+         circle = 50 }}\nstretch = 5\n\
          [mesh]\nelements = {elements}\nper = 2.5\n"
     );
     Truth::of(workbench::parsed(&text)).expect("solved")
 }
 
-/// Where a mesh can be fitted to the contact, its peak and its profile are known however coarse the mesh of the scene is.
+/// Where a mesh can be fitted to the contact, its peak and its profile are known however coarse the mesh of the scene
+/// is.
 #[test]
 fn profiles_are_held_against_the_mesh_fitted_to_the_contact() {
     // a = √(4 P R/(π E*)), p₀ = 2P/(πa).
@@ -754,7 +766,8 @@ fn lagrange(order: usize) -> String {
     let pressure = |[x, y]: [f64; 2]| if y > 0.0 { 0.0 } else { ellipse::pressure(x) };
     let pressures: String = (0..count).map(|k| format!("{}\n", pressure(point(k)))).collect();
     format!(
-        "# vtk DataFile Version 3.0\n-\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS {count} double\n{points}CELLS {cells} {}\n{}CELL_TYPES {cells}\n{}\
+        "# vtk DataFile Version 3.0\n-\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS {count} double\n{points}CELLS {cells} \
+        {}\n{}CELL_TYPES {cells}\n{}\
          POINT_DATA {count}\nSCALARS contact_pressure double 1\nLOOKUP_TABLE default\n{pressures}",
         cells * size,
         (0..cells).map(cell).collect::<String>(),

@@ -1,4 +1,5 @@
-//! Reference answers: their bounds hold the error where a closed form tells it, scripts of `oracles/high` found them too, and sheets publish them.
+//! Reference answers: their bounds hold the error where a closed form tells it, scripts of `oracles/high` found them
+//! too, and sheets publish them.
 
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -1,4 +1,5 @@
-//! Answers on bodies of revolution: judged by rings, usual mistakes named, spoiled ones refused; what `export` writes of them.
+//! Answers on bodies of revolution: judged by rings, usual mistakes named, spoiled ones refused; what `export` writes
+//! of them.
 
 use std::collections::BTreeMap;
 use std::f64::consts::{PI, TAU};
@@ -188,7 +189,8 @@ fn exported_decks_of_revolution_have_whole_loads_and_give_whole_forces() {
 
 /// A torus of 200 mm about the axis on a rigid plane.
 const TORUS: &str = "plane = \"axisymmetric\"\n[[body]]\nname = \"torus\"\nyoung = 210e3\npoisson = 0.3\n\
-     shape = { disc = { centre = [200, 5], radius = 5 } }\nloads = [{ traction = { at = \"cut\", force = [0, -1.6e6] } }]\n\
+     shape = { disc = { centre = [200, 5], radius = 5 } }\nloads = [{ traction = { at = \"cut\", force = [0, -1.6e6] } \
+     }]\n\
      [contact]\nfirst = \"torus\"\norigin = [200, 0]\nboth-sides = true\ngap = { circle = 5 }\nstretch = 0.38\n\
      [mesh]\nelements = 12\nper = 0.2\n";
 
@@ -276,9 +278,12 @@ fn file_of(cell: &str, nodes: impl IntoIterator<Item = [[f64; 3]; 2]>) -> Source
         count = k + 1;
     }
     let text = format!(
-        "    1C\n    2C{count:>30}                                     1\n{places} -3\n    3C                             1\n{cell} -3\n\
-         \x20 100CL  101 1.000000000{count:>12}                     0    1           1\n -4  DISP        4    1\n -5  D1          1    2    1    0\n\
-         \x20-5  D2          1    2    2    0\n -5  D3          1    2    3    0\n -5  ALL         1    2    0    0    1ALL\n{moved} -3\n 9999\n"
+        "    1C\n    2C{count:>30}                                     1\n{places} \
+        -3\n    3C                             1\n{cell} -3\n\
+         \x20 100CL  101 1.000000000{count:>12}                     0    1           1\n -4  DISP        4    1\n \
+         -5  D1          1    2    1    0\n\
+         \x20-5  D2          1    2    2    0\n -5  D3          1    2    3    0\n \
+         -5  ALL         1    2    0    0    1ALL\n{moved} -3\n 9999\n"
     );
     Source { file: Path::new("one.frd"), text: text.leak() }
 }
@@ -297,7 +302,8 @@ fn sector(stretch: f64) -> Source<'static> {
     file_of(&cell_of(1, 1, &[1, 3, 5, 7, 2, 4, 6, 8]), nodes)
 }
 
-/// The cell of 8 nodes with OUTPUT=2D: means along x over the sector, in which corners have a node in the middle and mid-sides have none.
+/// The cell of 8 nodes with OUTPUT=2D: means along x over the sector, in which corners have a node in the middle and
+/// mid-sides have none.
 fn section(stretch: f64) -> Source<'static> {
     let ends = 1f64.to_radians().cos();
     let node = |[r, y]: [f64; 2], part: f64| [[r, y, 1e-17 * r], [stretch * r * part, 0.0, 1e-21]];
@@ -323,7 +329,8 @@ fn sectors_of_ccx_are_turned_into_the_plane() {
     }
 }
 
-/// A node on the axis has no area, and a force of 0 whatever presses there: answers that leave it out are as right as those that have it.
+/// A node on the axis has no area, and a force of 0 whatever presses there: answers that leave it out are as right as
+/// those that have it.
 #[test]
 fn nodes_without_that_on_the_axis_are_read_with_it() {
     let (truth, _, run) = solved();

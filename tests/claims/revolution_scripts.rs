@@ -1,4 +1,5 @@
-//! What other codes answered for bodies of revolution, held against the closed forms; `oracles/revolution/freeze.py` asks them.
+//! What other codes answered for bodies of revolution, held against the closed forms; `oracles/revolution/freeze.py`
+//! asks them.
 
 use std::f64::consts::TAU;
 

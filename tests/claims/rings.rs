@@ -1,4 +1,5 @@
-//! Contacts of bodies of revolution that are rings: off the axis, along it, and on arcs; and blocks that carry the tractions of a half-space.
+//! Contacts of bodies of revolution that are rings: off the axis, along it, and on arcs; and blocks that carry the
+//! tractions of a half-space.
 
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
@@ -31,7 +32,8 @@ fn across(origin: [f64; 2]) -> Way {
     Way::Straight { origin, both_sides: true }
 }
 
-/// A ring on a flat, and a sleeve around a rigid shaft, whose contact is a line along the axis; with the areas of their contacts.
+/// A ring on a flat, and a sleeve around a rigid shaft, whose contact is a line along the axis; with the areas of their
+/// contacts.
 fn pressed() -> [(&'static str, Scene, f64); 2] {
     let (about_y, about_x) = (PlaneHypothesis::Axisymmetric, PlaneHypothesis::AxisymmetricAboutX);
     let ring = Shape::Rectangle { x: [2.0, 5.0], y: [0.0, 2.0], contact: Face::Bottom };
@@ -130,7 +132,8 @@ fn pressure(r: f64) -> f64 {
     4.0 * PEAK * apart.max(0.0) / (A * A - B * B).powi(2)
 }
 
-/// Flat punches of all radii t ≤ a make it: `p = ∫ᵣᵃ h(t) dt/√(t² − r²)`, `h = −(2/π) d/dt ∫ₜᵃ r p dr/√(r² − t²)` (Abel).
+/// Flat punches of all radii t ≤ a make it: `p = ∫ᵣᵃ h(t) dt/√(t² − r²)`, `h = −(2/π) d/dt ∫ₜᵃ r p dr/√(r² − t²)`
+/// (Abel).
 ///
 /// With `v = r² − t²` the integral is that of `(v + t² − b²)(a² − t² − v)/2√v`, from `max(0, b² − t²)` to `a² − t²`.
 fn punches(t: f64) -> f64 {
@@ -140,7 +143,8 @@ fn punches(t: f64) -> f64 {
     -8.0 * PEAK * t * (at_a - at_b) / (PI * (A * A - B * B).powi(2))
 }
 
-/// Sum over the punches, by the midpoint rule in an angle: at the ends of every part, and at a radius, there may be a root.
+/// Sum over the punches, by the midpoint rule in an angle: at the ends of every part, and at a radius, there may be a
+/// root.
 fn over_punches<T>(radius: f64, mut sum: T, mut add: impl FnMut(T, f64, f64) -> T) -> T {
     let mut ends = vec![0.0, B, A];
     ends.extend((radius > 0.0 && radius < A).then_some(radius));
@@ -184,8 +188,8 @@ fn punches_make_a_ring_of_pressure() {
     }
 }
 
-/// A block on a rigid profile that a ring of it fits when it carries that pressure, with the stresses of the half-space on its other
-/// sides. Inside and outside the ring the profile lies lower.
+/// A block on a rigid profile that a ring of it fits when it carries that pressure, with the stresses of the half-space
+/// on its other sides. Inside and outside the ring the profile lies lower.
 fn on_a_ring() -> Scene {
     let [middle, stretch, side] = [0.5 * (A + B), 3.0, 40.0];
     let sunk = |r: f64| below(r, 0.0).displacement(Material::STEEL)[1];
@@ -239,7 +243,8 @@ fn a_ring_of_contact_is_its_closed_form() -> Result<(), Error> {
     Ok(())
 }
 
-/// A torus pressed on to a rigid shaft of radius R by a pressure all around, and its line load \[N/mm\]: far from the axis it is a cylinder.
+/// A torus pressed on to a rigid shaft of radius R by a pressure all around, and its line load \[N/mm\]: far from the
+/// axis it is a cylinder.
 #[test]
 fn a_seal_on_a_wide_shaft_is_as_good_as_a_cylinder() {
     let hertz = Hertz { load: 1000.0, radius: 5.0, modulus: 210e3 / 0.91 };

@@ -179,7 +179,8 @@ fn a_fitted_mesh_that_errs_more_than_is_asked_turns_red() {
             assert_eq!(judged.len(), 21 + 2 * scenes.len());
             fails(&judged)
         };
-        // Of the block, of the one of revolution, and of another scene; without their meshes no number of the blocks could pass.
+        // Of the block, of the one of revolution, and of another scene; without their meshes no number of the blocks
+        // could pass.
         [judge(&meshes, &[], &[]) - 12, judge(&[], &revolved, &[]) - 9, judge(&[], &[], &scenes) - 21]
     };
     assert_eq!(judge(|_| {}), [0, 0, 0]);

@@ -1,4 +1,5 @@
-//! Whatever stands in a file, it is read or refused: no panic, no hang, no mesh beyond the stated size; so is all that fuzzing found worth keeping.
+//! Whatever stands in a file, it is read or refused: no panic, no hang, no mesh beyond the stated size; so is all that
+//! fuzzing found worth keeping.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -54,7 +55,8 @@ pub fn mutated(text: &str, number: &mut impl FnMut() -> f64) -> String {
     String::from_utf8_lossy(&bytes).into_owned()
 }
 
-/// Reads, validates and meshes so many mutated files, and solves the small ones up to a number: how many were read, solved.
+/// Reads, validates and meshes so many mutated files, and solves the small ones up to a number: how many were read,
+/// solved.
 fn fuzz(seed: u64, files_to_try: usize, solves: usize) -> (usize, usize) {
     let (sound, mut number) = (files(), noise(seed));
     let (mut read, mut solved) = (0, 0);

@@ -1,4 +1,5 @@
-//! The gap given in a contact and the gap between the drawn bodies are one, or the file says that they need not be; what a table of gaps is.
+//! The gap given in a contact and the gap between the drawn bodies are one, or the file says that they need not be;
+//! what a table of gaps is.
 
 use std::path::Path;
 
@@ -175,7 +176,8 @@ fn circles_of_both_sides_are_exact_and_lose_no_digits() {
     ] {
         assert_relative_eq!(Profile::Circles { radii }.gap(s), wanted, max_relative = 1e-12);
     }
-    // Radii that differ by a billionth: s²/2 (1/R1 − 1/R2) but for (s/R)², where the difference of both arcs has no digit left.
+    // Radii that differ by a billionth: s²/2 (1/R1 − 1/R2) but for (s/R)², where the difference of both arcs has no
+    // digit left.
     let (s, radii) = (0.01_f64, [50.0_f64, -50.000_000_05]);
     let parabola = 0.5 * s * s * (radii[0] + radii[1]).abs() / (50.0 * 50.000_000_05);
     assert_relative_eq!(Profile::Circles { radii }.gap(s), parabola, max_relative = 1e-6);

@@ -1,5 +1,6 @@
-//! Every mistake in a scene file or a mesh is told with its file, its line, what was found and what to do: those of tests/data/refused.toml; a
-//! missing support is named by its body and direction, and physics that this code does not do by what to use instead.
+//! Every mistake in a scene file or a mesh is told with its file, its line, what was found and what to do: those of
+//! tests/data/refused.toml; a missing support is named by its body and direction, and physics that this code does not
+//! do by what to use instead.
 
 use std::collections::BTreeMap;
 
@@ -41,7 +42,8 @@ fn mistakes(kind: &str) -> Vec<Mistake> {
 
 /// A block by its corners, in place of the rectangle of a file.
 const BLOCK: &str = "shape = { blocks = [{ corners = [[0, 0], [20, 0], [20, 40], [0, 40]], elements = [16, 8], \
-     growth = [1, 1.2], bottom = \"contact\", right = \"right\", top = \"far\", left = \"left\", arcs = { top = [10, 0] } }] }";
+     growth = [1, 1.2], bottom = \"contact\", right = \"right\", top = \"far\", left = \"left\", arcs = { top = [10, \
+     0] } }] }";
 
 impl Mistake {
     /// The text that is spoiled.

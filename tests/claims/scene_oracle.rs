@@ -1,5 +1,5 @@
-//! A contact of a scene file names a closed form, and checks without a value are held against it; what contradicts it, or is hardly meant,
-//! is refused, or noted with its numbers.
+//! A contact of a scene file names a closed form, and checks without a value are held against it; what contradicts it,
+//! or is hardly meant, is refused, or noted with its numbers.
 
 use approx::assert_relative_eq;
 use contact_vv::accuracy::bars;
@@ -120,7 +120,8 @@ fn truncated_hertz_of_a_file_has_no_model_error_above_or_below_its_contact() {
     assert_ne!(failures(&above.replace("half-width = 2 }", "half-width = 1.9 }")), 0);
 }
 
-/// A block of revolution, 20 times as large as its contact of 2 mm, pressed on a rigid profile, with checks against an oracle.
+/// A block of revolution, 20 times as large as its contact of 2 mm, pressed on a rigid profile, with checks against an
+/// oracle.
 fn of_revolution(gap: &str, oracle: &str, load: f64, mesh: &str) -> String {
     let check = |quantity: &str| format!("[[check]]\nquantity = \"{quantity}\"\ntolerance = 0.01\n");
     let checks = ["pressure", "second-moment-width", "resultant"].map(check).concat();
@@ -140,7 +141,8 @@ fn closed_forms_of_revolution_of_a_file_are_met() {
     let load = |powers: &[[f64; 2]]| Indentation::smooth(MODULUS, 2.0, powers.to_vec()).load();
     let [cone, even] = [load(&[[0.02, 1.0]]), load(&[[5e-3, 2.0], [4e-4, 4.0]])];
     let smooth = "stretch = 4\n[mesh]\nelements = 12\nper = 2";
-    let sharp = "stretch = 2\n[mesh]\nelements = 12\nper = 2\ngrowth = { along = 1.4, depth = 1.4, coarsest = 0.1, end = 0.02 }";
+    let sharp = "stretch = 2\n[mesh]\nelements = 12\nper = 2\ngrowth = { along = 1.4, depth = 1.4, coarsest = 0.1, end \
+        = 0.02 }";
     for (gap, oracle, load, mesh) in [
         ("{ punch = 2 }", "{ flat-punch = { load = 1e4, half-width = 2 } }".to_owned(), 1e4, sharp),
         ("{ wedge = 0.02 }", format!("{{ cone = {{ load = {cone}, slope = 0.02 }} }}"), cone, smooth),
@@ -313,7 +315,8 @@ fn a_punch_without_a_limit_is_doubted_by_its_load_over_its_own_area() {
     // Half-width or radius 2 below a block of 10, 0.5 MPa on top: 0.5 · 10/2, or 0.5 · 10²/2², over E/(1 − ν²).
     const PUNCH: &str = "[[body]]\nname = \"block\"\nyoung = 20\npoisson = 0.3\n\
         shape = { rectangle = { x = [0, 10], y = [0, 10], contact = \"bottom\" } }\n\
-        supports = [{ at = \"left\", component = \"x\" }]\nloads = [{ traction = { at = \"far\", value = [0, -0.5] } }]\n\
+        supports = [{ at = \"left\", component = \"x\" }]\nloads = [{ traction = { at = \"far\", value = [0, -0.5] } \
+        }]\n\
         [contact]\nfirst = \"block\"\ngap = { punch = 2 }\nstretch = 2\n[mesh]\nelements = 8\nper = 1\n";
     let around = PUNCH.replace("supports = [{ at = \"left\", component = \"x\" }]\n", "");
     for (text, pressure) in [

@@ -1,4 +1,5 @@
-//! The scoreboard is computed from files as other codes wrote them: what is planted in them, or in the record, is found.
+//! The scoreboard is computed from files as other codes wrote them: what is planted in them, or in the record, is
+//! found.
 
 use std::fs::File;
 use std::io::Read;

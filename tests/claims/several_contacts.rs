@@ -235,7 +235,8 @@ fn slab_wedged_between_walls_carries_its_compression_however_the_interference_is
 
 #[test]
 fn what_another_contact_holds_is_no_contact_beyond_the_candidates() {
-    // A floor with a step of 0.005 between two neighbouring nodes: either level goes on below the candidates of the other.
+    // A floor with a step of 0.005 between two neighbouring nodes: either level goes on below the candidates of the
+    // other.
     let (_, run) = scene("step-below", &[]).solve().unwrap_or_else(|error| panic!("{error}"));
     let [high, low] = [run.contacts[0].transmitted, run.contacts[1].transmitted];
     assert!(low > 0.0 && high > low, "{high}, {low}");

@@ -1,4 +1,5 @@
-//! Two bodies that end side by side, one of whose sides is sheared: the pressure has no limit there, and grows on meshes as the scene tells.
+//! Two bodies that end side by side, one of whose sides is sheared: the pressure has no limit there, and grows on
+//! meshes as the scene tells.
 
 use std::f64::consts::PI;
 
@@ -52,8 +53,8 @@ fn the_pressure_beside_a_sheared_side_of_one_of_two_bodies_grows_by_its_share_of
     assert_abs_diff_eq!(fine - coarse, truth, epsilon = 0.1);
 }
 
-/// `σ = (2τ/π) ln 1/r` along a side on which a shear stress τ ends, and twice that beside a line of symmetry, so that every halving adds that times
-/// ln 2; a leap as on the side it is.
+/// `σ = (2τ/π) ln 1/r` along a side on which a shear stress τ ends, and twice that beside a line of symmetry, so that
+/// every halving adds that times ln 2; a leap as on the side it is.
 #[test]
 fn the_stress_where_a_shear_stress_ends_grows_by_its_leap() {
     let ending = BLOCKS.replace(

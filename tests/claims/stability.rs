@@ -214,8 +214,8 @@ fn predicted_rates_are_the_derivatives_of_the_iterations() {
             let problem = discretisation.problem(&formulation, &points);
             let limit = Limit::of(&problem).expect("a limit");
             let none = vec![0.0; points.len()];
-            // Springs of a state, and the state that they leave: forces of constant stiffness, or the stiffnesses themselves, of
-            // which those of open points stop at once.
+            // Springs of a state, and the state that they leave: forces of constant stiffness, or the stiffnesses
+            // themselves, of which those of open points stop at once.
             let springs_of = |state: &[f64]| match algorithm {
                 Fixed => Springs { stiffness: problem.initial.clone(), force: state.to_vec() },
                 _ => Springs { stiffness: state.to_vec(), force: none.clone() },

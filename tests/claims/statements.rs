@@ -85,9 +85,9 @@ fn every_sentence_holds_under_runs_made_for_it_and_fails_where_they_are_spoiled_
         });
         assert!(!sentence.holds(&seen), "{}", sentence.name());
     }
-    // By hand: kinematic load ends from every start, the others from 5 and 2 with line and 4 and 2 with layer elements; of 10 retained
-    // dofs an iteration of varying stiffness takes 1000/3 + 200 operations, one of constant stiffness 200 and all of them 1000/3 more,
-    // which is a third only of 20 and 15 iterations: 10,667 over 3,333.
+    // By hand: kinematic load ends from every start, the others from 5 and 2 with line and 4 and 2 with layer elements;
+    // of 10 retained dofs an iteration of varying stiffness takes 1000/3 + 200 operations, one of constant stiffness
+    // 200 and all of them 1000/3 more, which is a third only of 20 and 15 iterations: 10,667 over 3,333.
     assert_eq!(Sentence::Fewest.starts(&sound).as_deref(), Some("so from 13 of 13 and 13 of 13 starts where both end"));
     assert_eq!(Sentence::Saves.starts(&sound).as_deref(), Some("so from 1 of 4 and 1 of 4 starts where both end"));
     let late = spoiled(|_, algorithm, ends| {
@@ -141,7 +141,8 @@ fn judgement_names_what_would_have_to_be_so() {
     let by_doubling = |one: &Reading| one.varying.rule == StiffnessRule::Doubling;
     assert_eq!(judged(&at_edge), Judgement::NotReproduced);
     assert_eq!(judged(&by_doubling), Judgement::NotReproduced);
-    // Another rule alone is what the paper's reference 12 would tell, but where the nearest reading decides start by start.
+    // Another rule alone is what the paper's reference 12 would tell, but where the nearest reading decides start by
+    // start.
     let told = "fails if varying stiffness changes by doubling".to_string();
     assert_eq!(judged(&|one| !by_doubling(one)), Judgement::Undecidable(told));
     for sentence in [Sentence::Saves, Sentence::Fewest] {
@@ -339,7 +340,8 @@ fn statement_on_every_case_is_told_beside_what_the_error_stops() {
     };
     let [cylinder, rod] = ["cylinder", "pin-rod"].map(right);
     let wanted = format!(
-        "from {cylinder} of 25 initial stiffnesses on cylinder (8 elements per a) and from {rod} of 25 initial stiffnesses on pin-rod"
+        "from {cylinder} of 25 initial stiffnesses on cylinder (8 elements per a) and from {rod} of 25 initial \
+        stiffnesses on pin-rod"
     );
     assert!(told.measured.contains(&wanted) && told.clause.contains(&wanted), "{}", told.clause);
     assert!(rod < cylinder && statements::two_stops().contains(&wanted));

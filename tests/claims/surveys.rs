@@ -179,7 +179,8 @@ fn numbers_keep_three_digits_in_millionths() {
     assert!(Millionths::try_from("three".to_string()).is_err());
 }
 
-/// A peak of truncated Hertz over `√(PE*/πR)` is 1 to the digits that records keep, and over that of a load 3 % larger it is not.
+/// A peak of truncated Hertz over `√(PE*/πR)` is 1 to the digits that records keep, and over that of a load 3 % larger
+/// it is not.
 #[test]
 fn a_number_that_is_solved_again_is_like_hertz_and_not_like_that_of_another_load() {
     let numbers = TruncatedHertz::default();

@@ -43,7 +43,8 @@ fn loads_move_the_edge_across_one_element_and_no_further() {
     assert!(widths[LOADS - 1] < nominal() + nominal() / 5.0);
 }
 
-/// Recorded errors may differ from recomputed ones by this share: other machines round otherwise, and runs stop at 1e-5.
+/// Recorded errors may differ from recomputed ones by this share: other machines round otherwise, and runs stop at
+/// 1e-5.
 const DIGITS: f64 = 1e-3;
 
 /// Every mesh of a series once more: points, and how many are not as recorded.
@@ -269,7 +270,8 @@ fn what_ngsolve_prints_is_held_against_the_accuracy() {
     assert_relative_eq!(point.peak, 2e-6, max_relative = 1e-12);
     assert_relative_eq!(point.worst(), 1e-5, max_relative = 1e-12);
     let mut record = without_ngsolve();
-    // Our own solve under the worst load, had it been recorded on the machine on which that under the median load takes 2 ms.
+    // Our own solve under the worst load, had it been recorded on the machine on which that under the median load takes
+    // 2 ms.
     let own = cheapest(sound(&record.points), Point::worst, COMPARED).expect("a mesh of ours");
     let as_long = 2e-3 * own.seconds / ours(&record.points).expect("a mesh of ours").seconds;
     let met = |times: f64, error: f64, record: &mut Record| {

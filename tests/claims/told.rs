@@ -1,5 +1,5 @@
-//! What is told of a run: the peak where it is, edges, quantities beside references of the same, how run and command ended, what either cost or
-//! needs; and what `solve` prints where nothing else is asked for.
+//! What is told of a run: the peak where it is, edges, quantities beside references of the same, how run and command
+//! ended, what either cost or needs; and what `solve` prints where nothing else is asked for.
 
 use std::f64::consts::PI;
 

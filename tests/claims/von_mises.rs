@@ -150,7 +150,8 @@ const STEP: &str = "{ blocks = [\
 const STEEP: &str = "{ blocks = [\
     { corners = [[0, 0], [10, 0], [10, 5], [0, 5]], elements = [20, 10], bottom = \"contact\", left = \"left\" }, \
     { corners = [[0, 5], [10, 5], [10.866025, 5.5], [0, 5.5]], elements = [20, 1], left = \"left\" }, \
-    { corners = [[0, 5.5], [10.866025, 5.5], [10.866025, 10], [0, 10]], elements = [20, 9], left = \"left\", top = \"far\" }] }";
+    { corners = [[0, 5.5], [10.866025, 5.5], [10.866025, 10], [0, 10]], elements = [20, 9], left = \"left\", top = \
+    \"far\" }] }";
 
 /// A shear stress that ends within an element, and at the line of symmetry.
 const SHEARED: &str = "{ pressure = { at = \"far\", law = { uniform = 1 } } }, \
@@ -191,14 +192,16 @@ fn no_stress_is_quoted_beside_a_force_at_a_point_nor_a_corner_nor_a_pressure_wit
     assert_eq!(corners, [[10.0, 5.0]], "{steep:?}");
 }
 
-/// Parts that follow one another end nowhere between, one that goes on to a free corner not there, and complementary shear stresses are no end.
+/// Parts that follow one another end nowhere between, one that goes on to a free corner not there, and complementary
+/// shear stresses are no end.
 #[test]
 fn shear_that_goes_on_ends_nowhere() {
     let far = |part: &str| format!("{{ traction = {{ at = \"far\", {part}value = [10, -50] }} }}");
     let part = |from: f64, to: f64| far(&format!("part = {{ along = \"x\", from = {from}, to = {to} }}, "));
     let ends = |loads: &[String], supports: &str, [shape, mesh]: [&str; 2]| -> Vec<[f64; 2]> {
         let text = format!(
-            "plane = \"strain\"\nthickness = 1\n[[body]]\nname = \"block\"\nyoung = 210e3\npoisson = 0.3\nshape = {shape}\n\
+            "plane = \"strain\"\nthickness = 1\n[[body]]\nname = \"block\"\nyoung = 210e3\npoisson = 0.3\nshape = \
+            {shape}\n\
              supports = [{{ at = \"left\", component = \"x\" }}{supports}]\nloads = [{}]\n\
              [contact]\nfirst = \"block\"\ngap = {{ parabola = 100 }}\nstretch = 5\n{mesh}",
             loads.join(", ")
@@ -234,8 +237,8 @@ fn shear_that_goes_on_ends_nowhere() {
     assert!(ends(&[part(0.0, 10.0)], held, fine).contains(&[10.0, 20.0]));
 }
 
-/// Mirrored at both lines of symmetry, the sheared side is a line of forces of 2τ a length in the whole plane, which turn round at the corner: by
-/// Kelvin's force, `σ_y = −2 (κ+3)/(κ+1) τ/π ln 1/r` there.
+/// Mirrored at both lines of symmetry, the sheared side is a line of forces of 2τ a length in the whole plane, which
+/// turn round at the corner: by Kelvin's force, `σ_y = −2 (κ+3)/(κ+1) τ/π ln 1/r` there.
 #[test]
 fn shear_on_a_line_of_symmetry_grows_towards_another_as_kelvins_forces_say() {
     const SHEAR: f64 = 3.0;
@@ -244,7 +247,8 @@ fn shear_on_a_line_of_symmetry_grows_towards_another_as_kelvins_forces_say() {
                         { at = \"far\", component = \"y\", value = -0.01 }";
         let text = format!(
             "plane = \"strain\"\nthickness = 1\n[[body]]\nname = \"block\"\nyoung = 1000\npoisson = 0.3\n\
-             shape = {{ blocks = [{{ corners = [[0, 0], [10, 0], [10, 10], [0, 10]], elements = [{elements}, {elements}], \
+             shape = {{ blocks = [{{ corners = [[0, 0], [10, 0], [10, 10], [0, 10]], elements = [{elements}, \
+             {elements}], \
              bottom = \"contact\", left = \"left\", right = \"right\", top = \"far\" }}] }}\nsupports = [{supports}]\n\
              loads = [{{ traction = {{ at = \"right\", value = [0, {SHEAR}] }} }}]\n\
              [contact]\nfirst = \"block\"\ngap = {{ parabola = 100 }}\nstretch = 8\n[mesh]\n"
@@ -307,10 +311,12 @@ fn a_pressure_without_limit_on_an_arc_is_where_the_shorter_ring_ends() {
 #[test]
 fn stress_of_a_fixed_block_is_quoted_with_the_corner_that_has_none() {
     // Fixed along both directions at its foot, far from the contact.
-    let fixed = "supports = [{ at = \"left\", component = \"x\" }, { at = \"far\", component = \"x\" }, { at = \"far\", component = \"y\" }]\n";
+    let fixed = "supports = [{ at = \"left\", component = \"x\" }, { at = \"far\", component = \"x\" }, { at = \
+        \"far\", component = \"y\" }]\n";
     let below = format!(
         "[[body]]\nname = \"foot\"\nyoung = 1e5\npoisson = 0.3\n\
-         shape = {{ rectangle = {{ x = [0, 40], y = [-40, 0], contact = \"top\" }} }}\n{fixed}[contact]\nsecond = \"foot\"\n"
+         shape = {{ rectangle = {{ x = [0, 40], y = [-40, 0], contact = \"top\" }} }}\n{fixed}[contact]\nsecond = \
+         \"foot\"\n"
     );
     let (_, all) = stresses(&scene(
         "pressed-corner",

@@ -202,14 +202,15 @@ pub fn told(case: &Case, quantity: &Quantity) -> f64 {
     }
 }
 
-/// The text of a block of steel on x from `left` to `right` with a load on its far side, whose lower side touches a rigid profile; its
-/// contact and what follows as in a file.
+/// The text of a block of steel on x from `left` to `right` with a load on its far side, whose lower side touches a
+/// rigid profile; its contact and what follows as in a file.
 pub fn block_text([left, right]: [f64; 2], height: f64, load: &str, contact: &str) -> String {
     let held = if left < 0.0 { format!("[0, {height}]") } else { "\"left\"".into() };
     format!(
         "plane = \"strain\"\nthickness = 1\n[[body]]\nname = \"block\"\nyoung = 210e3\npoisson = 0.3\n\
          shape = {{ rectangle = {{ x = [{left}, {right}], y = [0, {height}], contact = \"bottom\" }} }}\n\
-         supports = [{{ at = {held}, component = \"x\" }}]\nloads = [{{ {load} }}]\n[contact]\nfirst = \"block\"\n{contact}\n"
+         supports = [{{ at = {held}, component = \"x\" }}]\nloads = [{{ {load} }}]\n[contact]\nfirst = \
+         \"block\"\n{contact}\n"
     )
 }
 

@@ -57,7 +57,8 @@ pub fn answers(bytes: &[u8]) -> Result<(), Error> {
     Ok(())
 }
 
-/// The answer of another code to the case `bars`: the ending of its file on the first line, and the file behind it; judged where it is read.
+/// The answer of another code to the case `bars`: the ending of its file on the first line, and the file behind it;
+/// judged where it is read.
 pub fn handed(bytes: &[u8]) -> Result<(), Error> {
     static BARS: LazyLock<(Truth, Discretisation, String)> = LazyLock::new(|| {
         let case = find("bars", None).expect("a case");

@@ -1,4 +1,5 @@
-//! Other programs, asked now: the codes that the suite is held against, faults in their scripts, and what reads our outputs.
+//! Other programs, asked now: the codes that the suite is held against, faults in their scripts, and what reads our
+//! outputs.
 
 mod newest;
 mod planted;
@@ -23,8 +24,9 @@ fn main() {
     tests.extend(revolution::trials());
     tests.extend(readers::trials());
     if !arguments.list {
-        // Python and its MPI set environment variables as they start: a process started meanwhile would be handed an environment in
-        // motion, and sometimes does not start. Where Python cannot start, each trial that asks it says so.
+        // Python and its MPI set environment variables as they start: a process started meanwhile would be handed an
+        // environment in motion, and sometimes does not start. Where Python cannot start, each trial that asks it says
+        // so.
         let _ = with_python(|_| Ok(()));
     }
     let conclusion = libtest_mimic::run(&arguments, tests);

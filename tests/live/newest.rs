@@ -1,4 +1,5 @@
-//! Today's dolfinx in a process of its own answers what was frozen, as Debian's does in this one: both versions answer the same.
+//! Today's dolfinx in a process of its own answers what was frozen, as Debian's does in this one: both versions answer
+//! the same.
 
 use std::path::Path;
 

@@ -1,7 +1,8 @@
-//! Faults of the contact part of the independent scripts, planted one at a time and answered anew: each turns a check red.
+//! Faults of the contact part of the independent scripts, planted one at a time and answered anew: each turns a check
+//! red.
 //!
-//! That is recorded script by script in snapshots/oracles.json, bound to the script and to what judges it, and asked again where one of these has
-//! changed: two minutes of a processor. `INSTA_UPDATE=always` writes the record.
+//! That is recorded script by script in snapshots/oracles.json, bound to the script and to what judges it, and asked
+//! again where one of these has changed: two minutes of a processor. `INSTA_UPDATE=always` writes the record.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -117,7 +118,8 @@ fn all_are_caught(python: &mut Python, faults: &[Fault]) {
     for Fault { name, script, scene, file, was, is } in faults {
         let asked = &frozen.scenes[scene];
         let compared = sound.entry(scene).or_insert_with(|| {
-            // Without a fault a copy answers what was frozen: the coarser meshes tell, the finest takes nine tenths of the time.
+            // Without a fault a copy answers what was frozen: the coarser meshes tell, the finest takes nine tenths of
+            // the time.
             let answers = python
                 .asked(copy(*script).path(), *script, &asked.scene, LEVELS - 1)
                 .expect("an answer without a fault");
@@ -136,7 +138,8 @@ fn all_are_caught(python: &mut Python, faults: &[Fault]) {
         fs::write(&path, text.replace(was.as_str(), is)).expect("written");
         match python.asked(copy.path(), *script, &asked.scene, LEVELS) {
             Ok(series) => assert!(!all_pass(&with(compared, *script, &series)), "NOT CAUGHT: {name}"),
-            // What raises is no answer, and the trial breaks off: but for its own words, nothing but a mistake of the list.
+            // What raises is no answer, and the trial breaks off: but for its own words, nothing but a mistake of the
+            // list.
             Err(said) => assert!(said.starts_with("RuntimeError"), "{name}: {said}"),
         }
     }

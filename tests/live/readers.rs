@@ -1,5 +1,5 @@
-//! What other programs read of our outputs: meshio, pyvista and a validator of JSON Schema, each in a process of its own, since
-//! they bring a numpy that the oracles cannot use.
+//! What other programs read of our outputs: meshio, pyvista and a validator of JSON Schema, each in a process of its
+//! own, since they bring a numpy that the oracles cannot use.
 
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -24,7 +24,8 @@ fn scene(name: &str) -> String {
     format!("{}/tests/cases/{name}.toml", root().display())
 }
 
-/// Whether the program ends well, what it prints and what it complains of; a test of the workspace finds it beside its own.
+/// Whether the program ends well, what it prints and what it complains of; a test of the workspace finds it beside its
+/// own.
 fn contact_vv(arguments: &[&str]) -> (bool, String, String) {
     let program = Path::new(env!("CARGO_BIN_EXE_freeze")).with_file_name("contact-vv");
     let output = Command::new(program).args(arguments).output().expect("`cargo build --release` makes the program");

@@ -27,7 +27,8 @@ const SUPPORT: Form = Table(&[must("at", PLACE), must("component", Word(|| vec![
 const SHAPE: Form = OneOf(&[
     // Axis-parallel, with its side `contact`: bottom or top.
     ("rectangle", Table(&[must("x", PAIR), must("y", PAIR), must("contact", Text)])),
-    // Its lower right quarter, or the lower half where the contact has both sides; `half` is the right half, `whole` all of it.
+    // Its lower right quarter, or the lower half where the contact has both sides; `half` is the right half, `whole`
+    // all of it.
     (
         "disc",
         Table(&[
@@ -38,8 +39,8 @@ const SHAPE: Form = OneOf(&[
             may("contact", Text),
         ]),
     ),
-    // From the downward vertical over an angle `sweep` [°], counter-clockwise, or to either side where the contact has both;
-    // `contact` is inner or outer.
+    // From the downward vertical over an angle `sweep` [°], counter-clockwise, or to either side where the contact has
+    // both; `contact` is inner or outer.
     (
         "ring",
         Table(&[

@@ -1,7 +1,7 @@
 //! The form of a scene file: which keys a table has, and what their values are.
 //!
-//! A file is held against its form before it is read, so that a mistake of form is told first, in the words of serde, which reads
-//! the values; whoever reads a value finds it as its form says.
+//! A file is held against its form before it is read, so that a mistake of form is told first, in the words of serde,
+//! which reads the values; whoever reads a value finds it as its form says.
 
 use std::fmt;
 use std::ops::Range;
@@ -118,7 +118,10 @@ impl Form {
             Self::OneOf(known) => {
                 let properties: Map<_, _> =
                     known.iter().map(|(name, form)| ((*name).to_owned(), form.schema())).collect();
-                json!({"type": "object", "properties": properties, "minProperties": 1, "maxProperties": 1, "additionalProperties": false})
+                json!({
+                    "type": "object", "properties": properties, "minProperties": 1, "maxProperties": 1,
+                    "additionalProperties": false,
+                })
             }
             Self::Own(forms, _) => json!({"anyOf": forms.iter().map(Self::schema).collect::<Vec<_>>()}),
         }

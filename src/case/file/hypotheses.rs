@@ -111,7 +111,8 @@ impl Bench<'_> {
         }
         let shown = rounded(has / unit);
         let message = format!("{key} is {}, and {what} is {shown}", value.number());
-        let remedy = "a closed form is compared only with the scene it is of: correct one of the two, or leave `oracle` out and give checks a `value`";
+        let remedy = "a closed form is compared only with the scene it is of: correct one of the two, or leave \
+            `oracle` out and give checks a `value`";
         Err(value.refused(message, format!("give {shown}; {remedy}")))
     }
 
@@ -128,7 +129,8 @@ impl Bench<'_> {
         }
     }
 
-    /// Where the gap is smallest, and how far it can be looked at to both sides of there; none where that is not in the middle.
+    /// Where the gap is smallest, and how far it can be looked at to both sides of there; none where that is not in the
+    /// middle.
     fn vertex(&self) -> Option<[f64; 2]> {
         let stretch = self.pair.stretch;
         if !self.pair.path.has_both_sides() {
@@ -157,7 +159,8 @@ impl Bench<'_> {
         0.5 * (self.profile.gap(vertex + s) + self.profile.gap(vertex - s)) - self.profile.gap(vertex)
     }
 
-    /// Refuses a radius that is not that of curvature of the gap, `1/R = g″(0)`, whatever part of the stretch it is taken on.
+    /// Refuses a radius that is not that of curvature of the gap, `1/R = g″(0)`, whatever part of the stretch it is
+    /// taken on.
     fn curved(&self) -> Result<(), Error> {
         let Some([vertex, reach]) = self.vertex() else { return Ok(()) };
         let (radius, given) = (self.numbers.at("radius"), self.length("radius"));
@@ -321,7 +324,10 @@ impl Bench<'_> {
             Some(s) if metric * s < (1.0 - ALIKE) * self.length("half-width") => {
                 let width = self.numbers.at("half-width").number();
                 let [place, gap] = [metric * s, self.rise(vertex, s)].map(|x| rounded(x / self.units.length));
-                Err(self.refused(format!("`flat-punch` has no gap up to its `half-width` {width}, and at s = {place} that of the contact has grown by {gap}")))
+                Err(self.refused(format!(
+                    "`flat-punch` has no gap up to its `half-width` {width}, and at s = {place} \
+                    that of the contact has grown by {gap}"
+                )))
             }
             Some(_) => Ok(()),
             None => self.same("half-width", metric * reach, "the stretch on which the gap is flat"),

@@ -29,8 +29,8 @@ pub(super) const LOAD: Form = OneOf(&[
     ("pressure", Table(&[must("at", Text), may("part", PART), must("law", LAW)])),
     // A couple on what is modelled, counter-clockwise.
     ("moment", Table(&[must("at", Text), may("part", PART), must("value", Number)])),
-    // The stresses of a half-plane, or half-space, under Hertz's pressure, so that a truncated body has no model error; `centre` is the middle of
-    // the contact.
+    // The stresses of a half-plane, or half-space, under Hertz's pressure, so that a truncated body has no model error;
+    // `centre` is the middle of the contact.
     (
         "hertz",
         Table(&[must("at", Text), must("peak-pressure", Number), must("half-width", Number), may("centre", PAIR)]),
@@ -43,7 +43,8 @@ pub(super) const LOAD: Form = OneOf(&[
     ("rigid-face", Table(&[must("at", Text), must("component", Text), must("force", Number)])),
 ]);
 
-/// `{ along = "x", from = 2, to = 5 }`, or `{ centre = [x, y], from = 30, to = 60 }` in degrees from the downward vertical.
+/// `{ along = "x", from = 2, to = 5 }`, or `{ centre = [x, y], from = 30, to = 60 }` in degrees from the downward
+/// vertical.
 const PART: Form = Table(&[may("along", Text), may("centre", PAIR), must("from", Number), must("to", Number)]);
 
 /// How a pressure or a component of a traction depends on the place.

@@ -9,8 +9,8 @@ use crate::error::Error;
 use crate::mesh::{Order, Resolution};
 use crate::scene::{Grading, Scene, Shape};
 
-/// `[mesh]`: `elements` of the candidate stretch on every length `per`, or an `accuracy`; bodies whose mesh is given need
-/// neither.
+/// `[mesh]`: `elements` of the candidate stretch on every length `per`, or an `accuracy`; bodies whose mesh is given
+/// need neither.
 pub(super) const MESH: Form = Table(&[
     may("elements", Count).told("candidate elements on every length `per`"),
     may("per", Number).told("the length that has so many `elements`"),
@@ -20,8 +20,8 @@ pub(super) const MESH: Form = Table(&[
     may("quantity", List(&Text)).told("what the accuracy is of"),
 ]);
 
-/// Size ratios of neighbours beyond the candidates and into the depth; the coarsest element over the size of the body, the height
-/// of the first one over its width, and the last candidate element over the first.
+/// Size ratios of neighbours beyond the candidates and into the depth; the coarsest element over the size of the body,
+/// the height of the first one over its width, and the last candidate element over the first.
 const GROWTH: Form = Table(&[
     may("along", Number),
     may("depth", Number),
@@ -60,7 +60,8 @@ pub(super) fn asked(mesh: Value) -> Result<Option<Asked>, Error> {
     Ok(Some(asked))
 }
 
-/// How the mesh grows, on the length that holds the elements; where an accuracy chooses the mesh, on the stretch as it is written.
+/// How the mesh grows, on the length that holds the elements; where an accuracy chooses the mesh, on the stretch as it
+/// is written.
 pub(super) fn grading(mesh: Value, stretch: Value) -> Result<Grading, Error> {
     let per = if mesh.get("accuracy").is_some() { Some(stretch.called("per")) } else { mesh.get("per") };
     let unit = per.map_or(Ok(mesh.units.length), Value::length)?;

@@ -100,7 +100,8 @@ pub(super) fn displaced(of: Value, bodies: &[Body]) -> Result<Displaced, Error> 
     Ok(Displaced { body, at, component: component(of.at("component"))? })
 }
 
-/// The force of a support of a body, as the body lists it among its `supports`; the same is told of what does not exist.
+/// The force of a support of a body, as the body lists it among its `supports`; the same is told of what does not
+/// exist.
 pub(super) fn reaction(of: Value, tables: &[Value], bodies: &[Body]) -> Result<Quantity, Error> {
     let body = body(of.at("body"), bodies)?;
     let supports = tables[body].list("supports");

@@ -92,7 +92,8 @@ pub(super) fn read(given: Value, scene: &Scene, contact: usize) -> Result<Shared
             "cone" => Arc::new(pressed(&[[t.at("slope").positive()?, 1.0]])?),
             _ => {
                 let message = format!("`{name}` is a closed form of plane scenes, not of bodies of revolution");
-                let remedy = "use `hertz`, `flat-punch`, `polynomial`, `powers`, `cone` or `lame`, or leave `oracle` out and give checks a `value`";
+                let remedy = "use `hertz`, `flat-punch`, `polynomial`, `powers`, `cone` or `lame`, or leave `oracle` \
+                    out and give checks a `value`";
                 return Err(given.refused(message, remedy));
             }
         });
@@ -169,7 +170,8 @@ fn lame_of_revolution(t: Value, (scene, pair): (&Scene, &ContactPair), radial: u
         Path::Straight { .. } if radial == 1 => Ok(Arc::new(fit)),
         Path::Arc(_) if radial == 0 => Ok(Arc::new(PressFit { shape: Shape::Sphere, ..fit })),
         _ => {
-            let message = "`lame` is of rings about y = 0 along a straight path, and of spheres along an arc about a centre on the axis";
+            let message = "`lame` is of rings about y = 0 along a straight path, and of spheres along an arc about a \
+                centre on the axis";
             Err(t.refused(message, "give checks a `value` instead"))
         }
     }

@@ -1,4 +1,5 @@
-//! `[reference]`: what makes spring stiffnesses pure numbers. Springs start from it; what converges does not depend on it.
+//! `[reference]`: what makes spring stiffnesses pure numbers. Springs start from it; what converges does not depend on
+//! it.
 
 use crate::case::file::form::Form::{Number, Table};
 use crate::case::file::form::{Form, may};
@@ -12,8 +13,8 @@ pub(super) const REFERENCE: Form = Table(&[may("length", Number), may("pressure"
 /// `g_ref/ℓ` where the gap tells none.
 const SLOPE: f64 = 1e-3;
 
-/// Reference values, those not given by the scene itself: ℓ half the candidate stretch, `g_ref = |g(ℓ)|` without a clearance, and
-/// `p_ref = E* g_ref/ℓ`, which on Hertz scenes is p₀ for a = ℓ.
+/// Reference values, those not given by the scene itself: ℓ half the candidate stretch, `g_ref = |g(ℓ)|` without a
+/// clearance, and `p_ref = E* g_ref/ℓ`, which on Hertz scenes is p₀ for a = ℓ.
 ///
 /// With several contacts the first one tells them. Where the gap vanishes at ℓ it is taken as a thousandth of ℓ.
 pub(super) fn values(table: Value, scene: &Scene) -> Result<ReferenceValues, Error> {

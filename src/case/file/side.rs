@@ -89,8 +89,8 @@ impl Side {
         })
     }
 
-    /// Of the pieces within the stretch; where some look one way and some the other, as those of a closed boundary, of those that
-    /// look like the one that lies nearest to the path, as far as they go on from one another.
+    /// Of the pieces within the stretch; where some look one way and some the other, as those of a closed boundary, of
+    /// those that look like the one that lies nearest to the path, as far as they go on from one another.
     fn of_pieces(curves: Vec<Curve>, path: &Path, stretch: f64) -> Self {
         let within = stretch * (1.0 - 1e-9);
         let reaches_in = |piece: &Piece| {
@@ -137,8 +137,8 @@ impl Side {
         }
     }
 
-    /// Refuses a side that does not begin on the symmetry line, or cross it on paths with both sides, or does not lie on
-    /// the path; a gap or clearance may be drawn or not.
+    /// Refuses a side that does not begin on the symmetry line, or cross it on paths with both sides, or does not lie
+    /// on the path; a gap or clearance may be drawn or not.
     pub(super) fn refuse_misfit(
         &self,
         name: Value,
@@ -166,7 +166,8 @@ impl Side {
             Some(true) if !both => misfit(
                 "lies on both sides of s = 0, the contact on one",
                 wanted.remedy(
-                    "the body is meshed for another contact, which has both sides: give this one `both-sides = true` too",
+                    "the body is meshed for another contact, which has both sides: give this one `both-sides = true` \
+                    too",
                 ),
             ),
             Some(false) if both && matches!(self.place, Place::Disc { .. }) => misfit(
@@ -176,7 +177,8 @@ impl Side {
             _ if both && !matches!(self.place, Place::Arc(_)) && self.length <= 0.0 => {
                 let line = &wanted.line;
                 let remedy = format!(
-                    "with `both-sides` the candidates lie left and right of {line}: move the bodies there, or give `origin`"
+                    "with `both-sides` the candidates lie left and right of {line}: move the bodies there, or give \
+                    `origin`"
                 );
                 misfit(format!("does not lie on both sides of {line}"), remedy)
             }
@@ -212,12 +214,14 @@ impl Side {
             {
                 misfit(
                     format!("does not touch {level}: the line touches its other end"),
-                    "give a disc the other `contact`, \"top\" or \"bottom\"; a ring has none, it touches at its lowest point: turn the whole scene upside down, with loads and supports, or give the ring as a `mesh`",
+                    "give a disc the other `contact`, \"top\" or \"bottom\"; a ring has none, it touches at its lowest \
+                    point: turn the whole scene upside down, with loads and supports, or give the ring as a `mesh`",
                 )
             }
             (Place::Disc { height, .. }, Path::Straight { .. }) if !wanted.near(*height, y0) => misfit(
                 format!("does not touch {level}"),
-                "the contact runs along that line: give the body a centre one radius above or below (above, of a ring: it touches at its lowest point), or the contact its `origin`",
+                "the contact runs along that line: give the body a centre one radius above or below (above, of a ring: \
+                it touches at its lowest point), or the contact its `origin`",
             ),
             (Place::Arc(circle) | Place::Disc { circle, .. }, Path::Arc(arc)) => wanted.circle(circle, arc),
             (Place::Straight { .. }, Path::Arc(_)) => misfit("is straight, the path is an arc", "leave `arc` out"),
@@ -236,7 +240,8 @@ impl Side {
             return misfit(
                 format!("does not begin on the symmetry line {line}"),
                 wanted.remedy(
-                    "the contact begins there at s = 0: move the bodies there, model one half, or give `both-sides = true`",
+                    "the contact begins there at s = 0: move the bodies there, model one half, or give `both-sides = \
+                    true`",
                 ),
             );
         }
@@ -245,7 +250,8 @@ impl Side {
             return misfit("does not look one way", remedy);
         }
         if let Some(slope) = steep(pieces, path) {
-            let remedy = "contact forces act along y, or along the radius of `arc`: end the `stretch` where it is flatter, turn the scene, or give a rigid profile its gap";
+            let remedy = "contact forces act along y, or along the radius of `arc`: end the `stretch` where it is \
+                flatter, turn the scene, or give a rigid profile its gap";
             return misfit(format!("slopes by {slope:.2} against the path"), remedy);
         }
         let off = (self.depth(path) - path.own_depth()).abs() > 1e-9 * self.length * path.metric();
@@ -311,7 +317,8 @@ fn steep(pieces: &[Piece], path: &Path) -> Option<f64> {
     steep.next().map(|(slope, _)| slope)
 }
 
-/// The face that has a name: the one called `contact`, or the opposite one by its own name, as the lower and as the upper.
+/// The face that has a name: the one called `contact`, or the opposite one by its own name, as the lower and as the
+/// upper.
 fn face(contact: Face, name: &str, [lower, upper]: [&str; 2]) -> Option<Face> {
     match contact {
         _ if name == CONTACT => Some(contact),
@@ -347,7 +354,11 @@ impl Wanted<'_> {
     /// What mends a side that lies elsewhere along the path: around the axis of revolution only one place is right.
     fn remedy(&self, in_the_plane: impl Into<String>) -> String {
         match self.plane.radial() == Some(0) && !self.path.has_both_sides() {
-            true => "model what lies at radii x ≥ 0: a contact begins on the axis x = 0, or is a ring with `both-sides = true` and an `origin`".into(),
+            true => {
+                "model what lies at radii x ≥ 0: a contact begins on the axis x = 0, or is a ring with `both-sides \
+                = true` and an `origin`"
+                    .into()
+            }
             false => in_the_plane.into(),
         }
     }

@@ -21,7 +21,8 @@ const UNSUPPORTED: [Unsupported; 11] = [
     Unsupported {
         words: &["temperature", "thermal", "expansion", "thermal-expansion", "heat", "conductivity"],
         holds: "there are no temperatures here",
-        instead: "give a shrink fit its interference, as in `gap = { uniform = -0.02 }`; else use CalculiX or code_aster",
+        instead: "give a shrink fit its interference, as in `gap = { uniform = -0.02 }`; else use CalculiX or \
+            code_aster",
     },
     Unsupported {
         words: &["dimension", "dimensions", "3d", "z", "solid", "shell"],
@@ -36,7 +37,8 @@ const UNSUPPORTED: [Unsupported; 11] = [
     Unsupported {
         words: &["periodic", "periodicity", "cyclic"],
         holds: "no boundaries are tied to one another as periodic",
-        instead: "model half a period between two symmetry lines, its sides fixed in x; else use CalculiX or code_aster",
+        instead: "model half a period between two symmetry lines, its sides fixed in x; else use CalculiX or \
+            code_aster",
     },
     Unsupported {
         words: &["bonded", "bond", "tied", "tie", "glue", "glued", "adhesion", "cohesive"],

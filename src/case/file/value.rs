@@ -53,7 +53,8 @@ impl<'a> Value<'a> {
         self.get(key).expect(CHECKED)
     }
 
-    /// A table of the file; where it is left out the bodies, at which its mistakes are told then: their list has none of its keys.
+    /// A table of the file; where it is left out the bodies, at which its mistakes are told then: their list has none
+    /// of its keys.
     pub fn table(self, key: &'a str) -> Self {
         self.get(key).unwrap_or(self.at("body"))
     }

@@ -26,8 +26,8 @@ pub(super) const CHECK: Form = Table(&[
     may("because", Text).told("why this tolerance"),
 ]);
 
-/// What a check may ask for, as files name it; its place, body, support or side is filled in from the other keys. The half-width lies between begin
-/// and end. What an accuracy may be of comes first.
+/// What a check may ask for, as files name it; its place, body, support or side is filled in from the other keys. The
+/// half-width lies between begin and end. What an accuracy may be of comes first.
 pub(super) const QUANTITIES: [(&str, &Quantity); 12] = [
     ("peak-pressure", &Quantity::PeakPressure),
     ("half-width", &Quantity::HalfWidth),
@@ -177,7 +177,8 @@ fn refuse_unused(table: Value, asked: &Quantity) -> Result<(), Error> {
 
 /// Refuses the approach of bodies that have none.
 fn refuse_no_approach(name: Value, scene: &Scene, contact: usize) -> Result<(), Error> {
-    let message = "the contact has no `approach`: not every body of it is pressed along y at one side only, or all of them are fixed";
+    let message = "the contact has no `approach`: not every body of it is pressed along y at one side only, or all of \
+        them are fixed";
     let has_none = scene.pressed_sides(contact).is_none();
     name.refuse_if(has_none, message, "ask for the `displacement` of the sides that are meant")
 }

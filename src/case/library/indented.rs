@@ -9,7 +9,8 @@ use crate::oracle::analytic::revolution::indentation::Indentation;
 use crate::scene::{Material, PlaneHypothesis, Profile, ReferenceValues, Scene, VectorField};
 use crate::solve::Formulation;
 
-/// A block pressed by a rigid profile of revolution, with the closed-form tractions of its half-space on its other sides.
+/// A block pressed by a rigid profile of revolution, with the closed-form tractions of its half-space on its other
+/// sides.
 #[derive(Clone, Debug)]
 pub struct Indented {
     /// The contact of the half-space.

@@ -96,7 +96,8 @@ const SOURCE: &str = "J. Égert 1999, second example; dimensions chosen here";
 /// Name of the case of all nine.
 pub const NINE: &str = "pin-rod";
 
-/// All nine against what NGSolve finds with cells of order 8, which shares the scene alone; their profiles against the verification formulation.
+/// All nine against what NGSolve finds with cells of order 8, which shares the scene alone; their profiles against the
+/// verification formulation.
 pub(super) fn cases() -> Vec<Case> {
     let high = High::built_in().expect("it is compiled in");
     let near = |quantity: Quantity| {

@@ -8,8 +8,8 @@ use crate::solve::Formulation;
 /// Radius \[mm\].
 const RADIUS: f64 = 50.0;
 
-/// The lower half of an elastic sphere, pressed on a rigid plane by a uniform load on its horizontal cut, with Hertz's solution; the
-/// load follows from the radius of his contact over that of the sphere.
+/// The lower half of an elastic sphere, pressed on a rigid plane by a uniform load on its horizontal cut, with Hertz's
+/// solution; the load follows from the radius of his contact over that of the sphere.
 pub fn case(a_over_r: f64) -> Case {
     let a = a_over_r * RADIUS;
     let scene = Scene::sphere_on_plane(RADIUS, Material::STEEL, a);
@@ -19,11 +19,11 @@ pub fn case(a_over_r: f64) -> Case {
     Case { model, ..Case::of("sphere", TITLE, scene, 16).against(oracle) }
 }
 
-/// What Hertz's half-space may be off a sphere: its peak is too high by `(1 − 2ν)²/5(1 − ν) · a/R`, and its radius of contact too small by a little less than half,
-/// besides terms of the order of (a/R)².
+/// What Hertz's half-space may be off a sphere: its peak is too high by `(1 − 2ν)²/5(1 − ν) · a/R`, and its radius of
+/// contact too small by a little less than half, besides terms of the order of (a/R)².
 ///
-/// The first is no closed form: it is what cells fitted to the contact tell for ν from −0.5 to 0.499 and a/R from 0.005 to 0.1. A cylinder has none
-/// of it.
+/// The first is no closed form: it is what cells fitted to the contact tell for ν from −0.5 to 0.499 and a/R from 0.005
+/// to 0.1. A cylinder has none of it.
 pub fn model_error(a_over_r: f64, poisson: f64) -> f64 {
     a_over_r * ((1.0 - 2.0 * poisson).powi(2) / (5.0 * (1.0 - poisson)) + a_over_r)
 }

@@ -11,8 +11,8 @@ use crate::uncertainty::COVERAGE;
 /// A check of a trial, or of a scene file: a line of `verdicts` and of `verify --json`.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct Line {
-    /// The trial, or the name of the scene file; of one that broke off, all else is null but the requirement, the verdict and the
-    /// reason.
+    /// The trial, or the name of the scene file; of one that broke off, all else is null but the requirement, the
+    /// verdict and the reason.
     trial: String,
     /// The check.
     #[serde(flatten)]

@@ -82,7 +82,8 @@ pub fn schema() -> String {
     serde_json::to_string_pretty(&schema).expect("a schema can be written as JSON")
 }
 
-/// Says that null may stand where a number may: JSON has neither NaN nor infinity, so that null is a number that is not known, or has no limit.
+/// Says that null may stand where a number may: JSON has neither NaN nor infinity, so that null is a number that is not
+/// known, or has no limit.
 fn or_null(schema: &mut Schema) {
     if schema.get("type").is_some_and(|kind| kind == "number") {
         schema.insert("type".into(), ["number", "null"].into());

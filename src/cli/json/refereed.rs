@@ -28,7 +28,8 @@ pub struct Refereed {
     mistakes: Vec<String>,
     /// What could not be judged.
     missing: Vec<Missing>,
-    /// What the closed forms of the case say that our own run contradicts, and what makes the answer another one than may be meant.
+    /// What the closed forms of the case say that our own run contradicts, and what makes the answer another one than
+    /// may be meant.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     notes: Vec<String>,
     /// Checks, mistakes, what is missing and notes as they are printed, no wider than 100 columns.

@@ -151,8 +151,8 @@ impl<'a> Solved<'a> {
 struct Body<'a> {
     /// Its name.
     name: &'a str,
-    /// Largest von Mises stress, with the stress across the plane; null where it lies beside a place at which stresses have no limit. Its bar
-    /// is among `error_bars`.
+    /// Largest von Mises stress, with the stress across the plane; null where it lies beside a place at which stresses
+    /// have no limit. Its bar is among `error_bars`.
     von_mises: Option<f64>,
     /// Where that is: x and y.
     #[serde(skip_serializing_if = "Option::is_none")]

@@ -20,18 +20,21 @@ use crate::referee::judge::ENGINEERING;
 pub struct Arguments {
     /// Case of the library (`list` names them), or a scene file.
     pub case: String,
-    /// Answers: .csv, .tsv, .txt, .rpt or .lis (columns `position [mm]`, `pressure [MPa]` or `force [N]`), .json (`schema answer`), .vtu, .vtk or
-    /// .pvd (nodal pressure or stress), .frd (contact fields) or .dat (of an exported deck) of CalculiX.
+    /// Answers: .csv, .tsv, .txt, .rpt or .lis (columns `position [mm]`, `pressure [MPa]` or `force [N]`), .json
+    /// (`schema answer`), .vtu, .vtk or .pvd (nodal pressure or stress), .frd (contact fields) or .dat (of an exported
+    /// deck) of CalculiX.
     #[arg(required = true, value_name = "ANSWER")]
     pub answers: Vec<PathBuf>,
-    /// Which column or field holds what, such as pressure=CPRESS; a component of a field by its number from 0 or its name, such as
-    /// pressure=CONTACT:3 or pressure=S:yy; may be given several times.
+    /// Which column or field holds what, such as pressure=CPRESS; a component of a field by its number from 0 or its
+    /// name, such as pressure=CONTACT:3 or pressure=S:yy; may be given several times.
     #[arg(long, value_name = "ROLE=NAME")]
     column: Vec<String>,
-    /// Unit of a column or field that does not say it, such as pressure=Pa; may be given several times; another than the file says is refused.
+    /// Unit of a column or field that does not say it, such as pressure=Pa; may be given several times; another than
+    /// the file says is refused.
     #[arg(long, value_name = "ROLE=UNIT")]
     unit: Vec<String>,
-    /// Order of the contact edges: 1, every point is a corner (unless the file says otherwise); 2, corners and mid-sides by turns.
+    /// Order of the contact edges: 1, every point is a corner (unless the file says otherwise); 2, corners and
+    /// mid-sides by turns.
     #[arg(long, value_parser = choice(Order::TOLD))]
     order: Option<Order>,
     /// Contact that the answers are of, in a scene with several.
@@ -40,7 +43,8 @@ pub struct Arguments {
     /// Pressures and forces are negative in compression.
     #[arg(long)]
     tension_positive: bool,
-    /// Time of the state that is judged, of a .frd, .dat or .pvd with several; the last one where neither it nor the step is given.
+    /// Time of the state that is judged, of a .frd, .dat or .pvd with several; the last one where neither it nor the
+    /// step is given.
     #[arg(long, value_name = "TIME")]
     time: Option<f64>,
     /// Step at whose end the state is that is judged, of a .frd.
@@ -49,8 +53,8 @@ pub struct Arguments {
     /// Relative error that is accepted, such as "0.1 %"; 1 % by default.
     #[arg(long, value_name = "PERCENT", allow_hyphen_values = true)]
     tolerance: Option<String>,
-    /// The answers are a series of meshes, coarse to fine: print observed orders, the limit by Richardson's extrapolation with its error bar, and
-    /// whether it goes to the truth.
+    /// The answers are a series of meshes, coarse to fine: print observed orders, the limit by Richardson's
+    /// extrapolation with its error bar, and whether it goes to the truth.
     #[arg(long, conflicts_with_all = ["markdown", "plot"])]
     pub series: bool,
     /// Draw the profile on the truth, with the differences, as SVG; of one answer.

@@ -1,5 +1,5 @@
-//! The verdicts on an answer, in lines and as Markdown; and as JUnit XML: a suite an answer, a test case a check, skipped where something is
-//! not handed in; an error where it could not be judged.
+//! The verdicts on an answer, in lines and as Markdown; and as JUnit XML: a suite an answer, a test case a check,
+//! skipped where something is not handed in; an error where it could not be judged.
 
 use std::path::PathBuf;
 

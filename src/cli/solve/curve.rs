@@ -87,8 +87,8 @@ const POSITIONS: [(&str, bool); 2] = [("position [mm]", true), ("position [deg]"
 /// Columns behind the position.
 const HEAD: [&str; 4] = ["pressure [MPa]", "gap [mm]", "area [mm2]", "contact"];
 
-/// Position, pressure, gap, area and contact of every contact point: positions along straight paths in mm, on arcs in degrees;
-/// where a scene has contacts of both kinds, each kind has a column.
+/// Position, pressure, gap, area and contact of every contact point: positions along straight paths in mm, on arcs in
+/// degrees; where a scene has contacts of both kinds, each kind has a column.
 pub fn profile(scene: &Scene, run: &Run, path: &Path) -> Result<String, Error> {
     let has = |is_straight| scene.contacts.iter().any(|pair| pair.path.is_straight() == is_straight);
     let kinds: Vec<(&str, bool)> = POSITIONS.into_iter().filter(|(_, is_straight)| has(*is_straight)).collect();

@@ -1,4 +1,5 @@
-//! A solve as one HTML file that needs nothing else: numbers with bars, pictures, checks, notes and input; light and dark.
+//! A solve as one HTML file that needs nothing else: numbers with bars, pictures, checks, notes and input; light and
+//! dark.
 
 use crate::case::Judged;
 use crate::cli::bars;

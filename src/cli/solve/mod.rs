@@ -1,4 +1,5 @@
-//! `solve CASE` or `solve SCENE.toml`: one scene by one formulation, with its outputs: what is asked, what is found, how it is shown.
+//! `solve CASE` or `solve SCENE.toml`: one scene by one formulation, with its outputs: what is asked, what is found,
+//! how it is shown.
 //!
 //! * [`options`] — what the user asks for.
 //! * [`found`] — what that asks, and what comes of it.
@@ -54,7 +55,8 @@ fn solve(arguments: &Arguments, case: Case) -> Result<Exit, Error> {
     shown(arguments, document, &found)
 }
 
-/// What the options make of a case, by what it is solved, and what chooses the mesh; refused where that cannot be solved or written.
+/// What the options make of a case, by what it is solved, and what chooses the mesh; refused where that cannot be
+/// solved or written.
 fn asked(arguments: &Arguments, mut problem: Case) -> Result<(Case, Formulation, Mesh), Error> {
     arguments.refuse_endings()?;
     arguments.refuse_unwritable(&problem)?;

@@ -32,7 +32,8 @@ pub struct Arguments {
     /// Rule; the algorithm's own by default.
     #[arg(long, value_parser = choice(StiffnessRule::TOLD))]
     rule: Option<StiffnessRule>,
-    /// Largest factor by which an iteration of the varying algorithm changes a stiffness, 100 by default; `inf` is none.
+    /// Largest factor by which an iteration of the varying algorithm changes a stiffness, 100 by default; `inf` is
+    /// none.
     #[arg(long, value_name = "FACTOR", allow_negative_numbers = true)]
     bound: Option<f64>,
     /// What has a stiffness of its own under the varying algorithm; point by default.
@@ -41,12 +42,12 @@ pub struct Arguments {
     /// Thickness of the layer element over the length of its edge.
     #[arg(long, value_name = "PART", allow_negative_numbers = true)]
     layer_thickness: Option<f64>,
-    /// Acceleration: by default newton of the varying and the constant algorithm under their own rules, none under others; with
-    /// none they are those of the paper.
+    /// Acceleration: by default newton of the varying and the constant algorithm under their own rules, none under
+    /// others; with none they are those of the paper.
     #[arg(long, value_parser = choice(Acceleration::TOLD))]
     acceleration: Option<Acceleration>,
-    /// Initial stiffness κ₀ = k_n ℓ/E*: by default 1 for varying and constant, and for kinematic 1e6 (node) or 10 times what the
-    /// bodies resist (line, layer).
+    /// Initial stiffness κ₀ = k_n ℓ/E*: by default 1 for varying and constant, and for kinematic 1e6 (node) or 10 times
+    /// what the bodies resist (line, layer).
     #[arg(long, value_name = "KAPPA", allow_negative_numbers = true)]
     stiffness: Option<f64>,
     /// Hertz half-width over the radius (Hertz scenes only).
@@ -59,8 +60,8 @@ pub struct Arguments {
     /// the contact gets gentler with more of them.
     #[arg(long, value_name = "N", allow_negative_numbers = true)]
     resolution: Option<usize>,
-    /// Put mesh lines on the ends of the contact, with layers of cells towards them; order 6 is the default then, chosen for
-    /// four digits, 8 for six.
+    /// Put mesh lines on the ends of the contact, with layers of cells towards them; order 6 is the default then,
+    /// chosen for four digits, 8 for six.
     #[arg(long)]
     fitted: bool,
     /// Relative error that peak and half-width may have, such as "0.1 %": chooses cells, elements, growth and
@@ -76,8 +77,8 @@ pub struct Arguments {
     /// Load increments.
     #[arg(long, value_name = "N", allow_negative_numbers = true)]
     increments: Option<usize>,
-    /// Largest error accepted of peak, profile, width and approach against the solution of the same discrete problem: 1e-3 unless
-    /// the file says otherwise for its own element and algorithm.
+    /// Largest error accepted of peak, profile, width and approach against the solution of the same discrete problem:
+    /// 1e-3 unless the file says otherwise for its own element and algorithm.
     #[arg(long, value_name = "T", allow_negative_numbers = true)]
     tolerance: Option<f64>,
     /// Most iterations, over all increments; 2000 by default.
@@ -107,7 +108,8 @@ pub struct Arguments {
     /// Write input, pictures, numbers with bars, checks and notes as one file for a browser, which needs no other.
     #[arg(long, value_name = "FILE.html")]
     pub html: Option<PathBuf>,
-    /// Replace files that are not earlier outputs of the same option; files that are read, and other outputs, are never replaced.
+    /// Replace files that are not earlier outputs of the same option; files that are read, and other outputs, are never
+    /// replaced.
     #[arg(long)]
     force: bool,
 }

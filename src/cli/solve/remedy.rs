@@ -7,8 +7,8 @@ use crate::markdown;
 use crate::solution::Outcome;
 use crate::solve::{Element, Formulation, Iteration, Run};
 
-/// The command that does converge on this mesh to the same tolerance, nearest to what was asked: it was tried here. None where none of
-/// those tried does.
+/// The command that does converge on this mesh to the same tolerance, nearest to what was asked: it was tried here.
+/// None where none of those tried does.
 pub fn converging(arguments: &Arguments, Found { problem, discretisation, run, .. }: &Found) -> Option<String> {
     let own = problem.formulation();
     let Formulation { element, algorithm, .. } = run.formulation;
@@ -35,7 +35,9 @@ pub fn unbalanced(problem: &Case, run: &Run) -> Option<String> {
     let within = run.solution.error().largest() <= run.formulation.settings.tolerance;
     (run.solution.outcome == Outcome::Stalled && within).then(|| {
         format!(
-            "loads, contact and reactions of `{}` are out of balance by {}: its stiffness, or that of a body it touches, is so large, or its cells so long and thin, that round-off takes the forces; try --fitted, make such a body rigid, or fix it",
+            "loads, contact and reactions of `{}` are out of balance by {}: its stiffness, or that of a body it \
+            touches, is so large, or its cells so long and thin, that round-off takes the forces; try --fitted, make \
+            such a body rigid, or fix it",
             problem.scene.bodies[worst.body].name,
             markdown::error(worst.largest())
         )
@@ -47,7 +49,8 @@ pub fn remedy(run: &Run) -> Option<&'static str> {
     match run.solution.outcome {
         Outcome::Converged => None,
         Outcome::Stalled => Some(
-            "nothing changes any more, for round-off or because springs are at their limit: ask for a larger --tolerance, or choose --element node with --algorithm kinematic",
+            "nothing changes any more, for round-off or because springs are at their limit: ask for a larger \
+            --tolerance, or choose --element node with --algorithm kinematic",
         ),
         Outcome::Cycling { .. } => {
             Some("more iterations would repeat: choose another --stiffness, or --algorithm kinematic")

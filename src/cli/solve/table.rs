@@ -11,7 +11,8 @@ use crate::mesh::Order;
 use crate::scene::ContactPair;
 use crate::solve::run::{Contact, Run};
 
-/// A reaction below this part of the largest force, or a place below this part of the half-width, is round-off, told as 0.
+/// A reaction below this part of the largest force, or a place below this part of the half-width, is round-off, told as
+/// 0.
 const ROUND_OFF: f64 = 1e-9;
 
 /// What is said of the width of a contact, and of that by its second moment: of strips, and of bodies of revolution.

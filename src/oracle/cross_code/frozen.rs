@@ -61,8 +61,8 @@ pub struct Digest {
 }
 
 impl Digest {
-    /// The digest of an answer; `unknowns` are the fixed vectors in the numbering of its products and load, `vectors` the
-    /// same node by node.
+    /// The digest of an answer; `unknowns` are the fixed vectors in the numbering of its products and load, `vectors`
+    /// the same node by node.
     pub fn of(answer: &DiscreteAnswer, unknowns: &[Vec<f64>], vectors: &[Vec<f64>]) -> Self {
         let with_all = |list: &[Vec<f64>], other: &[f64]| list.iter().map(|v| dot(v, other)).collect::<Vec<_>>();
         Self {

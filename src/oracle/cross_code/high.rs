@@ -1,5 +1,5 @@
-//! Reference answers of high order by scripts that share nothing with ours but the scene. What they answered is frozen in
-//! `oracles/frozen/high.json`; `oracles/high/freeze.py` asks them.
+//! Reference answers of high order by scripts that share nothing with ours but the scene. What they answered is frozen
+//! in `oracles/frozen/high.json`; `oracles/high/freeze.py` asks them.
 
 use std::collections::BTreeMap;
 
@@ -36,7 +36,8 @@ pub struct Answer {
     pub versions: BTreeMap<String, String>,
     /// How long it took with all its settings \[s\].
     pub seconds: f64,
-    /// Its numbers and how far they may be off, by the key of a quantity \[mm, MPa, N, rad\]: twice the largest difference between settings.
+    /// Its numbers and how far they may be off, by the key of a quantity \[mm, MPa, N, rad\]: twice the largest
+    /// difference between settings.
     pub numbers: BTreeMap<String, [f64; 2]>,
 }
 

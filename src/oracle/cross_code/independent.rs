@@ -1,5 +1,5 @@
-//! Scripts of other codes that share the scene and the definitions of its quantities, and no line: mesh, forms, contact and iteration are
-//! each script's own. What they answered is frozen in `oracles/frozen/independent.json`.
+//! Scripts of other codes that share the scene and the definitions of its quantities, and no line: mesh, forms, contact
+//! and iteration are each script's own. What they answered is frozen in `oracles/frozen/independent.json`.
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -14,7 +14,8 @@ use crate::oracle::cross_code::frozen::{self, REFREEZE, hash_of, named, parsed, 
 use crate::oracle::cross_code::{PhysicalAnswer, PhysicalScene};
 
 named_enum! {
-    /// A folder under `oracles`: one code, which is its title, and a script that shares nothing with those of the others.
+    /// A folder under `oracles`: one code, which is its title, and a script that shares nothing with those of the
+    /// others.
     pub enum Folder {
         /// scikit-fem.
         ScikitFem = "scikit-fem",
@@ -39,7 +40,8 @@ impl Folder {
         root().join("oracles").join(self.name().replace('-', "_"))
     }
 
-    /// Whether the set-up of the tests installs the code; the others answer in a process of their own, when the answers are frozen.
+    /// Whether the set-up of the tests installs the code; the others answer in a process of their own, when the answers
+    /// are frozen.
     pub fn is_set_up(self) -> bool {
         !matches!(self, Self::Getfem | Self::Calculix)
     }
@@ -81,8 +83,9 @@ const PINS: &[&str] = &["pin-rod", "pin-plate"];
 const ALL_CASES: &[&str] = &["cylinder", "truncated-hertz", "pin-rod", "pin-plate"];
 
 impl Script {
-    /// Folder, Python module, the method that this is asked for, and the cases that it solves: a script of one body solves no pin, the
-    /// half-plane has no other surface, and GetFEM and CalculiX are asked where no closed form is exact.
+    /// Folder, Python module, the method that this is asked for, and the cases that it solves: a script of one body
+    /// solves no pin, the half-plane has no other surface, and GetFEM and CalculiX are asked where no closed form is
+    /// exact.
     fn asked(self) -> (Folder, &'static str, &'static str, &'static [&'static str]) {
         match self {
             Self::Ufl => (Folder::Dolfinx, "ufl_penalty", "penalty", CYLINDERS),
@@ -120,7 +123,8 @@ impl Script {
         matches!(self, Self::Ufl | Self::Pairs | Self::Facets)
     }
 
-    /// Whether the set-up of the tests installs what it runs on everywhere: Debian's dolfinx 0.5.2 couples no facets of two bodies.
+    /// Whether the set-up of the tests installs what it runs on everywhere: Debian's dolfinx 0.5.2 couples no facets of
+    /// two bodies.
     pub fn is_set_up(self) -> bool {
         self.folder().is_set_up() && self != Self::Pairs
     }

@@ -1,9 +1,10 @@
 //! Other codes, asked in two senses that must not be mixed.
 //!
-//! * *The same discrete problem* ([`DiscreteProblem`]): our mesh, assembled and solved by scikit-fem and dolfinx through Python files
-//!   under `oracles/python`; agreement to round-off.
-//! * *The same physical problem* ([`PhysicalScene`]): scripts in `oracles/dolfinx`, `scikit_fem`, `boundary`, `getfem` and `calculix`
-//!   that share the scene and the few formulas that [`independent`] names; agreement within the discretisation errors of both. Those of `oracles/high` are of high order ([`high`]).
+//! * *The same discrete problem* ([`DiscreteProblem`]): our mesh, assembled and solved by scikit-fem and dolfinx
+//!   through Python files under `oracles/python`; agreement to round-off.
+//! * *The same physical problem* ([`PhysicalScene`]): scripts in `oracles/dolfinx`, `scikit_fem`, `boundary`, `getfem`
+//!   and `calculix` that share the scene and the few formulas that [`independent`] names; agreement within the
+//!   discretisation errors of both. Those of `oracles/high` are of high order ([`high`]).
 //!
 //! Bodies of revolution have scripts of their own ([`revolution`]).
 //!
@@ -56,7 +57,8 @@ impl Code {
     pub const TWINS: [Self; 2] = [Self::ScikitFem, Self::Dolfinx];
 }
 
-/// A mesh with everything that makes a discrete contact problem of it, as plain numbers; see `oracles/python/discrete.py`.
+/// A mesh with everything that makes a discrete contact problem of it, as plain numbers; see
+/// `oracles/python/discrete.py`.
 ///
 /// The contact is that of line elements with two Gauss points an edge and springs `k_n = κ E*/ℓ` that open and close.
 #[derive(Clone, Debug, Default, Serialize)]

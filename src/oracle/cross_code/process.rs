@@ -40,8 +40,8 @@ pub fn run_by(python: &Path, script: &Path, arguments: &[String], request: &str)
         .spawn();
     let mut child = started.map_err(|error| failed(format!("{} does not start: {error}", python.display())))?;
     let input = child.stdin.take();
-    // Written beside what is read: a script that answers line by line would wait for its answers to be read. One that has ended already
-    // says why itself.
+    // Written beside what is read: a script that answers line by line would wait for its answers to be read. One that
+    // has ended already says why itself.
     let output = thread::scope(|scope| {
         scope.spawn(move || input.is_some_and(|mut input| input.write_all(request.as_bytes()).is_ok()));
         child.wait_with_output()

@@ -1,4 +1,5 @@
-//! What the scripts of bodies of revolution in `oracles/revolution` answered, frozen in `oracles/frozen/revolution.json`.
+//! What the scripts of bodies of revolution in `oracles/revolution` answered, frozen in
+//! `oracles/frozen/revolution.json`.
 
 use std::path::PathBuf;
 

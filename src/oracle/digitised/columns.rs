@@ -15,7 +15,8 @@ pub struct CurvePoint {
     pub abscissa: f64,
     /// Error of the abscissa, in its unit, above zero.
     pub abscissa_error: f64,
-    /// Pressure (positive in compression) or hoop stress (tension positive) \[MPa\], or half-angle of the contact \[rad\].
+    /// Pressure (positive in compression) or hoop stress (tension positive) \[MPa\], or half-angle of the contact
+    /// \[rad\].
     pub ordinate: f64,
     /// Error of the ordinate, in its unit, above zero.
     pub ordinate_error: f64,

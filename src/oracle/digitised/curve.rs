@@ -78,7 +78,8 @@ fn at(point: &CurvePoint, ours: &dyn Fn(f64) -> OurPoint) -> Comparison {
     Comparison::of(mine.value, point.ordinate, [digitising, mine.uncertainty])
 }
 
-/// The largest difference in units of its uncertainty; NaN, which no check passes, where one is no number or there is none.
+/// The largest difference in units of its uncertainty; NaN, which no check passes, where one is no number or there is
+/// none.
 pub fn worst(compared: &[Comparison]) -> f64 {
     compared.iter().map(Comparison::ratio).reduce(larger).unwrap_or(f64::NAN)
 }

@@ -27,8 +27,8 @@ pub use scene::DigitisedScene;
 /// Why a folder that holds only its README gives no reading.
 pub const NOT_AT_HAND: &str = "not run: the figures are not at hand";
 
-/// Every curve of a folder such as `oracles/digitised/gaertner-1977` that its provenance lists, in its order; why there is none where the folder
-/// holds only its README: the figures are not at hand.
+/// Every curve of a folder such as `oracles/digitised/gaertner-1977` that its provenance lists, in its order; why there
+/// is none where the folder holds only its README: the figures are not at hand.
 ///
 /// Files whose name starts with a dot and `README.md` do not count. Anything else must be complete.
 ///

@@ -8,8 +8,8 @@ use toml::Value;
 use super::keys::{self, Key, Range, text_of};
 use crate::error::Error;
 
-/// Where one curve comes from, by the keys of its table `[[curves]]`: the CSV `file` in the same folder, `figure`, `axis_calibration`, `kind`
-/// and `hand`.
+/// Where one curve comes from, by the keys of its table `[[curves]]`: the CSV `file` in the same folder, `figure`,
+/// `axis_calibration`, `kind` and `hand`.
 pub type CurveProvenance = BTreeMap<String, String>;
 
 const KEYS: [Key; 4] = [

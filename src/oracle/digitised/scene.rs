@@ -12,8 +12,8 @@ use crate::scene::Material;
 /// What the source shows, as it gives it: nothing of it may be guessed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DigitisedScene {
-    /// Whether it is a pin in a large sheet, whose curves have the force as abscissa, by the table `[sheet]`; else a pin in a connecting rod,
-    /// by the table `[rod]`.
+    /// Whether it is a pin in a large sheet, whose curves have the force as abscissa, by the table `[sheet]`; else a
+    /// pin in a connecting rod, by the table `[rod]`.
     pub is_sheet: bool,
     /// Its numbers by their keys in `scene.toml` \[mm, N, MPa\].
     pub numbers: BTreeMap<&'static str, f64>,
@@ -83,7 +83,8 @@ impl DigitisedScene {
         Material { young, poisson }
     }
 
-    /// Whether a curve of these quantities belongs to it: stresses along the arc to a rod, half-angles over the force to a sheet.
+    /// Whether a curve of these quantities belongs to it: stresses along the arc to a rod, half-angles over the force
+    /// to a sheet.
     pub(super) fn has_curve(&self, abscissa: Abscissa, ordinate: Ordinate) -> bool {
         let of_sheet = [abscissa == Abscissa::Force, ordinate == Ordinate::HalfAngle];
         of_sheet == [self.is_sheet; 2]

@@ -1,4 +1,5 @@
-//! The condensed contact problem of a mesh, and our solution of it, as arrays of NumPy: matrices to test other algorithms on.
+//! The condensed contact problem of a mesh, and our solution of it, as arrays of NumPy: matrices to test other
+//! algorithms on.
 
 use std::io::{Cursor, Seek, Write};
 
@@ -18,15 +19,19 @@ pub const FILE: &str = "condensed.npz";
 pub const TEXT: &str = "\
 ## Condensed problem
 
-`condensed.npz` has the contact problem of the exported mesh (node contact element), condensed to the n normal displacements u of the candidate
-contact nodes, and our solution of it. In numpy: `S, B, f, g, A, p = (numpy.load(\"condensed.npz\")[k] for k in \"SBfgAp\")`.
+`condensed.npz` has the contact problem of the exported mesh (node contact element), condensed to the n normal \
+displacements u of the candidate
+contact nodes, and our solution of it. In numpy: `S, B, f, g, A, p = (numpy.load(\"condensed.npz\")[k] for k in \
+\"SBfgAp\")`.
 
 With the contact forces F = A p, compressive ones positive, at m contact points: find u and F with
 
     S u + Bᵀ F = f,    h = g − B u ≥ 0,    F ≥ 0,    F·h = 0.
 
-It has one u, of least ½ uᵀ S u − fᵀ u over B u ≤ g. S is symmetric, and positive definite on all u that supports hold; a motion that contact alone
-holds is in its null space. Where there is none, it is the linear complementarity problem 0 ≤ F ⟂ B S⁻¹ Bᵀ F + g − B S⁻¹ f ≥ 0. Of a symmetric scene
+It has one u, of least ½ uᵀ S u − fᵀ u over B u ≤ g. S is symmetric, and positive definite on all u that supports \
+hold; a motion that contact alone
+holds is in its null space. Where there is none, it is the linear complementarity problem 0 ≤ F ⟂ B S⁻¹ Bᵀ F + g − B \
+S⁻¹ f ≥ 0. Of a symmetric scene
 all is of the modelled half.
 
 | array | shape | unit | what |

@@ -1,15 +1,17 @@
-//! A case as an input deck of CalculiX or Abaqus: nodes, cells, sets, surfaces, supports, loads as nodal forces, and contact by gap
-//! elements on the undeformed surface.
+//! A case as an input deck of CalculiX or Abaqus: nodes, cells, sets, surfaces, supports, loads as nodal forces, and
+//! contact by gap elements on the undeformed surface.
 //!
-//! The approach of a contact node, `w = b·u`, is a dof of a node of its own, by an `*EQUATION`; a `GAPUNI` of the initial gap lies between
-//! that node and a fixed one at the same place, whose reaction along 1 is the contact force, turned round. Contact pairs of these codes follow the
-//! deformed surfaces, which is another model; the surfaces for them are there too. Where the gaps of a contact are
-//! open everywhere, nothing holds a body before the first contact, and ccx would diverge, as in the case `patch`: weak springs do. It makes bricks of plane cells, and those in
-//! plane stress are too stiff where they are smaller than the thickness (the rigid pin: 2.8 % in the peak). Such decks have a slice as thin as
-//! the smallest contact edge, and a modulus as much larger, so that forces and displacements stay what they are.
+//! The approach of a contact node, `w = b·u`, is a dof of a node of its own, by an `*EQUATION`; a `GAPUNI` of the
+//! initial gap lies between that node and a fixed one at the same place, whose reaction along 1 is the contact force,
+//! turned round. Contact pairs of these codes follow the deformed surfaces, which is another model; the surfaces for
+//! them are there too. Where the gaps of a contact are open everywhere, nothing holds a body before the first contact,
+//! and ccx would diverge, as in the case `patch`: weak springs do. It makes bricks of plane cells, and those in plane
+//! stress are too stiff where they are smaller than the thickness (the rigid pin: 2.8 % in the peak). Such decks have a
+//! slice as thin as the smallest contact edge, and a modulus as much larger, so that forces and displacements stay what
+//! they are.
 //!
-//! Of bodies of revolution ccx makes bricks of a sector of 2°. Loads on nodes of cells are whole forces, as in Abaqus; forces in gap elements,
-//! whose nodes belong to no cell, are those of the sector.
+//! Of bodies of revolution ccx makes bricks of a sector of 2°. Loads on nodes of cells are whole forces, as in Abaqus;
+//! forces in gap elements, whose nodes belong to no cell, are those of the sector.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::f64::consts::PI;
@@ -28,7 +30,8 @@ const STIFFNESS: f64 = 1e4;
 const TAIL: f64 = 1e-7;
 /// Stiffness of springs that hold a body before its first contact, over E t.
 const WEAK: f64 = 1e-7;
-/// Sectors of ccx in the circumference of bodies of revolution: by so much forces between nodes of no cell are smaller than the whole ones.
+/// Sectors of ccx in the circumference of bodies of revolution: by so much forces between nodes of no cell are smaller
+/// than the whole ones.
 pub const SECTORS: f64 = 180.0;
 /// Set of the fixed nodes behind the gap elements of a contact, before its name.
 pub const GAPS: &str = "GAPS_";
@@ -105,8 +108,8 @@ fn named(parts: &[&str]) -> String {
     parts.join("_").chars().map(plain).collect()
 }
 
-/// Names with their numbers before them where two of all that a deck has are the same in it, as those in other letters than ASCII are: it
-/// would join their materials, supports and forces.
+/// Names with their numbers before them where two of all that a deck has are the same in it, as those in other letters
+/// than ASCII are: it would join their materials, supports and forces.
 fn apart(names: Vec<String>, all: &[String]) -> Vec<String> {
     if all.iter().collect::<BTreeSet<_>>().len() == all.len() {
         return names;
@@ -159,7 +162,8 @@ impl Deck<'_> {
         let name = scene.name.clone();
         let of = match scene.is_of_revolution() {
             true => {
-                "Loads are whole forces; reactions behind gap elements are those of a sector of 2 degrees, 1/180 of them."
+                "Loads are whole forces; reactions behind gap elements are those of a sector of 2 degrees, 1/180 of \
+                them."
             }
             false => "Forces are those of the modelled part.",
         };
@@ -182,7 +186,10 @@ impl Deck<'_> {
         let Discretisation { scene, mesh, .. } = self.discretisation;
         let slice = slice(self.discretisation);
         if slice < 1.0 {
-            self.line(format!("** Thickness times {slice:.6e}, moduli divided by it: stresses are to be multiplied by it, forces are not."));
+            self.line(format!(
+                "** Thickness times {slice:.6e}, moduli divided by it: stresses are to be multiplied by \
+                it, forces are not."
+            ));
         }
         for (index, (body, part)) in scene.bodies.iter().zip(&mesh.bodies).enumerate() {
             let name = self.names[index].clone();
@@ -292,7 +299,8 @@ impl Deck<'_> {
         let discretisation = self.discretisation;
         let scene = &discretisation.scene;
         let ReferenceValues { pressure, length, .. } = scene.reference;
-        // Of a sector the arc through the node, and of nodes near the axis that of a punch as wide as the reference length.
+        // Of a sector the arc through the node, and of nodes near the axis that of a punch as wide as the reference
+        // length.
         let across = |radius: f64| match scene.is_of_revolution() {
             true => 2.0 * length.max(PI * radius) / SECTORS,
             false => scene.thickness,
@@ -331,7 +339,10 @@ impl Deck<'_> {
     /// Loads, and what is printed.
     fn step(&mut self, faces: &[(usize, Component, f64)]) -> Result<(), Error> {
         let scene = &self.discretisation.scene;
-        self.line("** Under gap elements alone ccx takes a step for linear; a plastic material, though nothing is of it, makes it iterate.");
+        self.line(
+            "** Under gap elements alone ccx takes a step for linear; a plastic material, though nothing is of \
+            it, makes it iterate.",
+        );
         self.line(format!("*MATERIAL, NAME={UNUSED}\n*ELASTIC\n1., 0.\n*PLASTIC\n1e20, 0.\n2e20, 1."));
         self.line(
             "*STEP, INC=1000\n*STATIC, DIRECT\n1., 1.\n*CONTROLS, PARAMETERS=FIELD\n1e-7, 1e-7, , , , , ,\n*CLOAD",

@@ -1,4 +1,5 @@
-//! A mesh as Gmsh has it: format 4.1, ASCII; a physical surface a body, a physical curve a side of a body, called `BODY SIDE`.
+//! A mesh as Gmsh has it: format 4.1, ASCII; a physical surface a body, a physical curve a side of a body, called
+//! `BODY SIDE`.
 
 use std::fmt::Write;
 

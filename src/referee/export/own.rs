@@ -59,7 +59,8 @@ fn order(discretisation: &Discretisation, run: &Run) -> Order {
     if run.formulation.element == Element::Node { discretisation.mesh.order } else { Order::Linear }
 }
 
-/// Its contact points; of edges of order 2 and more with that on the axis of revolution, which has no area, so that edges are whole.
+/// Its contact points; of edges of order 2 and more with that on the axis of revolution, which has no area, so that
+/// edges are whole.
 fn points(discretisation: &Discretisation, run: &Run, index: usize, order: Order) -> Vec<PointState> {
     let points = run.solution.points_of(index);
     let first = discretisation.interfaces[index].nodes.first();

@@ -1,5 +1,5 @@
-//! A case as plain numbers, for scripts of other codes: mesh, materials, supports, nodal forces, and contact nodes with their rows of the
-//! approach. The scripts themselves are those of `oracles/peers`.
+//! A case as plain numbers, for scripts of other codes: mesh, materials, supports, nodal forces, and contact nodes with
+//! their rows of the approach. The scripts themselves are those of `oracles/peers`.
 
 use serde::Serialize;
 
@@ -34,7 +34,8 @@ const OF_REVOLUTION: [(&str, &str, &str); 3] = [
     (
         "run_revolution.py",
         include_str!("../../../oracles/peers/run_revolution.py"),
-        "solves it by scikit-fem, dolfinx, FElupe, NGSolve or CalculiX; for GetFEM, SfePy, Kratos and Akantu bodies of revolution have no script",
+        "solves it by scikit-fem, dolfinx, FElupe, NGSolve or CalculiX; for GetFEM, SfePy, Kratos and Akantu bodies of \
+        revolution have no script",
     ),
 ];
 
@@ -48,8 +49,8 @@ pub fn scripts(scene: &Scene) -> &'static [(&'static str, &'static str, &'static
 struct Problem {
     /// Name of the case.
     case: String,
-    /// `strain`, `stress` or `axisymmetric`: of these the thickness is 1, forces and areas are of the whole circumference, and nodes on the axis
-    /// are held along it.
+    /// `strain`, `stress` or `axisymmetric`: of these the thickness is 1, forces and areas are of the whole
+    /// circumference, and nodes on the axis are held along it.
     plane: &'static str,
     thickness: f64,
     /// Order of the cells.
@@ -104,7 +105,8 @@ struct Node {
     /// Outward normal of the first body.
     normal: [f64; 2],
     area: f64,
-    /// Initial gap; none where there is no other side, and where the node has no area, as that of an edge of order 2 on the axis.
+    /// Initial gap; none where there is no other side, and where the node has no area, as that of an edge of order 2 on
+    /// the axis.
     gap: Option<f64>,
     /// Its approach: node, component, factor.
     row: Vec<(usize, usize, f64)>,

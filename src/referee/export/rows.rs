@@ -1,5 +1,5 @@
-//! What a deck and the plain numbers of a problem share: approaches of contact nodes as displacements of nodes along x and y, nodal forces, and
-//! nodes on an axis of revolution.
+//! What a deck and the plain numbers of a problem share: approaches of contact nodes as displacements of nodes along x
+//! and y, nodal forces, and nodes on an axis of revolution.
 
 use crate::contact::interface::ContactNode;
 use crate::elasticity::{axis, loads};

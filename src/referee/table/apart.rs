@@ -1,4 +1,5 @@
-//! Rows that press nothing among those that do, which a column tells from them: those of the other side, or of nodes within a body.
+//! Rows that press nothing among those that do, which a column tells from them: those of the other side, or of nodes
+//! within a body.
 
 use std::collections::BTreeSet;
 
@@ -10,10 +11,11 @@ pub(super) type Pressed<'a> = (f64, f64, &'a [String]);
 /// Most values of a column that tells rows apart.
 const VALUES: usize = 8;
 /// What to do about such rows.
-pub(super) const ONE_SIDE: &str = "keep the rows that press alone: the others are of the other side of the contact, within a body, or mid-sides without a pressure";
+pub(super) const ONE_SIDE: &str = "keep the rows that press alone: the others are of the other side of the contact, \
+    within a body, or mid-sides without a pressure";
 
-/// What is wrong where rows that press nothing lie among those that do, nearly by turns, and one of the columns that may tell them apart has
-/// other values there.
+/// What is wrong where rows that press nothing lie among those that do, nearly by turns, and one of the columns that
+/// may tell them apart has other values there.
 pub(super) fn apart(head: &[String], columns: &[usize], mut rows: Vec<Pressed>) -> Option<String> {
     rows.sort_by(|a, b| a.0.total_cmp(&b.0));
     let presses = |row: &Pressed| row.1.abs() > 0.0;
@@ -32,7 +34,8 @@ pub(super) fn apart(head: &[String], columns: &[usize], mut rows: Vec<Pressed>) 
         let [of_pressed, of_free] = [pressed, free].map(|all| all.into_iter().collect::<Vec<_>>().join(", "));
         tells.then(|| {
             format!(
-                "rows that press nothing lie among those that do: the column `{}` is {of_free} of these, and {of_pressed} of the others",
+                "rows that press nothing lie among those that do: the column `{}` is {of_free} of these, and \
+                {of_pressed} of the others",
                 head[column]
             )
         })

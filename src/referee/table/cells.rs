@@ -17,8 +17,9 @@ const NO_NUMBER: [&str; 12] = [
     "#VALEUR!",
 ];
 
-/// Whether a line that begins as comments do is a row of so many cells, of which the first is no number: one of [`NO_NUMBER`], or marks alone, as
-/// where a number was too wide; where blanks separate cells a mark alone is one of a comment.
+/// Whether a line that begins as comments do is a row of so many cells, of which the first is no number: one of
+/// [`NO_NUMBER`], or marks alone, as where a number was too wide; where blanks separate cells a mark alone is one of a
+/// comment.
 pub(super) fn is_marked_row(line: &str, mark: char, wanted: usize) -> bool {
     let own = fitting(line, mark, wanted);
     let [first, others @ ..] = &own[..] else { return false };
@@ -27,7 +28,8 @@ pub(super) fn is_marked_row(line: &str, mark: char, wanted: usize) -> bool {
     own.len() == wanted && is_none && others.iter().any(|cell| number(cell).is_some())
 }
 
-/// The cells of a line, without blanks and quotes around them; where blanks separate them, a unit in brackets belongs to the name before it.
+/// The cells of a line, without blanks and quotes around them; where blanks separate them, a unit in brackets belongs
+/// to the name before it.
 pub(super) fn cells(line: &str, mark: char) -> Vec<String> {
     let (mut all, mut quoted, mut deep) = (vec![String::new()], false, 0);
     for letter in line.trim_matches([' ', '\r']).chars() {
@@ -58,7 +60,8 @@ pub(super) fn cells(line: &str, mark: char) -> Vec<String> {
     all
 }
 
-/// The cells of a line, as many as wanted where blanks separate them: names of several words have two blanks or more between them.
+/// The cells of a line, as many as wanted where blanks separate them: names of several words have two blanks or more
+/// between them.
 pub(super) fn fitting(line: &str, mark: char, wanted: usize) -> Vec<String> {
     let mut own = cells(line, mark);
     // Fortran, and Excel, put a mark behind the last cell too.
@@ -81,7 +84,8 @@ pub(super) fn is_data(cells: &[String]) -> bool {
         && others.iter().all(|cell| !cell.starts_with(|first: char| first.is_ascii_digit()))
 }
 
-/// A number with a point or a comma; its exponent may begin with the D of Fortran, or with its sign where that of Fortran has three digits.
+/// A number with a point or a comma; its exponent may begin with the D of Fortran, or with its sign where that of
+/// Fortran has three digits.
 pub(super) fn number(cell: &str) -> Option<f64> {
     let plain = cell.replace(['D', 'd'], "E").replace('−', "-");
     // Where both stand in it, one may be between thousands.
@@ -120,7 +124,8 @@ pub(super) fn is_known_unit(name: &str) -> bool {
     Role::ALL.iter().any(|role| role.factor(name).is_some())
 }
 
-/// Whether it is written as units are, known or not: a quotient, a power, a known one in other letters, or one with a factor before it.
+/// Whether it is written as units are, known or not: a quotient, a power, a known one in other letters, or one with a
+/// factor before it.
 pub(super) fn is_like_unit(name: &str) -> bool {
     let mut known = Role::ALL.iter().flat_map(|role| role.units());
     name.contains(['/', '^', '²']) || has_factor(name) || known.any(|(known, _)| known.eq_ignore_ascii_case(name))
@@ -132,8 +137,8 @@ fn has_factor(name: &str) -> bool {
     parts.is_some_and(|(factor, unit)| is_known_unit(unit) && factor.contains(|letter: char| letter.is_ascii_digit()))
 }
 
-/// The name before the last brackets that hold a known unit, or else one with a factor, whatever stands behind them: `pressure [kPa] (nodal)`,
-/// `solid.Tn (MPa) @ t=1`.
+/// The name before the last brackets that hold a known unit, or else one with a factor, whatever stands behind them:
+/// `pressure [kPa] (nodal)`, `solid.Tn (MPa) @ t=1`.
 fn in_brackets(title: &str) -> Option<(&str, Option<&str>)> {
     let (mut found, mut with_factor, mut from) = (None, None, 0);
     while let Some(open) = title[from..].find(['[', '(']).map(|open| from + open) {
@@ -157,7 +162,8 @@ pub(super) fn unknown_unit(title: &str, role: Role) -> Option<&str> {
     role.usual().iter().find_map(behind)
 }
 
-/// Name and unit of a column: `pressure [MPa]`, `pressure (MPa)`, `pressure / MPa`, `pressure in MPa` or `pressure_MPa`.
+/// Name and unit of a column: `pressure [MPa]`, `pressure (MPa)`, `pressure / MPa`, `pressure in MPa` or
+/// `pressure_MPa`.
 pub fn split<'a>(title: &'a str) -> (&'a str, Option<&'a str>) {
     let inside = |open: char, close: char| {
         let (name, rest) = title.rsplit_once(open)?;

@@ -1,4 +1,5 @@
-//! Lines of a table as names and rows of cells: what separates them, where the names stand, and which rows are of the state that is judged.
+//! Lines of a table as names and rows of cells: what separates them, where the names stand, and which rows are of the
+//! state that is judged.
 
 use std::collections::BTreeSet;
 
@@ -15,7 +16,8 @@ use crate::referee::table::columns::HEADER;
 use crate::referee::units::Role;
 
 /// What to do about a second table.
-pub(super) const ONE: &str = "keep the table of the side, step and frame that is to be judged, and remove the others; of one that was printed in pages remove the \
+pub(super) const ONE: &str = "keep the table of the side, step and frame that is to be judged, and remove the others; \
+    of one that was printed in pages remove the \
                    lines between them";
 
 /// What to do about a column of times that is none.
@@ -68,7 +70,8 @@ impl<'a> Table<'a> {
         Ok(table)
     }
 
-    /// Takes the lines behind the names: rows of units before the numbers, and rows of numbers up to what stands below them.
+    /// Takes the lines behind the names: rows of units before the numbers, and rows of numbers up to what stands below
+    /// them.
     fn read(
         &mut self,
         source: &Source<'a>,
@@ -156,7 +159,8 @@ impl<'a> Table<'a> {
         self.of_one_state(source, ONE)
     }
 
-    /// The first column of numbers of states that are several, with as many rows each as a profile needs: not one that counts the rows.
+    /// The first column of numbers of states that are several, with as many rows each as a profile needs: not one that
+    /// counts the rows.
     fn numbered(&self) -> Option<usize> {
         let is_it = |title: &String| STATES.contains(&&*split(title).0.to_lowercase().replace(['_', '-'], " "));
         let mut columns = (0..self.head.len()).filter(|&k| is_it(&self.head[k]));
@@ -178,8 +182,8 @@ impl<'a> Table<'a> {
         Err(source.refused(message, remedy))
     }
 
-    /// Whether numbers have decimal commas: where commas separate cells, one within a cell stood in quotes. A list in a column that is not read
-    /// has none.
+    /// Whether numbers have decimal commas: where commas separate cells, one within a cell stood in quotes. A list in a
+    /// column that is not read has none.
     fn has_decimal_commas(&self, source: &Source, asked: &Asked) -> Result<bool, Error> {
         let has_comma = |cell: &String| cell.contains(',') && number(&cell.replace([',', '.'], "")).is_some();
         let is_read = |k: usize| {
@@ -220,7 +224,8 @@ impl Begins {
         let stands = |mark: &char| lines.first().is_some_and(|line| line.trim().contains(*mark));
         let is_it = |mark: &char| if most > 0 { rows(mark) == most } else { stands(mark) };
         let mark = MARKS.into_iter().find(is_it).unwrap_or(',');
-        // Where names stand behind a row or two of numbers, such as counts, and none before these, the rows behind them are the first.
+        // Where names stand behind a row or two of numbers, such as counts, and none before these, the rows behind them
+        // are the first.
         let is_head = |line: &str| is_head(&cells(comment(line).unwrap_or(line), mark), asked);
         let data = (0..lines.len()).filter(|&k| is_row(lines[k], mark)).take(FEWEST).collect::<Vec<usize>>();
         let headed = || data.iter().copied().find(|&k| k > 0 && is_head(lines[k - 1]));
@@ -288,8 +293,8 @@ fn is_head(cells: &[String], asked: &Asked) -> bool {
     has([Role::Position, Role::X]) && has([Role::Pressure, Role::Force])
 }
 
-/// The line of names and its place: the last above the numbers that names a place and what presses there; else the last with as many cells as
-/// they have, a comment where there is no other; else the last.
+/// The line of names and its place: the last above the numbers that names a place and what presses there; else the last
+/// with as many cells as they have, a comment where there is no other; else the last.
 fn head(above: &[&str], mark: char, count: Option<usize>, asked: &Asked) -> Option<(usize, Vec<String>)> {
     let candidate = |(k, line): (usize, &&str)| {
         let fit = |mark: char| fitting(comment(line).unwrap_or(line), mark, count.unwrap_or(0));

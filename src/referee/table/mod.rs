@@ -1,9 +1,11 @@
-//! Answers as tables: a line of names with their units, then a line a point; separated by commas, semicolons, tabs or blanks.
+//! Answers as tables: a line of names with their units, then a line a point; separated by commas, semicolons, tabs or
+//! blanks.
 //!
-//! A column is called what it holds, `position [mm]`, `pressure [MPa]`, `force [N]`, `gap [mm]`, `area [mm2]`, `x [mm]`, `y [mm]` or
-//! `contact`, or has a name that other programs give it ([`Role::usual`]), or is named by `--column`. A unit stands in its brackets or behind `in`, in a row
-//! of units behind the names, or is named by `--unit`; none is guessed. What stands before the names, and comments, are passed over; where a
-//! comment is all that stands before the numbers, it has the names. Numbers may have decimal commas, and exponents of Fortran.
+//! A column is called what it holds, `position [mm]`, `pressure [MPa]`, `force [N]`, `gap [mm]`, `area [mm2]`,
+//! `x [mm]`, `y [mm]` or `contact`, or has a name that other programs give it ([`Role::usual`]), or is named by
+//! `--column`. A unit stands in its brackets or behind `in`, in a row of units behind the names, or is named by
+//! `--unit`; none is guessed. What stands before the names, and comments, are passed over; where a comment is all that
+//! stands before the numbers, it has the names. Numbers may have decimal commas, and exponents of Fortran.
 
 mod apart;
 mod cells;
@@ -31,7 +33,8 @@ use lines::{ANOTHER, ONE, Table};
 pub use cells::{comment, split};
 
 /// What to do about a line with other cells than the head.
-const WRONG_CELLS: &str = "the file is cut, or a cell is missing: write it again; numbers with decimal commas need semicolons between them, or quotes";
+const WRONG_CELLS: &str = "the file is cut, or a cell is missing: write it again; numbers with decimal commas need \
+    semicolons between them, or quotes";
 /// What to do about numbers of rows that no name stands above.
 const ROW_NUMBERS: &str =
     "name the first column too, such as `row`, or write the table without the numbers of its rows";
@@ -116,8 +119,9 @@ pub fn parse(file: &Path, text: &str, scene: &Scene, asked: &Asked) -> Result<An
 /// A row as it was read: its number in the table, its contact, its place, and the line.
 type Row<'a> = (usize, usize, f64, &'a str);
 
-/// The first of some rows behind a line without numbers, whose places do not go on from those of its contact before it, where both parts are long
-/// enough for a profile and reach over one another: the next data set of gnuplot, or the other side of the contact.
+/// The first of some rows behind a line without numbers, whose places do not go on from those of its contact before it,
+/// where both parts are long enough for a profile and reach over one another: the next data set of gnuplot, or the
+/// other side of the contact.
 fn another<'a>(rows: &[Row<'a>], is_behind_break: impl Fn(usize) -> bool) -> Option<&'a str> {
     let contacts: BTreeSet<usize> = rows.iter().map(|(_, contact, ..)| *contact).collect();
     contacts.into_iter().find_map(|contact| {
@@ -154,7 +158,8 @@ fn goes_on(run: &[&Row], place: f64) -> bool {
     }
 }
 
-/// Part of the candidate stretch by which a point may lie off the side, beside the gap there: displaced, or on the other side.
+/// Part of the candidate stretch by which a point may lie off the side, beside the gap there: displaced, or on the
+/// other side.
 const OFF: f64 = 0.05;
 /// What to do about a point that does.
 const UNDEFORMED: &str =
@@ -197,7 +202,8 @@ impl Reader<'_> {
             _ => {
                 let also = if mixed { ": other numbers of the file have a decimal comma" } else { "" };
                 let message = format!("`{}` is `{text}`, which is no number{also}", column.title);
-                let remedy = "write finite numbers, all with a decimal point or all with a comma, and no mark between thousands; leave out only nodes beyond the contact";
+                let remedy = "write finite numbers, all with a decimal point or all with a comma, and no mark between \
+                    thousands; leave out only nodes beyond the contact";
                 Err(self.source.at(line, message, remedy))
             }
         }

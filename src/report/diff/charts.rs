@@ -46,8 +46,8 @@ pub fn told(moved: &[Moved]) -> Vec<Told> {
 
 /// The words and looks in which two drawings differ; none where what is drawn does.
 ///
-/// Colours may be data, in maps: a drawing looks otherwise where each old colour became one new one everywhere, and no two became
-/// the same.
+/// Colours may be data, in maps: a drawing looks otherwise where each old colour became one new one everywhere, and no
+/// two became the same.
 pub fn no_data(before: &str, after: &str) -> Option<Vec<String>> {
     let parts = joined([parts(before), parts(after)]);
     let is_colour = |name: &str| COLOURS.contains(&name);

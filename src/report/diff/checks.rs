@@ -1,5 +1,5 @@
-//! The record of checks: which check of one record is which of another, by its key; and what a change of a verdict, a limit, a number
-//! or a bar means, the most important first.
+//! The record of checks: which check of one record is which of another, by its key; and what a change of a verdict, a
+//! limit, a number or a bar means, the most important first.
 
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -71,8 +71,8 @@ fn differ([before, after]: [f64; 2]) -> bool {
     before.to_bits() != after.to_bits() && !(before.is_nan() && after.is_nan())
 }
 
-/// What got worse against a truth, by error over tolerance; limits; other verdicts; what went, came or is asked of fewer
-/// runs; numbers and error bars. [`stale`] records are apart.
+/// What got worse against a truth, by error over tolerance; limits; other verdicts; what went, came or is asked of
+/// fewer runs; numbers and error bars. [`stale`] records are apart.
 pub fn told(pairs: &Pairs) -> Vec<Told> {
     let moved = |what, is_one: fn(&Pair) -> bool, change: fn(&Pair) -> Change| {
         section(what, pairs.both.iter().filter(|pair| is_one(pair)).map(|pair| (pair[1], change(pair))))
@@ -146,8 +146,8 @@ pub fn worse(pairs: &Pairs) -> bool {
     pairs.both.iter().filter(|pair| is_worse(pair)).map(|pair| pair[1]).chain(came).any(|row| !is_stale(row))
 }
 
-/// Whether something is accepted now that was not, or is no longer asked: a limit that no bar explains, a check that is gone, or held against
-/// this code alone, fewer runs.
+/// Whether something is accepted now that was not, or is no longer asked: a limit that no bar explains, a check that is
+/// gone, or held against this code alone, fewer runs.
 pub fn is_laxer(pairs: &Pairs) -> bool {
     let is_own = |pair: &Pair| is_of_truth(pair[0]) && !is_of_truth(pair[1]);
     let is_laxer = |pair: &Pair| is_loosened_by_hand(pair) || is_asked_less(pair) || is_own(pair);
@@ -246,7 +246,8 @@ fn is_asked_less([before, after]: &Pair) -> bool {
     after.runs < before.runs
 }
 
-/// A check that is in one record only: told as such, or together with all of its case where the other record has no such case.
+/// A check that is in one record only: told as such, or together with all of its case where the other record has no
+/// such case.
 fn alone(row: &CheckRow, others: &BTreeSet<[&str; 2]>) -> Change {
     let (size, how) = if is_failing(row) { (row.share, errors(&[row, row])) } else { (0.0, String::new()) };
     let one = change(row, size, how);

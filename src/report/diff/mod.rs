@@ -31,8 +31,8 @@ pub struct Difference {
     pub told: Vec<Told>,
     /// Whether a verdict got worse, or a new check fails.
     pub worse: bool,
-    /// Whether a limit that no error bar explains got wider, something is asked no longer, of fewer runs, or of this code where it was of a truth,
-    /// or whether a record of checks cannot be read.
+    /// Whether a limit that no error bar explains got wider, something is asked no longer, of fewer runs, or of this
+    /// code where it was of a truth, or whether a record of checks cannot be read.
     pub laxer: bool,
 }
 
@@ -144,7 +144,8 @@ impl Difference {
     }
 }
 
-/// The checks of both trees; none at all, and why, where a tree has no record or it cannot be read; and whether one cannot be read, or went.
+/// The checks of both trees; none at all, and why, where a tree has no record or it cannot be read; and whether one
+/// cannot be read, or went.
 fn checks_of(trees: [&Tree; 2]) -> ([Vec<CheckRow>; 2], Option<String>, bool) {
     let read = |tree: &Tree| match tree.text(CHECKS) {
         None => Err(format!("{} has no {CHECKS}", tree.name)),

@@ -117,7 +117,8 @@ pub fn told(name: &str, versions: &[Cells; 2]) -> Told {
     Told::new(heading, "row", beyond.into_iter().map(|(key, values)| change(key, values)).chain(gone).chain(came))
 }
 
-/// Whether a number and what it was differ by less than both may be off: their bars, or the least and the most that were measured, overlap.
+/// Whether a number and what it was differ by less than both may be off: their bars, or the least and the most that
+/// were measured, overlap.
 fn is_within_spread(versions: &[Cells; 2], [row, column]: &[String; 2]) -> bool {
     let span = |cells: &Cells| {
         let number = |column: &str| cells.get(&[row.clone(), column.into()])?.parse::<f64>().ok();

@@ -67,7 +67,8 @@ pub fn round_factor(factor: f64) -> f64 {
     near.into_iter().min_by(|a, b| off(a).total_cmp(&off(b))).unwrap_or(1.0)
 }
 
-/// Ends of the colour bar where single nodes, as under a point force, lie far above all others, and a note that says so.
+/// Ends of the colour bar where single nodes, as under a point force, lie far above all others, and a note that says
+/// so.
 fn range(values: &[f64]) -> (Option<(f64, f64)>, Option<String>) {
     let mut ascending = values.to_vec();
     ascending.sort_by(f64::total_cmp);

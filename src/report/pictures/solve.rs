@@ -1,4 +1,5 @@
-//! The picture of one run: deformed shape with stress, contact pressure, and the iteration error from iteration to iteration.
+//! The picture of one run: deformed shape with stress, contact pressure, and the iteration error from iteration to
+//! iteration.
 
 use super::deformed;
 use crate::case::{Case, notes, plausible};

@@ -67,7 +67,8 @@ pub struct Answer {
 }
 
 impl Answer {
-    /// The bars of all numbers of a run on the mesh answered, by meshes that the search has solved, and otherwise by as many dofs as it may.
+    /// The bars of all numbers of a run on the mesh answered, by meshes that the search has solved, and otherwise by as
+    /// many dofs as it may.
     pub fn bars(&self, asked: &Asked, discretisation: &Discretisation, run: &Run) -> Result<Bars, Error> {
         if let Some(family) = &self.family {
             let all = of_family(discretisation, run, family, Some(&asked.wanted))?;
@@ -110,7 +111,8 @@ pub struct Tried {
     #[serde(serialize_with = "number")]
     #[cfg_attr(feature = "schema", schemars(with = "u8"))]
     pub order: Order,
-    /// Elements within the contact, within half of it where it has both sides; within that of fewest where there are several.
+    /// Elements within the contact, within half of it where it has both sides; within that of fewest where there are
+    /// several.
     #[cfg_attr(feature = "schema", schemars(description = "Its candidate elements."))]
     pub elements: usize,
     /// Growth along the surface; NaN where the mesh of every body is given.

@@ -1,16 +1,18 @@
 //! The error bar of an answer: what mesh, iteration and penalty may leave in each number.
 //!
-//! The mesh's part comes from the same scene on coarser meshes of the same family. With the finest value f₀ and those of meshes
-//! of the sizes `rᵢ h`,
+//! The mesh's part comes from the same scene on coarser meshes of the same family. With the finest value f₀ and those
+//! of meshes of the sizes `rᵢ h`,
 //!
 //! `u = F max |f₀ − fᵢ| / (rᵢ^q − 1) + C (h/a)^s + D`,
 //!
-//! where `counted` has the constants of each kind of number, and with it what the growth leaves where a body bends, and what the error of
-//! its force leaves in the other numbers of a contact (`evidence`). It takes the worst of four neighbours instead of extrapolating: the
-//! end of a contact lies at another place of its element on each mesh, and two of them may agree by accident. A series that
-//! oscillates or has not begun to converge makes it wider. On cells of order 4 to 8 that end with the contact errors fall from order to
-//! order, and the next finer mesh tells them: `u = F |f₀ − f₁| + D`, F of a peak and of what else pressures tell, under smooth gaps and others,
-//! being `evidence::BY_NEXT`. Where a maximum lies is known no better than how high it is: it may be wherever the pressure comes near it.
+//! where `counted` has the constants of each kind of number, and with it what the growth leaves where a body bends, and
+//! what the error of its force leaves in the other numbers of a contact (`evidence`). It takes the worst of four
+//! neighbours instead of extrapolating: the end of a contact lies at another place of its element on each mesh, and two
+//! of them may agree by accident. A series that oscillates or has not begun to converge makes it wider. On cells of
+//! order 4 to 8 that end with the contact errors fall from order to order, and the next finer mesh tells them:
+//! `u = F |f₀ − f₁| + D`, F of a peak and of what else pressures tell, under smooth gaps and others, being
+//! `evidence::BY_NEXT`. Where a maximum lies is known no better than how high it is: it may be wherever the pressure
+//! comes near it.
 //!
 //! The parts of iteration and penalty are differences to the solution of the same discrete problem, which is exact.
 
@@ -29,15 +31,15 @@ use crate::solve::{Change, Discretisation, Displaced, Element, Formulation, Run}
 
 /// Part of the bar of a largest value within which those elsewhere may be the true one: their errors are alike.
 const FLAT: f64 = 0.5;
-/// Penetration between points, over the approach of the contact, from which on coarser meshes tell nothing of a peak beside a point that
-/// carries more: 7 % hid half of a peak.
+/// Penetration between points, over the approach of the contact, from which on coarser meshes tell nothing of a peak
+/// beside a point that carries more: 7 % hid half of a peak.
 const DEEP: f64 = 0.05;
-/// Part of the largest displacement, and of the largest force, that may lie between two runs which are one: a tenth of what a bar
-/// leaves for round-off.
+/// Part of the largest displacement, and of the largest force, that may lie between two runs which are one: a tenth of
+/// what a bar leaves for round-off.
 const SAME: f64 = 1e-10;
 
-/// Mean pressure of the outermost edge over that of the edge before, from which on a contact goes on to the end of its candidates: one that
-/// ends there or before as `√(a − s)` has `1/(2^{3/2} − 1) = 0.55` at most.
+/// Mean pressure of the outermost edge over that of the edge before, from which on a contact goes on to the end of its
+/// candidates: one that ends there or before as `√(a − s)` has `1/(2^{3/2} − 1) = 0.55` at most.
 const GOES_ON: f64 = 0.8;
 
 /// Why a bar is not known.
@@ -46,7 +48,8 @@ const TOO_WIDE: &str = "the bar would be larger than the number itself";
 const PASSED_OVER: &str =
     "surfaces penetrate one another between points, one of which carries more than the peak: refine the mesh";
 const AT_POINT: &str = "a support at a point takes a part that vanishes as the mesh is refined: hold a side instead";
-const TORN: &str = "two supports prescribe unlike displacements of one node, which takes forces without limit: let them agree where they meet";
+const TORN: &str = "two supports prescribe unlike displacements of one node, which takes forces without limit: let \
+    them agree where they meet";
 
 /// How far a number may be from the truth of the scene.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
@@ -96,8 +99,8 @@ pub struct Bars {
 }
 
 impl Barred {
-    /// A number as the iteration left it, the mesh's part of its bar, and its value where the iteration should end, and in the
-    /// discrete solution.
+    /// A number as the iteration left it, the mesh's part of its bar, and its value where the iteration should end, and
+    /// in the discrete solution.
     fn of(
         reading: &Reading,
         (told, mesh): (Option<Evidence>, f64),
@@ -160,7 +163,8 @@ impl Bars {
         self.all.iter().find(|one| one.is_of(contact, quantity)).map(|one| one.bar)
     }
 
-    /// The same where a search has estimated some of the numbers by a mesh of its own; an end that is the half-width has its bar.
+    /// The same where a search has estimated some of the numbers by a mesh of its own; an end that is the half-width
+    /// has its bar.
     pub fn estimated(mut self, estimates: &[Barred]) -> Self {
         for one in &mut self.all {
             let of = |quantity: &Quantity| estimates.iter().find(|other| other.is_of(one.contact, quantity));
@@ -197,7 +201,8 @@ pub(super) fn judged(discretisation: &Discretisation, run: &Run, finer: (&Discre
     of_pressures(discretisation, run, &Family::judged(discretisation, &run.formulation, finer))
 }
 
-/// The same given what coarser meshes say; of the contacts alone where no displacements are wanted, which need another solution.
+/// The same given what coarser meshes say; of the contacts alone where no displacements are wanted, which need another
+/// solution.
 pub fn of_family(
     discretisation: &Discretisation,
     run: &Run,
@@ -219,12 +224,12 @@ fn passes_over(run: &Run, contact: usize) -> bool {
     run.stands_out(contact) && unseen.any(|one| one.is_candidate && one.penetration > deep)
 }
 
-/// Bar of a contact's force over that, up to which what a point takes of it has settled: it vanishes by the logarithm of the elements alone, which on
-/// meshes within reach is no more than that.
+/// Bar of a contact's force over that, up to which what a point takes of it has settled: it vanishes by the logarithm
+/// of the elements alone, which on meshes within reach is no more than that.
 const SETTLED: f64 = 0.01;
 
-/// Leaves numbers unknown of contacts that share their force with a support at a point, whose part vanishes as the mesh is refined: those of the
-/// body that it holds, and of others that touch this one, directly or through others.
+/// Leaves numbers unknown of contacts that share their force with a support at a point, whose part vanishes as the mesh
+/// is refined: those of the body that it holds, and of others that touch this one, directly or through others.
 fn yield_at_points(scene: &Scene, all: &mut [Barred]) {
     let is_reaction = |one: &Barred| matches!(one.quantity, Quantity::Reaction { .. });
     let held = all.iter().filter(|one| one.is_at_point()).filter_map(|one| match one.quantity {
@@ -285,8 +290,8 @@ pub(super) fn of_pressures(discretisation: &Discretisation, run: &Run, family: &
     readings.iter().map(one).collect()
 }
 
-/// How far the peak is from the outermost end of an edge, or from a point, whose pressure comes near it; and where between that and the
-/// next point the parabola through the peak still does, since a cell may be wider than the top.
+/// How far the peak is from the outermost end of an edge, or from a point, whose pressure comes near it; and where
+/// between that and the next point the parabola through the peak still does, since a cell may be wider than the top.
 fn farthest(run: &Run, contact: usize, bar: f64) -> f64 {
     if bar.is_nan() {
         return f64::NAN;
@@ -391,8 +396,8 @@ fn is_same(one: &Run, other: &Run) -> bool {
 
 /// Within what an end of a contact lies, whatever coarser meshes say; none where they tell.
 ///
-/// A contact that goes on to its outermost candidate ends there. Only where its pressure falls towards that, it may end anywhere within
-/// the last element; where it does not, though the surfaces go on, that is not known.
+/// A contact that goes on to its outermost candidate ends there. Only where its pressure falls towards that, it may end
+/// anywhere within the last element; where it does not, though the surfaces go on, that is not known.
 fn of_candidates(scene: &Scene, run: &Run, contact: usize, quantity: &Quantity, sizes: &[f64]) -> Option<f64> {
     let edges = run.solution.part(contact).edges;
     let falls = |side: usize| match edges {

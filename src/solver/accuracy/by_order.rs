@@ -1,8 +1,10 @@
-//! Cells of higher and higher order, fitted to the contacts of a scene, until the error bars of a mesh are within what is asked.
+//! Cells of higher and higher order, fitted to the contacts of a scene, until the error bars of a mesh are within what
+//! is asked.
 //!
-//! They know where the contact ends, and where the curvature of its gap leaps, by mesh lines; 8-node cells know it by pressures alone, so
-//! that these take three times as many dofs to tell the half-width. Each mesh is judged by the next one, which is then the one that is
-//! judged. Once one is good enough, those before it are judged by it, and the cheapest that is good enough is answered.
+//! They know where the contact ends, and where the curvature of its gap leaps, by mesh lines; 8-node cells know it by
+//! pressures alone, so that these take three times as many dofs to tell the half-width. Each mesh is judged by the next
+//! one, which is then the one that is judged. Once one is good enough, those before it are judged by it, and the
+//! cheapest that is good enough is answered.
 
 use crate::accuracy::coarser::finer;
 use crate::accuracy::longest::longest;
@@ -18,8 +20,8 @@ use crate::solve::{Discretisation, Element, Fitted, Formulation, Run};
 /// What such meshes are solved for.
 const PURPOSE: &str = "order";
 
-/// Meshes that are as good as is asked: the smallest relative error asked for with which one is the first, order and layers. Every layer leaves an
-/// eighth to a fifteenth of the error of an end, every order a third of that of the peak.
+/// Meshes that are as good as is asked: the smallest relative error asked for with which one is the first, order and
+/// layers. Every layer leaves an eighth to a fifteenth of the error of an end, every order a third of that of the peak.
 const FIRST: [(f64, Fitted); 5] = [
     (5e-3, Fitted::of(Order::Quartic, 1)),
     (5e-4, Fitted::of(Order::Quintic, 1)),
@@ -28,17 +30,21 @@ const FIRST: [(f64, Fitted); 5] = [
     (0.0, Fitted::of(Order::Octic, 3)),
 ];
 
-/// Move of an end over the half-width, over what is asked, that no longer matters: a thirtieth to a quarter of it is left in the end.
+/// Move of an end over the half-width, over what is asked, that no longer matters: a thirtieth to a quarter of it is
+/// left in the end.
 const REST: f64 = 2.0;
 /// Move at rest from which on the ends are sought on the mesh itself, without a coarse one.
 const AT_ONCE: f64 = 0.024;
-/// Bar over that of the mesh before, from which on the bars fall too slowly; and how many in a row may: the first is followed by a higher order,
-/// others by smaller cells, and where those gain nothing either, 8-node cells do hardly more.
+/// Bar over that of the mesh before, from which on the bars fall too slowly; and how many in a row may: the first is
+/// followed by a higher order, others by smaller cells, and where those gain nothing either, 8-node cells do hardly
+/// more.
 const SLOW: f64 = 0.5;
 const PATIENCE: usize = 2;
-/// Bar over what is asked up to which a finer mesh may show a mesh to be good enough: bars are up to ten times the distance to the next one.
+/// Bar over what is asked up to which a finer mesh may show a mesh to be good enough: bars are up to ten times the
+/// distance to the next one.
 const HOPEFUL: f64 = 20.0;
-/// Dofs of a mesh of high order from which on no smaller cells follow it: these have up to four times as many, a matrix of gigabytes.
+/// Dofs of a mesh of high order from which on no smaller cells follow it: these have up to four times as many, a matrix
+/// of gigabytes.
 const LARGE: usize = 60_000;
 
 /// Whether such meshes are tried.
@@ -50,8 +56,8 @@ pub(super) fn applies(scene: &Scene, formulation: &Formulation, asked: &Asked) -
     asked.high_order && is_meshed && formulation.element == Element::Node && asked.quantities.iter().all(known)
 }
 
-/// The cheapest of such meshes that is good enough, as the first whose bars, by the next one, are within what is asked shows, held with what judges
-/// it; or else the best of them.
+/// The cheapest of such meshes that is good enough, as the first whose bars, by the next one, are within what is asked
+/// shows, held with what judges it; or else the best of them.
 pub(super) fn found(scene: &Scene, rungs: &mut Rungs) -> Result<Option<(Rung, Option<Held>)>, Error> {
     let asked = rungs.asked.relative;
     // Those before it, and the meshes of those that may do.
@@ -84,8 +90,8 @@ pub(super) fn found(scene: &Scene, rungs: &mut Rungs) -> Result<Option<(Rung, Op
     Ok(all.reduce(|best, rung| if is_better(&rung, &best) { rung } else { best }).map(|best| (best, None)))
 }
 
-/// The first mesh, whose lines lie on the ends of the contact that the cheap one shows; a coarser one where the iteration does not converge on
-/// it, and none where none can be fitted, or is allowed.
+/// The first mesh, whose lines lie on the ends of the contact that the cheap one shows; a coarser one where the
+/// iteration does not converge on it, and none where none can be fitted, or is allowed.
 fn first(scene: &Scene, rungs: &mut Rungs) -> Option<(Discretisation, Rung)> {
     let known = rungs.first.as_ref().and_then(|(_, first)| wider(scene, &first.run, BEYOND));
     let scene = known.as_ref().unwrap_or(scene);
@@ -135,16 +141,16 @@ fn sought(mesh: Fitted, scene: &Scene, rungs: &Rungs) -> Result<edge_fitted::Ans
     }
 }
 
-/// How far candidates go beyond a stretch, over its half-width: where only a third of that, the mesh leaves five times as much in its end, and
-/// farther out it leaves as much.
+/// How far candidates go beyond a stretch, over its half-width: where only a third of that, the mesh leaves five times
+/// as much in its end, and farther out it leaves as much.
 const BEYOND: f64 = 1.0;
-/// The same below which the cells there are squeezed so much that the mesh is made again: of a sphere with 4 % of candidates beyond, as a cheap mesh
-/// took its contact for a quarter shorter, no order of cells told the half-width to better than 1e-4. And around an axis, where half of the radius
-/// beyond leaves three times as much in the end.
+/// The same below which the cells there are squeezed so much that the mesh is made again: of a sphere with 4 % of
+/// candidates beyond, as a cheap mesh took its contact for a quarter shorter, no order of cells told the half-width to
+/// better than 1e-4. And around an axis, where half of the radius beyond leaves three times as much in the end.
 const SQUEEZED: [f64; 2] = [0.2, 0.6];
 
-/// A scene with candidates that go [so far](BEYOND) beyond what a run found closed, where some do not go beyond it by a part of the half-width
-/// and can go farther; none where all do.
+/// A scene with candidates that go [so far](BEYOND) beyond what a run found closed, where some do not go beyond it by a
+/// part of the half-width and can go farther; none where all do.
 fn wider(scene: &Scene, run: &Run, least: f64) -> Option<Scene> {
     let mut wider = scene.clone();
     for (pair, contact) in wider.contacts.iter_mut().zip(&run.contacts) {
@@ -186,7 +192,8 @@ fn next(before: &Discretisation, rung: &Rung, smaller: bool, rungs: &mut Rungs) 
     is_kept(&discretisation, &rung, rungs).then_some((discretisation, rung))
 }
 
-/// Whether a mesh was solved, and has no more cells than are allowed: counted as the 8-node cells that have as many nodes along a side.
+/// Whether a mesh was solved, and has no more cells than are allowed: counted as the 8-node cells that have as many
+/// nodes along a side.
 fn is_kept(discretisation: &Discretisation, rung: &Rung, rungs: &Rungs) -> bool {
     let across = 0.5 * discretisation.resolution.order.intervals() as f64;
     let cells = discretisation.mesh.cells() as f64 * across * across;

@@ -1,11 +1,12 @@
-//! The same scene on coarser meshes of the same family, on the next finer one, and on one whose growth alone is gentler.
+//! The same scene on coarser meshes of the same family, on the next finer one, and on one whose growth alone is
+//! gentler.
 
 use crate::mesh::size::expected;
 use crate::mesh::{Order, Resolution};
 use crate::scene::{BlockShape, Body, Load, Scene, Shape};
 
-/// Element sizes over those of the mesh: whole numbers of candidates make them uneven, which is welcome: an end of the contact
-/// lies at another place of its element on each. With rounder ratios those numbers would hang on round-off.
+/// Element sizes over those of the mesh: whole numbers of candidates make them uneven, which is welcome: an end of the
+/// contact lies at another place of its element on each. With rounder ratios those numbers would hang on round-off.
 pub const RATIOS: [f64; 4] = [1.99, 2.51, 3.17, 3.97];
 /// Those of small meshes: they cost nothing there, and on half as many elements little is left of a contact.
 pub const CLOSE: [f64; 4] = [1.59, 1.99, 2.51, 3.17];
@@ -18,11 +19,11 @@ const SMALL: f64 = 2e3;
 
 /// The coarser meshes, from the finest on; none where a mesh made elsewhere was not halved.
 ///
-/// Where mesh lines lie on the ends of a contact, these are cells of lower order at the same places, down to order 4; below
-/// that there are 8-node cells only.
+/// Where mesh lines lie on the ends of a contact, these are cells of lower order at the same places, down to order 4;
+/// below that there are 8-node cells only.
 ///
-/// Growth and coarsest element follow the elements of the contact, as they do in refinement; blocks have fewer elements; a mesh
-/// made elsewhere has only those that it was halved from.
+/// Growth and coarsest element follow the elements of the contact, as they do in refinement; blocks have fewer
+/// elements; a mesh made elsewhere has only those that it was halved from.
 pub fn coarser(scene: &Scene, resolution: Resolution) -> Vec<(Scene, Resolution)> {
     if scene.bodies.iter().any(|body| matches!(body.shape, Shape::Given(_))) {
         let halved = (0..resolution.refinement).rev().take(RATIOS.len());
@@ -38,8 +39,8 @@ pub fn coarser(scene: &Scene, resolution: Resolution) -> Vec<(Scene, Resolution)
     ratios.into_iter().map(|ratio| (by(scene, resolution, ratio), resolution)).collect()
 }
 
-/// The next mesh of those that end with the contact: cells of the next order with a layer more, and beyond the highest order twice as many
-/// cells with two layers more.
+/// The next mesh of those that end with the contact: cells of the next order with a layer more, and beyond the highest
+/// order twice as many cells with two layers more.
 pub fn finer(scene: &Scene, resolution: Resolution) -> (Scene, Resolution) {
     let next = Order::numbered(usize::from(resolution.order.number()) + 1);
     let (layers, resolution) = match next {
@@ -53,9 +54,9 @@ pub fn finer(scene: &Scene, resolution: Resolution) -> (Scene, Resolution) {
 
 /// The scene with the same elements on the contacts and gentler growth away from them; none where no far cell decides.
 ///
-/// Far cells are few on a body that bends, approximate a curved side by chords, are large at the corner of a clamped side and where a load ends
-/// within a side; all of a body takes part where bodies are pressed by their interference. Coarser meshes may have the same cells there, and what
-/// these leave cancels from every difference.
+/// Far cells are few on a body that bends, approximate a curved side by chords, are large at the corner of a clamped
+/// side and where a load ends within a side; all of a body takes part where bodies are pressed by their interference.
+/// Coarser meshes may have the same cells there, and what these leave cancels from every difference.
 pub fn gentler(scene: &Scene, resolution: Resolution) -> Option<(Scene, Resolution)> {
     let has_other_family = scene.bodies.iter().any(|body| matches!(body.shape, Shape::Given(_)))
         || scene.contacts.iter().any(|pair| !pair.ends.places.is_empty());
@@ -66,7 +67,8 @@ pub fn gentler(scene: &Scene, resolution: Resolution) -> Option<(Scene, Resoluti
     (matter && !has_other_family).then(|| (Scene { grading, ..scene.clone() }, resolution))
 }
 
-/// Whether the size of far cells decides about a load: own weight of a body with a curved side, or a load that ends within a side.
+/// Whether the size of far cells decides about a load: own weight of a body with a curved side, or a load that ends
+/// within a side.
 fn is_loaded_far(body: &Body) -> bool {
     let is_round = matches!(body.shape, Shape::Disc { .. } | Shape::Ring { .. } | Shape::Eye { .. });
     body.loads.iter().any(|load| match load {

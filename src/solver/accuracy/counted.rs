@@ -1,15 +1,16 @@
 //! How far differences between meshes are counted on to tell the error of a number.
 //!
-//! `u = F max |f₀ − fᵢ| / (rᵢ^q − 1) + C (h/a)^s + D`: the finest value f₀, those of meshes of the sizes `rᵢ h`, the part C that
-//! the end of a contact may hide, as it lies somewhere within an element of each mesh and all of them may agree by accident, and
-//! what is known otherwise, D: of a peak how far two readings of it are apart on the mesh itself, what a top narrower than its elements
-//! hides (`evidence`).
+//! `u = F max |f₀ − fᵢ| / (rᵢ^q − 1) + C (h/a)^s + D`: the finest value f₀, those of meshes of the sizes `rᵢ h`, the
+//! part C that the end of a contact may hide, as it lies somewhere within an element of each mesh and all of them may
+//! agree by accident, and what is known otherwise, D: of a peak how far two readings of it are apart on the mesh
+//! itself, what a top narrower than its elements hides (`evidence`).
 //!
-//! F and C are the narrowest that hold on random scenes of closed form: the study *coverage* records those scenes, a test derives
-//! the constants from the record again, and other scenes judge them. q is no claim of an order: pressures at the points of line and
-//! layer elements oscillate, and what cells of 8 nodes gain on the coarser meshes is lost where the end of the contact decides.
-//! Numbers below the surface have a C too, for coarse meshes that agree by accident. A largest von Mises stress is counted on as a largest
-//! shear stress, by two or three times as much: the records hold none, and a test holds its bars against the same closed forms.
+//! F and C are the narrowest that hold on random scenes of closed form: the study *coverage* records those scenes, a
+//! test derives the constants from the record again, and other scenes judge them. q is no claim of an order: pressures
+//! at the points of line and layer elements oscillate, and what cells of 8 nodes gain on the coarser meshes is lost
+//! where the end of the contact decides. Numbers below the surface have a C too, for coarse meshes that agree by
+//! accident. A largest von Mises stress is counted on as a largest shear stress, by two or three times as much: the
+//! records hold none, and a test holds its bars against the same closed forms.
 
 use crate::measure::Quantity;
 use crate::mesh::Order;
@@ -82,14 +83,14 @@ impl Row {
         if self.linear || self.ends_at_candidates { 1.5 } else { 2.0 }
     }
 
-    /// Exponent s of the element size h over the half-width a: an end is hidden within a part of its element, what that leaves
-    /// elsewhere falls with the square.
+    /// Exponent s of the element size h over the half-width a: an end is hidden within a part of its element, what that
+    /// leaves elsewhere falls with the square.
     pub fn power(self) -> f64 {
         if self.kind == Kind::End { 1.0 } else { 2.0 }
     }
 
-    /// Factor F on the worst difference; and C, relative to the peak, to the half-width of the contact, or to the largest
-    /// displacement.
+    /// Factor F on the worst difference; and C, relative to the peak, to the half-width of the contact, or to the
+    /// largest displacement.
     pub fn constants(self) -> [f64; 2] {
         let Self { kind, linear, node, ends_at_candidates } = self;
         match (kind, linear) {

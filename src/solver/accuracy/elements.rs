@@ -1,13 +1,13 @@
-//! What bars depend on of a mesh: how wide its elements are, whether a body is one element deep, and where corners are that loads and held
-//! sides make.
+//! What bars depend on of a mesh: how wide its elements are, whether a body is one element deep, and where corners are
+//! that loads and held sides make.
 
 use std::collections::BTreeMap;
 
 use crate::scene::{ContactPair, Place};
 use crate::solve::Discretisation;
 
-/// Length of the edge at a cusp of the pressure, towards which cells shrink, over that that is counted on: of rⁿ, n from 1.15 to 1.98, peaks are
-/// off by a half of their bars.
+/// Length of the edge at a cusp of the pressure, towards which cells shrink, over that that is counted on: of rⁿ, n
+/// from 1.15 to 1.98, peaks are off by a half of their bars.
 const SHRUNK: f64 = 4.0;
 
 /// The end of a side that carries a load: body, place, and length of the outermost edge.
@@ -22,8 +22,8 @@ pub(super) fn is_shallow(Discretisation { scene, mesh, .. }: &Discretisation) ->
     scene.contacts.iter().any(|pair| pair.bodies().any(|body| is_row(pair, body)))
 }
 
-/// Along which components a body is held where it loses regularity: on a side that is held in both directions up to where a free one begins, or at
-/// a point on the end of a side that carries a load.
+/// Along which components a body is held where it loses regularity: on a side that is held in both directions up to
+/// where a free one begins, or at a point on the end of a side that carries a load.
 pub(super) fn held_at_corner(discretisation: &Discretisation, corners: &[Corner]) -> [bool; 2] {
     let Discretisation { scene, mesh, .. } = discretisation;
     let has_corner = |body: usize| {
@@ -63,8 +63,8 @@ pub(super) fn sizes(discretisation: &Discretisation) -> Vec<f64> {
     each.collect()
 }
 
-/// About the distance from s = 0 of each contact to the next node, by the candidate edge there, the widest of those that end with it; a
-/// part of that edge where cells shrink towards it.
+/// About the distance from s = 0 of each contact to the next node, by the candidate edge there, the widest of those
+/// that end with it; a part of that edge where cells shrink towards it.
 pub(super) fn spacings_at_vertex(discretisation: &Discretisation) -> Vec<f64> {
     let order = discretisation.resolution.order;
     let of_8_nodes = order.intervals() as f64 / 2.0;
@@ -78,7 +78,8 @@ pub(super) fn spacings_at_vertex(discretisation: &Discretisation) -> Vec<f64> {
     each.collect()
 }
 
-/// Two mean spacings of the candidates of the second body of each contact, an 8-node cell or two of 4 nodes; 0 where that is rigid.
+/// Two mean spacings of the candidates of the second body of each contact, an 8-node cell or two of 4 nodes; 0 where
+/// that is rigid.
 pub(super) fn of_second(discretisation: &Discretisation) -> Vec<f64> {
     let of = |(contact, pair): (usize, &ContactPair)| {
         let body = &discretisation.mesh.bodies[pair.second?];

@@ -1,7 +1,7 @@
 //! Several contacts, and bodies whose mesh is given.
 //!
-//! Cells that are given are cut both ways, and so is all of the mesh beside them. Where all bodies are meshed here, the elements on the
-//! contacts are made smaller by any ratio and the growth follows them, which needs far fewer cells.
+//! Cells that are given are cut both ways, and so is all of the mesh beside them. Where all bodies are meshed here, the
+//! elements on the contacts are made smaller by any ratio and the growth follows them, which needs far fewer cells.
 
 use crate::accuracy::fitted;
 use crate::accuracy::longest::longest;
@@ -194,10 +194,11 @@ impl Evenly {
     }
 }
 
-/// Gives all contacts of bodies that touch, directly or through others, elements of one size, that of the shortest of them:
-/// nodes of both sides then face one another, and other bodies have the size that they need. The grading unit is the longest
-/// of these lengths; candidates are `margin` times as long as what they are sized for. Bodies beside a given mesh have elements no longer than
-/// its own there: halving keeps the ratio of both, and the nodes of a coarser side show in the pressures of the finer one.
+/// Gives all contacts of bodies that touch, directly or through others, elements of one size, that of the shortest of
+/// them: nodes of both sides then face one another, and other bodies have the size that they need. The grading unit is
+/// the longest of these lengths; candidates are `margin` times as long as what they are sized for. Bodies beside a
+/// given mesh have elements no longer than its own there: halving keeps the ratio of both, and the nodes of a coarser
+/// side show in the pressures of the finer one.
 fn fit(scene: &mut Scene, asked: &[f64], margin: f64) {
     let groups = touching(scene);
     let shortest = |group: usize| {
@@ -234,7 +235,8 @@ fn densities(scene: &Scene) -> Vec<f64> {
     scene.bodies.iter().map(|body| body.density).collect()
 }
 
-/// Mean length of the edges of a mesh made elsewhere on a side, of those beside the candidates of a contact \[mm\]; NaN where there are none.
+/// Mean length of the edges of a mesh made elsewhere on a side, of those beside the candidates of a contact \[mm\]; NaN
+/// where there are none.
 fn edge(pair: &ContactPair, shape: &Shape, side: &str) -> f64 {
     let Shape::Given(mesh) = shape else { return f64::NAN };
     let (from, reach) = (pair.path.point(0.0), pair.stretch * pair.path.metric());

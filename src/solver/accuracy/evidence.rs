@@ -14,59 +14,66 @@ use crate::solve::{Displaced, Element, Fitted, Run};
 const ROUND_OFF: f64 = 1e-9;
 /// How often that may be in a force that statics give.
 const STATICS: f64 = 10.0;
-/// Fewest coarser meshes that say something, and the factor where there is one only (Roache's 3 for two meshes over 1.25).
+/// Fewest coarser meshes that say something, and the factor where there is one only (Roache's 3 for two meshes over
+/// 1.25).
 const FEWEST: (usize, f64) = (2, 2.4);
 /// Factor on the distance between two readings of a peak.
 const READINGS: f64 = 1.8;
-/// Factor on the distance between two series that tell an end; part of the half-width that both may miss with three layers of cells (order 5), and
-/// what every further layer leaves of that.
+/// Factor on the distance between two series that tell an end; part of the half-width that both may miss with three
+/// layers of cells (order 5), and what every further layer leaves of that.
 const SERIES: (f64, f64) = (1.0, 2e-6);
 const LAYERS: usize = 3;
 const LEFT: f64 = 0.1;
-/// What a fourth difference at the top of the pressure that is larger by one than that of a smooth top on three elements may hide: of the
-/// peak and of the largest shear stress over themselves, of an end and of the second-moment width over an element. Under a gap that points
-/// tell, whose curvature may leap, any fourth difference hides something.
+/// What a fourth difference at the top of the pressure that is larger by one than that of a smooth top on three
+/// elements may hide: of the peak and of the largest shear stress over themselves, of an end and of the second-moment
+/// width over an element. Under a gap that points tell, whose curvature may leap, any fourth difference hides
+/// something.
 const UNDRAWN: [f64; 4] = [0.3, 0.5, 0.8, 0.08];
 const SMOOTH: f64 = 0.1;
-/// Part of an element that an end within a cell of high order may be off, whatever coarser meshes say (plane powers, orders 5 to 8).
+/// Part of an element that an end within a cell of high order may be off, whatever coarser meshes say (plane powers,
+/// orders 5 to 8).
 const WITHIN: f64 = 0.5;
 /// Part of an element that an end may be off where meshes agree on it: they may read it at a node that they share.
 const AT_NODE: f64 = 0.05;
-/// Fourth difference from which on a top in the last edge of its stretch is not told, by node elements one edge farther.
+/// Fourth difference from which on a top in the last edge of its stretch is not told, by node elements one edge
+/// farther.
 const RISES: f64 = 1.0;
-/// Largest pressure at a node over the peak that consistent nodal pressures of smooth contacts show: those of corners and middles of
-/// 3-node edges differ by 0.5 % on four elements.
+/// Largest pressure at a node over the peak that consistent nodal pressures of smooth contacts show: those of corners
+/// and middles of 3-node edges differ by 0.5 % on four elements.
 const ALTERNATES: f64 = 1.01;
-/// The same of a point of a line or a layer element on a mesh made elsewhere, whose sides need not match: beyond this means over edges swing with
-/// the points, alike on every mesh that it is halved to.
+/// The same of a point of a line or a layer element on a mesh made elsewhere, whose sides need not match: beyond this
+/// means over edges swing with the points, alike on every mesh that it is halved to.
 const SWINGS: f64 = 1.15;
-/// On cells of high order that end with the contact: factor on the difference to the next finer mesh, where the gap is smooth and where it is
-/// not, of a peak and of what else pressures tell: of an end under a smooth gap that mesh leaves a tenth, under others it may be as far off.
+/// On cells of high order that end with the contact: factor on the difference to the next finer mesh, where the gap is
+/// smooth and where it is not, of a peak and of what else pressures tell: of an end under a smooth gap that mesh leaves
+/// a tenth, under others it may be as far off.
 const BY_NEXT: [[f64; 2]; 2] = [[2.0, 4.8], [1.6, 9.6]];
-/// Part of the distance between two readings of a peak that is added, and of that between two series for an end that is the least: a gap that is
-/// steep at the end (s^8 to s^22 on a parabola) has series that are as far off on the next mesh.
+/// Part of the distance between two readings of a peak that is added, and of that between two series for an end that is
+/// the least: a gap that is steep at the end (s^8 to s^22 on a parabola) has series that are as far off on the next
+/// mesh.
 const READ: [f64; 2] = [0.5, 0.5];
-/// Where the gap is not smooth, of the relative difference of the half-width what the peak may be off, and of the peak's what an end may be:
-/// order by order either agrees by chance.
+/// Where the gap is not smooth, of the relative difference of the half-width what the peak may be off, and of the
+/// peak's what an end may be: order by order either agrees by chance.
 const ROUGH: [f64; 2] = [2.4, 0.5];
-/// Factor on the difference to the mesh of gentler growth, on which what far cells leave is a quarter as large, and half as large or more where a side
-/// is clamped or interference alone presses.
+/// Factor on the difference to the mesh of gentler growth, on which what far cells leave is a quarter as large, and
+/// half as large or more where a side is clamped or interference alone presses.
 const FAR: [f64; 2] = [1.5, 3.0];
-/// Of the relative bar of a contact's force, the part that it adds to its other numbers: pressures and lengths grow with the root of the
-/// force (Hertz).
+/// Of the relative bar of a contact's force, the part that it adds to its other numbers: pressures and lengths grow
+/// with the root of the force (Hertz).
 const FORCE: f64 = 0.5;
-/// Factor, of 4-node cells and of others, on what tells a largest von Mises stress, over what tells a largest shear stress inside: it may lie on
-/// the surface of a body, where stresses extrapolated to nodes are less accurate.
+/// Factor, of 4-node cells and of others, on what tells a largest von Mises stress, over what tells a largest shear
+/// stress inside: it may lie on the surface of a body, where stresses extrapolated to nodes are less accurate.
 const SURFACE: [f64; 2] = [3.0, 2.0];
-/// Factor on what tells a peak by node elements on 4-node cells around an axis of revolution: the node on the axis has a third of the area of
-/// its ring, and of spheres on 3 to 30 elements half of the bars were up to 1.7 times too small without it.
+/// Factor on what tells a peak by node elements on 4-node cells around an axis of revolution: the node on the axis has
+/// a third of the area of its ring, and of spheres on 3 to 30 elements half of the bars were up to 1.7 times too small
+/// without it.
 const ON_AXIS: f64 = 2.0;
-/// Factor on what tells a peak on an axis of revolution by cells of high order whose dilatation is smoothed: orders 5 and 6 are off by the same
-/// 1e-4, by 1.3 to 3.6 of what they tell.
+/// Factor on what tells a peak on an axis of revolution by cells of high order whose dilatation is smoothed: orders 5
+/// and 6 are off by the same 1e-4, by 1.3 to 3.6 of what they tell.
 const SMOOTHED: f64 = 4.0;
-/// From which multiple of the first body's elements on those of the second hide a part of their own, and the factor on its exponent: what
-/// they leave falls faster (half-width, peak and second-moment width of two cylinders, one to four elements of the second on the
-/// half-width).
+/// From which multiple of the first body's elements on those of the second hide a part of their own, and the factor on
+/// its exponent: what they leave falls faster (half-width, peak and second-moment width of two cylinders, one to four
+/// elements of the second on the half-width).
 const UNEVEN: f64 = 2.0;
 const UNSEEN: f64 = 2.0;
 /// Elements are larger on a coarser mesh than by this factor, or it is none.
@@ -92,7 +99,8 @@ impl Evidence {
         factor * self.apart + hidden * self.hidden + self.rest
     }
 
-    /// Whether meshes find a force otherwise, which statics alone do not give then; round-off of it is relative to a force.
+    /// Whether meshes find a force otherwise, which statics alone do not give then; round-off of it is relative to a
+    /// force.
     pub(super) fn is_of_mesh(&self, scale: f64) -> bool {
         self.apart > STATICS * ROUND_OFF * scale.abs()
     }
@@ -199,8 +207,8 @@ impl Family {
         }
     }
 
-    /// What the next mesh says: `F |f₀ − f₁|`, with what the reading misses and, where the gap is not smooth, what peak and half-width say of one
-    /// another.
+    /// What the next mesh says: `F |f₀ − f₁|`, with what the reading misses and, where the gap is not smooth, what peak
+    /// and half-width say of one another.
     fn of_next(&self, next: &Other, number: &Number) -> Evidence {
         let &Number { reading: &Reading { contact, ref quantity, .. }, discrete, measures, row } = number;
         let of_next = |quantity: &Quantity| value_of(&next.readings, contact, quantity);
@@ -240,7 +248,8 @@ impl Family {
         };
         let [hidden, missed] = self.hidden(number, &errors);
         let [scale, read] = match row.kind {
-            // Where the contact goes on by pressures that do not count as such, every mesh has its end where they begin to.
+            // Where the contact goes on by pressures that do not count as such, every mesh has its end where they begin
+            // to.
             Kind::End => [width_of(quantity, measures), self.missed_by_end(measures) + measures.faint],
             // Below a sharp top the shear stress is missed as its pressure is.
             Kind::Shear => [reading.scale, reading.value.abs() * self.above(measures) / measures.peak.pressure],
@@ -265,8 +274,8 @@ impl Family {
         told.and(larger(least - told.bar(), 0.0))
     }
 
-    /// The error of a number by every mesh that tells it, `|f₀ − fᵢ| / (rᵢ^q − 1)`; of cells of order 4, below which there are 8-node cells only,
-    /// the distance to the next mesh.
+    /// The error of a number by every mesh that tells it, `|f₀ − fᵢ| / (rᵢ^q − 1)`; of cells of order 4, below which
+    /// there are 8-node cells only, the distance to the next mesh.
     fn errors(&self, number: &Number) -> Vec<f64> {
         let &Number { reading: &Reading { contact, ref quantity, .. }, discrete, measures, row } = number;
         // Where a contact has other stretches there, there is nothing to compare.
@@ -281,8 +290,8 @@ impl Family {
             Quantity::Approach | Quantity::Reaction { .. } => self.held_at_corner == [true; 2],
             _ => false,
         };
-        // Where all of the mesh counts alike, and not the elements at the end of a contact, cells tell how much coarser it is:
-        // one that has one element across a ring has no coarser neighbours in that direction.
+        // Where all of the mesh counts alike, and not the elements at the end of a contact, cells tell how much coarser
+        // it is: one that has one element across a ring has no coarser neighbours in that direction.
         let is_of_contact = self.on_ends || !is_held && row.kind != Kind::Force && !fills_candidates(measures);
         let ratio = |other: &Other| {
             let along = other.sizes[contact] / self.sizes[contact];
@@ -298,15 +307,16 @@ impl Family {
             {
                 observed(&differences, row.exponent())
             }
-            // What a corner of a held side leaves in a contact falls as slowly, once that is more than what its ends leave.
+            // What a corner of a held side leaves in a contact falls as slowly, once that is more than what its ends
+            // leave.
             _ if is_held || self.held_at_corner == [true; 2] => observed(&differences, row.exponent()),
             _ => row.exponent(),
         };
         by_order(&differences, order)
     }
 
-    /// What the end of a contact may hide, as it lies somewhere within an element of each mesh, `(h/a)^s`, and what is missed besides, both over the
-    /// scale of the number.
+    /// What the end of a contact may hide, as it lies somewhere within an element of each mesh, `(h/a)^s`, and what is
+    /// missed besides, both over the scale of the number.
     fn hidden(&self, number: &Number, errors: &[f64]) -> [f64; 2] {
         let &Number { reading: &Reading { contact, ref quantity, scale, .. }, measures, row, .. } = number;
         match self.on_ends {
@@ -329,8 +339,9 @@ impl Family {
         if number.row.kind == Kind::Peak { self.cusps[number.reading.contact] } else { 0.0 }
     }
 
-    /// Error over the elements of a much coarser second body, on the half-width: pressures swing from one of its nodes to the next.
-    /// That is of a disc on a block of a tenth of its modulus, of 0.1 to 0.35 of its elements; of equal moduli far less is left.
+    /// Error over the elements of a much coarser second body, on the half-width: pressures swing from one of its nodes
+    /// to the next. That is of a disc on a block of a tenth of its modulus, of 0.1 to 0.35 of its elements; of equal
+    /// moduli far less is left.
     fn swings(&self, kind: Kind) -> f64 {
         match kind {
             Kind::Peak if self.order == Order::Linear => 2.5,
@@ -340,8 +351,9 @@ impl Family {
         }
     }
 
-    /// What the reading of a number may miss, on this mesh and on all coarser ones alike: of a peak how far two readings of it are apart,
-    /// and a point that stands above it, as under a sharp top; of an end that a mesh line tells how far two series are apart.
+    /// What the reading of a number may miss, on this mesh and on all coarser ones alike: of a peak how far two
+    /// readings of it are apart, and a point that stands above it, as under a sharp top; of an end that a mesh line
+    /// tells how far two series are apart.
     fn missed_by_reading(&self, kind: Kind, measures: &Measures) -> f64 {
         match kind {
             Kind::Peak => READINGS * (measures.peak_by_parabola - measures.peak.pressure).abs() + self.above(measures),
@@ -357,8 +369,8 @@ impl Family {
         if self.on_ends { factor * measures.ends_apart + missed * measures.half_width() } else { 0.0 }
     }
 
-    /// What elements too wide to draw the top hide in a number, on this mesh and on all coarser ones alike; NaN where the pressure rises up
-    /// to the end, so that its largest value lies in the last element.
+    /// What elements too wide to draw the top hide in a number, on this mesh and on all coarser ones alike; NaN where
+    /// the pressure rises up to the end, so that its largest value lies in the last element.
     fn undrawn(&self, &Reading { contact, ref quantity, value, .. }: &Reading, measures: &Measures) -> f64 {
         let kind = Kind::of(quantity);
         if self.on_ends || fills_candidates(measures) {
@@ -410,12 +422,14 @@ impl Family {
     }
 }
 
-/// Differences to coarser meshes over `r^q − 1` of their ratios r: the error of the mesh, where errors fall with the order q.
+/// Differences to coarser meshes over `r^q − 1` of their ratios r: the error of the mesh, where errors fall with the
+/// order q.
 fn by_order(differences: &[[f64; 2]], order: f64) -> Vec<f64> {
     differences.iter().map(|[ratio, apart]| apart / (ratio.powf(order) - 1.0)).collect()
 }
 
-/// The order, down to the first, on which differences to coarser meshes agree best, where that is below the one counted on.
+/// The order, down to the first, on which differences to coarser meshes agree best, where that is below the one counted
+/// on.
 fn observed(differences: &[[f64; 2]], counted: f64) -> f64 {
     const TRIED: usize = 10;
     let spread = |order: f64| {
@@ -426,8 +440,8 @@ fn observed(differences: &[[f64; 2]], counted: f64) -> f64 {
     orders.fold(counted, |best, order| if spread(order) < spread(best) { order } else { best })
 }
 
-/// What elements are small beside: of an end half of its own stretch, of the half-width that of the shortest one, of others the
-/// second-moment width.
+/// What elements are small beside: of an end half of its own stretch, of the half-width that of the shortest one, of
+/// others the second-moment width.
 fn width_of(quantity: &Quantity, measures: &Measures) -> f64 {
     let half = |one: &Stretch| if one.begin > 0.0 || measures.across { 0.5 * (one.end - one.begin) } else { one.end };
     let all = measures.stretches.iter();

@@ -1,4 +1,5 @@
-//! The same scene on other meshes, coarser ones and the next finer one: what they say tells the mesh's part of a bar (`evidence`).
+//! The same scene on other meshes, coarser ones and the next finer one: what they say tells the mesh's part of a bar
+//! (`evidence`).
 
 use rayon::prelude::*;
 
@@ -12,19 +13,20 @@ use crate::mesh::Order;
 use crate::scene::{ContactPair, Profile, Scene};
 use crate::solve::{Discretisation, Displaced, Element, Formulation, Iteration, Permits, Run, Settings};
 
-/// Imbalance of a body up to which a run whose iteration has converged says something, and how much of it a bar has: the stiffness of a
-/// thin ring leaves forces no better than 1e-7 to 1e-5, whatever is iterated.
+/// Imbalance of a body up to which a run whose iteration has converged says something, and how much of it a bar has:
+/// the stiffness of a thin ring leaves forces no better than 1e-7 to 1e-5, whatever is iterated.
 pub(super) const UNBALANCED: (f64, f64) = (1e-4, 10.0);
 /// Why a bar is not known where more than a little is out of balance.
 pub(super) const LOST: &str =
     "round-off takes part of the forces, in cells that are too long and thin, or too stiff: try --fitted";
 /// Tolerance of the runs on coarser meshes.
 const TOLERANCE: f64 = 1e-9;
-/// The same where cells shrink towards a cusp of the pressure: on an axis of revolution round-off leaves a hundred-thousandth of what the smallest
-/// rings carry.
+/// The same where cells shrink towards a cusp of the pressure: on an axis of revolution round-off leaves a
+/// hundred-thousandth of what the smallest rings carry.
 const CUSPED: f64 = 1e-4;
-/// Factor on the square of how far an end may be off, over the half-width: 2 tells the error of a half-width, 1/2 that of a peak, since at the
-/// end the potential energy is the least; and half of 2 for that of the force, with whose root both grow.
+/// Factor on the square of how far an end may be off, over the half-width: 2 tells the error of a half-width, 1/2 that
+/// of a peak, since at the end the potential energy is the least; and half of 2 for that of the force, with whose root
+/// both grow.
 const MISFIT: f64 = 3.0;
 
 /// The coarser meshes of a run.
@@ -46,7 +48,8 @@ pub struct Family {
     pub(super) on_ends: bool,
     /// Layers of cells towards those.
     pub(super) layers: usize,
-    /// The gap of each contact. Where it is not smooth, errors fall less from order to order; where points tell it, its curvature may leap.
+    /// The gap of each contact. Where it is not smooth, errors fall less from order to order; where points tell it, its
+    /// curvature may leap.
     pub(super) profiles: Vec<Profile>,
     /// Whether the mesh of a body was made elsewhere.
     pub(super) given: bool,
@@ -80,8 +83,8 @@ pub(super) struct Other {
 }
 
 impl Family {
-    /// What coarser meshes say of the numbers that a contact element finds on a mesh, with the settings of a formulation, and of the
-    /// displacements that are wanted; without those of the contacts alone.
+    /// What coarser meshes say of the numbers that a contact element finds on a mesh, with the settings of a
+    /// formulation, and of the displacements that are wanted; without those of the contacts alone.
     pub fn of(discretisation: &Discretisation, formulation: &Formulation, wanted: Option<&[Displaced]>) -> Self {
         Self::permitted(discretisation, formulation, wanted, None, &|_| Ok(()))
     }
@@ -111,7 +114,8 @@ impl Family {
         };
         let (gentler, coarse) = rayon::join(
             || gentler(scene, resolution).map(said),
-            // Of the contacts alone the next mesh tells all; and of cells of order 4, below which there are 8-node cells only.
+            // Of the contacts alone the next mesh tells all; and of cells of order 4, below which there are 8-node
+            // cells only.
             || match (&next, wanted) {
                 (Some(_), None) => Vec::new(),
                 (Some(_), _) if resolution.order == Order::Quartic => Vec::new(),
@@ -189,8 +193,9 @@ pub(super) fn discrete_of(run: &Run, contact: usize) -> &Measures {
     }
 }
 
-/// Whether the iteration of a run has converged, though round-off may leave more of the balance of a body than a solve accepts: on meshes
-/// fitted to the ends of a contact, since others leave more in a body that is as thin than coarser ones tell.
+/// Whether the iteration of a run has converged, though round-off may leave more of the balance of a body than a solve
+/// accepts: on meshes fitted to the ends of a contact, since others leave more in a body that is as thin than coarser
+/// ones tell.
 fn is_found(run: &Run, on_ends: bool) -> bool {
     if on_ends { run.is_found(UNBALANCED.0) } else { run.solution.converged() }
 }
@@ -200,7 +205,8 @@ pub(super) fn lost_balance(run: &Run) -> f64 {
     larger(run.imbalance() - run.iteration_error(), 0.0)
 }
 
-/// The formulation that finds the discrete solution of a contact element on meshes of a scene, with the settings of another one.
+/// The formulation that finds the discrete solution of a contact element on meshes of a scene, with the settings of
+/// another one.
 fn exact(formulation: &Formulation, scene: &Scene) -> Formulation {
     let Formulation { element, layer_thickness, settings, .. } = *formulation;
     let has_cusp = scene.contacts.iter().any(|pair| pair.power_at_cusp().is_some());

@@ -1,8 +1,9 @@
-//! Where the contact found on a mesh begins and ends, and meshes fitted to it: its ends at a fixed place within an element, so that errors fall smoothly with the mesh.
+//! Where the contact found on a mesh begins and ends, and meshes fitted to it: its ends at a fixed place within an
+//! element, so that errors fall smoothly with the mesh.
 //!
-//! On a mesh that does not know the contact its end lies anywhere within an element, and the error of the second-moment width
-//! wanders with it by several times its mean: on truncated Hertz with 8 8-node cells per half-width from −0.20 % to
-//! +0.14 %. With the end at one and the same place of the element it falls with the square of the element.
+//! On a mesh that does not know the contact its end lies anywhere within an element, and the error of the second-moment
+//! width wanders with it by several times its mean: on truncated Hertz with 8 8-node cells per half-width from −0.20 %
+//! to +0.14 %. With the end at one and the same place of the element it falls with the square of the element.
 //!
 //! A contact across x = 0 need not lie in its middle, and the candidates are the same on both sides of it. In geometric
 //! progression from x = 0 on they have both ends at that place.
@@ -14,16 +15,17 @@ use crate::solve::run::Run;
 
 /// Where the contact ends, in elements beyond the end of its last whole one.
 ///
-/// An eighth before it. The points of 8-node cells that are pressed change where the contact ends a little beyond a corner
-/// or a middle, and the error leaps there; here it is as far from either as it is small (truncated Hertz: +0.05 % in the
-/// half-width on 8 elements, against −0.2 % to +0.14 % over all places).
+/// An eighth before it. The points of 8-node cells that are pressed change where the contact ends a little beyond a
+/// corner or a middle, and the error leaps there; here it is as far from either as it is small (truncated Hertz: +0.05
+/// % in the half-width on 8 elements, against −0.2 % to +0.14 % over all places).
 const INTO: f64 = -0.125;
-/// Last element within the contact over the first one, or the first over the last, that is not exceeded for its inner end.
+/// Last element within the contact over the first one, or the first over the last, that is not exceeded for its inner
+/// end.
 const GRADED: f64 = 3.0;
 /// Growth along the surface and into the depth at level 0, and the coarsest element over the body.
 const STEEPEST: [f64; 3] = [4.0, 3.5, 1.0];
-/// The coarsest element where a body bends: an arc's cell then spans at most 32°. With 1.0 one cell reached from 90° to 180° of a ring on
-/// every mesh of the search, and 53 of 176 accuracies called met were not; with this none.
+/// The coarsest element where a body bends: an arc's cell then spans at most 32°. With 1.0 one cell reached from 90° to
+/// 180° of a ring on every mesh of the search, and 53 of 176 accuracies called met were not; with this none.
 const BENDING: f64 = 0.35;
 /// Elements in the contact up to which growth is the steepest, and fewest of an answer.
 pub(super) const FEWEST: usize = 3;
@@ -34,8 +36,8 @@ const WIDER: f64 = 0.05;
 /// Order of the cells.
 pub(super) const ORDER: Order = Order::Quadratic;
 
-/// Level of growth of a mesh with so many elements in the contact: halving those, the logarithm of the growth falls by √2, as it does
-/// from mesh to mesh of a refinement.
+/// Level of growth of a mesh with so many elements in the contact: halving those, the logarithm of the growth falls by
+/// √2, as it does from mesh to mesh of a refinement.
 ///
 /// What growth leaves falls with the fourth power of its logarithm, what the elements leave with their square.
 pub fn level(elements: usize) -> f64 {
@@ -62,8 +64,9 @@ impl Fitted {
         Plan::around(self.ends, self.longest, elements, ORDER, level(elements))
     }
 
-    /// Takes the ends of the contact from a run, unless an outermost candidate is pressed although the bodies allow more: the
-    /// penetration beyond it is seen at nodes only, and the next one may lie where the surfaces have parted again.
+    /// Takes the ends of the contact from a run, unless an outermost candidate is pressed although the bodies allow
+    /// more: the penetration beyond it is seen at nodes only, and the next one may lie where the surfaces have parted
+    /// again.
     pub(super) fn looks(&mut self, scene: &Scene, run: &Run) -> bool {
         let is_short = scene.contact().stretch < self.longest * (1.0 - 1e-9) && is_filled(run, 0);
         if is_short {
@@ -105,8 +108,8 @@ impl Plan {
         Self { order, elements, candidates: elements, stretch, end: 1.0, level }
     }
 
-    /// So many elements within half of a contact between its ends, and a quarter as many beyond the outer one, within the
-    /// longest stretch; where the contact begins on a symmetry line, that is the middle between its ends.
+    /// So many elements within half of a contact between its ends, and a quarter as many beyond the outer one, within
+    /// the longest stretch; where the contact begins on a symmetry line, that is the middle between its ends.
     pub fn around([begin, edge]: [f64; 2], longest: f64, elements: usize, order: Order, level: f64) -> Self {
         let [inner, outer] = [edge.min(-begin), edge.max(-begin)];
         // Where the outer end is that of the longest stretch, elements end there too.
@@ -153,8 +156,8 @@ fn reach(slope: f64, elements: f64) -> f64 {
     if slope.abs() < 1e-9 { elements } else { (slope * elements).exp_m1() / slope.exp_m1() }
 }
 
-/// Slope at which the inner end of a contact, over the outer one, lies at its place in elements, as the outer one does; 0
-/// where none within [`GRADED`] does.
+/// Slope at which the inner end of a contact, over the outer one, lies at its place in elements, as the outer one does;
+/// 0 where none within [`GRADED`] does.
 ///
 /// An inner end on the side of the outer one counts as negative.
 fn slope(inner: f64, places: [f64; 2]) -> f64 {
@@ -193,7 +196,8 @@ pub fn is_filled(run: &Run, contact: usize) -> bool {
     stretches.first().is_some_and(|one| one.reaches[0]) || stretches.last().is_some_and(|one| one.reaches[1])
 }
 
-/// Where it begins and ends \[mm, or rad\]: as far to the left as to the right of a symmetry line. NaN where there is none.
+/// Where it begins and ends \[mm, or rad\]: as far to the left as to the right of a symmetry line. NaN where there is
+/// none.
 pub fn ends(run: &Run, contact: usize) -> [f64; 2] {
     let measures = &run.contacts[contact].measures;
     match measures.stretches.first() {

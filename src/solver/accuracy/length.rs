@@ -18,7 +18,8 @@ const FINEST: usize = 128;
 const GUESSES: usize = 16;
 /// Gentlest growth of a first mesh, where a steeper one degenerates.
 const GENTLEST: f64 = 8.0;
-/// Imbalance of a body up to which a first mesh tells where the contact ends: round-off of long, thin cells takes none of later ones.
+/// Imbalance of a body up to which a first mesh tells where the contact ends: round-off of long, thin cells takes none
+/// of later ones.
 const UNBALANCED: f64 = 1e-2;
 /// What such meshes are solved for.
 const PURPOSE: &str = "contact length";

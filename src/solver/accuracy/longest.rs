@@ -4,8 +4,8 @@ use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2};
 
 use crate::scene::{ContactPair, Profile, Scene, Shape};
 
-/// Longest candidates over the distance to the next contact on the same side: a little less than halfway, since a node belongs
-/// to one contact.
+/// Longest candidates over the distance to the next contact on the same side: a little less than halfway, since a node
+/// belongs to one contact.
 const BETWEEN: f64 = 0.49;
 
 /// Longest candidates of a contact that the sides of its bodies and the gap allow \[mm, or rad\].

@@ -19,13 +19,13 @@
 //! * `watch` — which meshes are solved, and what is told of each before it is.
 //! * `slow` — the mesh chosen by kinematic load, and run by another algorithm.
 //!
-//! An accuracy is met by the bars that every solve has (`bar`). Elements along the contact and growth away from it are refined together: refining
-//! the elements alone does not show what the growth leaves. On truncated Hertz a growth of 4 leaves 0.3 % however many
-//! elements there are.
+//! An accuracy is met by the bars that every solve has (`bar`). Elements along the contact and growth away from it are
+//! refined together: refining the elements alone does not show what the growth leaves. On truncated Hertz a growth of 4
+//! leaves 0.3 % however many elements there are.
 //!
-//! Cells of order 5 to 8 that end with the contacts are tried first, whatever is asked: of the random scenes of the study *promised* they
-//! took fewer dofs than 8-node cells at 3 % already. 8-node cells remain for meshes that are given, contacts that end where their candidates
-//! do, and line and layer elements.
+//! Cells of order 5 to 8 that end with the contacts are tried first, whatever is asked: of the random scenes of the
+//! study *promised* they took fewer dofs than 8-node cells at 3 % already. 8-node cells remain for meshes that are
+//! given, contacts that end where their candidates do, and line and layer elements.
 
 pub mod answer;
 pub mod bar;
@@ -61,7 +61,8 @@ pub use watch::{Next, Tell};
 /// Smallest and largest relative error that may be asked for.
 pub const RANGE: [f64; 2] = [1e-6, 0.2];
 
-/// A relative error from a percentage, as users write it: `0.1 %`; what is expected where it is none, or not within [`RANGE`].
+/// A relative error from a percentage, as users write it: `0.1 %`; what is expected where it is none, or not within
+/// [`RANGE`].
 pub fn percentage(text: &str) -> Result<f64, String> {
     let written = text.trim().strip_suffix('%').and_then(|number| number.trim().parse::<f64>().ok());
     let number = written.ok_or("it must be a percentage, with the sign %")?;

@@ -1,5 +1,6 @@
-//! The numbers that are quoted of a run, each with the scale of its round-off: those that pressures tell, and those that take the
-//! displacement of every node, as reactions, displacements, approach, shear stress below a contact and von Mises stress of a body do.
+//! The numbers that are quoted of a run, each with the scale of its round-off: those that pressures tell, and those
+//! that take the displacement of every node, as reactions, displacements, approach, shear stress below a contact and
+//! von Mises stress of a body do.
 
 use crate::error::Error;
 use crate::measure::{Measures, Quantity};
@@ -20,8 +21,9 @@ pub struct Reading {
 }
 
 impl Reading {
-    /// What its bar must stay below to say anything: the number itself; of what may vanish, as ends, centres, moments, reactions and
-    /// displacements do, its scale. Where a maximum lies is told within whatever it may be: where values come near the largest.
+    /// What its bar must stay below to say anything: the number itself; of what may vanish, as ends, centres, moments,
+    /// reactions and displacements do, its scale. Where a maximum lies is told within whatever it may be: where values
+    /// come near the largest.
     pub(super) fn size(&self) -> f64 {
         use Quantity::{HalfWidth, PeakPlace, PeakPressure, Resultant, SecondMomentWidth, Shear, ShearDepth, VonMises};
         match self.quantity {
@@ -41,8 +43,8 @@ impl Reading {
     }
 }
 
-/// Part of the largest force that a support at a point may exert: with more, the displacement there has no limit, and with it
-/// those of all that it holds.
+/// Part of the largest force that a support at a point may exert: with more, the displacement there has no limit, and
+/// with it those of all that it holds.
 const AT_POINT: f64 = 1e-6;
 
 impl Quantity {
@@ -88,8 +90,8 @@ pub(super) fn value_of(readings: &[Reading], contact: usize, quantity: &Quantity
 /// Shear stresses by contact and body.
 type Shears = Vec<([usize; 2], Shear)>;
 
-/// The numbers of a run, displacements of loaded sides and those that are wanted besides; and the shear stresses that some of them are the
-/// largest of.
+/// The numbers of a run, displacements of loaded sides and those that are wanted besides; and the shear stresses that
+/// some of them are the largest of.
 pub(super) fn recovered(
     discretisation: &Discretisation,
     run: &Run,

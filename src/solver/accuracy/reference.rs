@@ -9,8 +9,8 @@ use crate::mesh::{Order, Resolution};
 use crate::scene::Scene;
 use crate::solve::{Discretisation, Fitted, Formulation, Run};
 
-/// The mesh whose numbers are the answer; then one of another order, one with fewer layers, and one of other cells on each piece of the
-/// contact side, between its ends.
+/// The mesh whose numbers are the answer; then one of another order, one with fewer layers, and one of other cells on
+/// each piece of the contact side, between its ends.
 pub const MESHES: [(Fitted, usize); 4] = [
     (Fitted::of(Order::Octic, 5), 3),
     (Fitted::of(Order::Septic, 5), 3),
@@ -59,7 +59,8 @@ impl Known {
     }
 }
 
-/// The numbers that are known: those of a contact, the approach where it is defined, and on an arc the force across the load.
+/// The numbers that are known: those of a contact, the approach where it is defined, and on an arc the force across the
+/// load.
 const NUMBERS: [Quantity; 9] = [
     Quantity::Pressure { at: 0.0 },
     Quantity::PeakPressure,

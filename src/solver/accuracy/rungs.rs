@@ -14,7 +14,8 @@ use crate::solution::Solution;
 use crate::solve::run::{Contact, Run};
 use crate::solve::{Change, Discretisation, Formulation, edge_fitted};
 
-/// Meshes in a row whose peak has no limit, from which on none is sought for it: on a coarse one a sharp top may look like that.
+/// Meshes in a row whose peak has no limit, from which on none is sought for it: on a coarse one a sharp top may look
+/// like that.
 const WITHOUT_LIMIT: usize = 2;
 /// Why no mesh meets an accuracy of a peak without a limit, where the scene tells that and where only meshes do.
 const UNBOUNDED: &str = "the peak has no limit, so that no mesh meets an accuracy of it";
@@ -90,7 +91,8 @@ impl<'a> Rungs<'a> {
     /// Looks at the bars of a mesh, and at whether its peaks have a limit.
     pub(super) fn look(&mut self, discretisation: &Discretisation, rung: &mut Rung) -> Result<(), Error> {
         self.limit(discretisation, rung)?;
-        // Of meshes that end with the contact the next one tells what pressures do, and others what is wanted besides: only once that is asked for.
+        // Of meshes that end with the contact the next one tells what pressures do, and others what is wanted besides:
+        // only once that is asked for.
         let on_ends = rung.scene.contacts.iter().any(|pair| !pair.ends.places.is_empty());
         let wanted = if on_ends { None } else { Some(&self.asked.wanted[..]) };
         let permits = |dofs| self.watch.permits(dofs);
@@ -113,7 +115,8 @@ impl<'a> Rungs<'a> {
         Ok(())
     }
 
-    /// Whether a mesh is good enough by its distance from a finer one, to which the bar there is added; its estimates are these then.
+    /// Whether a mesh is good enough by its distance from a finer one, to which the bar there is added; its estimates
+    /// are these then.
     pub(super) fn is_enough(&mut self, rung: &mut Rung, finer: &Rung) -> bool {
         // A contact that is closed on the finer mesh alone has no number here.
         let by_finer = |judge: &Barred| {
@@ -180,7 +183,10 @@ impl<'a> Rungs<'a> {
         }
         let fits = cells <= most_cells && dense(scene, *resolution) <= most;
         (!fits).then(|| {
-            format!("the next mesh would have about {cells:.1e} cells and {candidates:.0} candidate elements, more than {most_cells:.0e} or {most}")
+            format!(
+                "the next mesh would have about {cells:.1e} cells and {candidates:.0} candidate elements, more \
+                than {most_cells:.0e} or {most}"
+            )
         })
     }
 
@@ -218,7 +224,8 @@ impl<'a> Rungs<'a> {
         self.tried.push(Tried { dofs: on.dofs, iterations: 1, ..unsolved });
     }
 
-    /// Answers with a mesh and what judges it, or with one that is no longer held; a peak that was not looked at may have no limit.
+    /// Answers with a mesh and what judges it, or with one that is no longer held; a peak that was not looked at may
+    /// have no limit.
     pub(super) fn answer(self, rung: Rung, held: Option<Held>, unmet: Option<String>) -> Result<Answer, Error> {
         let Rung { scene, resolution, mut run, estimates, family, .. } = rung;
         let of_peak = self.asks_for_peak();

@@ -18,14 +18,15 @@ const ORDER: f64 = 1.7;
 const RATIO: [f64; 2] = [1.15, 2.5];
 /// The ratio where no bar is known.
 const UNKNOWN: f64 = 1.6;
-/// A bar over the smallest one before, from which on it is taken not to fall, and meshes in a row after which a search ends.
+/// A bar over the smallest one before, from which on it is taken not to fall, and meshes in a row after which a search
+/// ends.
 const IDLE: (f64, usize) = (0.9, 3);
 /// What 8-node cells begin with where cells of high order do not meet a smaller error.
 const BESIDE: f64 = 1e-3;
 /// Bar over that of cells of high order, from which on 8-node cells are given up that have more dofs than those.
 const HOPELESS: f64 = 30.0;
-/// Dofs of the mesh that bars foresee from which on a search gives up after two in a row; and those of meshes whose bars tell that, and of meshes that
-/// have none.
+/// Dofs of the mesh that bars foresee from which on a search gives up after two in a row; and those of meshes whose
+/// bars tell that, and of meshes that have none.
 const FORESEEN: f64 = 5e6;
 const TOLD: [f64; 2] = [5e3, 5e4];
 /// Most meshes, with those on which the candidates were too short.
@@ -55,8 +56,8 @@ pub(super) fn solve(scene: &Scene, formulation: &Formulation, asked: &Asked, tel
     }
 }
 
-/// Elements with which contacts that go on to all ends of their candidates begin, by the bars of the first mesh, which is the answer where these are
-/// within what is asked: they have no end that cells hide.
+/// Elements with which contacts that go on to all ends of their candidates begin, by the bars of the first mesh, which
+/// is the answer where these are within what is asked: they have no end that cells hide.
 fn at_once(rungs: &mut Rungs) -> Result<Result<Option<usize>, (Discretisation, Rung)>, Error> {
     let goes_on = |one: &Stretch| (!one.begins_within() || one.reaches[0]) && one.reaches[1];
     let has_no_end = |rung: &Rung| rung.run.contacts.iter().all(|one| one.measures.stretches.iter().all(goes_on));
@@ -77,8 +78,8 @@ pub(super) fn first(scene: &Scene) -> (Scene, Resolution) {
     if evenly::applies(scene) { evenly::first(scene) } else { length::first(scene) }
 }
 
-/// Meshes of a layout, each as much finer as the bars of the one before ask for; where none of them is enough, the best of them and of
-/// another one.
+/// Meshes of a layout, each as much finer as the bars of the one before ask for; where none of them is enough, the best
+/// of them and of another one.
 fn refine(
     mut layout: Layout,
     begins: Option<usize>,
@@ -175,7 +176,8 @@ impl Course {
         self.idle = if before.is_nan() || error < falls * before { 0 } else { self.idle + 1 };
         self.far = if is_far(self.last, [dofs, error], asked) { self.far + 1 } else { 0 };
         self.last = [dofs, error];
-        // Numbers that a finer mesh moves by more than their bars, or does not know, were too coarse to tell how far they are off.
+        // Numbers that a finer mesh moves by more than their bars, or does not know, were too coarse to tell how far
+        // they are off.
         let is_refuted = |best: &Rung| best.is_refuted_by(&rung);
         if before.is_nan() || error.is_nan() || error < before || self.best.as_ref().is_some_and(is_refuted) {
             self.best = Some(rung);
@@ -194,8 +196,8 @@ impl Course {
     }
 }
 
-/// Whether no mesh that is solved in a minute will do, by the dofs and bars of two in a row that are not the coarsest; where no bar is known, by
-/// the dofs alone.
+/// Whether no mesh that is solved in a minute will do, by the dofs and bars of two in a row that are not the coarsest;
+/// where no bar is known, by the dofs alone.
 fn is_far([less, before]: [f64; 2], [dofs, error]: [f64; 2], asked: f64) -> bool {
     let rate = (before / error).ln() / (dofs / less).ln();
     let [coarse, large] = TOLD;
@@ -220,7 +222,8 @@ enum Layout {
 }
 
 impl Layout {
-    /// The layout of a scene, by cheap meshes that show where its contacts are; where one is not found, the last mesh with the reason.
+    /// The layout of a scene, by cheap meshes that show where its contacts are; where one is not found, the last mesh
+    /// with the reason.
     fn found(scene: &Scene, rungs: &mut Rungs) -> Result<Result<Self, (Rung, String)>, Error> {
         match evenly::applies(scene) {
             true => Ok(Ok(Self::Evenly(Evenly::found(scene, rungs)?))),

@@ -1,8 +1,8 @@
-//! Algorithms other than kinematic load: the mesh is chosen by kinematic load on the same contact element, whose discrete
-//! solution they share, and the mesh answered is run by the one asked for.
+//! Algorithms other than kinematic load: the mesh is chosen by kinematic load on the same contact element, whose
+//! discrete solution they share, and the mesh answered is run by the one asked for.
 //!
-//! An iteration to a hundredth of the accuracy on every mesh is what constant and varying stiffness do not reach in their
-//! iterations; one to what the mesh leaves of the accuracy they often do. The error of that iteration is known
+//! An iteration to a hundredth of the accuracy on every mesh is what constant and varying stiffness do not reach in
+//! their iterations; one to what the mesh leaves of the accuracy they often do. The error of that iteration is known
 //! (`src/solver/algorithm/target.rs`) and is part of the estimate.
 
 use crate::accuracy::answer::{largest, quoted};
@@ -20,10 +20,11 @@ use crate::solve::{Discretisation, Formulation};
 const MESH: f64 = 0.8;
 /// Part of what the mesh leaves that the iteration is asked for.
 const ITERATION: f64 = 0.9;
-/// Part of the accuracy that it is asked for where the mesh leaves nothing; the tolerance of the formulation is not looked at.
+/// Part of the accuracy that it is asked for where the mesh leaves nothing; the tolerance of the formulation is not
+/// looked at.
 const LEAST: f64 = 0.1;
-/// Parts of it that are asked for where the iteration converged and the answer is not within the accuracy: an end of the contact
-/// moves by whole points, and a loose iteration may leave some pressed.
+/// Parts of it that are asked for where the iteration converged and the answer is not within the accuracy: an end of
+/// the contact moves by whole points, and a loose iteration may leave some pressed.
 const CLOSER: [f64; 2] = [0.1, 0.01];
 
 /// The mesh by kinematic load, its run by the formulation asked.
@@ -41,7 +42,8 @@ pub(super) fn solve(scene: &Scene, formulation: &Formulation, asked: &Asked, tel
         let mut run = Run::of(&discretisation, &formulation)?;
         let limits = answer.run.contacts.iter().map(|contact| contact.unbounded);
         run.contacts.iter_mut().zip(limits).for_each(|(contact, unbounded)| contact.unbounded = unbounded);
-        // Of no other mesh: what the mesh leaves is that of the discrete solution, whatever iterates, and the search has told it.
+        // Of no other mesh: what the mesh leaves is that of the discrete solution, whatever iterates, and the search
+        // has told it.
         let alone = Family::permitted(&discretisation, &run.formulation, None, None, &up_to(Some(0)));
         let mut estimates = quoted(&of_pressures(&discretisation, &run, &alone), &run, asked);
         estimates.iter_mut().for_each(|one| one.take_mesh_of(&answer.estimates));
@@ -68,7 +70,8 @@ pub(super) fn solve(scene: &Scene, formulation: &Formulation, asked: &Asked, tel
     } else if answer.unmet.is_none() {
         let (name, outcome, error) = (formulation.name(), &run.solution.outcome, 100.0 * run.iteration_error());
         answer.unmet = Some(format!(
-            "the iteration {name} ended so: {outcome}, with an error of {error:.2e} % on the mesh that kinematic load chose"
+            "the iteration {name} ended so: {outcome}, with an error of {error:.2e} % on the mesh that kinematic load \
+            chose"
         ));
     }
     (answer.run, answer.discretisation) = (run, Some(discretisation));

@@ -1,4 +1,5 @@
-//! A bound on the error of an iterate that needs no scale: from its own forces, gaps and penetrations, in the energy norm.
+//! A bound on the error of an iterate that needs no scale: from its own forces, gaps and penetrations, in the energy
+//! norm.
 //!
 //! An iterate in equilibrium, `S u + Σ F b = f̂`, and the discrete solution, `S u* + Σ F* b = f̂`, differ by
 //! `S (u − u*) = −Σ (F − F*) b`. With the remaining gaps `h = g − w` that is, times `u − u*`,
@@ -10,16 +11,16 @@
 //!
 //! `‖u − u*‖²_S ≤ Σ P h + Σ F* v + Σ T (h* − h)`, `v = max(−h, 0)`.
 //!
-//! Without tension it asks of the solution only the total of F*, which statics give or the load bounds. It is a bound, not the
-//! error: what iterations stop by is the error itself ([`target`](crate::algorithm::target)), which is known here at the same
-//! price, and other than a norm of energy sees the peak and the width.
+//! Without tension it asks of the solution only the total of F*, which statics give or the load bounds. It is a bound,
+//! not the error: what iterations stop by is the error itself ([`target`](crate::algorithm::target)), which is known
+//! here at the same price, and other than a norm of energy sees the peak and the width.
 
 use crate::algorithm::exact::Exact;
 use crate::algorithm::{ContactProblem, Iterate};
 use crate::solution::EnergyError;
 
-/// Square of the error of an iterate and the bound on it, over what the contact forces of the solution store, `Σ F* δ`; none
-/// where there are no such forces.
+/// Square of the error of an iterate and the bound on it, over what the contact forces of the solution store, `Σ F* δ`;
+/// none where there are no such forces.
 pub fn of(problem: &ContactProblem, exact: &Exact, iterate: &Iterate) -> Option<EnergyError> {
     let away: Vec<f64> = iterate.displacement.iter().zip(&exact.iterate.displacement).map(|(u, v)| u - v).collect();
     let error: f64 = problem.stiffness.times(&away).iter().zip(&away).map(|(force, u)| force * u).sum();

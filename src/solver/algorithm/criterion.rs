@@ -1,6 +1,7 @@
 //! When an iteration stops: by its error against the discrete solution, or by what one could see of it without that.
 //!
-//! Only the first says something of the answer. The others are those that the paper can have had, which does not tell its own.
+//! Only the first says something of the answer. The others are those that the paper can have had, which does not tell
+//! its own.
 
 use crate::algorithm::{ContactProblem, Iterate, target};
 use crate::measure::largest;

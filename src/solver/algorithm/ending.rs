@@ -1,5 +1,5 @@
-//! How an increment ends whose criterion is not met: its states return, stand still, or are left to round-off, or its error grows; and
-//! why no system of springs and bodies could be solved.
+//! How an increment ends whose criterion is not met: its states return, stand still, or are left to round-off, or its
+//! error grows; and why no system of springs and bodies could be solved.
 
 use std::collections::VecDeque;
 
@@ -45,7 +45,8 @@ pub(super) struct Watch {
     earlier: VecDeque<State>,
     /// Iterations in a row that changed nothing, and no more than round-off may.
     unchanged: [usize; 2],
-    /// The least error of all iterations but the last; those stand, since errors are told a few iterations late, and are counted once.
+    /// The least error of all iterations but the last; those stand, since errors are told a few iterations late, and
+    /// are counted once.
     least: f64,
     counted: usize,
 }
@@ -57,8 +58,8 @@ impl Default for Watch {
 }
 
 impl Watch {
-    /// How the increment ends with its newest state; none where it goes on. It stands still only once the discrete solution was
-    /// looked for, so that its error is known.
+    /// How the increment ends with its newest state; none where it goes on. It stands still only once the discrete
+    /// solution was looked for, so that its error is known.
     pub(super) fn ended(&mut self, state: State, history: &[Iterated], looked: bool) -> Option<Outcome> {
         if let Some(period) = self.period(&state) {
             return Some(Outcome::Cycling { period });
@@ -115,7 +116,8 @@ const MARGIN: f64 = 100.0;
 pub(super) fn unsolved(problem: &ContactProblem, springs: &Springs, iterations: usize) -> Error {
     if iterations > 0 || springs.stiffness.iter().all(|k| *k <= 0.0) {
         let message = format!(
-            "only contact fixes the bodies, and no contact spring is left after iteration {iterations}: the load pulls the bodies apart, the start is too soft, or the contact is smaller than two elements"
+            "only contact fixes the bodies, and no contact spring is left after iteration {iterations}: the load pulls \
+            the bodies apart, the start is too soft, or the contact is smaller than two elements"
         );
         let remedy = "reverse the load, add a support, raise the initial stiffness or refine the mesh";
         return Error { kind: Kind::NoSpringLeft { iterations }, ..Error::at(Place::Nowhere, message, remedy) };
@@ -124,7 +126,8 @@ pub(super) fn unsolved(problem: &ContactProblem, springs: &Springs, iterations: 
     let holds = |times: &f64| problem.factorise(&stiffer(*times), &mut Work::default()).is_some();
     let decades = (1..=DECADES).map(|k| 10f64.powi(k));
     let enough = decades.into_iter().find(holds).map(|times| times * MARGIN).unwrap_or(f64::NAN);
-    let message = "only contact fixes the bodies, and the initial springs are lost in the round-off of the stiffness of the bodies";
+    let message = "only contact fixes the bodies, and the initial springs are lost in the round-off of the stiffness \
+        of the bodies";
     let remedy = format!("raise `stiffness` {enough:.0e} times");
     Error { kind: Kind::SpringsTooSoft, ..Error::at(Place::Nowhere, message, remedy) }
 }

@@ -1,13 +1,14 @@
 //! The discrete solution itself: the one set of closed points under which nothing penetrates and nothing pulls.
 //!
 //! `S u + Σ A p b = f̂`, `p ≥ 0`, `w ≤ g`, `p (g − w) = 0` at every point are the conditions of least energy
-//! `½ uᵀS u − f̂ᵀu` over all `w ≤ g`. They have one displacement, up to motions that contact does not feel, whatever algorithm
-//! looks for it. S is small and dense, so that the set is found by changing it until it stands: every closed point that pulls
-//! opens, every open one that penetrates closes (primal-dual active set; Hintermüller, Ito & Kunisch 2002). Where a set
-//! returns, or leaves a body free, one point at a time is changed instead (the largest violation; Murty 1974).
+//! `½ uᵀS u − f̂ᵀu` over all `w ≤ g`. They have one displacement, up to motions that contact does not feel, whatever
+//! algorithm looks for it. S is small and dense, so that the set is found by changing it until it stands: every closed
+//! point that pulls opens, every open one that penetrates closes (primal-dual active set; Hintermüller, Ito & Kunisch
+//! 2002). Where a set returns, or leaves a body free, one point at a time is changed instead (the largest violation;
+//! Murty 1974).
 //!
-//! Where points are more than displacements can follow, pressures are not unique: those of least `Σ A p²` are found, the limit
-//! of equal springs that stiffen.
+//! Where points are more than displacements can follow, pressures are not unique: those of least `Σ A p²` are found,
+//! the limit of equal springs that stiffen.
 
 use crate::algorithm::{ContactProblem, Iterate, Springs};
 use crate::solution::Work;
@@ -32,9 +33,9 @@ pub struct Exact {
     pub sets: usize,
 }
 
-/// Springs that hold closed points of the mean area of their contact, over what both bodies resist there, one behind the other. What
-/// they yield is carried over until it is round-off. Of a stiff body on a soft one that is the soft one's: springs as stiff as the stiff
-/// one would leave the soft one's forces to round-off.
+/// Springs that hold closed points of the mean area of their contact, over what both bodies resist there, one behind
+/// the other. What they yield is carried over until it is round-off. Of a stiff body on a soft one that is the soft
+/// one's: springs as stiff as the stiff one would leave the soft one's forces to round-off.
 const HOLDING: f64 = 1e5;
 /// Times what the springs carry is handed over: each leaves about `1/HOLDING` of the penetration before.
 const HANDED: usize = 4;
@@ -133,8 +134,8 @@ impl<'a> Search<'a> {
         Some(self.problem.equilibrium(&factor, &springs, |point| point.gap, work))
     }
 
-    /// By how much each point is in the wrong state, over the largest pressure of its contact; 0 where it is right, none
-    /// where numbers are none.
+    /// By how much each point is in the wrong state, over the largest pressure of its contact; 0 where it is right,
+    /// none where numbers are none.
     fn violations(&self, closed: &[bool], iterate: &Iterate) -> Option<Vec<f64>> {
         let points = self.problem.points;
         let mut largest = vec![0.0_f64; self.problem.compliance.len()];

@@ -1,18 +1,18 @@
 //! Constant stiffness by Newton's method, on the forces that its springs carry.
 //!
-//! With the factor that all iterations share, `C = B (S + BᵀA K₀ B)⁻¹ Bᵀ`, a change of the carried forces r changes approaches and
-//! pressures by
+//! With the factor that all iterations share, `C = B (S + BᵀA K₀ B)⁻¹ Bᵀ`, a change of the carried forces r changes
+//! approaches and pressures by
 //!
 //! `dw = −C A dr`, `dp = dr + k₀ dw = Q dr`, `Q = 1 − K₀ C A`,
 //!
-//! whatever k₀ is. What is sought is `p = p⁺`, `p⁺ = max(0, p + c (w − g))`, the contact conditions in one equation for any c > 0.
-//! Where p⁺ is positive a step closes the point, elsewhere it takes the pressure away:
+//! whatever k₀ is. What is sought is `p = p⁺`, `p⁺ = max(0, p + c (w − g))`, the contact conditions in one equation for
+//! any c > 0. Where p⁺ is positive a step closes the point, elsewhere it takes the pressure away:
 //!
 //! `c C A dr + δ Q dr = c (w − g)` (closed), `Q dr = −p` (open):
 //!
-//! the semismooth Newton method, which is the primal–dual active set strategy (Hintermüller, Ito & Kunisch 2003), damped by what
-//! is left of the residual, since points on a fine side that face a coarser one press in ways that no body feels.
-//! There is one factorisation as without it; a step solves a system of the size of the contact.
+//! the semismooth Newton method, which is the primal–dual active set strategy (Hintermüller, Ito & Kunisch 2003),
+//! damped by what is left of the residual, since points on a fine side that face a coarser one press in ways that no
+//! body feels. There is one factorisation as without it; a step solves a system of the size of the contact.
 
 use faer::linalg::solvers::Solve;
 use faer::{Col, Mat};
@@ -21,8 +21,9 @@ use crate::algorithm::{ContactProblem, Iterate, StiffnessUnit};
 use crate::condensation::stiffness::SystemFactor;
 use crate::solution::Work;
 
-/// Largest damping: δ is this times the root of `‖p⁺ − p‖/‖p‖`, in the norm `‖p‖² = Σ A p²/c`. With the residual itself in place of its
-/// root, steps along pressures that no body feels are residual over damping: of order one, however small both are.
+/// Largest damping: δ is this times the root of `‖p⁺ − p‖/‖p‖`, in the norm `‖p‖² = Σ A p²/c`. With the residual itself
+/// in place of its root, steps along pressures that no body feels are residual over damping: of order one, however
+/// small both are.
 const DAMPING: f64 = 1e-2;
 
 /// What springs and bodies yield together, the same for all iterations.

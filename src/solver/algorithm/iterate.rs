@@ -15,7 +15,8 @@ use crate::solution::{Increment, Iterated, IterationError, Outcome, Share, Solut
 pub struct Settings {
     /// What shall fall below the tolerance.
     pub criterion: Criterion,
-    /// Largest iteration error accepted: of peak, force, width and approach of every contact, over the discrete solution's own.
+    /// Largest iteration error accepted: of peak, force, width and approach of every contact, over the discrete
+    /// solution's own.
     pub tolerance: f64,
     /// Load increments.
     pub increments: usize,
@@ -29,8 +30,8 @@ impl Default for Settings {
     }
 }
 
-/// Iterations after which the discrete solution is looked for, unless the pressed points stood still before: from there it is
-/// found in a few factorisations.
+/// Iterations after which the discrete solution is looked for, unless the pressed points stood still before: from there
+/// it is found in a few factorisations.
 const LOOK: usize = 5;
 
 /// Applies the load in increments and lets the algorithm iterate until the iteration error is within the tolerance.

@@ -26,7 +26,8 @@ impl Iteration {
         }
     }
 
-    /// Further rules by which the paper can have changed its stiffnesses: offered, and compared as readings of it alone.
+    /// Further rules by which the paper can have changed its stiffnesses: offered, and compared as readings of it
+    /// alone.
     pub fn further_rules(self) -> &'static [StiffnessRule] {
         match self {
             Self::Varying => &[StiffnessRule::Squared, StiffnessRule::Step, StiffnessRule::Doubling],

@@ -1,10 +1,11 @@
 //! The factor of a system of which a few springs switch from one iteration to the next: it is updated.
 //!
-//! [`settling`](crate::algorithm::settling) keeps the factor of the same matrix `S + Σ A k bᵀb` for another kind of change.
-//! Under kinematic load a handful of springs opens or closes at an iteration, anywhere along the edges of the contact, and which
-//! ones come next is not known: a term of rank one each is cheapest. With varying stiffness every closed spring moves at every
-//! iteration, far too many for such terms, but those that have come to rest stay there: what pays is to eliminate their rows once.
-//! Neither way does the other's work, and constant stiffness needs no more than the factor itself.
+//! [`settling`](crate::algorithm::settling) keeps the factor of the same matrix `S + Σ A k bᵀb` for another kind of
+//! change. Under kinematic load a handful of springs opens or closes at an iteration, anywhere along the edges of the
+//! contact, and which ones come next is not known: a term of rank one each is cheapest. With varying stiffness every
+//! closed spring moves at every iteration, far too many for such terms, but those that have come to rest stay there:
+//! what pays is to eliminate their rows once. Neither way does the other's work, and constant stiffness needs no more
+//! than the factor itself.
 
 use crate::algorithm::ContactProblem;
 use crate::condensation::dense::RankOne;
@@ -28,8 +29,8 @@ impl KeptFactor {
     /// The factor for some springs: the last one updated where few springs have changed, else a new one in its memory;
     /// none where `S + K_c` is not positive definite.
     ///
-    /// Opening a hard spring takes `1e6` times the diagonal off again and costs as many digits, which the refinement of the
-    /// equilibrium returns.
+    /// Opening a hard spring takes `1e6` times the diagonal off again and costs as many digits, which the refinement of
+    /// the equilibrium returns.
     pub fn renew(&mut self, problem: &ContactProblem, stiffness: &[f64], work: &mut Work) -> Option<&SystemFactor> {
         let updated = self.updated(problem, stiffness, work);
         self.factor = match updated {

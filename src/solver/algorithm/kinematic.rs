@@ -5,20 +5,21 @@ use crate::algorithm::rule::StiffnessRule;
 use crate::algorithm::{Algorithm, ContactProblem, Iterate, Law, Springs};
 use crate::solution::Work;
 
-/// Part of the tolerance that penetrations may take: where pressures alternate, they feel a penetration several times over.
+/// Part of the tolerance that penetrations may take: where pressures alternate, they feel a penetration several times
+/// over.
 const SHARE: f64 = 0.1;
 
 /// `(S + K_c(k^j)) u_j = f̂ + Σ A k^j g b`, `p_j = k^j (w_j − g)`.
 ///
 /// Tension opens a point; an open point that penetrates closes at `k_hard`; a closed point that penetrates by more than
-/// the tolerance goes to `k_hard`. Where one is already there, all hard springs pass their force on to the carried force,
-/// `r ← p`, so that the penetration `p/k_hard` falls below any tolerance (never needed at the default one).
+/// the tolerance goes to `k_hard`. Where one is already there, all hard springs pass their force on to the carried
+/// force, `r ← p`, so that the penetration `p/k_hard` falls below any tolerance (never needed at the default one).
 #[derive(Clone, Debug)]
 pub struct Kinematic {
     /// `Switching`, or `Penalty`: springs closed where w > g keep their initial stiffness.
     pub rule: StiffnessRule,
-    /// Iteration error that is accepted: penetrations of a tenth of it are tolerated, over the approach that the contact's own
-    /// force makes.
+    /// Iteration error that is accepted: penetrations of a tenth of it are tolerated, over the approach that the
+    /// contact's own force makes.
     pub tolerance: f64,
     kept: KeptFactor,
 }

@@ -1,16 +1,18 @@
 //! Varying stiffness by Newton's method, on the logarithms of the stiffnesses that press.
 //!
-//! Linearised, `k ← k w/g` with springs of areas A is `ln(w/g) ← (1 − M) ln(w/g)` in the variables `√(A k) w · ln(w/g)`, with
-//! `M = (A K)^½ C (A K)^½`, `C = B (S + BᵀA K B)⁻¹ Bᵀ` what springs and bodies yield together; its eigenvalues μ lie between 0 and 1.
-//! Two Gauss points on an edge carry a family of differences within edges that the bodies feel only through their change from edge
-//! to edge: a one-dimensional Laplacian, whose μ fall with the square of the number of edges, and the iteration takes as many times
-//! longer, whatever κ₀. As M is known from the factor at hand, the step of the rule is multiplied by
+//! Linearised, `k ← k w/g` with springs of areas A is `ln(w/g) ← (1 − M) ln(w/g)` in the variables
+//! `√(A k) w · ln(w/g)`, with `M = (A K)^½ C (A K)^½`, `C = B (S + BᵀA K B)⁻¹ Bᵀ` what springs and bodies yield
+//! together; its eigenvalues μ lie between 0 and 1. Two Gauss points on an edge carry a family of differences within
+//! edges that the bodies feel only through their change from edge to edge: a one-dimensional Laplacian, whose μ fall
+//! with the square of the number of edges, and the iteration takes as many times longer, whatever κ₀. As M is known
+//! from the factor at hand, the step of the rule is multiplied by
 //!
 //! `(1 + δ) (M + δ)⁻¹`:
 //!
-//! the step of the rule itself where μ = 1, that of Newton's method where μ ≫ δ, and never more than `1 + 1/δ` times the rule's.
-//! δ is the residual itself, the root mean square of `ln(w/g)` weighted by the forces: Levenberg's damping in the form that keeps
-//! Newton's rate where M is singular (Yamashita & Fukushima 2001), as it is where points on a fine side face a coarser one.
+//! the step of the rule itself where μ = 1, that of Newton's method where μ ≫ δ, and never more than `1 + 1/δ` times
+//! the rule's. δ is the residual itself, the root mean square of `ln(w/g)` weighted by the forces: Levenberg's damping
+//! in the form that keeps Newton's rate where M is singular (Yamashita & Fukushima 2001), as it is where points on a
+//! fine side face a coarser one.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -19,12 +21,14 @@ use crate::algorithm::{ContactProblem, Iterate};
 use crate::condensation::stiffness::SystemFactor;
 use crate::solution::Work;
 
-/// Pressure over the largest of its contact above which a point takes part: below, k falls without end, and ln k has no fixed point.
+/// Pressure over the largest of its contact above which a point takes part: below, k falls without end, and ln k has no
+/// fixed point.
 const PRESSES: f64 = 1e-4;
-/// Approach over the gap above which a point takes part: below, w/g is far from the 1 that it tends to where it presses.
+/// Approach over the gap above which a point takes part: below, w/g is far from the 1 that it tends to where it
+/// presses.
 const NEAR: f64 = 0.5;
-/// Iterations for which the points that take part must have stood: the first ones, which move the edge of the contact, are left to
-/// the rule.
+/// Iterations for which the points that take part must have stood: the first ones, which move the edge of the contact,
+/// are left to the rule.
 pub const STOOD: usize = 4;
 /// Largest change of ln k in an iteration: a factor e.
 const LONGEST: f64 = 1.0;
@@ -47,8 +51,8 @@ impl Default for Logarithms {
 }
 
 impl Logarithms {
-    /// Changes the stiffnesses that the rule made of those `before` where points have pressed for long enough; counts as rejected
-    /// where the step before led astray.
+    /// Changes the stiffnesses that the rule made of those `before` where points have pressed for long enough; counts
+    /// as rejected where the step before led astray.
     pub fn step(
         &mut self,
         (problem, factor): (&ContactProblem, &SystemFactor),

@@ -10,7 +10,8 @@
 //! * [`bound`] — a bound on that, in the energy norm.
 //! * [`parts`] — points and edges contact by contact, and the means over edges.
 //! * [`criterion`] — what else an iteration can be stopped by.
-//! * [`mod@iterate`] — the loop; `ending` — how it ends short of its criterion; [`iteration`] — the choice of the algorithm.
+//! * [`mod@iterate`] — the loop; `ending` — how it ends short of its criterion; [`iteration`] — the choice of the
+//!   algorithm.
 //!
 //! ```
 //! use signorini::algorithm::{Constant, Settings, StiffnessRule, iterate};
@@ -66,10 +67,12 @@ pub trait Algorithm {
     /// None where `S + K_c` is not positive definite: no spring is left to hold a body.
     fn next(&mut self, problem: &ContactProblem, springs: &mut Springs, work: &mut Work) -> Option<Iterate>;
 
-    /// Told before the first iteration of each load increment: the load is no longer what it was. It may change the springs.
+    /// Told before the first iteration of each load increment: the load is no longer what it was. It may change the
+    /// springs.
     fn reload(&mut self, _problem: &ContactProblem, _springs: &mut Springs) {}
 
-    /// What closed points do where it ends: penetration may be the springs' own law (penalty) instead of an error to be iterated away.
+    /// What closed points do where it ends: penetration may be the springs' own law (penalty) instead of an error to be
+    /// iterated away.
     fn law(&self) -> Law {
         Law::Rigid
     }

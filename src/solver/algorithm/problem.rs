@@ -1,4 +1,5 @@
-//! What an algorithm sees: the condensed system, the contact points, and its springs; and what an iteration with these finds.
+//! What an algorithm sees: the condensed system, the contact points, and its springs; and what an iteration with these
+//! finds.
 
 use faer::Mat;
 
@@ -19,7 +20,8 @@ pub struct ContactProblem<'a> {
     pub edges: &'a [ContactEdge],
     /// What springs start from and are kept within.
     pub scale: Scale,
-    /// Compliance `1/(E* t)` of each contact [mm/N]: its force times this is the approach that its errors are measured by.
+    /// Compliance `1/(E* t)` of each contact [mm/N]: its force times this is the approach that its errors are measured
+    /// by.
     pub compliance: Vec<f64>,
     /// Initial stiffness of each point [MPa/mm].
     pub initial: Vec<f64>,
@@ -59,7 +61,8 @@ pub struct Scale {
 /// Softest and stiffest spring, in units of `E*/ℓ`.
 pub const LIMITS: [f64; 2] = [1e-12, 1e6];
 
-/// Pressure over `k |g|` of the deepest interference above which it presses: hard springs give way to all but this part.
+/// Pressure over `k |g|` of the deepest interference above which it presses: hard springs give way to all but this
+/// part.
 const PRESSED: f64 = 1e-9;
 
 /// Part of the load that is a force, whatever rounding leaves.
@@ -67,7 +70,8 @@ const OF_LOAD: f64 = 1e-9;
 /// Part of what bodies resist a displacement with that is no force.
 const NO_FORCE: f64 = 1e-12;
 
-/// Springs whose `k |b| |u|` and `k |γ|` are together more than so many times the forces lose a digit where they cancel.
+/// Springs whose `k |b| |u|` and `k |γ|` are together more than so many times the forces lose a digit where they
+/// cancel.
 const CANCELLING: f64 = 10.0;
 
 impl Scale {
@@ -172,7 +176,8 @@ impl ContactProblem<'_> {
         Iterate { approach, displacement: u, pressure, internal }
     }
 
-    /// `C_ij = b_i (S + Σ A k b bᵀ)⁻¹ b_j A_j` by a factor of that matrix: approach of a point by the pressure on another [mm/MPa].
+    /// `C_ij = b_i (S + Σ A k b bᵀ)⁻¹ b_j A_j` by a factor of that matrix: approach of a point by the pressure on
+    /// another [mm/MPa].
     pub fn flexibility(&self, factor: &SystemFactor) -> Mat<f64> {
         let mut flexibility = Mat::zeros(self.points.len(), self.points.len());
         for (j, point) in self.points.iter().enumerate() {
@@ -189,10 +194,12 @@ impl ContactProblem<'_> {
         1.0 / point.row.iter().map(|&(dof, b)| b * b / self.stiffness[(dof, dof)]).sum::<f64>()
     }
 
-    /// Force of each contact below which there is none, `1e-12 Σ s |b||u|` over its points, s their resistance: what rounding leaves where
-    /// bodies just touch \[N\]. Gaps do not count: far candidates have wide ones, whatever small force the contact carries.
+    /// Force of each contact below which there is none, `1e-12 Σ s |b||u|` over its points, s their resistance: what
+    /// rounding leaves where bodies just touch \[N\]. Gaps do not count: far candidates have wide ones, whatever small
+    /// force the contact carries.
     ///
-    /// Of equal bodies that is about `1e-12 Σ |S||u|`; of a stiff one on a soft one it knows that only the soft one's forces matter.
+    /// Of equal bodies that is about `1e-12 Σ |S||u|`; of a stiff one on a soft one it knows that only the soft one's
+    /// forces matter.
     pub fn round_off(&self, displacement: &[f64]) -> Vec<f64> {
         let mut forces = vec![0.0; self.compliance.len()];
         for point in self.points {

@@ -1,4 +1,5 @@
-//! The rule: how the strain of a spring drives its stiffness or its force, and from which stiffness on. The paper points to its ref. 12 for it.
+//! The rule: how the strain of a spring drives its stiffness or its force, and from which stiffness on. The paper
+//! points to its ref. 12 for it.
 
 use serde::Serialize;
 
@@ -33,7 +34,8 @@ named_enum! {
     pub enum Acceleration {
         /// By the rule alone: the paper's own iteration.
         None = "none",
-        /// By Newton's method, damped: on the logarithms of the stiffnesses (varying), on the forces of the springs (constant).
+        /// By Newton's method, damped: on the logarithms of the stiffnesses (varying), on the forces of the springs
+        /// (constant).
         Newton = "newton",
     }
 }
@@ -53,8 +55,9 @@ named_enum! {
     pub enum StiffnessUnit {
         /// `E*/ℓ` of the reference: the stiffness of the paper, made a pure number.
         Reference = "reference",
-        /// `√(E*/L · s)` of each contact, L its candidate stretch, 1/s the mean over it of what the bodies yield under a pressure on one
-        /// point alone: between the softest pressure that they see and the sharpest one, whatever the reference.
+        /// `√(E*/L · s)` of each contact, L its candidate stretch, 1/s the mean over it of what the bodies yield under
+        /// a pressure on one point alone: between the softest pressure that they see and the sharpest one, whatever the
+        /// reference.
         Bodies = "bodies",
     }
 }

@@ -23,8 +23,8 @@ pub struct Settling {
 }
 
 impl Settling {
-    /// The factor for some springs: only of the rows whose springs still move, where all others stand as they stood; none
-    /// where `S + K_c` is not positive definite.
+    /// The factor for some springs: only of the rows whose springs still move, where all others stand as they stood;
+    /// none where `S + K_c` is not positive definite.
     pub fn renew(&mut self, problem: &ContactProblem, stiffness: &[f64], work: &mut Work) -> Option<&SystemFactor> {
         let moved = changed(&self.stiffness, stiffness);
         self.stiffness.clear();

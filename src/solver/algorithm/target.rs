@@ -1,12 +1,13 @@
-//! What an iteration shall end in, and how far it is from there, on the scale of the solution itself and contact by contact.
+//! What an iteration shall end in, and how far it is from there, on the scale of the solution itself and contact by
+//! contact.
 //!
-//! A residual needs a scale, and one that is guessed beforehand (a pressure, a gap, a stretch) calls answers converged that
-//! are far off where the guess is. Here the discrete solution is known ([`exact`](crate::algorithm::exact)), so that the
-//! error itself is: of peak, forces, width and approach, each over the solution's own. The algorithms do not see it: it stops
-//! the clock, for all of them at the same accuracy.
+//! A residual needs a scale, and one that is guessed beforehand (a pressure, a gap, a stretch) calls answers converged
+//! that are far off where the guess is. Here the discrete solution is known ([`exact`](crate::algorithm::exact)), so
+//! that the error itself is: of peak, forces, width and approach, each over the solution's own. The algorithms do not
+//! see it: it stops the clock, for all of them at the same accuracy.
 //!
-//! Peak and forces are those of edges, not of points: pressures at the Gauss points of stiff springs alternate in a mode that
-//! no node feels.
+//! Peak and forces are those of edges, not of points: pressures at the Gauss points of stiff springs alternate in a
+//! mode that no node feels.
 
 use std::ops::Range;
 

@@ -52,7 +52,8 @@ fn factors(
     factors
 }
 
-/// Whether two points are quadrature points of one edge; a node, which neighbouring edges share, is an element of its own.
+/// Whether two points are quadrature points of one edge; a node, which neighbouring edges share, is an element of its
+/// own.
 fn in_one_element(a: &ContactPoint, b: &ContactPoint) -> bool {
     match (a.shares.as_slice(), b.shares.as_slice()) {
         ([(own, _)], [(other, _)]) => a.contact == b.contact && own == other,
@@ -82,8 +83,8 @@ impl Algorithm for Varying {
         Some(iterate)
     }
 
-    /// Accelerated, springs that were open under the load before start as they did at first: by the rule alone they would take as
-    /// many iterations to press again as they took to fall.
+    /// Accelerated, springs that were open under the load before start as they did at first: by the rule alone they
+    /// would take as many iterations to press again as they took to fall.
     fn reload(&mut self, problem: &ContactProblem, springs: &mut Springs) {
         if self.acceleration != Acceleration::None {
             self.logarithms = Logarithms::default();

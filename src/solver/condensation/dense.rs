@@ -20,8 +20,8 @@ pub struct DenseFactor {
 
 /// A square matrix with rows of zeros below it, up to a multiple of the widest register.
 ///
-/// Products run over whole registers: what memory holds below the last row is multiplied too, and where an earlier use left
-/// integers there, which read as denormal numbers, a factorisation takes five times as long.
+/// Products run over whole registers: what memory holds below the last row is multiplied too, and where an earlier use
+/// left integers there, which read as denormal numbers, a factorisation takes five times as long.
 #[derive(Clone, Debug)]
 pub struct Padded(Mat<f64>);
 
@@ -89,8 +89,8 @@ impl DenseFactor {
         self.l.as_mut()
     }
 
-    /// Factorises the rows and columns of L from `first` on, which hold a matrix by now, and whose diagonal of A is given;
-    /// false where it is not positive definite, round-off apart.
+    /// Factorises the rows and columns of L from `first` on, which hold a matrix by now, and whose diagonal of A is
+    /// given; false where it is not positive definite, round-off apart.
     pub(super) fn factorise_again(&mut self, first: usize, diagonal: &[f64]) -> bool {
         self.diagonal[first..].copy_from_slice(diagonal);
         in_place(self.l.as_mut().get_mut(first.., first..)).is_some() && self.is_sound()

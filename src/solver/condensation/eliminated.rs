@@ -14,7 +14,8 @@ use crate::error::{Error, Place};
 
 /// `K + σ I_c = L Lᵀ` with the retained dofs last, and `y = L⁻¹ f`.
 ///
-/// The shift σ, of the size of the retained diagonal, makes bodies supported by contact alone definite; it is taken off S again.
+/// The shift σ, of the size of the retained diagonal, makes bodies supported by contact alone definite; it is taken off
+/// S again.
 #[derive(Debug)]
 pub struct Eliminated {
     place: Place,
@@ -29,7 +30,8 @@ pub struct Eliminated {
 }
 
 impl Eliminated {
-    /// Factorises once, and keeps the factor or makes it again whenever unknowns are recovered: of many bodies those take most of the memory.
+    /// Factorises once, and keeps the factor or makes it again whenever unknowns are recovered: of many bodies those
+    /// take most of the memory.
     pub fn of(body: &BodySystem, keeps: bool, clock: &mut Clock) -> Result<Self, Error> {
         let pattern = body.stiffness.symbolic();
         let symbolic = clock.time(Stage::Analysis, || factor::analyse(pattern, &body.place))?;
@@ -74,8 +76,8 @@ impl Eliminated {
         load
     }
 
-    /// All unknowns from the retained ones, backwards: `Lᵀ u = (y_i, L_ccᵀ u_c)`, so that `K_ii u_i = f_i − K_ic u_c`; for
-    /// each of several sets of retained ones.
+    /// All unknowns from the retained ones, backwards: `Lᵀ u = (y_i, L_ccᵀ u_c)`, so that `K_ii u_i = f_i − K_ic u_c`;
+    /// for each of several sets of retained ones.
     ///
     /// The load is `factor` times the one that was eliminated.
     pub fn recover(&self, factor: f64, retained: &[&[f64]]) -> Vec<Vec<f64>> {

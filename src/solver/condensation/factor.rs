@@ -184,8 +184,8 @@ pub fn analyse(lower: SymbolicSparseColMatRef<Index>, body: &Place) -> Result<Sy
         .map_err(|_| singular(body, 0))
 }
 
-/// [`Factor::solve_lower`] on registers as wide as the processor's own; a closure's call would be a function of its own,
-/// compiled for the narrowest.
+/// [`Factor::solve_lower`] on registers as wide as the processor's own; a closure's call would be a function of its
+/// own, compiled for the narrowest.
 struct SolveLower<'a>(&'a Factor, &'a mut [f64]);
 
 impl pulp::WithSimd for SolveLower<'_> {

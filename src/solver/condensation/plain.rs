@@ -1,5 +1,5 @@
-//! What everything is held against, by the library's own high-level solver alone: one sparse Cholesky solve of the matrix of a body, and
-//! the bodies with their springs as one sparse system, which checks the condensation.
+//! What everything is held against, by the library's own high-level solver alone: one sparse Cholesky solve of the
+//! matrix of a body, and the bodies with their springs as one sparse system, which checks the condensation.
 
 use faer::prelude::Solve;
 use faer::sparse::{SparseColMat, Triplet};
@@ -22,7 +22,8 @@ pub struct Plain {
 }
 
 impl Plain {
-    /// The system of a body; the shift σ is that of its condensation, without which bodies supported by contact alone are singular.
+    /// The system of a body; the shift σ is that of its condensation, without which bodies supported by contact alone
+    /// are singular.
     pub fn of(body: &BodySystem) -> Result<Self, Error> {
         let equations = body.dofs.in_mesh_order();
         let n = equations.len();
@@ -53,8 +54,8 @@ impl Plain {
     }
 }
 
-/// The unknowns of each body without condensation: `(K + Σ A k bᵀb) u = f + Σ A c b`, refined once; of every spring `A k` [N/mm] with the
-/// sparse row b on the retained dofs, and its force `A c` at rest \[N\].
+/// The unknowns of each body without condensation: `(K + Σ A k bᵀb) u = f + Σ A c b`, refined once; of every spring
+/// `A k` [N/mm] with the sparse row b on the retained dofs, and its force `A c` at rest \[N\].
 pub fn solve_uncondensed(system: &ElasticSystem, springs: &[(RankOne, f64)]) -> Result<Vec<Vec<f64>>, Error> {
     let not_definite = || singular(&"coupled system".into(), 0);
     // Lower triangle, right-hand side, and the first unknown of each body.

@@ -1,7 +1,9 @@
-//! The condensed stiffness of all bodies, and factors of it with springs: one dense matrix, or of many bodies a sparse one.
+//! The condensed stiffness of all bodies, and factors of it with springs: one dense matrix, or of many bodies a sparse
+//! one.
 //!
-//! S is block-diagonal by body, and springs couple only bodies that are in contact. Of few bodies a dense matrix is the quicker one. Of
-//! many, memory and time of a sparse factorisation grow with their number, whether they stand apart or press on one another in a row.
+//! S is block-diagonal by body, and springs couple only bodies that are in contact. Of few bodies a dense matrix is the
+//! quicker one. Of many, memory and time of a sparse factorisation grow with their number, whether they stand apart or
+//! press on one another in a row.
 
 use std::ops::{Index, Range};
 use std::sync::Arc;
@@ -89,7 +91,8 @@ impl Stiffness {
         }
     }
 
-    /// Factor of `S + Σ δ bᵀb`, in the memory of one that is no longer needed; none where that is not positive definite, round-off apart.
+    /// Factor of `S + Σ δ bᵀb`, in the memory of one that is no longer needed; none where that is not positive
+    /// definite, round-off apart.
     pub fn factorise<'a>(
         &self,
         terms: impl Iterator<Item = RankOne<'a>>,
@@ -153,7 +156,8 @@ impl Index<(usize, usize)> for Stiffness {
 }
 
 impl Blocks {
-    /// Those of some bodies, whose dofs begin at the offsets, with the dofs of two bodies each that springs of a contact couple.
+    /// Those of some bodies, whose dofs begin at the offsets, with the dofs of two bodies each that springs of a
+    /// contact couple.
     pub fn of(blocks: &[Mat<f64>], offsets: &[usize], coupled: &[[Range<usize>; 2]]) -> Result<Self, Error> {
         let n = offsets[blocks.len()];
         let mut beyond = vec![0..0; n];
@@ -219,7 +223,8 @@ impl Blocks {
     }
 }
 
-/// Place of each pivot among the values of a factor with its row of the matrix, and the operations of the factorisation.
+/// Place of each pivot among the values of a factor with its row of the matrix, and the operations of the
+/// factorisation.
 fn pivots(symbolic: &SymbolicCholesky<elasticity::Index>) -> (Vec<[usize; 2]>, f64) {
     let (mut pivots, mut operations) = (Vec::with_capacity(symbolic.nrows()), 0.0);
     let SymbolicCholeskyRaw::Supernodal(parts) = symbolic.raw() else { return (pivots, f64::NAN) };

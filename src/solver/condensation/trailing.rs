@@ -23,8 +23,8 @@ pub struct Trailing {
 }
 
 impl Trailing {
-    /// Eliminates every row of the symmetric A that is not marked as changing, and the others for the terms as they are;
-    /// `None` where `A + Σ δ bᵀb` is not positive definite.
+    /// Eliminates every row of the symmetric A that is not marked as changing, and the others for the terms as they
+    /// are; `None` where `A + Σ δ bᵀb` is not positive definite.
     pub fn of<'a>(a: &Mat<f64>, changing: &[bool], terms: impl Iterator<Item = RankOne<'a>>) -> Option<Self> {
         let (mut order, last): (Vec<usize>, Vec<usize>) = (0..a.ncols()).partition(|&row| !changing[row]);
         let first = order.len();

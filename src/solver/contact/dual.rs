@@ -1,5 +1,5 @@
-//! From the candidates of both bodies to an interface, whose nodes are given what they face: where the meshes do not match, the mean of
-//! the primary displacement, weighted by the node's dual shape function.
+//! From the candidates of both bodies to an interface, whose nodes are given what they face: where the meshes do not
+//! match, the mean of the primary displacement, weighted by the node's dual shape function.
 
 use nalgebra::DMatrix;
 
@@ -11,7 +11,8 @@ use crate::error::Error;
 use crate::mesh::Mesh;
 use crate::scene::Scene;
 
-/// Fewest Gauss points on each piece of an edge: products of two shape functions of 3-node edges are polynomials of degree four.
+/// Fewest Gauss points on each piece of an edge: products of two shape functions of 3-node edges are polynomials of
+/// degree four.
 const FEWEST: usize = 4;
 
 impl Interface {
@@ -34,8 +35,8 @@ impl Interface {
 /// For each node the primary dofs with `(1/D_a) ∫ φ_a N_b ds`, `D_a = ∫ N_a ds`.
 ///
 /// The dual shape functions `φ = D M⁻¹ N`, `M_ac = ∫ N_a N_c ds` edge by edge, satisfy `∫ φ_a N_c ds = δ_ac D_a` and
-/// `Σ φ_a = 1` (Wohlmuth 2000); lengths of bodies of revolution are times `2πr`, and a node on the axis, which may have none,
-/// meets what is there. Where every node faces a node this is that node alone; elsewhere equal pressures at the
+/// `Σ φ_a = 1` (Wohlmuth 2000); lengths of bodies of revolution are times `2πr`, and a node on the axis, which may have
+/// none, meets what is there. Where every node faces a node this is that node alone; elsewhere equal pressures at the
 /// nodes are a uniform pressure on both sides, and the patch test holds.
 fn rows(interface: &Interface, primary: &PrimarySurface) -> Vec<Vec<(usize, f64)>> {
     let nodes = interface.nodes.len();

@@ -16,8 +16,8 @@ named_enum! {
 }
 
 impl Element {
-    /// The contact points of an interface, in the order of the contact coordinate, with a quadrature and a thickness over the length of an
-    /// edge, as far as the element has them.
+    /// The contact points of an interface, in the order of the contact coordinate, with a quadrature and a thickness
+    /// over the length of an edge, as far as the element has them.
     pub fn points(self, interface: &Interface, quadrature: Quadrature, thickness: f64) -> Vec<ContactPoint> {
         match self {
             Self::Line => line::points(interface, quadrature),

@@ -85,7 +85,8 @@ impl ContactNode {
 }
 
 impl Interface {
-    /// The candidates of the first body of a contact, projected on to the second; what their nodes face is not known yet.
+    /// The candidates of the first body of a contact, projected on to the second; what their nodes face is not known
+    /// yet.
     pub(super) fn projected(scene: &Scene, mesh: &Mesh, condensed: &Condensed, contact: usize) -> Result<Self, Error> {
         let pair = &scene.contacts[contact];
         let first = &mesh.bodies[pair.first];
@@ -135,8 +136,8 @@ impl Interface {
         })
     }
 
-    /// The circumference `2πr` at a contact coordinate of bodies of revolution \[mm\]; 1 in the plane, where the thickness
-    /// stands for it.
+    /// The circumference `2πr` at a contact coordinate of bodies of revolution \[mm\]; 1 in the plane, where the
+    /// thickness stands for it.
     pub fn circumference(&self, position: f64) -> f64 {
         self.radial.map_or(1.0, |radial| TAU * self.pair.path.point(position)[radial])
     }
@@ -157,8 +158,8 @@ impl Interface {
         (shapes.iter().map(|shape| shape.0).collect(), position, length)
     }
 
-    /// At a natural coordinate of an edge, the area of each of its nodes per ξ: `N_a (n·n_a) ds/dξ · thickness`, of bodies of revolution
-    /// `N_a 2πr ds/dξ` \[mm²\].
+    /// At a natural coordinate of an edge, the area of each of its nodes per ξ: `N_a (n·n_a) ds/dξ · thickness`, of
+    /// bodies of revolution `N_a 2πr ds/dξ` \[mm²\].
     pub fn areas_at(&self, edge: &[usize], xi: f64) -> Vec<f64> {
         let (shapes, position, length) = self.at(edge, xi);
         let area = length * self.circumference(position) * self.thickness;
@@ -168,9 +169,9 @@ impl Interface {
 
     /// The points of a rule on every piece of an edge, each with its weight, which [`Interface::area`] makes its area.
     ///
-    /// Around an axis the area grows with the radius. On edges of 2 nodes one Gauss point then lies at the centre of the area,
-    /// so that a uniform pressure exerts its consistent nodal forces, as rules of more points do by themselves; with the middle
-    /// of the edges the pressure of Hertz's sphere is 40 % too small at the axis.
+    /// Around an axis the area grows with the radius. On edges of 2 nodes one Gauss point then lies at the centre of
+    /// the area, so that a uniform pressure exerts its consistent nodal forces, as rules of more points do by
+    /// themselves; with the middle of the edges the pressure of Hertz's sphere is 40 % too small at the axis.
     pub fn ruled(&self, edge: &[usize], quadrature: Quadrature) -> Vec<(f64, f64)> {
         let rule = quadrature.rule(edge.len());
         if self.radial.is_none() {
@@ -218,8 +219,8 @@ impl Interface {
         cuts.windows(2).flat_map(piece).collect()
     }
 
-    /// The points of a rule on all edges, in the order of the contact coordinate, each with the row and the relative stiffness that it has
-    /// by its edge, its shape functions and place there, and its gap.
+    /// The points of a rule on all edges, in the order of the contact coordinate, each with the row and the relative
+    /// stiffness that it has by its edge, its shape functions and place there, and its gap.
     pub fn points(
         &self,
         quadrature: Quadrature,
@@ -240,8 +241,8 @@ impl Interface {
         points
     }
 
-    /// The normal displacements in the approach of a point of an edge, own ones by `N_a`, opposite ones by projection: retained dof, shape
-    /// function, and normal of the node, out of the first body.
+    /// The normal displacements in the approach of a point of an edge, own ones by `N_a`, opposite ones by projection:
+    /// retained dof, shape function, and normal of the node, out of the first body.
     pub fn terms(&self, edge: &[usize], (shapes, position): (&[f64], f64)) -> Vec<(usize, f64, [f64; 2])> {
         let own = edge.iter().zip(shapes).map(|(&a, &value)| (self.nodes[a].dof, value, self.nodes[a].normal));
         let primary = self.primary.iter().filter_map(|primary| primary.at(position)).flatten();
@@ -275,7 +276,8 @@ fn non_matching(scene: &Scene, contact: usize, primary: &PrimarySurface, at: f64
     let pair = &scene.contacts[contact];
     let [at, from, to] = [at, from, to].map(|s| pair.path.reported(s));
     let message = format!(
-        "nothing of the secondary body is opposite the node of the primary one at s = {at}: its contact side lies between {from} and {to}"
+        "nothing of the secondary body is opposite the node of the primary one at s = {at}: its contact side lies \
+        between {from} and {to}"
     );
     let remedy = "shorten the candidate stretch, or make the sides begin together";
     Error::at(scene.place_of(contact, Part::Second), message, remedy)

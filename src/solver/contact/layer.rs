@@ -32,9 +32,10 @@ fn length(interface: &Interface, edge: &[usize]) -> f64 {
 
 /// Row of `w = t ε` on the retained normal dofs.
 ///
-/// Across the element `u = ½(1−η) u₁ + ½(1+η) u₂`. As `e` runs along `∂x/∂η`, with `t = 2 |∂x/∂η|`, `e·∇u = (u₂ − u₁)/t`
-/// exactly, however wedge-shaped the element is. The first body moves by `u n_a`, the second by `−u n_b`, `n` out of the
-/// first; closing is compression, and a displacement contributes `N (n·e)`. Its tangential part is dropped.
+/// Across the element `u = ½(1−η) u₁ + ½(1+η) u₂`. As `e` runs along `∂x/∂η`, with `t = 2 |∂x/∂η|`,
+/// `e·∇u = (u₂ − u₁)/t` exactly, however wedge-shaped the element is. The first body moves by `u n_a`, the second by
+/// `−u n_b`, `n` out of the first; closing is compression, and a displacement contributes `N (n·e)`. Its tangential
+/// part is dropped.
 fn normal_row(interface: &Interface, edge: &[usize], t0: f64, (shapes, position): (&[f64], f64)) -> Vec<(usize, f64)> {
     let across = |(&a, &value): (&usize, &f64)| {
         let node = &interface.nodes[a];

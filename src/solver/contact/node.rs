@@ -19,8 +19,8 @@ pub fn points(interface: &Interface) -> Vec<ContactPoint> {
             shares[a].push((index, area));
         }
     }
-    // On the axis of revolution the node of an edge of order 2 or more has no area, `∫ N r dr = 0` but for what a curved
-    // edge adds, and carries nothing.
+    // On the axis of revolution the node of an edge of order 2 or more has no area, `∫ N r dr = 0` but for what a
+    // curved edge adds, and carries nothing.
     let is_high = interface.edges.iter().any(|edge| edge.len() > 2);
     let has_area = |node: &ContactNode| !(is_high && interface.is_on_axis(node.coordinate, ON_AXIS));
     let nodes = interface.nodes.iter().zip(shares).filter(|(node, _)| has_area(node));
@@ -36,7 +36,8 @@ pub fn points(interface: &Interface) -> Vec<ContactPoint> {
     nodes.map(point).collect()
 }
 
-/// `∫ N_k (n·n_k) ds · thickness`, of bodies of revolution `∫ N_k 2πr ds`, over one edge, for each of its nodes \[mm²\].
+/// `∫ N_k (n·n_k) ds · thickness`, of bodies of revolution `∫ N_k 2πr ds`, over one edge, for each of its nodes
+/// \[mm²\].
 fn tributary_areas(interface: &Interface, edge: &[usize]) -> Vec<f64> {
     let rule = quadrature::gauss(edge.len().max(3)).into_iter();
     let parts = rule.map(|(xi, weight)| (interface.areas_at(edge, xi), weight));

@@ -1,7 +1,7 @@
 //! The axis of bodies of revolution, x = 0 or y = 0: which nodes lie on it, and what cannot be there.
 //!
-//! A point on the axis stays on it, `u_r = 0`: of all that a support along the radius could do there, this is the only thing, and it
-//! holds without one.
+//! A point on the axis stays on it, `u_r = 0`: of all that a support along the radius could do there, this is the only
+//! thing, and it holds without one.
 
 use crate::error::Error;
 use crate::mesh::Mesh;
@@ -30,8 +30,8 @@ fn largest_radius(scene: &Scene, mesh: &Mesh, body: usize) -> f64 {
     mesh.bodies[body].nodes.clone().map(|node| mesh.points[node][radial].abs()).fold(0.0, f64::max)
 }
 
-/// Refuses a body of revolution that goes on beyond the axis, that a support moves off it, or whose loads have a sum that
-/// vanishes all around or act where there is no area.
+/// Refuses a body of revolution that goes on beyond the axis, that a support moves off it, or whose loads have a sum
+/// that vanishes all around or act where there is no area.
 pub fn refuse(scene: &Scene, mesh: &Mesh, body: usize) -> Result<(), Error> {
     if !scene.is_of_revolution() {
         return Ok(());

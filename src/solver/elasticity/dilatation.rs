@@ -1,23 +1,23 @@
 //! Smoothed dilatation: what keeps nearly incompressible cells from locking.
 //!
 //! As ν tends to 0.5 in plane strain, Lamé's `λ = 2μν/(1 − 2ν)` grows without bound and holds the dilatation
-//! `θ = ε_x + ε_y` at zero at every Gauss point: more conditions than a cell has displacements to spare. What λ has beyond
-//! that of an ordinary material, `λ₁`, therefore acts on a smoothed dilatation `θ̄` (B-bar: Hughes 1980; for 4-node cells
-//! the same as one-point integration of this part: Malkus & Hughes 1978):
+//! `θ = ε_x + ε_y` at zero at every Gauss point: more conditions than a cell has displacements to spare. What λ has
+//! beyond that of an ordinary material, `λ₁`, therefore acts on a smoothed dilatation `θ̄` (B-bar: Hughes 1980; for
+//! 4-node cells the same as one-point integration of this part: Malkus & Hughes 1978):
 //!
 //! `W = ½ ∫ (εᵀ D₀ ε + λ₁ θ̄²) t dA`, `σ = D₀ ε + λ₁ θ̄ m`, `D₀ = D − λ₁ m mᵀ`, `m = [1, 1, 0]`,
 //!
-//! where θ̄ is the least-squares fit to θ over a cell of order p by polynomials of degree p − 1. Uniform strains are their
-//! own fit, so that patch tests hold, and D₀ under full integration leaves no motion but the rigid ones free.
+//! where θ̄ is the least-squares fit to θ over a cell of order p by polynomials of degree p − 1. Uniform strains are
+//! their own fit, so that patch tests hold, and D₀ under full integration leaves no motion but the rigid ones free.
 //!
 //! Bodies of revolution have `θ = ε_r + ε_z + ε_θ`, m has a one for the hoop stress too, and t is `2πr`.
 //!
-//! Splitting λ as Arnold & Brezzi (1993) split the shear of plates makes the cells of ordinary materials the plain ones,
-//! and the answer a continuous function of ν: no threshold at which the cell changes.
+//! Splitting λ as Arnold & Brezzi (1993) split the shear of plates makes the cells of ordinary materials the plain
+//! ones, and the answer a continuous function of ν: no threshold at which the cell changes.
 //!
-//! Why 1, x, y: on truncated Hertz at ν = 0.4999, 8 cells on the half-width, neighbouring nodal pressures depart from one
-//! another by 0.7 % of p₀, as at ν = 0.3; with 2×2 Gauss points by 4 %, with plain cells by 90 %. A constant bends too
-//! easily: the deflection of a cantilever two cells high is 5 % too large.
+//! Why 1, x, y: on truncated Hertz at ν = 0.4999, 8 cells on the half-width, neighbouring nodal pressures depart from
+//! one another by 0.7 % of p₀, as at ν = 0.3; with 2×2 Gauss points by 4 %, with plain cells by 90 %. A constant bends
+//! too easily: the deflection of a cantilever two cells high is 5 % too large.
 
 use crate::scene::{Material, PlaneHypothesis};
 

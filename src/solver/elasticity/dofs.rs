@@ -140,14 +140,16 @@ impl Dofs {
         }
     }
 
-    /// The equations in the order of the mesh: node by node, the component that the nodes of a face share at its first one.
+    /// The equations in the order of the mesh: node by node, the component that the nodes of a face share at its first
+    /// one.
     pub fn in_mesh_order(&self) -> Vec<usize> {
         let mut seen = vec![false; self.equations];
         let equations = self.components.iter().flatten().filter_map(Freedom::equation);
         equations.filter(|&equation| !std::mem::replace(&mut seen[equation], true)).collect()
     }
 
-    /// Cartesian displacement of every node of the body, where prescribed displacements are `share` times theirs \[mm\].
+    /// Cartesian displacement of every node of the body, where prescribed displacements are `share` times theirs
+    /// \[mm\].
     pub fn displacements(&self, share: f64, solution: &[f64]) -> Vec<[f64; 2]> {
         let value = |dof| match dof {
             Freedom::Equation(equation) => solution[equation],
@@ -213,7 +215,8 @@ fn fixed_face(scene: &Scene, body: usize, at: &Place, node: usize) -> Error {
         Place::Point(point) => format!("{point:?}"),
     };
     let message = format!(
-        "node {node} of the rigid face `{boundary}` is fixed, or belongs to another rigid face, in the direction in which the face moves as one"
+        "node {node} of the rigid face `{boundary}` is fixed, or belongs to another rigid face, in the direction in \
+        which the face moves as one"
     );
     Error::at(scene.place_of_body(body), message, "fix the whole face, or none of it")
 }

@@ -12,8 +12,9 @@ use crate::scene::{Material, PlaneHypothesis, Scene};
 
 /// `k = ∫ Bᵀ D B t dA` [N/mm] of cells of order p (p + 1 Gauss points each way); dofs are u_x, u_y node by node.
 ///
-/// Of nearly incompressible bodies `k = ∫ Bᵀ D₀ B t dA + λ₁ Σ b_j b_jᵀ` ([`dilatation`](crate::elasticity::dilatation)).
-/// The shape functions and their slopes at the Gauss points are the same for all cells and tabulated once.
+/// Of nearly incompressible bodies `k = ∫ Bᵀ D₀ B t dA + λ₁ Σ b_j b_jᵀ`
+/// ([`dilatation`](crate::elasticity::dilatation)). The shape functions and their slopes at the Gauss points are the
+/// same for all cells and tabulated once.
 #[derive(Clone, Debug)]
 pub struct CellStiffness {
     /// Slopes `[∂N_a/∂ξ, ∂N_a/∂η]` and weight at each Gauss point.
@@ -95,9 +96,11 @@ impl CellStiffness {
         Ok(())
     }
 
-    /// The same of a body of revolution, with strains `(N_a,r, 0, N_a,z, N_a/r)` of a displacement along r and `t = 2πr`.
+    /// The same of a body of revolution, with strains `(N_a,r, 0, N_a,z, N_a/r)` of a displacement along r and
+    /// `t = 2πr`.
     ///
-    /// The hoop strain depends on the place, so that a stress of node a meets the strains of node b at each Gauss point.
+    /// The hoop strain depends on the place, so that a stress of node a meets the strains of node b at each Gauss
+    /// point.
     #[inline(always)]
     fn add_pairs_of_revolution<const N: usize, const G: usize>(
         &self,
@@ -297,8 +300,8 @@ impl Tabulated {
     }
 }
 
-/// The sums of a cell on registers as wide as the processor's own; a closure's call would be a function of its own, compiled
-/// for the narrowest.
+/// The sums of a cell on registers as wide as the processor's own; a closure's call would be a function of its own,
+/// compiled for the narrowest.
 struct AddPairs<'a, const N: usize, const G: usize> {
     kernel: &'a CellStiffness,
     points: &'a [[f64; 2]; N],

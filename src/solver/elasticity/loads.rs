@@ -81,8 +81,8 @@ pub fn tractions(scene: &Scene, mesh: &Mesh, body: usize) -> Result<Vec<Vec<Trac
     scene.bodies[body].loads.iter().enumerate().map(of).collect()
 }
 
-/// Hands the consistent forces of a load, one of its body by its index, to the nodes; those of a rigid face belong to no
-/// single node.
+/// Hands the consistent forces of a load, one of its body by its index, to the nodes; those of a rigid face belong to
+/// no single node.
 fn hand_out(scene: &Scene, mesh: &Mesh, body: usize, index: usize, take: Taker) -> Result<(), Error> {
     match &scene.bodies[body].loads[index] {
         Load::OnSide { boundary, part, action } => {
@@ -160,7 +160,8 @@ impl<'a> LoadedSide<'a> {
         Ok(side)
     }
 
-    /// Hands the consistent forces `f_a = ∫ N_a t ds · thickness`, `∫ N_a t 2πr ds` on a body of revolution, of what acts to the nodes.
+    /// Hands the consistent forces `f_a = ∫ N_a t ds · thickness`, `∫ N_a t 2πr ds` on a body of revolution, of what
+    /// acts to the nodes.
     fn hand_out(&self, action: &Action, take: Taker) {
         let traction = self.traction(action);
         for (edge, (shapes, point, slope), weight) in self.samples() {

@@ -76,7 +76,8 @@ pub struct BodySystem {
     pub dofs: Dofs,
 }
 
-/// The unknowns of every body, numbered in the order in which they are eliminated; refuses bodies that could move as a whole.
+/// The unknowns of every body, numbered in the order in which they are eliminated; refuses bodies that could move as a
+/// whole.
 pub fn numbered(scene: &Scene, mesh: &Mesh) -> Result<Vec<(NodeGraph, Dofs)>, Error> {
     let number = |body: usize| {
         let graph = NodeGraph::of(mesh, body);
@@ -111,7 +112,8 @@ impl ElasticSystem {
         self.bodies.iter().map(|body| body.dofs.equations).sum()
     }
 
-    /// Nodal displacements \[mm\] from the solution of each body, in mesh order, where prescribed displacements are `share` times theirs.
+    /// Nodal displacements \[mm\] from the solution of each body, in mesh order, where prescribed displacements are
+    /// `share` times theirs.
     pub fn nodal_displacements(&self, share: f64, solutions: &[Vec<f64>]) -> Vec<[f64; 2]> {
         let per_body = self.bodies.iter().zip(solutions);
         per_body.flat_map(|(body, solution)| body.dofs.displacements(share, solution)).collect()
@@ -138,8 +140,8 @@ impl BodySystem {
         self.work_of_load(&|_| [0.0, 1.0])[0]
     }
 
-    /// Work of the load vector on a displacement of the nodes, prescribed components at rest, and the sum of the sizes of its
-    /// terms [N mm].
+    /// Work of the load vector on a displacement of the nodes, prescribed components at rest, and the sum of the sizes
+    /// of its terms [N mm].
     pub fn work_of_load(&self, displacement: &dyn Fn(usize) -> [f64; 2]) -> [f64; 2] {
         let mut motion = vec![0.0; self.force.len()];
         for (k, (pair, n)) in self.dofs.components.iter().zip(&self.dofs.axes).enumerate() {

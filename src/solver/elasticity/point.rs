@@ -15,7 +15,8 @@ const AT_REST: f64 = 1e-13;
 
 /// Nodes of the cell that holds a point, with their shape functions `N_a` there; the node alone where one stands there.
 ///
-/// A force at the point is handed out as `N_a F`, which has the same resultant and moment: `Σ N_a = 1`, `Σ N_a x_a = x`.
+/// A force at the point is handed out as `N_a F`, which has the same resultant and moment: `Σ N_a = 1`,
+/// `Σ N_a x_a = x`.
 pub fn shapes_at(scene: &Scene, mesh: &Mesh, body: usize, point: [f64; 2]) -> Result<Vec<(usize, f64)>, Error> {
     let refused = match mesh.node_at(scene, body, point) {
         Ok(node) => return Ok(vec![(node, 1.0)]),
@@ -59,8 +60,8 @@ impl Cells {
         Self(mesh.bodies[body].cells.clone().map(|cell| Cell::of(false, places(cell))).collect())
     }
 
-    /// The cell that holds a point best, with its shape functions there; none where it lies farther outside of all than so many of
-    /// their sizes.
+    /// The cell that holds a point best, with its shape functions there; none where it lies farther outside of all than
+    /// so many of their sizes.
     pub fn shapes_at(&self, point: [f64; 2], outside: f64) -> Option<(usize, Vec<f64>)> {
         let near = self.0.iter().enumerate().filter_map(|(place, cell)| {
             let (slack, point) = (outside * cell.size, Vector2::from(point) - cell.middle);
@@ -91,8 +92,8 @@ impl Cell {
         }
     }
 
-    /// (ξ, η) with `Σ N_a(ξ, η) x_a = x` by Newton's method, x and x_a from the middle, and how far outside the cell the point lies, over
-    /// its size.
+    /// (ξ, η) with `Σ N_a(ξ, η) x_a = x` by Newton's method, x and x_a from the middle, and how far outside the cell
+    /// the point lies, over its size.
     fn natural(&self, point: Vector2<f64>) -> Option<([f64; 2], f64)> {
         let mut natural = if self.triangle { Vector2::repeat(1.0 / 3.0) } else { Vector2::zeros() };
         for _ in 0..STEPS {

@@ -36,8 +36,8 @@ pub fn gauss_square(n: usize) -> Vec<([f64; 2], f64)> {
     rows.collect()
 }
 
-/// Points and weights `2/(n (n−1) P²_{n−1})` of the `n`-point Lobatto rule: the ends and points between, exact for polynomials
-/// of degree `2n − 3`.
+/// Points and weights `2/(n (n−1) P²_{n−1})` of the `n`-point Lobatto rule: the ends and points between, exact for
+/// polynomials of degree `2n − 3`.
 pub fn lobatto(n: usize) -> Vec<(f64, f64)> {
     let degree = n - 1;
     let weight = |x: f64| 2.0 / ((n * degree) as f64 * lobatto::legendre(degree, x)[1].powi(2));

@@ -8,8 +8,8 @@ use crate::error::Error;
 use crate::mesh::Mesh;
 use crate::scene::{Place, Scene};
 
-/// Internal force `Σ k_e u_e` of a body at each of its nodes, in x and y \[N\]: what must act on a node to hold the cells
-/// around it as deformed as they are. It is complete at the nodes of the mesh that are wanted.
+/// Internal force `Σ k_e u_e` of a body at each of its nodes, in x and y \[N\]: what must act on a node to hold the
+/// cells around it as deformed as they are. It is complete at the nodes of the mesh that are wanted.
 ///
 /// `displacement` is that of every node of the mesh \[mm\].
 pub fn internal_forces(
@@ -41,9 +41,10 @@ pub fn internal_forces(
     Ok(forces)
 }
 
-/// Which support of a body holds a component of a node: of several that do, the one whose side faces most along the component there, since a
-/// side on a line of symmetry has no shear, and any side before a point; of those that face alike the last one, as in the numbering. The axis
-/// of a body of revolution holds its nodes along the radius by itself.
+/// Which support of a body holds a component of a node: of several that do, the one whose side faces most along the
+/// component there, since a side on a line of symmetry has no shear, and any side before a point; of those that face
+/// alike the last one, as in the numbering. The axis of a body of revolution holds its nodes along the radius by
+/// itself.
 pub fn holders(scene: &Scene, mesh: &Mesh, body: usize) -> Result<BTreeMap<(usize, usize), usize>, Error> {
     let mut holders: BTreeMap<(usize, usize), (usize, f64)> = BTreeMap::new();
     let on_axis = axis::holds(scene, mesh, body);

@@ -1,5 +1,5 @@
-//! Rigid motions that no support stops: of one body, or of all bodies with their contacts closed; and the refusal of a body that could
-//! move as a rigid one although its supports and contact nodes are fixed.
+//! Rigid motions that no support stops: of one body, or of all bodies with their contacts closed; and the refusal of a
+//! body that could move as a rigid one although its supports and contact nodes are fixed.
 
 use nalgebra::{DMatrix, DVector, Matrix3, SymmetricEigen, Vector3};
 
@@ -22,8 +22,8 @@ pub const STOPPED_BY: [&str; 3] = [
 
 /// The interior stiffness is positive definite ⇔ no rigid motion `(a, b, ω)` leaves every fixed component at rest.
 ///
-/// Fixed are prescribed components, the normals of contact candidates, and the rotation of rigid faces. A body of revolution
-/// can slide along its axis only.
+/// Fixed are prescribed components, the normals of contact candidates, and the rotation of rigid faces. A body of
+/// revolution can slide along its axis only.
 pub fn refuse_free(scene: &Scene, mesh: &Mesh, body: usize, dofs: &Dofs) -> Result<(), Error> {
     let frame = Frame::of(mesh, &[body]);
     let rows = stopped(scene, mesh, body, (dofs, frame), |equation| dofs.retained.contains(&equation))?;
@@ -66,8 +66,8 @@ struct Frame {
 const SMALL: f64 = 1e-6;
 
 impl FreeMotion {
-    /// The motions of some bodies that no support of theirs stops, all others at rest; where contacts are `closed`, those that
-    /// change no gap between candidates either.
+    /// The motions of some bodies that no support of theirs stops, all others at rest; where contacts are `closed`,
+    /// those that change no gap between candidates either.
     pub fn all(scene: &Scene, mesh: &Mesh, dofs: &[&Dofs], bodies: &[usize], closed: bool) -> Result<Vec<Self>, Error> {
         let frame = Frame::of(mesh, bodies);
         let mut rows = Vec::new();
@@ -98,8 +98,8 @@ impl FreeMotion {
         Ok(free.map(motion).collect())
     }
 
-    /// The motions of one body among these that slide it along x, along y, or turn it, both ways: those that lie in their
-    /// span, and the only one there is.
+    /// The motions of one body among these that slide it along x, along y, or turn it, both ways: those that lie in
+    /// their span, and the only one there is.
     pub fn simple(all: &[Self]) -> Vec<Self> {
         let Some(first) = all.first() else { return Vec::new() };
         let of = |components: [f64; 3]| Self { components: vec![components], ..first.clone() };
@@ -162,7 +162,8 @@ impl Frame {
     }
 }
 
-/// What the supports and the rigid faces of a body stop, the axis of a body of revolution, and other equations that are held.
+/// What the supports and the rigid faces of a body stop, the axis of a body of revolution, and other equations that are
+/// held.
 fn stopped(
     scene: &Scene,
     mesh: &Mesh,

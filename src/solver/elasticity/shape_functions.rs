@@ -1,7 +1,9 @@
-//! Shape functions of the 4-node and the 8-node (serendipity) quadrilateral, of tensor products of order p, and of their edges.
+//! Shape functions of the 4-node and the 8-node (serendipity) quadrilateral, of tensor products of order p, and of
+//! their edges.
 //!
-//! Corners counter-clockwise from (−1, −1), then mid-sides from the bottom edge on (Bathe, Finite Element Procedures, §5.3);
-//! nodes of tensor products as [`Order::places`] numbers them, on Gauss–Lobatto–Legendre points (Karniadakis & Sherwin 2005).
+//! Corners counter-clockwise from (−1, −1), then mid-sides from the bottom edge on (Bathe, Finite Element Procedures,
+//! §5.3); nodes of tensor products as [`Order::places`] numbers them, on Gauss–Lobatto–Legendre points (Karniadakis &
+//! Sherwin 2005).
 
 use crate::mesh::{Mesh, Order, lobatto};
 
@@ -55,7 +57,8 @@ fn serendipity([xa, ya]: [f64; 2], [x, y]: [f64; 2]) -> (f64, [f64; 2]) {
 /// Gradients of the area coordinates `1 − ξ − η, ξ, η`.
 const SLOPES: [[f64; 2]; 3] = [[-1.0, -1.0], [1.0, 0.0], [0.0, 1.0]];
 
-/// Values and gradients at (ξ, η) of a triangle of 3 or 6 nodes: corners `L_a (2 L_a − 1)`, or `L_a` alone, then mid-sides `4 L_a L_b`.
+/// Values and gradients at (ξ, η) of a triangle of 3 or 6 nodes: corners `L_a (2 L_a − 1)`, or `L_a` alone, then
+/// mid-sides `4 L_a L_b`.
 pub fn triangle(n: usize, [x, y]: [f64; 2]) -> Vec<(f64, [f64; 2])> {
     let area = [1.0 - x - y, x, y];
     let along = |k: usize, factor: f64| SLOPES[k].map(|slope| factor * slope);
@@ -71,7 +74,8 @@ pub fn triangle(n: usize, [x, y]: [f64; 2]) -> Vec<(f64, [f64; 2])> {
     (0..3).map(corner).chain((0..3).map(middle)).collect()
 }
 
-/// Values and slopes `(N_a, dN_a/dξ)` on an edge of 2 nodes, of 3 (first, last, middle), or of more (first, last, those between).
+/// Values and slopes `(N_a, dN_a/dξ)` on an edge of 2 nodes, of 3 (first, last, middle), or of more (first, last, those
+/// between).
 pub fn edge(n: usize, x: f64) -> Vec<(f64, f64)> {
     match n {
         2 => vec![((1.0 - x) / 2.0, -0.5), ((1.0 + x) / 2.0, 0.5)],

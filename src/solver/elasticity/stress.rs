@@ -6,8 +6,9 @@ use crate::error::Error;
 use crate::mesh::{Mesh, Order, lobatto};
 use crate::scene::{Material, PlaneHypothesis, Scene};
 
-/// Mean over the adjoining cells of `σ = D B q`, taken at the p × p Gauss points of order p, 2 × 2 at least (where it is most
-/// accurate; Barlow 1976), and extrapolated to the nodes: `[σ_x, σ_y, τ_xy]` at every node \[MPa\], tension positive.
+/// Mean over the adjoining cells of `σ = D B q`, taken at the p × p Gauss points of order p, 2 × 2 at least (where it
+/// is most accurate; Barlow 1976), and extrapolated to the nodes: `[σ_x, σ_y, τ_xy]` at every node \[MPa\], tension
+/// positive.
 ///
 /// Where the stiffness has a smoothed dilatation, so have the stresses.
 pub fn at_nodes(scene: &Scene, mesh: &Mesh, displacements: &[[f64; 2]]) -> Result<Vec<[f64; 3]>, Error> {
@@ -72,8 +73,9 @@ fn extrapolation(order: Order) -> (Vec<[f64; 2]>, Vec<Vec<f64>>) {
     (points, order.places().into_iter().map(of_node).collect())
 }
 
-/// Stress across the plane σ_z \[MPa\] of `[σ_x, σ_y, τ]`: 0 in plane stress, `ν (σ_x + σ_y)` in plane strain, and in bodies
-/// of revolution, where it is the hoop stress, `ν (σ_r + σ_z) + E ε_θ` with a hoop strain that plane scenes have not.
+/// Stress across the plane σ_z \[MPa\] of `[σ_x, σ_y, τ]`: 0 in plane stress, `ν (σ_x + σ_y)` in plane strain, and in
+/// bodies of revolution, where it is the hoop stress, `ν (σ_r + σ_z) + E ε_θ` with a hoop strain that plane scenes have
+/// not.
 pub fn across([x, y, _]: [f64; 3], plane: PlaneHypothesis, material: &Material, hoop_strain: f64) -> f64 {
     match plane {
         PlaneHypothesis::Stress => 0.0,
@@ -84,7 +86,8 @@ pub fn across([x, y, _]: [f64; 3], plane: PlaneHypothesis, material: &Material, 
     }
 }
 
-/// Principal stresses σ₁ ≥ σ₂ ≥ σ₃ \[MPa\] of `[σ_x, σ_y, τ]` and σ_z: `½ (σ_x + σ_y) ± √(¼ (σ_x − σ_y)² + τ²)`, and σ_z itself.
+/// Principal stresses σ₁ ≥ σ₂ ≥ σ₃ \[MPa\] of `[σ_x, σ_y, τ]` and σ_z: `½ (σ_x + σ_y) ± √(¼ (σ_x − σ_y)² + τ²)`, and
+/// σ_z itself.
 pub fn principal([x, y, shear]: [f64; 3], z: f64) -> [f64; 3] {
     let (mean, radius) = (0.5 * (x + y), (0.5 * (x - y)).hypot(shear));
     let mut all = [mean + radius, mean - radius, z];
@@ -92,8 +95,8 @@ pub fn principal([x, y, shear]: [f64; 3], z: f64) -> [f64; 3] {
     all
 }
 
-/// Von Mises stress `√(½ ((σ_x − σ_y)² + (σ_y − σ_z)² + (σ_z − σ_x)²) + 3 τ²)` \[MPa\] of `[σ_x, σ_y, τ]` and the stress
-/// [`across`] them.
+/// Von Mises stress `√(½ ((σ_x − σ_y)² + (σ_y − σ_z)² + (σ_z − σ_x)²) + 3 τ²)` \[MPa\] of `[σ_x, σ_y, τ]` and the
+/// stress [`across`] them.
 ///
 /// In a cell of smoothed dilatation this σ_z is off by `2νμ (λ₁/λ)(θ̄ − θ)`, which has no mean over the cell.
 pub fn von_mises([x, y, shear]: [f64; 3], z: f64) -> f64 {

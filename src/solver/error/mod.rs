@@ -103,8 +103,8 @@ pub enum Kind {
     ContactBeyondCandidates {
         /// Contact coordinate of the last candidate.
         end: Coordinate,
-        /// Contact coordinate of the deepest penetration beyond, and its depth \[mm\]; none where only the pressure, which
-        /// rises towards the end, shows it.
+        /// Contact coordinate of the deepest penetration beyond, and its depth \[mm\]; none where only the pressure,
+        /// which rises towards the end, shows it.
         deepest: Option<(Coordinate, f64)>,
     },
     /// A mesh of more dofs than are allowed.

@@ -1,7 +1,7 @@
 //! Polynomials of any degree through pressures, by least squares: over the means of pairs of edges, or over points.
 //!
-//! A mean is taken for what it is: `c_k` of `Σ c_k s^k` contributes the mean of `s^k` over both edges, not its value in the
-//! middle; over rings of a body of revolution weighted by the radius.
+//! A mean is taken for what it is: `c_k` of `Σ c_k s^k` contributes the mean of `s^k` over both edges, not its value in
+//! the middle; over rings of a body of revolution weighted by the radius.
 
 use std::ops::RangeInclusive;
 
@@ -29,8 +29,8 @@ pub(super) struct Fit {
     coefficients: Vec<f64>,
     centre: f64,
     width: f64,
-    /// The middles of its first and last pair, as x, beyond which it extrapolates; the end of the surface where the contact
-    /// goes on to that.
+    /// The middles of its first and last pair, as x, beyond which it extrapolates; the end of the surface where the
+    /// contact goes on to that.
     within: [f64; 2],
     /// Root mean square of what its means depart from it \[MPa\].
     pub(super) misfit: f64,
@@ -119,7 +119,8 @@ impl Fit {
     }
 }
 
-/// Coefficients of a polynomial by least squares over (weight, powers, value), and the root mean square of what remains.
+/// Coefficients of a polynomial by least squares over (weight, powers, value), and the root mean square of what
+/// remains.
 pub(super) fn least_squares(
     count: usize,
     rows: impl ExactSizeIterator<Item = (f64, [f64; MOST], f64)> + Clone,

@@ -44,13 +44,14 @@ pub use stretch::Stretch;
 /// Measures of the pressures of one contact.
 #[derive(Clone, Debug, serde::Serialize)]
 pub struct Measures {
-    /// Second-moment width about the centre, `2 √(∫p (s − c)² / ∫p)` \[mm\]: that of a semi-ellipse is its half-width; on arcs the
-    /// same functional of the angle \[rad\]. Around an axis of revolution `√(5/2 ∫p r² dA / ∫p dA)`, the radius of a semi-ellipsoid.
+    /// Second-moment width about the centre, `2 √(∫p (s − c)² / ∫p)` \[mm\]: that of a semi-ellipse is its half-width;
+    /// on arcs the same functional of the angle \[rad\]. Around an axis of revolution `√(5/2 ∫p r² dA / ∫p dA)`, the
+    /// radius of a semi-ellipsoid.
     pub second_moment_width: f64,
     /// Centre of pressure `∫p s / ∫p` of a contact on both sides of s = 0; 0 where it begins there \[mm\].
     pub centre: f64,
-    /// Half-width by counting active points: `Σ A / thickness` over them, half of it on both sides \[mm, or rad\]; around an axis
-    /// of revolution the radius of the circle of that area.
+    /// Half-width by counting active points: `Σ A / thickness` over them, half of it on both sides \[mm, or rad\];
+    /// around an axis of revolution the radius of the circle of that area.
     pub half_width_nodes: f64,
     /// Active points: with a pressure above [`ACTIVE`] times the largest.
     pub active: usize,

@@ -1,5 +1,5 @@
-//! The peak of a profile whose edges hold many contact points, as on cells of order 4 and more: the top of a polynomial over
-//! the pressures of the points around the highest.
+//! The peak of a profile whose edges hold many contact points, as on cells of order 4 and more: the top of a polynomial
+//! over the pressures of the points around the highest.
 //!
 //! Means over pairs of edges, which peaks of other profiles are read from, are there as wide as the contact itself.
 
@@ -11,8 +11,9 @@ use crate::measure::profile;
 use crate::mesh::lobatto::{self, lagrange, legendre};
 use crate::solution::{EdgeState, Part, PointState};
 
-/// Length of an edge over that of the one around the highest point, from which on its points are left out of a fit: cells that shrink towards
-/// a place do so for the pressure has a cusp there, which no polynomial over wider ones tells.
+/// Length of an edge over that of the one around the highest point, from which on its points are left out of a fit:
+/// cells that shrink towards a place do so for the pressure has a cusp there, which no polynomial over wider ones
+/// tells.
 const WIDER: f64 = 4.0;
 /// Nodes of an edge beyond which its points tell the profile better than means over edges.
 const MANY: usize = 3;
@@ -36,8 +37,9 @@ const DEPARTS: f64 = 1e-4;
 /// Part of a stretch, from its end on, in which points tell where it ends.
 const OUTER: f64 = 0.35;
 
-/// What the points of a contact tell, where they are many: its largest pressure, at `centre` where the pressure is the same all around; the
-/// same by the quartic through the five points around the highest, and the pressure at s = 0 \[MPa\].
+/// What the points of a contact tell, where they are many: its largest pressure, at `centre` where the pressure is the
+/// same all around; the same by the quartic through the five points around the highest, and the pressure at s = 0
+/// \[MPa\].
 pub fn read(part: Part, centre: f64) -> Option<(Peak, [f64; 2])> {
     if !are_many(part) {
         return None;
@@ -64,7 +66,8 @@ pub fn read(part: Part, centre: f64) -> Option<(Peak, [f64; 2])> {
     Some((if flat { Peak { position: centre, ..peak } } else { peak }, [through_points, at_origin]))
 }
 
-/// From where to where edges around a point are not [far wider](WIDER) than its own; with their images where they begin on a symmetry line, s = 0.
+/// From where to where edges around a point are not [far wider](WIDER) than its own; with their images where they begin
+/// on a symmetry line, s = 0.
 fn of_like_edges(part: Part, at: f64) -> [f64; 2] {
     let edges = part.edges;
     let at = if on_one_side(edges) { at.abs() } else { at };
@@ -76,13 +79,14 @@ fn of_like_edges(part: Part, at: f64) -> [f64; 2] {
     [if first == 0 && on_one_side(edges) { -to } else { from }, to]
 }
 
-/// The coefficients of `(r/h)^{2k}` in the pressure over the first edge of a body of revolution, from the axis to r = h, by the means that its nodes
-/// carry.
+/// The coefficients of `(r/h)^{2k}` in the pressure over the first edge of a body of revolution, from the axis to r =
+/// h, by the means that its nodes carry.
 ///
-/// The pressure of a node is `∫ N_a p r dr / ∫ N_a r dr`; where an edge reaches far, as on meshes fitted to the contact, such means lie
-/// above and below the profile from node to node, and a polynomial through them misses the axis. The even polynomial of one coefficient
-/// fewer than there are nodes inside the edge whose own means are theirs halves that at order 6 and 7, at order 8 it leaves a third. None
-/// where points are no nodes, are [few](INNER), or one does not press, or where the means depart from it.
+/// The pressure of a node is `∫ N_a p r dr / ∫ N_a r dr`; where an edge reaches far, as on meshes fitted to the
+/// contact, such means lie above and below the profile from node to node, and a polynomial through them misses the
+/// axis. The even polynomial of one coefficient fewer than there are nodes inside the edge whose own means are theirs
+/// halves that at order 6 and 7, at order 8 it leaves a third. None where points are no nodes, are [few](INNER), or one
+/// does not press, or where the means depart from it.
 fn beside_axis(part: Part) -> Option<Vec<f64>> {
     let is_at_0 = |s: f64, edge: &EdgeState| s.abs() <= ROUNDING * edge.ends[1];
     let first = part.edges.first().filter(|edge| edge.axis.is_some_and(|axis| is_at_0(axis, edge)))?;
@@ -109,15 +113,17 @@ fn beside_axis(part: Part) -> Option<Vec<f64>> {
     (misfit <= DEPARTS * coefficients[0]).then_some(coefficients)
 }
 
-/// Whether the points of a contact are many because its edges have many nodes; of others a few may be cut into many pieces
-/// where meshes do not match, and single pressures then hang on round-off.
+/// Whether the points of a contact are many because its edges have many nodes; of others a few may be cut into many
+/// pieces where meshes do not match, and single pressures then hang on round-off.
 pub fn are_many(part: Part) -> bool {
     !part.edges.is_empty() && part.nodes > MANY
 }
 
-/// Pressure at a place: where all points of an edge press that are as many as its nodes, the polynomial through them, which is the edge's
-/// own; beside the axis of revolution, whose node carries none, the even one of the means that the others carry; elsewhere the line between the two points around it, and between the outermost point and the end of the candidates the line
-/// through the last two where both press, but for a symmetry line. Zero beyond the candidate stretch.
+/// Pressure at a place: where all points of an edge press that are as many as its nodes, the polynomial through them,
+/// which is the edge's own; beside the axis of revolution, whose node carries none, the even one of the means that the
+/// others carry; elsewhere the line between the two points around it, and between the outermost point and the end of
+/// the candidates the line through the last two where both press, but for a symmetry line. Zero beyond the candidate
+/// stretch.
 pub fn pressure_at(part: Part, stretch: f64, position: f64) -> f64 {
     let near = ROUNDING * stretch;
     let on = |[from, to]: [f64; 2]| move |at: f64| from - near <= at && at <= to + near;
@@ -140,8 +146,8 @@ pub fn pressure_at(part: Part, stretch: f64, position: f64) -> f64 {
     }
 }
 
-/// Pressure between the outermost point and the end of the candidates, by the line through the last two points where both press, and
-/// not below 0; none elsewhere, nor at a symmetry line, s = 0.
+/// Pressure between the outermost point and the end of the candidates, by the line through the last two points where
+/// both press, and not below 0; none elsewhere, nor at a symmetry line, s = 0.
 fn beyond(Part { points, edges, .. }: Part, position: f64) -> Option<f64> {
     let line = |a: &PointState, b: &PointState| {
         let slope = (b.pressure - a.pressure) / (b.position - a.position);
@@ -156,8 +162,8 @@ fn beyond(Part { points, edges, .. }: Part, position: f64) -> Option<f64> {
 
 /// Where a stretch ends, from its pressed points in the order towards that end \[mm, or rad\].
 ///
-/// Near a smooth end `p ∝ √(a − s)`, so that p² is as smooth as the contact itself: its parabola over the last third of the
-/// stretch, but for the outermost point, which has felt the end most, vanishes at a.
+/// Near a smooth end `p ∝ √(a − s)`, so that p² is as smooth as the contact itself: its parabola over the last third of
+/// the stretch, but for the outermost point, which has felt the end most, vanishes at a.
 pub fn end(pressed: &[PointState]) -> f64 {
     let [first, .., before, last] = pressed else { return pressed.last().map_or(f64::NAN, |point| point.position) };
     let (width, gap) = (last.position - first.position, last.position - before.position);
@@ -208,9 +214,9 @@ fn away(points: &[PointState], a: usize, b: usize) -> f64 {
     (points[a].position - points[b].position).abs()
 }
 
-/// Least squares over the pressures of some points, weighted by their areas: from a quartic to a sextic with one coefficient fewer than
-/// points, and up to an octic where there are twice as many. Of a profile that peaks off its middle, as the pin's in the rod, a quartic
-/// misses the top by 1e-5.
+/// Least squares over the pressures of some points, weighted by their areas: from a quartic to a sextic with one
+/// coefficient fewer than points, and up to an octic where there are twice as many. Of a profile that peaks off its
+/// middle, as the pin's in the rod, a quartic misses the top by 1e-5.
 fn over_points(points: &[PointState]) -> Fit {
     let few = points.len().saturating_sub(1).clamp(QUARTIC, SEXTIC);
     let count = few.max((points.len() / 2).min(OCTIC));

@@ -27,10 +27,11 @@ pub enum Why {
 /// The order of accuracy that is observed between two successive meshes, or why it is withheld.
 pub type Observed = Result<f64, Why>;
 
-/// Observed orders `ln(e₁/e₂)/ln(h₁/h₂)` of errors with their signs between each two successive sizes, the largest size first.
+/// Observed orders `ln(e₁/e₂)/ln(h₁/h₂)` of errors with their signs between each two successive sizes, the largest size
+/// first.
 ///
-/// An order is a property of errors that fall and keep their sign: where those above the floor do not, every order of the
-/// series is withheld, since one pair of such a series may fall by accident.
+/// An order is a property of errors that fall and keep their sign: where those above the floor do not, every order of
+/// the series is withheld, since one pair of such a series may fall by accident.
 pub fn pairs(sizes: &[f64], errors: &[f64], floor: f64) -> Vec<Observed> {
     let above = |error: f64| error.abs() > ABOVE_FLOOR * floor;
     let read: Vec<f64> = errors.iter().copied().take_while(|&error| above(error)).collect();
@@ -45,7 +46,8 @@ pub fn pairs(sizes: &[f64], errors: &[f64], floor: f64) -> Vec<Observed> {
     (0..errors.len().saturating_sub(1)).map(pair).collect()
 }
 
-/// Order of accuracy that is counted on: that of linear elements, and of a contact whose edge is found within an element.
+/// Order of accuracy that is counted on: that of linear elements, and of a contact whose edge is found within an
+/// element.
 const FORMAL: f64 = 2.0;
 /// Orders between this and one above the formal one are taken for asymptotic.
 const SLOWEST: f64 = 0.5;
@@ -104,7 +106,8 @@ pub fn richardson([coarse, medium, fine]: [f64; 3]) -> Richardson {
     Richardson { order, bar, limit }
 }
 
-/// Error bar of the finer of two results on meshes of sizes 2h and h, an estimate that covers about 95 %: `3 |f₁ − f₂|/(2² − 1)` (Roache 1994).
+/// Error bar of the finer of two results on meshes of sizes 2h and h, an estimate that covers about 95 %:
+/// `3 |f₁ − f₂|/(2² − 1)` (Roache 1994).
 pub fn bar_of_two([coarse, fine]: [f64; 2]) -> f64 {
     CAUTIOUS * (fine - coarse).abs() / (2f64.powf(FORMAL) - 1.0)
 }

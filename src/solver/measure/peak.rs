@@ -1,9 +1,9 @@
-//! The peak of a pressure profile, wherever it lies: the top of a polynomial through the mean pressures over pairs of edges
-//! around the highest one.
+//! The peak of a pressure profile, wherever it lies: the top of a polynomial through the mean pressures over pairs of
+//! edges around the highest one.
 //!
-//! Means over two edges, because they are what all contact elements tell alike: pressures that alternate from point to point
-//! or from edge to edge, and the consistent nodal pressures of 3-node edges, above the profile at corners and below it at
-//! mid-sides, leave them untouched.
+//! Means over two edges, because they are what all contact elements tell alike: pressures that alternate from point to
+//! point or from edge to edge, and the consistent nodal pressures of 3-node edges, above the profile at corners and
+//! below it at mid-sides, leave them untouched.
 
 use std::ops::RangeInclusive;
 
@@ -21,8 +21,8 @@ pub(super) const DROP: f64 = 0.04;
 const MISFIT: f64 = 1e-5;
 /// Fewest pairs of a narrower fit: two more than the coefficients, so that its departure says something.
 const NARROW: usize = QUARTIC + 2;
-/// Part of the departure that a narrower fit must stay below: of a smooth profile it falls with the fifth power of the width or
-/// faster, of pressures that oscillate hardly at all.
+/// Part of the departure that a narrower fit must stay below: of a smooth profile it falls with the fifth power of the
+/// width or faster, of pressures that oscillate hardly at all.
 const BETTER: f64 = 0.5;
 /// Halvings of [`DROP`] that are tried.
 const HALVINGS: i32 = 6;
@@ -33,8 +33,8 @@ pub(super) const QUARTIC: usize = 5;
 const FAR: f64 = 0.3;
 /// Coefficients and fewest pairs of a parabola, where a quartic finds too few.
 pub(super) const PARABOLA: usize = 3;
-/// The largest pressure of a contact from the means over its edges, in the order of the contact coordinate; where that is the
-/// same all around, at `centre`. NaN without an edge.
+/// The largest pressure of a contact from the means over its edges, in the order of the contact coordinate; where that
+/// is the same all around, at `centre`. NaN without an edge.
 pub fn of(edges: &[EdgeState], centre: f64) -> Peak {
     let pairs = pairs(edges);
     let Some(highest) = highest(&pairs) else { return Peak { position: f64::NAN, pressure: f64::NAN } };
@@ -45,9 +45,9 @@ pub fn of(edges: &[EdgeState], centre: f64) -> Peak {
     if moved { top } else { Peak { position: centre, pressure: top.pressure } }
 }
 
-/// The largest pressure read in another way: by a parabola through the highest pair and its neighbours, or, where that is farther from
-/// the peak that is given, through another pair that stands out and whose top is higher \[MPa\]. How far both are apart tells whether
-/// the mesh resolves the top, and whether it is another one. NaN without an edge.
+/// The largest pressure read in another way: by a parabola through the highest pair and its neighbours, or, where that
+/// is farther from the peak that is given, through another pair that stands out and whose top is higher \[MPa\]. How
+/// far both are apart tells whether the mesh resolves the top, and whether it is another one. NaN without an edge.
 pub fn by_parabola(edges: &[EdgeState], peak: f64) -> f64 {
     let pairs = pairs(edges);
     let Some(highest) = highest(&pairs) else { return f64::NAN };
@@ -67,7 +67,8 @@ pub fn by_parabola(edges: &[EdgeState], peak: f64) -> f64 {
     if other - peak > (own - peak).abs() { other } else { own }
 }
 
-/// Top of the parabola through some pairs and their neighbours; at the end of the contact through the two before it \[MPa\].
+/// Top of the parabola through some pairs and their neighbours; at the end of the contact through the two before it
+/// \[MPa\].
 fn parabola(pairs: &[EdgeState], [first, last]: [usize; 2]) -> f64 {
     let end = (last + 1).min(pairs.len() - 1);
     let start = first.saturating_sub(1).min(end.saturating_sub(PARABOLA - 1));
@@ -86,8 +87,8 @@ pub fn pressure_at(edges: &[EdgeState], place: f64) -> f64 {
     nearest.map_or(0.0, |k| around(&pairs, [k, k]).value(place).unwrap_or(f64::NAN))
 }
 
-/// Neighbouring edges two by two, each with the one after it, and with their images where the contact begins on a symmetry
-/// line, s = 0; a single edge stays alone.
+/// Neighbouring edges two by two, each with the one after it, and with their images where the contact begins on a
+/// symmetry line, s = 0; a single edge stays alone.
 fn pairs(edges: &[EdgeState]) -> Vec<EdgeState> {
     let images = if on_one_side(edges) { edges.iter().rev().map(EdgeState::mirrored).collect() } else { Vec::new() };
     let all = [images, edges.to_vec()].concat();
@@ -116,7 +117,8 @@ fn highest(pairs: &[EdgeState]) -> Option<[usize; 2]> {
 /// Top of a fit over the largest mean, beyond which it is none of the profile: of pairs of very unlike lengths.
 pub(super) const BEYOND: f64 = 2.0;
 
-/// The widest fit around some pairs, unless a narrower one departs far less from its means; the largest mean where its top lies far above that.
+/// The widest fit around some pairs, unless a narrower one departs far less from its means; the largest mean where its
+/// top lies far above that.
 fn around(pairs: &[EdgeState], at: [usize; 2]) -> Fit {
     let widest = window(pairs, at, DROP);
     let (mut count, mut best) = (widest.clone().count(), over(pairs, widest));
@@ -173,9 +175,9 @@ fn window(pairs: &[EdgeState], [from, to]: [usize; 2], drop: f64) -> RangeInclus
 /// How well its elements draw the top of a profile.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Drawn {
-    /// Largest fourth difference of the means over pairs at the highest one and its neighbours, over that mean: `3 (h/a)⁴` in the middle of
-    /// a semi-ellipse, and of order one of a top that is narrower than its elements. 0 without pressure, NaN where
-    /// that is no number.
+    /// Largest fourth difference of the means over pairs at the highest one and its neighbours, over that mean:
+    /// `3 (h/a)⁴` in the middle of a semi-ellipse, and of order one of a top that is narrower than its elements. 0
+    /// without pressure, NaN where that is no number.
     pub rough: f64,
     /// Pressed edges between the highest one and the nearer end of its stretch.
     pub from_end: usize,
@@ -189,8 +191,8 @@ pub fn drawn(edges: &[EdgeState], floor: f64) -> Drawn {
         return Drawn::default();
     }
     let pressure = |k: usize| pairs.get(k).map_or(0.0, |pair| pair.pressure);
-    // The mean of a parabola over a circle is above that over the strip which the means over rings continue, by a sixth of
-    // what the rings fall from the first to the second.
+    // The mean of a parabola over a circle is above that over the strip which the means over rings continue, by a sixth
+    // of what the rings fall from the first to the second.
     let above_strip = |k: usize| {
         let is_circle = pairs[k].axis.is_some_and(|axis| pairs[k].ends[0] < axis && axis < pairs[k].ends[1]);
         if is_circle { (pressure(k + 1) - pressure(k + 2)) / 6.0 } else { 0.0 }

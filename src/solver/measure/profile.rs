@@ -60,7 +60,8 @@ pub fn misplaced(edges: &[EdgeState], reference: &[EdgeState]) -> f64 {
     0.5 * moved / reference.iter().map(|other| other.weight * other.pressure).sum::<f64>()
 }
 
-/// Largest departure of a pressure from the line through its two neighbours, over the points with `|s| ≤ limit` \[MPa\].
+/// Largest departure of a pressure from the line through its two neighbours, over the points with `|s| ≤ limit`
+/// \[MPa\].
 pub fn oscillation(points: &[PointState], limit: f64) -> f64 {
     let within: Vec<&PointState> = points.iter().filter(|p| p.position.abs() <= limit).collect();
     let departures = within.windows(3).map(|three| {
@@ -89,8 +90,8 @@ pub fn interpolate(points: &[PointState], stretch: f64, position: f64) -> f64 {
 
 /// Mean pressures over stretches of equal length with these middles.
 ///
-/// From the force between 0 and s, linear within each edge: a mean feels the square-root end of a contact as force, where
-/// a value would feel how far it lies from the next node.
+/// From the force between 0 and s, linear within each edge: a mean feels the square-root end of a contact as force,
+/// where a value would feel how far it lies from the next node.
 pub fn means(edges: &[EdgeState], middles: &[f64]) -> Vec<f64> {
     let from = edges.first().map_or(0.0, |edge| edge.ends[0]);
     let mut carried = vec![[from, 0.0]];

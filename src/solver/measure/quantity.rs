@@ -132,7 +132,8 @@ impl Quantity {
             || matches!(self, Resultant | Moment)
     }
 
-    /// The number by which closed forms and checks know it: a contact that is symmetric about s = 0 ends at its half-width.
+    /// The number by which closed forms and checks know it: a contact that is symmetric about s = 0 ends at its
+    /// half-width.
     pub fn known_by(&self, pair: &ContactPair) -> &Self {
         match self {
             Self::End(_) if !pair.path.has_both_sides() => &Self::HalfWidth,

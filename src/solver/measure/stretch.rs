@@ -36,8 +36,8 @@ impl Stretch {
 
 /// Every closed stretch: runs of edges whose mean is above a floor.
 ///
-/// One that goes on to the outermost candidate ends there, or begins on the symmetry line; elsewhere its ends are found by
-/// `end`.
+/// One that goes on to the outermost candidate ends there, or begins on the symmetry line; elsewhere its ends are found
+/// by `end`.
 pub fn closed(pair: &ContactPair, part: Part, floor: f64) -> Vec<Stretch> {
     let pressed: Vec<bool> = part.edges.iter().map(|edge| edge.pressure > floor).collect();
     let mut stretches = Vec::new();
@@ -51,8 +51,8 @@ pub fn closed(pair: &ContactPair, part: Part, floor: f64) -> Vec<Stretch> {
     stretches
 }
 
-/// How far points press by more than a floor beyond the ends of stretches, one after the other from the edges that tell these, and up to those of
-/// the next stretch \[mm, or rad\].
+/// How far points press by more than a floor beyond the ends of stretches, one after the other from the edges that tell
+/// these, and up to those of the next stretch \[mm, or rad\].
 pub fn faint(points: &[PointState], stretches: &[Stretch], floor: f64) -> f64 {
     let beyond = |k: usize| {
         let Stretch { begin, end, edges: [first, last], .. } = stretches[k];
@@ -111,12 +111,13 @@ pub(crate) fn is_at_line(pair: &ContactPair, begin: f64) -> bool {
     !pair.path.has_both_sides() && begin <= ROUNDING * pair.stretch
 }
 
-/// Where a contact ends on edges that are all pressed, in the order towards that end, the last ones by less than a floor \[mm, or rad\].
+/// Where a contact ends on edges that are all pressed, in the order towards that end, the last ones by less than a
+/// floor \[mm, or rad\].
 ///
-/// Near a smooth end `p ∝ √(a − s)`, so that the force beyond s, `F = ∫ p ds`, goes with `(a − s)^{3/2}`: `F^{2/3}` at the
-/// corners of the last edges, as a polynomial through up to three of them, vanishes at a. Of rings it is one of the squares of their radii,
-/// with which Hertz's goes all the way from the axis. The edge in which the contact ends has felt the end most and is left out where there
-/// are enough others.
+/// Near a smooth end `p ∝ √(a − s)`, so that the force beyond s, `F = ∫ p ds`, goes with `(a − s)^{3/2}`: `F^{2/3}` at
+/// the corners of the last edges, as a polynomial through up to three of them, vanishes at a. Of rings it is one of the
+/// squares of their radii, with which Hertz's goes all the way from the axis. The edge in which the contact ends has
+/// felt the end most and is left out where there are enough others.
 fn end(edges: &[EdgeState], less: usize) -> f64 {
     let Some(last) = edges.len().checked_sub(1) else { return f64::NAN };
     let beyond = |from: usize| -> f64 { edges[from..].iter().map(|edge| edge.measure() * edge.pressure).sum() };

@@ -1,5 +1,5 @@
-//! A structured block: four sides given point by point, the inside by transfinite interpolation; points of outlines, met to the last bit
-//! on symmetry lines.
+//! A structured block: four sides given point by point, the inside by transfinite interpolation; points of outlines,
+//! met to the last bit on symmetry lines.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -105,7 +105,8 @@ impl Block {
         self.map(|side| side.imaged(|p| [p[0], 2.0 * height - p[1]])).upside_down()
     }
 
-    /// A block that was drawn as seen in a mirror on the horizontal, bottom and top in each other's place, so that it is counter-clockwise.
+    /// A block that was drawn as seen in a mirror on the horizontal, bottom and top in each other's place, so that it
+    /// is counter-clockwise.
     pub fn upside_down(self) -> Self {
         Self { bottom: self.top, right: self.right.backwards(), top: self.bottom, left: self.left.backwards() }
     }
@@ -116,7 +117,8 @@ impl Block {
         self.clone().map(|side| side.imaged(|p| [2.0 * abscissa - p[0], p[1]])).the_other_way()
     }
 
-    /// A block that was drawn as seen in a mirror on the vertical, right and left in each other's place, so that it is counter-clockwise.
+    /// A block that was drawn as seen in a mirror on the vertical, right and left in each other's place, so that it is
+    /// counter-clockwise.
     pub fn the_other_way(self) -> Self {
         Self { bottom: self.bottom.backwards(), right: self.left, top: self.top.backwards(), left: self.right }
     }
@@ -192,8 +194,8 @@ fn crossing(x: [f64; 2], y: [f64; 2]) -> [f64; 2] {
 
 /// Normalised chord length of the lattice points of a side.
 ///
-/// Of tensor cells that of their corners, with the cell's own positions between: inside a cell the map is then as smooth as
-/// its sides.
+/// Of tensor cells that of their corners, with the cell's own positions between: inside a cell the map is then as
+/// smooth as its sides.
 fn fractions(points: &[Point], order: Order) -> Vec<f64> {
     if !order.is_tensor() {
         return chords(points);
@@ -213,7 +215,8 @@ fn chords(points: &[Point]) -> Vec<f64> {
     covered.iter().map(|c| c / length).collect()
 }
 
-/// Point at the fraction `t` of a side of a cell: of an arc about a centre, of the parabola through its middle, of a line.
+/// Point at the fraction `t` of a side of a cell: of an arc about a centre, of the parabola through its middle, of a
+/// line.
 pub(super) fn on_side([a, b]: [Point; 2], middle: Option<Point>, centre: Option<Point>, t: f64) -> Point {
     match (centre, middle) {
         _ if t <= 0.0 => a,

@@ -11,8 +11,8 @@ use crate::scene::{ContactPair, Scene, Shape};
 /// Difference of contact coordinates, over the stretch, that rounding explains.
 const SAME: f64 = 1e-9;
 
-/// Finds the nodes of the candidate edges, contact by contact and sorted by `s`; a stretch that holds no edge of the first
-/// body is refused, and a node that would belong to two contacts.
+/// Finds the nodes of the candidate edges, contact by contact and sorted by `s`; a stretch that holds no edge of the
+/// first body is refused, and a node that would belong to two contacts.
 pub(super) fn find(mesh: &mut Mesh, scene: &Scene) -> Result<(), Error> {
     for (contact, pair) in scene.contacts.iter().enumerate() {
         for body in pair.bodies() {
@@ -21,7 +21,8 @@ pub(super) fn find(mesh: &mut Mesh, scene: &Scene) -> Result<(), Error> {
             if let Some(twice) = found.iter().find(|new| known.iter().any(|old| old.node == new.node)) {
                 let [x, y] = mesh.points[twice.node];
                 let message = format!(
-                    "the node of `{}` at ({x:.6}, {y:.6}) mm would be a candidate of two contacts, but has one normal displacement",
+                    "the node of `{}` at ({x:.6}, {y:.6}) mm would be a candidate of two contacts, but has one normal \
+                    displacement",
                     scene.bodies[body].name
                 );
                 let remedy = "shorten the candidate stretch of one of them";
@@ -53,7 +54,8 @@ fn of_body(mesh: &Mesh, scene: &Scene, contact: usize, body: usize) -> Result<Ve
     Ok(candidates)
 }
 
-/// Edges of the boundary of a body that touches, as far as they face the other side: a closed boundary turns away from it.
+/// Edges of the boundary of a body that touches, as far as they face the other side: a closed boundary turns away from
+/// it.
 pub fn facing_edges(mesh: &Mesh, scene: &Scene, pair: &ContactPair, body: usize) -> Result<Vec<Edge>, Error> {
     // Other sides that are named here look one way.
     let shape = &scene.bodies[body].shape;
@@ -63,8 +65,8 @@ pub fn facing_edges(mesh: &Mesh, scene: &Scene, pair: &ContactPair, body: usize)
     Ok(mesh.boundary(scene, body, pair.side(body))?.iter().filter(faces).cloned().collect())
 }
 
-/// Those of them that lie within the candidate stretch, of the first body, or that reach into it, of the second, so that every
-/// point of the first has an edge to face.
+/// Those of them that lie within the candidate stretch, of the first body, or that reach into it, of the second, so
+/// that every point of the first has an edge to face.
 pub fn candidate_edges(mesh: &Mesh, scene: &Scene, pair: &ContactPair, body: usize) -> Result<Vec<Edge>, Error> {
     let coordinates =
         |edge: &Edge| -> Vec<f64> { edge.iter().map(|&n| pair.path.coordinate(mesh.points[n])).collect() };

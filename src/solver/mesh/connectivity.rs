@@ -7,8 +7,8 @@ use crate::error::Error;
 use crate::mesh::Order;
 use crate::scene::{BoundaryName, Place, Scene, Shape};
 
-/// An edge on a boundary: first node, last node, then those between, of 8-node cells the mid-side node; the body lies to its
-/// left.
+/// An edge on a boundary: first node, last node, then those between, of 8-node cells the mid-side node; the body lies
+/// to its left.
 pub type Edge = Vec<usize>;
 
 /// Nodes, cells and boundaries of all bodies; bodies share no nodes.
@@ -18,8 +18,8 @@ pub struct Mesh {
     pub order: Order,
     /// Node positions \[mm\].
     pub points: Vec<[f64; 2]>,
-    /// Node lists of the cells, one after the other: corners counter-clockwise, then those of the sides from the first on, then
-    /// those inside ([`Order::places`]).
+    /// Node lists of the cells, one after the other: corners counter-clockwise, then those of the sides from the first
+    /// on, then those inside ([`Order::places`]).
     pub connectivity: Vec<usize>,
     /// What belongs to which body.
     pub bodies: Vec<BodyMesh>,

@@ -1,8 +1,9 @@
-//! Layers of cells towards the ends of a contact, leaps of the curvature of its gap, the cusp of its pressure, and forces at points: every
-//! cell with a corner there is cut into one like it, smaller, and two around that, and so again.
+//! Layers of cells towards the ends of a contact, leaps of the curvature of its gap, the cusp of its pressure, and
+//! forces at points: every cell with a corner there is cut into one like it, smaller, and two around that, and so
+//! again.
 //!
-//! Neighbours that share the corner cut their common side at the same place, and sides that do not meet the corner stay as
-//! they are: the mesh hangs together, whatever it was.
+//! Neighbours that share the corner cut their common side at the same place, and sides that do not meet the corner stay
+//! as they are: the mesh hangs together, whatever it was.
 
 use super::block::{Block, Point, Side};
 use super::outline::{eye, pressed};
@@ -16,14 +17,14 @@ const SAME: f64 = 1e-9;
 /// Layers towards the re-entrant corner of eye and shank, beyond those towards the ends.
 const AT_CORNER: usize = 1;
 
-/// Layers towards the cusp of the pressure under a gap sⁿ, times `n − 1`, without and for each of those towards the ends: every layer leaves
-/// `LAYERⁿ⁻¹` of it, and `LAYER²` of an end. And the shortest distance of two nodes over the cell that is cut: round-off takes what smaller
-/// rings around an axis carry, a 10⁻¹³th of the load.
+/// Layers towards the cusp of the pressure under a gap sⁿ, times `n − 1`, without and for each of those towards the
+/// ends: every layer leaves `LAYERⁿ⁻¹` of it, and `LAYER²` of an end. And the shortest distance of two nodes over the
+/// cell that is cut: round-off takes what smaller rings around an axis carry, a 10⁻¹³th of the load.
 const AT_CUSP: [f64; 2] = [4.0, 2.0];
 const NEAREST: f64 = 3.5e-7;
 
-/// The blocks of a body with layers towards the ends of its contacts and the leaps within, towards points at which it is
-/// pressed, and towards corners between a side that is held and one that is free.
+/// The blocks of a body with layers towards the ends of its contacts and the leaps within, towards points at which it
+/// is pressed, and towards corners between a side that is held and one that is free.
 pub(super) fn towards_ends(mut blocks: Vec<Block>, scene: &Scene, body: usize, order: Order) -> Vec<Block> {
     for pair in scene.contacts_of(body) {
         let at_ends = pair.ends.places.iter().copied().chain(pair.leaps()).map(|s| (s, pair.ends.layers));
@@ -97,7 +98,8 @@ fn layers_at_cusp(power: f64, at_ends: usize, order: Order) -> usize {
     ((alone + each * at_ends as f64) / (power - 1.0)).ceil().min(most.floor()) as usize
 }
 
-/// A place where the stresses are singular: all cells with a corner there are cut, of whatever side, or the mesh would tear.
+/// A place where the stresses are singular: all cells with a corner there are cut, of whatever side, or the mesh would
+/// tear.
 struct Singular {
     at: Point,
     /// Distance below which a point is the place.

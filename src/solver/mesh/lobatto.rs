@@ -14,8 +14,8 @@ pub fn points(n: usize) -> &'static [f64] {
     &POINTS[n.min(MOST)]
 }
 
-/// Newton's iteration `x ← x − (x P_N − P_{N−1})/((N+1) P_N)`, `N = n − 1`, from the Chebyshev–Lobatto points (Hesthaven &
-/// Warburton 2008, App. A); the upper half is the image of the lower one.
+/// Newton's iteration `x ← x − (x P_N − P_{N−1})/((N+1) P_N)`, `N = n − 1`, from the Chebyshev–Lobatto points
+/// (Hesthaven & Warburton 2008, App. A); the upper half is the image of the lower one.
 fn computed(n: usize) -> Vec<f64> {
     let Some(degree) = n.checked_sub(1).filter(|degree| *degree > 0) else { return vec![0.0; n] };
     let root = |i: usize| {

@@ -5,8 +5,8 @@ use std::collections::HashMap;
 use super::block::Block;
 use super::{BodyMesh, Edge, Mesh, Order};
 
-/// Points closer than this fraction of the body's size are one node; or than a part of the shortest distance along a side, where layers of cells
-/// are so small.
+/// Points closer than this fraction of the body's size are one node; or than a part of the shortest distance along a
+/// side, where layers of cells are so small.
 const SAME: f64 = 1e-9;
 const APART: f64 = 0.01;
 /// The same up to which rounding explains a distance.

@@ -84,8 +84,8 @@ impl Order {
         Self::lattice(self.intervals()).take(self.nodes_per_cell()).collect()
     }
 
-    /// The nodes of a lattice of so many intervals a side as VTK numbers them: corners counter-clockwise, then the inner nodes of the bottom, right,
-    /// top and left side, each along its axis, then the inside row by row.
+    /// The nodes of a lattice of so many intervals a side as VTK numbers them: corners counter-clockwise, then the
+    /// inner nodes of the bottom, right, top and left side, each along its axis, then the inside row by row.
     pub fn lattice(m: usize) -> impl Iterator<Item = [usize; 2]> {
         let inner = move || 1..m;
         let corners = [[0, 0], [m, 0], [m, m], [0, m]];
@@ -106,16 +106,18 @@ impl Order {
         })
     }
 
-    /// The grading of a mesh with n times as many elements: growth `q^(n^−e)`, and the coarsest element over n^e, `e = 1/p`.
+    /// The grading of a mesh with n times as many elements: growth `q^(n^−e)`, and the coarsest element over n^e,
+    /// `e = 1/p`.
     ///
     /// Refinement goes to the solution only if elements get smaller everywhere. 4-node cells err with the square of the
-    /// growth's logarithm as with that of the element, e = 1; 8-node ones with its fourth power, e = ½. Fewer elements leave
-    /// the grading as it is.
+    /// growth's logarithm as with that of the element, e = 1; 8-node ones with its fourth power, e = ½. Fewer elements
+    /// leave the grading as it is.
     pub fn refined(self, grading: &Grading, times: f64) -> Grading {
         self.regraded(grading, 1.0 / times.max(1.0))
     }
 
-    /// The grading of a mesh of the same family whose elements on the contact are larger by a ratio: all others grow with them.
+    /// The grading of a mesh of the same family whose elements on the contact are larger by a ratio: all others grow
+    /// with them.
     pub fn coarsened(self, grading: &Grading, ratio: f64) -> Grading {
         Grading { unit: ratio * grading.unit, ..self.regraded(grading, ratio) }
     }

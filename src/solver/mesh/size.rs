@@ -7,14 +7,15 @@ use crate::mesh::outline::{Layout, cells_at_bore, widest};
 use crate::mesh::{Order, Resolution};
 use crate::scene::{Body, ContactPair, Face, Path, Scene, Shape};
 
-/// Most cells, and most candidate elements whose nodes share one dense matrix: a solve with its bars then stays within about 8 GB.
+/// Most cells, and most candidate elements whose nodes share one dense matrix: a solve with its bars then stays within
+/// about 8 GB.
 pub const MOST: [f64; 2] = [500e3, 2e3];
-/// Bytes of a solve with its bars by the cell, and by the square of the candidate elements: 5e3 to 14e3 by the cell of 400 small bodies and
-/// of a large one, and four matrices of two nodes an element on each body.
+/// Bytes of a solve with its bars by the cell, and by the square of the candidate elements: 5e3 to 14e3 by the cell of
+/// 400 small bodies and of a large one, and four matrices of two nodes an element on each body.
 const BYTES: [f64; 2] = [12e3, 512.0];
 
-/// Retained dofs, or candidate elements, from which on those of many bodies share no dense matrix, and the part of it that their blocks
-/// fill at most.
+/// Retained dofs, or candidate elements, from which on those of many bodies share no dense matrix, and the part of it
+/// that their blocks fill at most.
 const APART: (f64, f64) = (2000.0, 0.125);
 
 /// Whether the stiffness of bodies of some sizes is better kept body by body than as one dense matrix.
@@ -36,8 +37,8 @@ pub fn expected(scene: &Scene, resolution: Resolution) -> [f64; 2] {
 /// Estimated cells up to which those of a mesh that may be too large are counted.
 const COUNTED: f64 = 2e7;
 
-/// How many cells a mesh would have: as estimated where so many are solved; else counted on the sides of its blocks, before any cell is
-/// made, since the estimate is many times too high where two contacts share a body.
+/// How many cells a mesh would have: as estimated where so many are solved; else counted on the sides of its blocks,
+/// before any cell is made, since the estimate is many times too high where two contacts share a body.
 pub fn cells_of(scene: &Scene, resolution: Resolution) -> f64 {
     let [estimated, _] = expected(scene, resolution);
     if estimated <= MOST[0] || estimated > COUNTED || scene.validate().is_err() {
@@ -55,14 +56,14 @@ pub fn cells_of(scene: &Scene, resolution: Resolution) -> f64 {
     finer(resolution).powi(2) * (0..scene.bodies.len()).map(counted).sum::<f64>()
 }
 
-/// Elements along a side over those that the scene asks for, where cells of order p count as the 8-node ones, two intervals wide, that
-/// have as many nodes along it.
+/// Elements along a side over those that the scene asks for, where cells of order p count as the 8-node ones, two
+/// intervals wide, that have as many nodes along it.
 fn finer(resolution: Resolution) -> f64 {
     2.0_f64.powi(resolution.refinement as i32) * resolution.order.intervals() as f64 / 2.0
 }
 
-/// Candidate elements of which one dense matrix would take as much memory as what is solved: all together, or where bodies are kept apart
-/// `√Σ n²` over the n of each.
+/// Candidate elements of which one dense matrix would take as much memory as what is solved: all together, or where
+/// bodies are kept apart `√Σ n²` over the n of each.
 pub fn dense(scene: &Scene, resolution: Resolution) -> f64 {
     let [_, along] = expected(scene, resolution);
     let of_body = |body: usize| {
@@ -172,14 +173,16 @@ pub fn solvable(scene: &Scene, resolution: Resolution) -> Result<(), (String, St
         contacts => format!(" in all {contacts} contacts together"),
     };
     let message = format!(
-        "the mesh would have about {total:.1e} cells and {candidates:.0} candidate elements{together}, which take some {:.1e} bytes",
+        "the mesh would have about {total:.1e} cells and {candidates:.0} candidate elements{together}, which take some \
+        {:.1e} bytes",
         bytes(total, dense)
     );
     let kinks = scene.contacts.iter().map(|pair| pair.profile.kinks().len()).max().unwrap_or(0);
     let smooth = if kinks > resolution.elements { "`smooth = true` for the table, " } else { "" };
     let scenes = if scene.contacts.len() > 1 { ", or make scenes of fewer contacts" } else { "" };
     let remedy = format!(
-        "ask for {smooth}fewer `elements`, a longer `per`, a shorter `stretch` or faster growth{scenes}: {most:.0e} cells and {along} candidate elements of one body are solved, in some {:.0e} bytes",
+        "ask for {smooth}fewer `elements`, a longer `per`, a shorter `stretch` or faster growth{scenes}: {most:.0e} \
+        cells and {along} candidate elements of one body are solved, in some {:.0e} bytes",
         bytes(most, along)
     );
     Err((message, remedy))

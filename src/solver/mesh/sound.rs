@@ -8,11 +8,13 @@ use crate::scene::Scene;
 const SAME: f64 = 1e-6;
 
 /// What to do about a mesh that does not hang together.
-const JOINED: &str = "let neighbouring cells share their nodes (Coherence in Gmsh, common curves of neighbouring surfaces, whole common sides of blocks)";
+const JOINED: &str = "let neighbouring cells share their nodes (Coherence in Gmsh, common curves of neighbouring \
+    surfaces, whole common sides of blocks)";
 /// The same about one that is cut into layers here, whose lines nearly coincide.
 const LINES: &str = "take cells of a lower order, whose nodes lie farther apart";
 
-/// Refuses bodies that do not hang together: given cell by cell or block by block, or cut into layers towards the ends of contacts.
+/// Refuses bodies that do not hang together: given cell by cell or block by block, or cut into layers towards the ends
+/// of contacts.
 pub(super) fn refuse_loose(mesh: &Mesh, scene: &Scene) -> Result<(), Error> {
     for (index, body) in scene.bodies.iter().enumerate() {
         let is_layered = scene.contacts_of(index).any(|pair| !pair.ends.places.is_empty());
@@ -51,8 +53,8 @@ fn by_x(mesh: &Mesh, outline: &[Edge], taken: usize) -> Vec<usize> {
     nodes
 }
 
-/// The first of some nodes by ascending x that lies on a side without being one of its own, where its place along that, over the side's
-/// length, passes a test.
+/// The first of some nodes by ascending x that lies on a side without being one of its own, where its place along that,
+/// over the side's length, passes a test.
 fn on_side(mesh: &Mesh, outline: &[Edge], nodes: &[usize], is_it: impl Fn(f64) -> bool) -> Option<usize> {
     for edge in outline {
         let [a, b] = [mesh.points[edge[0]], mesh.points[edge[1]]];

@@ -14,8 +14,8 @@ pub fn stretched(from: f64, to: f64, n: usize, end: f64) -> Vec<f64> {
     positions(from, to, sizes)
 }
 
-/// About `n` intervals in geometric progression, the last `end` times the first, and none longer than that asks by more than
-/// a twentieth: every one of the ascending `breaks` between the ends is a position.
+/// About `n` intervals in geometric progression, the last `end` times the first, and none longer than that asks by more
+/// than a twentieth: every one of the ascending `breaks` between the ends is a position.
 pub fn broken(from: f64, to: f64, n: usize, end: f64, breaks: &[f64]) -> Vec<f64> {
     let asked = stretched(from, to, n, end);
     // Positions and places among them count from 0 on.
@@ -64,8 +64,8 @@ pub fn growing(from: f64, to: f64, first: f64, ratio: f64, coarsest: f64) -> Vec
     positions(from, to, sizes)
 }
 
-/// Intervals growing by `ratio` from `ends[0]` at the start and from `ends[1]` at the end up to `coarsest` between them,
-/// scaled to end at `to` exactly.
+/// Intervals growing by `ratio` from `ends[0]` at the start and from `ends[1]` at the end up to `coarsest` between
+/// them, scaled to end at `to` exactly.
 pub fn growing_from_both(from: f64, to: f64, ends: [f64; 2], ratio: f64, coarsest: f64) -> Vec<f64> {
     let length = (to - from).abs();
     let [mut first, mut last] = ends;
@@ -86,8 +86,9 @@ const ROUNDED: f64 = 0.05;
 /// Difference of positions, over the whole length, below which they are one.
 const SAME: f64 = 1e-9;
 
-/// Positions between two ends, with those of every fine stretch `[begin, end, size]` among them: within it intervals have
-/// about its size at most, outside all of them they grow by `ratio` up to `coarsest`, and so they do away from a finer one.
+/// Positions between two ends, with those of every fine stretch `[begin, end, size]` among them: within it intervals
+/// have about its size at most, outside all of them they grow by `ratio` up to `coarsest`, and so they do away from a
+/// finer one.
 pub fn fine_within([from, to]: [f64; 2], fine: &[[f64; 3]], ratio: f64, coarsest: f64) -> Vec<f64> {
     let mut breaks: Vec<f64> = fine.iter().flat_map(|one| [one[0], one[1]]).chain([from, to]).collect();
     breaks.retain(|at| (from..=to).contains(at));
@@ -128,8 +129,8 @@ pub fn fitted(from: f64, to: f64, n: usize, first: f64) -> Vec<f64> {
     positions(from, to, sizes)
 }
 
-/// Ascending positions, those of the places among them that lie between the ends: the nearest one is moved to a place, or one is added
-/// where that was moved to another place, or would pass its neighbour.
+/// Ascending positions, those of the places among them that lie between the ends: the nearest one is moved to a place,
+/// or one is added where that was moved to another place, or would pass its neighbour.
 pub fn through(positions: &[f64], places: &[f64]) -> Vec<f64> {
     let [from, .., to] = positions[..] else { return positions.to_vec() };
     let near = SAME * (to - from);
@@ -158,7 +159,8 @@ pub fn joined(lists: &[Vec<f64>]) -> Vec<f64> {
     all
 }
 
-/// Halves every interval `levels` times, so that meshes are nested, and puts the positions of a cell of an order into each.
+/// Halves every interval `levels` times, so that meshes are nested, and puts the positions of a cell of an order into
+/// each.
 pub fn lattice(breaks: &[f64], levels: u32, order: Order) -> Vec<f64> {
     let (parts, own) = (1usize << levels, order.fractions());
     let within = &own[..order.intervals()];

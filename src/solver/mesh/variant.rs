@@ -32,8 +32,8 @@ impl Mesh {
         mesh
     }
 
-    /// The mesh with every inner corner moved by a fraction of its shortest edge, in a direction that looks random and is
-    /// always the same; edges between the moved corners become straight.
+    /// The mesh with every inner corner moved by a fraction of its shortest edge, in a direction that looks random and
+    /// is always the same; edges between the moved corners become straight.
     pub fn shaken(&self, fraction: f64) -> Self {
         let mut mesh = self.clone();
         let sides = |cell: usize| (0..4).map(move |k| (self.cell(cell)[k], self.cell(cell)[(k + 1) % 4]));

@@ -71,7 +71,8 @@ pub enum Reading {
     Value {
         /// The value, in the unit of the quantity.
         value: f64,
-        /// Standard uncertainty ([`crate::uncertainty`]) in the same unit; zero for a closed form, which carries round-off only.
+        /// Standard uncertainty ([`crate::uncertainty`]) in the same unit; zero for a closed form, which carries
+        /// round-off only.
         uncertainty: f64,
     },
     /// The oracle says nothing about this quantity.

@@ -1,4 +1,5 @@
-//! Who touches whom: the path, the initial gap along it, the candidate stretch, and where the contact is expected to end.
+//! Who touches whom: the path, the initial gap along it, the candidate stretch, and where the contact is expected to
+//! end.
 
 use std::sync::Arc;
 
@@ -14,7 +15,8 @@ pub struct ContactPair {
     pub name: String,
     /// The secondary body, which carries the contact points: positions, areas and normals are measured on it.
     pub first: usize,
-    /// Whether that body is the upper, or inner, one; its outward normal is then the path's direction, else the opposite.
+    /// Whether that body is the upper, or inner, one; its outward normal is then the path's direction, else the
+    /// opposite.
     pub above: bool,
     /// The primary body, elastic; none where the other side is rigid.
     pub second: Option<usize>,
@@ -59,8 +61,8 @@ pub const ROUNDING: f64 = 1e-9;
 pub enum Profile {
     /// The same gap everywhere \[mm\]; negative is interference.
     Uniform(f64),
-    /// As the bodies are drawn: from each node of the first body to the opposite edge; to y = 0, or to the arc, where the
-    /// other side is rigid. Between the nodes the gap is interpolated, so [`Profile::gap`] cannot tell it.
+    /// As the bodies are drawn: from each node of the first body to the opposite edge; to y = 0, or to the arc, where
+    /// the other side is rigid. Between the nodes the gap is interpolated, so [`Profile::gap`] cannot tell it.
     Drawn,
     /// Between the sides that are drawn, exactly, whatever the mesh.
     Bodies(Arc<DrawnGap>),
@@ -74,7 +76,8 @@ pub enum Profile {
         /// Radius \[mm\].
         radius: f64,
     },
-    /// Circles of both sides, `g = f(R₁) + f(R₂)` with `f(R) = R − sgn(R) √(R² − x²)`; the radius of a hollow one is negative \[mm\].
+    /// Circles of both sides, `g = f(R₁) + f(R₂)` with `f(R) = R − sgn(R) √(R² − x²)`; the radius of a hollow one is
+    /// negative \[mm\].
     Circles {
         /// R₁ and R₂; neither is 0 \[mm\].
         radii: [f64; 2],
@@ -133,7 +136,8 @@ pub enum Profile {
 pub const CONTACT: &str = "contact";
 
 impl ContactPair {
-    /// Contact of the first body, the upper or inner one, on the side that it calls `contact`, in half of a symmetric scene.
+    /// Contact of the first body, the upper or inner one, on the side that it calls `contact`, in half of a symmetric
+    /// scene.
     pub fn new(second: Option<usize>, path: Path, profile: Profile, stretch: f64) -> Self {
         let (name, sides) = (CONTACT.into(), Self::SIDES);
         Self {
@@ -180,8 +184,8 @@ impl ContactPair {
         if self.above { direction } else { direction.map(|n| 0.0 - n) }
     }
 
-    /// Whether an edge of a body, which lies to its left, faces the other side of the contact: by the cosine, above a least one,
-    /// between its outward normal and the direction in which that side is looked for.
+    /// Whether an edge of a body, which lies to its left, faces the other side of the contact: by the cosine, above a
+    /// least one, between its outward normal and the direction in which that side is looked for.
     pub fn faces(&self, body: usize, [from, to]: [[f64; 2]; 2], least: f64) -> bool {
         let normal = self.normal([0, 1].map(|k| 0.5 * (from[k] + to[k])));
         let [dx, dy] = [0, 1].map(|k| to[k] - from[k]);
@@ -189,8 +193,8 @@ impl ContactPair {
         (if body == self.first { cosine } else { -cosine }) > least + ROUNDING
     }
 
-    /// Contact coordinates between the known ends of the contact at which the curvature of the gap leaps, ascending; none where that is so
-    /// at many of the points that tell it \[mm, or rad on an arc\].
+    /// Contact coordinates between the known ends of the contact at which the curvature of the gap leaps, ascending;
+    /// none where that is so at many of the points that tell it \[mm, or rad on an arc\].
     pub fn leaps(&self) -> Vec<f64> {
         let places = &self.ends.places;
         let [Some(first), Some(last)] = [places.first(), places.last()] else { return Vec::new() };
@@ -203,7 +207,8 @@ impl ContactPair {
         if leaps.len() > MANY { Vec::new() } else { leaps }
     }
 
-    /// The least power n < 2 of a gap whose pressure has a cusp at s = 0, where that lies within the known ends of the contact.
+    /// The least power n < 2 of a gap whose pressure has a cusp at s = 0, where that lies within the known ends of the
+    /// contact.
     pub fn power_at_cusp(&self) -> Option<f64> {
         let places = &self.ends.places;
         let is_within = match self.path.has_both_sides() {
@@ -235,8 +240,8 @@ impl Profile {
         matches!(*self, Self::Uniform(gap) if gap < 0.0)
     }
 
-    /// Initial gap at the contact coordinate `s` \[mm\]; infinite where there is no other side, NaN where only the bodies'
-    /// meshes tell it. All but tables that begin below 0 and drawn bodies are even in `s`.
+    /// Initial gap at the contact coordinate `s` \[mm\]; infinite where there is no other side, NaN where only the
+    /// bodies' meshes tell it. All but tables that begin below 0 and drawn bodies are even in `s`.
     pub fn gap(&self, s: f64) -> f64 {
         match *self {
             Self::Table(ref points) if is_even(points) => between(points, s.abs()),
@@ -262,7 +267,8 @@ impl Profile {
         }
     }
 
-    /// Contact coordinates of the points that it is given by, on either side of s = 0; none of a formula \[mm, or rad on an arc\].
+    /// Contact coordinates of the points that it is given by, on either side of s = 0; none of a formula \[mm, or rad
+    /// on an arc\].
     pub fn places(&self) -> Vec<f64> {
         let points: &[[f64; 2]] = match self {
             Self::Table(points) => points,
@@ -272,14 +278,16 @@ impl Profile {
         on_both_sides(points, points.iter().map(|point| point[0]))
     }
 
-    /// Contact coordinates at which its curvature leaps, on either side of s = 0; none of a formula \[mm, or rad on an arc\].
+    /// Contact coordinates at which its curvature leaps, on either side of s = 0; none of a formula \[mm, or rad on an
+    /// arc\].
     pub fn leaps(&self) -> Vec<f64> {
         let Self::Smooth(cubic) = self else { return Vec::new() };
         on_both_sides(&cubic.points, cubic.leaps().into_iter())
     }
 
-    /// Contact coordinates at which the slope of the gap leaps upwards, and by how much, so that a tip is pressed: the pressure has no limit
-    /// there. None where only the bodies' meshes tell the gap \[mm, or rad on an arc; 1, or mm/rad\].
+    /// Contact coordinates at which the slope of the gap leaps upwards, and by how much, so that a tip is pressed: the
+    /// pressure has no limit there. None where only the bodies' meshes tell the gap \[mm, or rad on an arc; 1, or
+    /// mm/rad\].
     pub fn tips(&self) -> Option<Vec<[f64; 2]>> {
         Some(match self {
             Self::Drawn => return None,
@@ -301,8 +309,8 @@ impl Profile {
         terms.iter().map(|[_, n]| *n).min_by(f64::total_cmp)
     }
 
-    /// By how much the pressure falls from s = 0 over a spacing of nodes, over E\*: `c n (2 − n)/(n − 1) hⁿ⁻¹` of a power below 2, whose
-    /// pressure has a cusp there; at least what the closed form of a body of revolution says.
+    /// By how much the pressure falls from s = 0 over a spacing of nodes, over E\*: `c n (2 − n)/(n − 1) hⁿ⁻¹` of a
+    /// power below 2, whose pressure has a cusp there; at least what the closed form of a body of revolution says.
     pub fn cusp(&self, spacing: f64) -> f64 {
         let Self::Powers { terms } = self else { return 0.0 };
         let of = |[c, n]: &[f64; 2]| c.abs() * n * (2.0 - n) / (n - 1.0) * spacing.powf(n - 1.0);
@@ -314,8 +322,8 @@ impl Profile {
         matches!(self, Self::Table(_) | Self::Smooth(_))
     }
 
-    /// Whether the gap is analytic and mostly a parabola, `|c₂| a² ≥ Σ |cₙ| aⁿ` over its other even powers, so that the pressure has a smooth
-    /// top: not where points tell it \[a of the half-width, mm\].
+    /// Whether the gap is analytic and mostly a parabola, `|c₂| a² ≥ Σ |cₙ| aⁿ` over its other even powers, so that the
+    /// pressure has a smooth top: not where points tell it \[a of the half-width, mm\].
     pub fn is_smooth(&self, half_width: f64) -> bool {
         let is_mostly_parabola = |terms: &[[f64; 2]]| {
             let size = |[c, n]: &[f64; 2]| c.abs() * half_width.powf(*n);

@@ -18,7 +18,8 @@ pub enum Curve {
     Edge(Vec<[f64; 2]>),
 }
 
-/// The gap between two sides, or between one and the path, taken from the curves themselves and not from a mesh of them.
+/// The gap between two sides, or between one and the path, taken from the curves themselves and not from a mesh of
+/// them.
 #[derive(Clone, Debug)]
 pub struct DrawnGap {
     /// Side of the first body and, unless the other side is rigid, of the second.
@@ -30,8 +31,8 @@ pub struct DrawnGap {
 }
 
 impl DrawnGap {
-    /// Distance of the sides along the path's direction at the contact coordinate `s` \[mm\], negative where they overlap;
-    /// infinite where a side has ended.
+    /// Distance of the sides along the path's direction at the contact coordinate `s` \[mm\], negative where they
+    /// overlap; infinite where a side has ended.
     pub fn gap(&self, s: f64) -> f64 {
         let s = if self.path.has_both_sides() { s } else { s.abs() };
         let depth = |side: usize| match self.sides.get(side) {
@@ -53,7 +54,8 @@ impl DrawnGap {
 
     /// Contact coordinates at which the slope leaps upwards, and by how much \[mm, or rad on an arc; 1, or mm/rad\].
     ///
-    /// Of second differences, from which what the curvature beside a corner adds is taken off by those over half the distance.
+    /// Of second differences, from which what the curvature beside a corner adds is taken off by those over half the
+    /// distance.
     pub fn tips(&self) -> Vec<[f64; 2]> {
         let mut corners = self.corners();
         corners.sort_by(f64::total_cmp);
@@ -103,8 +105,8 @@ impl Curve {
         Some(self.at(path, 0.5 * (low + high))[1])
     }
 
-    /// Contact coordinate and depth, as `t` runs from 0 to 1; on an edge they are those of its nodes, interpolated by its
-    /// shape functions, so that nodes on an arc make an arc.
+    /// Contact coordinate and depth, as `t` runs from 0 to 1; on an edge they are those of its nodes, interpolated by
+    /// its shape functions, so that nodes on an arc make an arc.
     fn at(&self, path: &Path, t: f64) -> [f64; 2] {
         let of = |point: [f64; 2]| [path.coordinate(point), path.depth(point)];
         let Self::Edge(nodes) = self else { return of(self.point(t)) };

@@ -9,7 +9,8 @@ use crate::scene::{BoundaryName, Curve};
 pub struct GivenMesh {
     /// Node positions \[mm\].
     pub points: Vec<[f64; 2]>,
-    /// Four, eight or nine nodes each: corners counter-clockwise, then mid-sides from the first edge on, then the middle.
+    /// Four, eight or nine nodes each: corners counter-clockwise, then mid-sides from the first edge on, then the
+    /// middle.
     pub cells: Vec<Vec<usize>>,
     /// Edges by boundary: first node, last node and, for 8-node cells, the mid-side node; the body lies to their left.
     pub boundaries: BTreeMap<BoundaryName, Vec<Vec<usize>>>,
@@ -38,8 +39,9 @@ const SAME: f64 = 1e-4;
 const STRAIGHT: f64 = 1e5;
 
 impl GivenMesh {
-    /// Edges of the outline that lie on a circle, by their first and last node, and its centre \[mm\]: four neighbours of two
-    /// nodes each, or two of three, all of whose nodes lie on it. Three make no circle: those of a flat between two bevels do.
+    /// Edges of the outline that lie on a circle, by their first and last node, and its centre \[mm\]: four neighbours
+    /// of two nodes each, or two of three, all of whose nodes lie on it. Three make no circle: those of a flat between
+    /// two bevels do.
     pub fn arcs(&self) -> BTreeMap<[usize; 2], [f64; 2]> {
         let outline = self.outline();
         let next: BTreeMap<usize, &Vec<usize>> = outline.iter().map(|edge| (edge[0], edge)).collect();
@@ -88,8 +90,8 @@ impl GivenMesh {
         (bends && points.windows(2).all(is_round)).then_some(centre)
     }
 
-    /// The edges of a boundary on the outline as curves, arcs where they lie on a circle; none where it is not there, or runs
-    /// inside.
+    /// The edges of a boundary on the outline as curves, arcs where they lie on a circle; none where it is not there,
+    /// or runs inside.
     pub fn curves(&self, boundary: &str) -> Option<Vec<Curve>> {
         let edges = self.boundaries.get(boundary).filter(|_| !self.inner.contains(boundary))?;
         let arcs = self.arcs();

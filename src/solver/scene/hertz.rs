@@ -11,8 +11,8 @@ use crate::scene::{
 const STRETCH: f64 = 2.0;
 
 impl Scene {
-    /// The lower quarter of a long cylinder, pressed on a rigid plane by the load per thickness `P = π a² E*/4R` under which
-    /// Hertz's half-width is a: `q = P/2R` on the horizontal cut, symmetry on x = 0, plane strain. Lengths in mm.
+    /// The lower quarter of a long cylinder, pressed on a rigid plane by the load per thickness `P = π a² E*/4R` under
+    /// which Hertz's half-width is a: `q = P/2R` on the horizontal cut, symmetry on x = 0, plane strain. Lengths in mm.
     ///
     /// ```
     /// use signorini::mesh::{Order, Resolution};
@@ -52,8 +52,8 @@ impl Scene {
         }
     }
 
-    /// The lower half of a sphere, pressed on a rigid plane by the force `F = 4E*a³/3R` \[N\] under which Hertz's circle of
-    /// contact has the radius a: `q = F/πR²` on the horizontal cut. Lengths in mm.
+    /// The lower half of a sphere, pressed on a rigid plane by the force `F = 4E*a³/3R` \[N\] under which Hertz's
+    /// circle of contact has the radius a: `q = F/πR²` on the horizontal cut. Lengths in mm.
     ///
     /// ```
     /// use signorini::mesh::{Order, Resolution};

@@ -17,7 +17,8 @@ pub struct Support {
     pub value: f64,
 }
 
-/// A field on the plane: a stress `(x, y) ↦ [σ_x, σ_y, τ_xy]`, tension positive, or a traction `(x, y) ↦ [t_x, t_y]` \[MPa\].
+/// A field on the plane: a stress `(x, y) ↦ [σ_x, σ_y, τ_xy]`, tension positive, or a traction `(x, y) ↦ [t_x, t_y]`
+/// \[MPa\].
 #[derive(Clone)]
 pub struct VectorField<const N: usize>(pub Arc<dyn Fn([f64; 2]) -> [f64; N] + Send + Sync>);
 
@@ -84,8 +85,9 @@ pub enum Action {
     Stress(VectorField<3>),
     /// The traction, the same everywhere, of a total force on the modelled part \[N\].
     Total([f64; 2]),
-    /// A couple on the modelled part, counter-clockwise \[N mm\]: `t = M/(t J) e_z × (r − r̄)` with the centroid r̄ of the side and
-    /// `J = ∫|r − r̄|² ds`, so that its resultant vanishes; on a straight side a pressure linear in the coordinate along it.
+    /// A couple on the modelled part, counter-clockwise \[N mm\]: `t = M/(t J) e_z × (r − r̄)` with the centroid r̄ of
+    /// the side and `J = ∫|r − r̄|² ds`, so that its resultant vanishes; on a straight side a pressure linear in the
+    /// coordinate along it.
     Moment(f64),
 }
 

@@ -17,8 +17,8 @@ pub enum PlaneHypothesis {
 
 /// Largest Poisson's ratio in plane strain and of bodies of revolution.
 ///
-/// At 0.5 a body keeps its volume, `λ = 2μν/(1 − 2ν)` is infinite and displacements alone no longer give the pressure. At
-/// 0.4999 `λ = 4999 μ`, and round-off in the stiffness takes four digits.
+/// At 0.5 a body keeps its volume, `λ = 2μν/(1 − 2ν)` is infinite and displacements alone no longer give the pressure.
+/// At 0.4999 `λ = 4999 μ`, and round-off in the stiffness takes four digits.
 pub const LARGEST_POISSON: f64 = 0.4999;
 
 impl PlaneHypothesis {
@@ -55,8 +55,8 @@ impl PlaneHypothesis {
         }
     }
 
-    /// Kolosov's constant `κ'`: `(3−ν)/(1+ν)` in plane stress, `3−4ν` in plane strain, and near a circular edge of a body of
-    /// revolution, where it is as good as plane.
+    /// Kolosov's constant `κ'`: `(3−ν)/(1+ν)` in plane stress, `3−4ν` in plane strain, and near a circular edge of a
+    /// body of revolution, where it is as good as plane.
     pub fn kolosov(self, poisson: f64) -> f64 {
         match self {
             Self::Stress => (3.0 - poisson) / (1.0 + poisson),
@@ -100,8 +100,9 @@ impl Material {
 
     /// Elasticity matrix `D` with `[σ_x, σ_y, τ_xy] = D [ε_x, ε_y, γ_xy]` \[MPa\].
     ///
-    /// Plane stress with `E`, `ν`; plane strain is the same with `E/(1−ν²)`, `ν/(1−ν)`. Of bodies of revolution it is that of
-    /// plane strain, to which the hoop strain adds `σ_r += D₁₂ ε_θ`, `σ_z += D₁₂ ε_θ`; `σ_θ = D₁₂ (ε_r + ε_z) + D₁₁ ε_θ`.
+    /// Plane stress with `E`, `ν`; plane strain is the same with `E/(1−ν²)`, `ν/(1−ν)`. Of bodies of revolution it is
+    /// that of plane strain, to which the hoop strain adds `σ_r += D₁₂ ε_θ`, `σ_z += D₁₂ ε_θ`;
+    /// `σ_θ = D₁₂ (ε_r + ε_z) + D₁₁ ε_θ`.
     pub fn stiffness(&self, plane: PlaneHypothesis) -> [[f64; 3]; 3] {
         let (e, nu) = match plane {
             PlaneHypothesis::Stress => (self.young, self.poisson),

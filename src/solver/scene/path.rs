@@ -83,7 +83,8 @@ impl Path {
         plane.radial().is_some_and(|radial| self.point(0.0)[radial].abs() <= 0.0)
     }
 
-    /// Contact coordinate of the axis x = 0 or y = 0, by the line of the radii at both ends of a stretch; none where they are the same.
+    /// Contact coordinate of the axis x = 0 or y = 0, by the line of the radii at both ends of a stretch; none where
+    /// they are the same.
     pub fn axis(&self, radial: usize, [from, to]: [f64; 2]) -> Option<f64> {
         let [first, last] = [from, to].map(|s| self.point(s)[radial]);
         let grows = last - first;

@@ -5,7 +5,8 @@ use crate::scene::contact_pair::ROUNDING;
 use crate::scene::{Path, Place, Scene};
 
 impl Scene {
-    /// Refuses a thickness, and contacts that are not where bodies of revolution have them, or are halves that are none.
+    /// Refuses a thickness, and contacts that are not where bodies of revolution have them, or are halves that are
+    /// none.
     pub(super) fn refuse_beside_revolution(&self) -> Result<(), Error> {
         let Some(radial) = self.plane.radial() else { return Ok(()) };
         if (self.thickness - 1.0).abs() > 0.0 {
@@ -55,7 +56,8 @@ pub fn beside(path: &Path, radial: usize, stretch: f64) -> Option<[&'static str;
     let [x, _] = path.origin();
     match path {
         Path::Straight { both_sides: true, .. } if radial == 0 && x - stretch < 0.0 - ROUNDING * stretch => Some([
-            "the candidates go on beyond x = 0: bodies of revolution lie on one side of their axis, and so does their contact",
+            "the candidates go on beyond x = 0: bodies of revolution lie on one side of their axis, and so does their \
+            contact",
             "around the axis leave `both-sides` out; off it give an `origin` that lies farther out than `stretch`",
         ]),
         Path::Straight { both_sides: false, .. } if radial == 0 && x.abs() > 0.0 => Some([

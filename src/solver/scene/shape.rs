@@ -21,9 +21,9 @@ pub enum Shape {
         /// The side that carries the contact.
         contact: Face,
     },
-    /// A disc or a sector of it; boundaries `contact` (the lower arc), `axis` (x = centre, where it ends there) and `cut`
-    /// (the horizontal diameter, where it ends there); with its upper part also `top` (the upper arc) and, inside it,
-    /// the line `middle` (the horizontal diameter). Turned over, it touches at its highest point.
+    /// A disc or a sector of it; boundaries `contact` (the lower arc), `axis` (x = centre, where it ends there) and
+    /// `cut` (the horizontal diameter, where it ends there); with its upper part also `top` (the upper arc) and, inside
+    /// it, the line `middle` (the horizontal diameter). Turned over, it touches at its highest point.
     Disc {
         /// Centre \[mm\].
         centre: [f64; 2],
@@ -34,9 +34,9 @@ pub enum Shape {
         /// The side that carries the contact: `Top` is the disc seen in a mirror on the horizontal through its centre.
         contact: Face,
     },
-    /// Part of a ring from the downward vertical; boundaries `start`, `end` (the straight sides), `inner`, `outer`;
-    /// the side named in `contact` is called `contact` instead. On both sides of the vertical it has no `start`, and a whole
-    /// one no `end`.
+    /// Part of a ring from the downward vertical; boundaries `start`, `end` (the straight sides), `inner`, `outer`; the
+    /// side named in `contact` is called `contact` instead. On both sides of the vertical it has no `start`, and a
+    /// whole one no `end`.
     Ring {
         /// Rays on which the nodes lie start here: the centre of the contact path \[mm\].
         pole: [f64; 2],
@@ -107,8 +107,8 @@ pub enum Face {
     Top,
 }
 
-/// Length of a rectangle over its height beyond which it bends like a beam: clamped ones 2.1 and 2.3 times as long as high were 0.4 % off
-/// where 0.3 % was asked.
+/// Length of a rectangle over its height beyond which it bends like a beam: clamped ones 2.1 and 2.3 times as long as
+/// high were 0.4 % off where 0.3 % was asked.
 const SLENDER: f64 = 2.0;
 /// Inner radius of a ring over the outer one from which on it bends: a wide plate around a hole does not.
 const THIN: f64 = 0.2;
@@ -131,8 +131,8 @@ pub struct Grading {
 }
 
 impl Shape {
-    /// Whether it bends far away from what presses it, so that the cells there decide too: rings, eyes and slender rectangles. Discs in
-    /// holes do not.
+    /// Whether it bends far away from what presses it, so that the cells there decide too: rings, eyes and slender
+    /// rectangles. Discs in holes do not.
     pub fn bends(&self) -> bool {
         match self {
             Self::Ring { inner, outer, .. } => inner.radius >= THIN * outer.radius,
@@ -159,7 +159,8 @@ impl Shape {
         }
     }
 
-    /// The coordinate that all points of a side of a rectangle have in common, and its value \[mm\]; none of other bodies.
+    /// The coordinate that all points of a side of a rectangle have in common, and its value \[mm\]; none of other
+    /// bodies.
     pub fn lies_at(&self, side: &str) -> Option<(Component, f64)> {
         let Self::Rectangle { x, y, contact } = *self else { return None };
         let contact = if contact == Face::Bottom { y } else { [y[1], y[0]] };
@@ -172,8 +173,8 @@ impl Shape {
         }
     }
 
-    /// How far a side of a disc or a ring goes along a straight path, to its outermost point at most \[mm\]; none for other
-    /// bodies, which end elsewhere.
+    /// How far a side of a disc or a ring goes along a straight path, to its outermost point at most \[mm\]; none for
+    /// other bodies, which end elsewhere.
     pub fn reach(&self, side: &str, path: &Path) -> Option<f64> {
         let swept = if let Self::Ring { sweep, .. } = self { *sweep } else { FRAC_PI_2 };
         self.circle(side).filter(|_| path.is_straight()).map(|circle| circle.radius * swept.min(FRAC_PI_2).sin())

@@ -1,8 +1,8 @@
 //! A cubic through points that rises where they rise, falls where they fall, and goes nowhere beyond them.
 //!
-//! Slopes are those of the parabola through a point and its neighbours, cut back where the cubic would overshoot:
-//! F. N. Fritsch, R. E. Carlson, Monotone piecewise cubic interpolation, SIAM J. Numer. Anal. 17 (1980) 238–246. Points of
-//! a parabola give that parabola; the harmonic means of PCHIP would make its curvature at the vertex 1.5 times as large.
+//! Slopes are those of the parabola through a point and its neighbours, cut back where the cubic would overshoot: F. N.
+//! Fritsch, R. E. Carlson, Monotone piecewise cubic interpolation, SIAM J. Numer. Anal. 17 (1980) 238–246. Points of a
+//! parabola give that parabola; the harmonic means of PCHIP would make its curvature at the vertex 1.5 times as large.
 
 /// Points by ascending s, and the slopes of the cubic there; it and its derivative are continuous.
 #[derive(Clone, Debug)]
@@ -73,7 +73,8 @@ impl MonotoneCubic {
     /// Between points at distances h that a smooth function has, it leaps by a few h of what it is.
     pub fn leaps(&self) -> Vec<f64> {
         let pieces = self.points.windows(2).zip(self.slopes.windows(2));
-        // `g'' = (6 d − 4 m − 2 n)/h` where a piece begins, `(2 m + 4 n − 6 d)/h` where it ends: slopes m and n there, d of its chord.
+        // `g'' = (6 d − 4 m − 2 n)/h` where a piece begins, `(2 m + 4 n − 6 d)/h` where it ends: slopes m and n there,
+        // d of its chord.
         let curvatures: Vec<[f64; 2]> = pieces
             .map(|(ends, slopes)| {
                 let h = ends[1][0] - ends[0][0];

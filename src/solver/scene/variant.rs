@@ -15,7 +15,8 @@ impl Scene {
         self.told([METRE; 2], 1.0 / (METRE * METRE))
     }
 
-    /// The scene seen in a mirror on x = 0; its mesh is [`Mesh::mirrored`](crate::mesh::Mesh::mirrored), so that shapes stay as they are.
+    /// The scene seen in a mirror on x = 0; its mesh is [`Mesh::mirrored`](crate::mesh::Mesh::mirrored), so that shapes
+    /// stay as they are.
     pub fn mirrored(&self) -> Self {
         self.told([-1.0, 1.0], 1.0)
     }

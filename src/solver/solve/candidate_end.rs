@@ -1,8 +1,8 @@
-//! Surfaces that meet where no contact point is: beyond the candidates, where the pressure found is that of a shorter body and is
-//! refused, and within a candidate edge between its points, which is noted.
+//! Surfaces that meet where no contact point is: beyond the candidates, where the pressure found is that of a shorter
+//! body and is refused, and within a candidate edge between its points, which is noted.
 //!
-//! The gap is a known function, and so is the displacement along an edge: `w − g` is looked at inside every edge of the side that
-//! touches, and at every point of a table, wherever nodes are.
+//! The gap is a known function, and so is the displacement along an edge: `w − g` is looked at inside every edge of the
+//! side that touches, and at every point of a table, wherever nodes are.
 
 use std::collections::HashSet;
 
@@ -19,16 +19,18 @@ use crate::solve::{Change, Discretisation};
 const SAME: f64 = 1e-9;
 /// Parts of an edge at whose ends it is looked at.
 const PARTS: usize = 16;
-/// Penetration over the approach of the contact up to which a place of its own is noted instead of refused, beyond candidates that are
-/// open, or whose outermost stretch carries no more than that part of the force, as next to a clamp: about as much is not seen.
+/// Penetration over the approach of the contact up to which a place of its own is noted instead of refused, beyond
+/// candidates that are open, or whose outermost stretch carries no more than that part of the force, as next to a
+/// clamp: about as much is not seen.
 const ASIDE: f64 = 1e-2;
-/// Penetration over the approach of the contact between its points from which on it is noted. A parabola on linear elements, N to a
-/// half-width, leaves `1/2πN²`: this for three.
+/// Penetration over the approach of the contact between its points from which on it is noted. A parabola on linear
+/// elements, N to a half-width, leaves `1/2πN²`: this for three.
 const BETWEEN: f64 = 2e-2;
 /// Penetration over the displacements that it is the difference of, which rounding explains.
 const ROUNDING: f64 = 1e-9;
 
-/// The ends of the candidates that the surfaces may go on beyond: 1 at the last candidate, −1 at the first one on paths with both sides.
+/// The ends of the candidates that the surfaces may go on beyond: 1 at the last candidate, −1 at the first one on paths
+/// with both sides.
 fn ends(pair: &ContactPair) -> &'static [f64] {
     if pair.path.has_both_sides() { &[-1.0, 1.0] } else { &[1.0] }
 }
@@ -88,8 +90,8 @@ impl<'a> Sides<'a> {
         Ok(Self { discretisation, interface, clearance: change.clearance, displacement, edges })
     }
 
-    /// The deepest penetration beyond an end of the candidates: contact coordinates of that end and of the place, and `w − g` there \[mm\];
-    /// none where the surface of either body ends with them: a patch, a ring, a punch.
+    /// The deepest penetration beyond an end of the candidates: contact coordinates of that end and of the place, and
+    /// `w − g` there \[mm\]; none where the surface of either body ends with them: a patch, a ring, a punch.
     fn deepest_beyond(&self, at: f64) -> Option<[f64; 3]> {
         let end = outermost(&self.interface.nodes, at)?.coordinate;
         let is_beyond = |strip: &&Strip| {
@@ -161,12 +163,13 @@ impl<'a> Sides<'a> {
     }
 }
 
-/// Refuses a converged solution whose contact reaches the end of the candidate surface, or that touches beyond it, by the criterion of
-/// the candidates themselves: penetration over the approach that its own force makes within the tolerance. What it passes over is told
-/// contact by contact: the deepest penetration between the points, and beside the candidates.
+/// Refuses a converged solution whose contact reaches the end of the candidate surface, or that touches beyond it, by
+/// the criterion of the candidates themselves: penetration over the approach that its own force makes within the
+/// tolerance. What it passes over is told contact by contact: the deepest penetration between the points, and beside
+/// the candidates.
 ///
-/// A contact cut short shows all the same: its pressure rises towards the cut, as under the corner of a punch, where a contact that ends
-/// falls to zero.
+/// A contact cut short shows all the same: its pressure rises towards the cut, as under the corner of a punch, where a
+/// contact that ends falls to zero.
 pub(super) fn look(
     discretisation: &Discretisation,
     solution: &Solution,
@@ -223,13 +226,15 @@ fn beside(sides: &Sides, solution: &Solution, tolerance: f64) -> Result<Vec<Unse
     Ok(unseen)
 }
 
-/// Error of a contact that reaches the end of the candidate surface, with the deepest penetration beyond, if it is seen.
+/// Error of a contact that reaches the end of the candidate surface, with the deepest penetration beyond, if it is
+/// seen.
 fn too_short(discretisation: &Discretisation, interface: &Interface, end: f64, deepest: Option<(f64, f64)>) -> Error {
     let told = |s: f64| interface.pair.path.reported(s);
     let gap = |s: f64| interface.pair.gap(s);
     let remedy = match deepest {
         Some((position, _)) if gap(position) < gap(end) => format!(
-            "the gap falls beyond the candidates, to {:.3e} mm at s = {}: correct it, end the body before, or widen the candidate stretch",
+            "the gap falls beyond the candidates, to {:.3e} mm at s = {}: correct it, end the body before, or widen \
+            the candidate stretch",
             gap(position),
             told(position)
         ),
@@ -241,7 +246,8 @@ fn too_short(discretisation: &Discretisation, interface: &Interface, end: f64, d
         None => "the pressure rises towards it although the surfaces go on".into(),
     };
     let message = format!(
-        "the contact reaches the end of the candidate surface at s = {end}, or goes on beyond: {seen}, and the pressure found is that of a shorter contact"
+        "the contact reaches the end of the candidate surface at s = {end}, or goes on beyond: {seen}, and the \
+        pressure found is that of a shorter contact"
     );
     let place = discretisation.scene.place_of(interface.contact, Part::Stretch);
     let kind = Kind::ContactBeyondCandidates { end, deepest };

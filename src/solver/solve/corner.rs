@@ -1,4 +1,5 @@
-//! Ends of a contact where the faces end at a corner that is pressed: the geometry tells whether the pressure has a limit there.
+//! Ends of a contact where the faces end at a corner that is pressed: the geometry tells whether the pressure has a
+//! limit there.
 
 use std::f64::consts::{FRAC_PI_2, LN_2, PI};
 
@@ -16,7 +17,8 @@ use crate::solve::wedge::{Wedge, exponent};
 /// Difference of contact coordinates, over the stretch, that rounding explains.
 const SAME: f64 = 1e-9;
 
-/// Growth at the last halving, over the peak, below which a tip, a sheared corner or a series is as good as at its limit.
+/// Growth at the last halving, over the peak, below which a tip, a sheared corner or a series is as good as at its
+/// limit.
 pub(super) const SMALL: f64 = 0.01;
 /// Angle by which a corner may depart from a right one, as chords of an arc do \[rad\].
 const RIGHT: f64 = 1e-3;
@@ -57,8 +59,9 @@ pub(super) fn pressed(discretisation: &Discretisation, run: &Run, contact: usize
     Ok(growing.collect())
 }
 
-/// The c of `p = c ln 1/r` at an end where bodies end at right angles and their sides carry a shear stress τ towards the contact, whose faces carry
-/// none \[MPa\]: mirrored at a rigid plane, a side is a half-plane whose shear leaps by 2τ, so that `c = 4τ/π`; of two bodies `Σ cᵢ/Eᵢ / Σ 1/Eᵢ`.
+/// The c of `p = c ln 1/r` at an end where bodies end at right angles and their sides carry a shear stress τ towards
+/// the contact, whose faces carry none \[MPa\]: mirrored at a rigid plane, a side is a half-plane whose shear leaps by
+/// 2τ, so that `c = 4τ/π`; of two bodies `Σ cᵢ/Eᵢ / Σ 1/Eᵢ`.
 fn sheared(faces: &[Face], wedges: &[Wedge], end: &End) -> f64 {
     let is_right = |wedge: &Wedge| wedge.held.is_none() && (wedge.angle - FRAC_PI_2).abs() <= RIGHT;
     if !wedges.iter().all(is_right) {
@@ -184,7 +187,8 @@ impl<'a> Face<'a> {
         own.map_or(whole, |(angle, held)| Wedge { angle, held, ..whole })
     }
 
-    /// Interior angle at a node where the face ends, and what holds the side beside it; none where the outline does not tell.
+    /// Interior angle at a node where the face ends, and what holds the side beside it; none where the outline does not
+    /// tell.
     fn corner(&self, node: usize) -> Option<(f64, Option<[f64; 2]>)> {
         let Side { away, outwards, face, face_leaves, fixed, .. } = self.side(node)?;
         let face = self.along_path(node, face);

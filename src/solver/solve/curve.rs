@@ -33,8 +33,8 @@ pub struct CurveContact {
 }
 
 impl Discretisation {
-    /// What every load increment of a run on this mesh came to, the one that did not converge included; empty where all of the
-    /// load was applied at once.
+    /// What every load increment of a run on this mesh came to, the one that did not converge included; empty where all
+    /// of the load was applied at once.
     pub fn curve(&self, run: &Run) -> Result<Vec<CurvePoint>, Error> {
         run.solution.increments.iter().map(|increment| self.curve_point(run, increment)).collect()
     }

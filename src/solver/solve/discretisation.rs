@@ -1,5 +1,5 @@
-//! A scene meshed, assembled and condensed: what all nine formulations share, and on which they solve; under another load or clearance
-//! pressures only, at the price of a few dense steps.
+//! A scene meshed, assembled and condensed: what all nine formulations share, and on which they solve; under another
+//! load or clearance pressures only, at the price of a few dense steps.
 
 use crate::algorithm::{ContactProblem, Scale};
 use crate::clock::{Clock, Seconds, Stage};

@@ -13,7 +13,8 @@ const EDGE_POINTS: usize = 8;
 type Weights = Vec<(usize, f64)>;
 
 impl Discretisation {
-    /// Mean `∫ u t ds / ∫ t ds` over a side, t the thickness or 2πr, or `Σ N_a u_a` at a point \[mm\], of the displacement of every node.
+    /// Mean `∫ u t ds / ∫ t ds` over a side, t the thickness or 2πr, or `Σ N_a u_a` at a point \[mm\], of the
+    /// displacement of every node.
     pub fn displaced(&self, displacement: &[[f64; 2]], of: &Displaced) -> Result<f64, Error> {
         let weights = match &of.at {
             Place::Boundary(name) => self.mean_over(self.mesh.boundary(&self.scene, of.body, name)?),
@@ -45,8 +46,9 @@ impl Discretisation {
         weights.iter().map(|&(node, weight)| (node, weight / length)).collect()
     }
 
-    /// Approach of the bodies of a contact \[mm\], positive where they have come nearer: how much more the upper (inner) body
-    /// has moved down than the other one, each at the side by which it is pressed; a rigid one does not move.
+    /// Approach of the bodies of a contact \[mm\], positive where they have come nearer: how much more the upper
+    /// (inner) body has moved down than the other one, each at the side by which it is pressed; a rigid one does not
+    /// move.
     ///
     /// None where it is not defined ([`Scene::pressed_sides`]).
     pub fn approach(&self, displacement: &[[f64; 2]], contact: usize) -> Result<Option<f64>, Error> {
@@ -84,11 +86,11 @@ impl Scene {
         is_prescribed(&self.bodies[of.body], &of.at, of.component)
     }
 
-    /// By which side each elastic body of a contact is pressed along the load line, which is vertical: the only place where a
-    /// load or a support acts along y.
+    /// By which side each elastic body of a contact is pressed along the load line, which is vertical: the only place
+    /// where a load or a support acts along y.
     ///
-    /// None where a body has no such place, several of them, a point, or only the side that touches; and where all of them
-    /// are fixed, so that nothing approaches.
+    /// None where a body has no such place, several of them, a point, or only the side that touches; and where all of
+    /// them are fixed, so that nothing approaches.
     pub fn pressed_sides(&self, contact: usize) -> Option<Vec<Displaced>> {
         let pair = &self.contacts[contact];
         let sides = pair.bodies().map(|body| {

@@ -1,7 +1,7 @@
 //! Equilibrium of every body: its loads, the contact pressures as they are reported, and the reactions of its supports.
 //!
-//! Inside a body forces cancel in pairs, so that this balance holds of any displacement: what is left over is what the reported
-//! pressures are short of the forces that the displacements belong to, and what round-off has made of both.
+//! Inside a body forces cancel in pairs, so that this balance holds of any displacement: what is left over is what the
+//! reported pressures are short of the forces that the displacements belong to, and what round-off has made of both.
 
 use crate::elasticity::reactions;
 use crate::error::Error;
@@ -17,7 +17,8 @@ pub struct Equilibrium {
     pub body: usize,
     /// `|Σ F|` over the largest force: the resultant of the loads, of a contact, or of what supports exert.
     pub force: f64,
-    /// `|Σ r × F|` about the middle of the body, over the largest moment of one of them, or that force at the farthest point.
+    /// `|Σ r × F|` about the middle of the body, over the largest moment of one of them, or that force at the farthest
+    /// point.
     pub moment: f64,
 }
 
@@ -54,8 +55,8 @@ impl Sum {
 }
 
 impl Discretisation {
-    /// The equilibrium of every body under a share of loads and prescribed displacements; forces of no more than what the contacts
-    /// have for round-off are none.
+    /// The equilibrium of every body under a share of loads and prescribed displacements; forces of no more than what
+    /// the contacts have for round-off are none.
     pub fn equilibrium(&self, share: f64, solution: &Solution) -> Result<Vec<Equilibrium>, Error> {
         let displacement = self.displacement_under(share, solution);
         let of = |body: usize| self.equilibrium_of(body, share, solution, &displacement);

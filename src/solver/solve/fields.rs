@@ -18,8 +18,8 @@ pub struct Fields {
 }
 
 impl Discretisation {
-    /// Displacement of every node \[mm\] under a share of loads and prescribed displacements, by one back-substitution per
-    /// body.
+    /// Displacement of every node \[mm\] under a share of loads and prescribed displacements, by one back-substitution
+    /// per body.
     pub fn displacement_under(&self, share: f64, solution: &Solution) -> Vec<[f64; 2]> {
         let unknowns = self.condensed.recover(share, &solution.displacement);
         self.system.nodal_displacements(share, &unknowns)
@@ -30,7 +30,8 @@ impl Discretisation {
         self.recover_under(1.0, solution)
     }
 
-    /// The same under a share of loads and prescribed displacements, as where an iteration ended before the last increment.
+    /// The same under a share of loads and prescribed displacements, as where an iteration ended before the last
+    /// increment.
     pub fn recover_under(&self, share: f64, solution: &Solution) -> Result<Fields, Error> {
         let unknowns = self.condensed.recover(share, &solution.displacement);
         let displacement = self.system.nodal_displacements(share, &unknowns);
@@ -38,8 +39,8 @@ impl Discretisation {
         Ok(Fields { displacement, stress, unknowns })
     }
 
-    /// Hoop stress along the arc of a contact, on the second body if there is one: contact coordinate of a node \[rad\] and
-    /// `σ_x cos² s + σ_y sin² s + 2 τ_xy sin s cos s` \[MPa\], by rising coordinate.
+    /// Hoop stress along the arc of a contact, on the second body if there is one: contact coordinate of a node \[rad\]
+    /// and `σ_x cos² s + σ_y sin² s + 2 τ_xy sin s cos s` \[MPa\], by rising coordinate.
     pub fn hoop_stresses(&self, fields: &Fields, contact: usize) -> Result<Vec<[f64; 2]>, Error> {
         let pair = &self.scene.contacts[contact];
         let edges = self.mesh.boundary(&self.scene, pair.second.unwrap_or(pair.first), CONTACT)?;

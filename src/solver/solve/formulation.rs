@@ -53,11 +53,11 @@ impl Formulation {
         }
     }
 
-    /// The same as the program and its pages take it where no more is said: varying and constant stiffness by Newton's method, with
-    /// which every scene of the library converges.
+    /// The same as the program and its pages take it where no more is said: varying and constant stiffness by Newton's
+    /// method, with which every scene of the library converges.
     ///
-    /// Under kinematic load the points of line and layer start from 10 by the bodies: from the hardest springs pressures of
-    /// neighbouring points alternate where they are more than displacements can follow, and do not settle.
+    /// Under kinematic load the points of line and layer start from 10 by the bodies: from the hardest springs
+    /// pressures of neighbouring points alternate where they are more than displacements can follow, and do not settle.
     pub fn accelerated(element: Element, algorithm: Iteration) -> Self {
         let paper = Self::new(element, algorithm);
         match (algorithm, element) {
@@ -67,7 +67,8 @@ impl Formulation {
         }
     }
 
-    /// The same with a rule and an acceleration that may be asked for: what is neither accelerated nor asked to be is the paper's.
+    /// The same with a rule and an acceleration that may be asked for: what is neither accelerated nor asked to be is
+    /// the paper's.
     pub fn with(
         element: Element,
         algorithm: Iteration,
@@ -82,7 +83,8 @@ impl Formulation {
         Self { rule, acceleration, ..if is_own { own } else { Self::new(element, algorithm) } }
     }
 
-    /// The same with a stiffness for every point, or for every element, which is not accelerated unless that is asked for.
+    /// The same with a stiffness for every point, or for every element, which is not accelerated unless that is asked
+    /// for.
     pub fn with_springs(self, spring: Spring, acceleration: Option<Acceleration>) -> Self {
         let by_default = if spring == Spring::Point { self.acceleration } else { Acceleration::None };
         let leeway = Leeway { spring, ..self.leeway };
@@ -130,7 +132,8 @@ impl Formulation {
         self
     }
 
-    /// `element.algorithm`, and the rule, its bound, what has a stiffness, and the acceleration where they are not the default.
+    /// `element.algorithm`, and the rule, its bound, what has a stiffness, and the acceleration where they are not the
+    /// default.
     pub fn name(&self) -> String {
         let mut name = format!("{}.{}", self.element.name(), self.algorithm.name());
         if self.rule != self.algorithm.rules()[0] {

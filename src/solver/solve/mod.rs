@@ -1,7 +1,9 @@
-//! One road from a scene to a solution, and what a formulation of it is: contact element × algorithm × rule × stiffness.
+//! One road from a scene to a solution, and what a formulation of it is: contact element × algorithm × rule ×
+//! stiffness.
 //!
 //! * [`formulation`] — one way of solving a contact problem.
-//! * [`discretisation`] — a scene meshed, assembled and condensed; on it formulations solve, after a change of load or clearance too.
+//! * [`discretisation`] — a scene meshed, assembled and condensed; on it formulations solve, after a change of load or
+//!   clearance too.
 //! * `road` — from a discretisation to a solution, from the active set of another one.
 //! * `unheld` — what no support holds and contact cannot.
 //! * `refusals` — what formulations are not defined for, and problems that have no solution.

@@ -21,8 +21,8 @@ impl Run {
 }
 
 impl Discretisation {
-    /// A number of a run on this mesh, in its own unit; NaN where there is none: what has no limit, a support that is not there, a stress
-    /// where no node is, an approach of bodies that are not pressed.
+    /// A number of a run on this mesh, in its own unit; NaN where there is none: what has no limit, a support that is
+    /// not there, a stress where no node is, an approach of bodies that are not pressed.
     pub fn number(&self, run: &Run, contact: usize, quantity: &Quantity) -> Result<f64, Error> {
         let Contact { measures, transmitted, unbounded, .. } = &run.contacts[contact];
         Ok(match quantity {

@@ -7,8 +7,8 @@ use crate::elasticity::{axis, shape_functions};
 use crate::mesh::{Edge, Mesh};
 use crate::solve::Discretisation;
 
-/// Angle by which curved edges may turn at a node of a smooth side \[rad\]: from π on λ falls by 2/π of it (both sides free), and
-/// no mesh sees `r^-0.0006`.
+/// Angle by which curved edges may turn at a node of a smooth side \[rad\]: from π on λ falls by 2/π of it (both sides
+/// free), and no mesh sees `r^-0.0006`.
 pub(super) const TURN: f64 = 1e-3;
 
 /// The outline of a body, itself to the left of every edge.
@@ -69,7 +69,8 @@ impl<'a> Outline<'a> {
         [arriving[0], leaving[1]].map(|node| self.turn(node))
     }
 
-    /// Whether it is smooth at a node: an arc drawn by chords turns at each of its nodes, a corner more than the nodes next to it, or far.
+    /// Whether it is smooth at a node: an arc drawn by chords turns at each of its nodes, a corner more than the nodes
+    /// next to it, or far.
     pub(super) fn is_smooth(&self, node: usize) -> bool {
         let [before, after] = self.next_turns(node);
         let turn = self.turn(node).abs();

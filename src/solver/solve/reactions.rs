@@ -22,11 +22,11 @@ pub struct Reaction {
 }
 
 impl Discretisation {
-    /// The reaction of every support under a share of loads and prescribed displacements, as where an iteration ended before the last
-    /// increment, from the equilibrium of the nodes that it holds: `R = Σ (f_int − f_load)`.
+    /// The reaction of every support under a share of loads and prescribed displacements, as where an iteration ended
+    /// before the last increment, from the equilibrium of the nodes that it holds: `R = Σ (f_int − f_load)`.
     ///
-    /// Contact has no part in it: it acts along the normals of the candidates, which no support may hold. Loads, contact
-    /// and reactions of a body add up to zero, as far as the contact pressures balance the load.
+    /// Contact has no part in it: it acts along the normals of the candidates, which no support may hold. Loads,
+    /// contact and reactions of a body add up to zero, as far as the contact pressures balance the load.
     pub fn reactions(&self, share: f64, solution: &Solution) -> Result<Vec<Reaction>, Error> {
         self.reactions_of(share, &self.displacement_under(share, solution))
     }
@@ -60,8 +60,8 @@ impl Discretisation {
         Ok(forces)
     }
 
-    /// In which components supports of a body prescribe unlike displacements of one node: the stress there grows with 1/r, and what they exert
-    /// with its logarithm.
+    /// In which components supports of a body prescribe unlike displacements of one node: the stress there grows with
+    /// 1/r, and what they exert with its logarithm.
     pub fn torn(&self, body: usize) -> Result<[bool; 2], Error> {
         let mut held: BTreeMap<(usize, usize), f64> = BTreeMap::new();
         let mut torn = [false; 2];

@@ -1,5 +1,5 @@
-//! What a formulation is not defined for, refused before anything is solved, and problems that have no solution, with the names of their
-//! bodies.
+//! What a formulation is not defined for, refused before anything is solved, and problems that have no solution, with
+//! the names of their bodies.
 
 use crate::algorithm::problem::LIMITS;
 use crate::algorithm::{Acceleration, ContactProblem, Iteration, Leeway, Spring, StiffnessRule};
@@ -72,7 +72,8 @@ impl Formulation {
             let (algorithm, rule, acceleration) = (self.algorithm.name(), self.rule.name(), self.acceleration.name());
             let message =
                 format!("the {algorithm} algorithm with rule `{rule}` has no fixed point for `{acceleration}`");
-            let remedy = "choose newton for constant with the rule correction, or for varying with the rule secant and springs of points; else `none`";
+            let remedy = "choose newton for constant with the rule correction, or for varying with the rule secant and \
+                springs of points; else `none`";
             return Err(Error::at(place, message, remedy));
         }
         let tightest = scene.contacts.iter().map(|pair| pair.gap(0.0)).fold(f64::INFINITY, f64::min);
@@ -130,7 +131,8 @@ impl Discretisation {
         let held = || problem.factorise(&vec![0.0; problem.points.len()], &mut Work::default()).is_some();
         if self.is_unloaded(problem.load) && !held() && !problem.interference_presses() {
             let error = self.unheld(1.0)?.unwrap_or_else(|| {
-                let message = "only contact fixes the bodies, and nothing presses them together: the pressure is zero and the position undetermined";
+                let message = "only contact fixes the bodies, and nothing presses them together: the pressure is zero \
+                    and the position undetermined";
                 Error::at(self.contacts(), message, "apply a load or add a support")
             });
             return Err(Error { kind: Kind::NothingPresses, ..error });

@@ -1,4 +1,5 @@
-//! From a discretisation to a solution: refusals before, the springs that the iteration starts from, the iteration, refusals after.
+//! From a discretisation to a solution: refusals before, the springs that the iteration starts from, the iteration,
+//! refusals after.
 
 use crate::algorithm::{ContactProblem, Iteration, Springs};
 use crate::error::Error;
@@ -11,12 +12,12 @@ impl Discretisation {
         self.solve_from(None, formulation, Change::NONE)
     }
 
-    /// Solves it after a change of load or clearance, from the active set of an earlier solution on this mesh or on another one, whose
-    /// candidates may end elsewhere.
+    /// Solves it after a change of load or clearance, from the active set of an earlier solution on this mesh or on
+    /// another one, whose candidates may end elsewhere.
     ///
-    /// A point starts closed where the nearest point of the same contact was pressed. Only kinematic load has an active set
-    /// to start from; the other algorithms, and load in increments, start as ever. Where the set leads nowhere, or the earlier
-    /// solution is none, the scene is solved from its own start: the initial stiffness at every candidate.
+    /// A point starts closed where the nearest point of the same contact was pressed. Only kinematic load has an active
+    /// set to start from; the other algorithms, and load in increments, start as ever. Where the set leads nowhere, or
+    /// the earlier solution is none, the scene is solved from its own start: the initial stiffness at every candidate.
     pub fn solve_from(
         &self,
         earlier: Option<&Solution>,
@@ -44,8 +45,8 @@ impl Discretisation {
     }
 }
 
-/// Springs that an earlier solution leaves to a problem, whose points start as the nearest point of their contact was; none where there is
-/// none to start from, or nothing was closed.
+/// Springs that an earlier solution leaves to a problem, whose points start as the nearest point of their contact was;
+/// none where there is none to start from, or nothing was closed.
 fn carried(earlier: &Solution, formulation: &Formulation, problem: &ContactProblem) -> Option<Springs> {
     let carries = formulation.algorithm == Iteration::Kinematic && formulation.settings.increments == 1;
     if !carries || !earlier.converged() {

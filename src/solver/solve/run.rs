@@ -1,4 +1,5 @@
-//! One problem solved by one formulation, measured; and how that ended: by the outcome of its iteration, or by the error that broke it off.
+//! One problem solved by one formulation, measured; and how that ended: by the outcome of its iteration, or by the
+//! error that broke it off.
 
 use crate::algorithm::StiffnessRule;
 use crate::clock::{Clock, Seconds, Stage};
@@ -9,7 +10,8 @@ use crate::named::named_enum;
 use crate::solution::{Outcome, Part, Solution, States};
 use crate::solve::{Change, Discretisation, Equilibrium, Formulation, edge_fitted};
 
-/// Imbalance of a body that the round-off of its stiffness may leave, whatever the tolerance: 2e-7 of a ring fifty times as large as thick.
+/// Imbalance of a body that the round-off of its stiffness may leave, whatever the tolerance: 2e-7 of a ring fifty
+/// times as large as thick.
 pub const BALANCED: f64 = 1e-6;
 
 /// A point that carries so many times the peak is no part of the profile around it.
@@ -29,8 +31,8 @@ pub struct Contact {
     pub iteration: Option<Errors>,
     /// What springs of the rule `penalty` cost: their solution against that of the contact conditions.
     pub penalty: Option<Errors>,
-    /// Measures of what the iteration shall end in, and of the discrete solution itself, which differ where springs of the rule
-    /// `penalty` are the target; none where they were not found.
+    /// Measures of what the iteration shall end in, and of the discrete solution itself, which differ where springs of
+    /// the rule `penalty` are the target; none where they were not found.
     pub exact: Option<[Measures; 2]>,
     /// What is known of a peak without a limit; none where it has one, or was not asked about.
     pub unbounded: Option<Unbounded>,
@@ -132,7 +134,8 @@ impl Run {
             seconds: clock.seconds,
         };
         run.equilibrium = discretisation.equilibrium(change.load * run.share(), &run.solution)?;
-        // Its iteration error is that of the condensed bodies: where these have lost the forces in round-off, it does not see that.
+        // Its iteration error is that of the condensed bodies: where these have lost the forces in round-off, it does
+        // not see that.
         let is_balanced = run.imbalance() <= formulation.settings.tolerance.max(BALANCED);
         if run.solution.converged() && !is_balanced {
             run.solution.outcome = Outcome::Stalled;
@@ -173,8 +176,8 @@ impl Run {
         self.solution.history.last().map_or(1.0, |iteration| iteration.increment as f64 / increments as f64)
     }
 
-    /// Largest iteration error of peak and second-moment width over all contacts, of those that are open in the discrete solution the
-    /// force that they carry; NaN where it is not known.
+    /// Largest iteration error of peak and second-moment width over all contacts, of those that are open in the
+    /// discrete solution the force that they carry; NaN where it is not known.
     pub fn iteration_error(&self) -> f64 {
         let of = |contact: &Contact| match contact.open {
             Some(true) => self.solution.error().force,
@@ -263,7 +266,8 @@ fn measured(discretisation: &Discretisation, solution: &Solution) -> Vec<Contact
     discretisation.interfaces.iter().zip(measures).map(one).collect()
 }
 
-/// What was found of one contact, given its measures, those of what the iteration shall end in, and of the discrete solution.
+/// What was found of one contact, given its measures, those of what the iteration shall end in, and of the discrete
+/// solution.
 fn contact(
     interface: &Interface,
     solution: &Solution,

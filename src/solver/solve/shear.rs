@@ -8,12 +8,13 @@ use crate::mesh::candidates;
 use crate::scene::Load;
 use crate::solve::Discretisation;
 
-/// Half-widths below the surface down to which the largest shear stress is looked for: under Hertz it lies at 0.79 of one, under
-/// a uniform pressure at one.
+/// Half-widths below the surface down to which the largest shear stress is looked for: under Hertz it lies at 0.79 of
+/// one, under a uniform pressure at one.
 const DEPTH: f64 = 2.0;
 /// A largest value found beyond that is none of this contact; so far it is looked for.
 const BEYOND: f64 = 1.2;
-/// Part of the largest stress at a node that a cell must have at one of its own for places between them to be looked at.
+/// Part of the largest stress at a node that a cell must have at one of its own for places between them to be looked
+/// at.
 pub(super) const NEAR: f64 = 0.8;
 /// Parts of a cell's side at whose ends stresses are looked at, and halvings of them around the largest.
 const PARTS: usize = 8;
@@ -35,7 +36,8 @@ pub struct Shear {
 impl Shear {
     /// How far above or below the largest the shear stress is nearly as large, by no more than a difference \[mm\].
     pub fn farthest(&self, difference: f64) -> f64 {
-        // Towards a lower sample as far as the parabola through the largest one is as high: a cell may be wider than the top.
+        // Towards a lower sample as far as the parabola through the largest one is as high: a cell may be wider than
+        // the top.
         let of_sample = |&[depth, stress]: &[f64; 2]| {
             let below = self.stress - stress;
             let part = if below <= difference { 1.0 } else { (difference / below).sqrt() };
@@ -47,11 +49,11 @@ impl Shear {
 }
 
 impl Discretisation {
-    /// The largest in-plane shear stress of a body below a contact with some measures, of the displacement of every node: between
-    /// the ends of the closed stretches, down to two half-widths. Stresses are looked at where that is.
+    /// The largest in-plane shear stress of a body below a contact with some measures, of the displacement of every
+    /// node: between the ends of the closed stretches, down to two half-widths. Stresses are looked at where that is.
     ///
-    /// None where it lies on the surface or at the lower end of that: at a corner, or under a pressure that varies too little
-    /// for a largest value inside. None beside a force at a point either, where stresses have no limit.
+    /// None where it lies on the surface or at the lower end of that: at a corner, or under a pressure that varies too
+    /// little for a largest value inside. None beside a force at a point either, where stresses have no limit.
     pub fn shear_below(
         &self,
         displacement: &[[f64; 2]],
@@ -204,8 +206,8 @@ pub(super) fn grid(nodes: usize) -> Vec<([f64; 2], Vec<f64>)> {
     all.map(|at| (at, shapes(nodes, at))).collect()
 }
 
-/// The largest of what is found around a place of a cell by its shape functions, by smaller and smaller steps; none where nothing is
-/// found at the place itself.
+/// The largest of what is found around a place of a cell by its shape functions, by smaller and smaller steps; none
+/// where nothing is found at the place itself.
 pub(super) fn largest_around<T>(
     nodes: usize,
     mut at: [f64; 2],

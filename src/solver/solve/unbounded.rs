@@ -1,5 +1,6 @@
-//! Peaks without a limit: at a corner, under the tip of a wedge. The scene tells them by where they lie; the growth with refinement is
-//! looked at where only meshes tell the gap, since a sharp but finite top grows alike until the mesh resolves it.
+//! Peaks without a limit: at a corner, under the tip of a wedge. The scene tells them by where they lie; the growth
+//! with refinement is looked at where only meshes tell the gap, since a sharp but finite top grows alike until the mesh
+//! resolves it.
 
 use std::f64::consts::{FRAC_PI_2, LN_2, PI};
 
@@ -10,8 +11,8 @@ use crate::solve::corner::{self, SMALL};
 use crate::solve::run::{Run, Unbounded};
 use crate::solve::{Discretisation, Element, Formulation, Iteration};
 
-/// The last growth over the one before it from which on a series has no limit: 1 for a logarithm, `2^α` for `h^−α`, 1/4 for
-/// a value that converges with second order.
+/// The last growth over the one before it from which on a series has no limit: 1 for a logarithm, `2^α` for `h^−α`, 1/4
+/// for a value that converges with second order.
 const STEADY: f64 = 0.7;
 /// Most cells of a mesh that is given and refined to tell whether a peak has a limit.
 const REFINED: f64 = 20e3;
@@ -25,9 +26,9 @@ impl Run {
     }
 }
 
-/// Which peaks of a run have no limit: under a tip of the gap, or at a corner that is pressed, which the scene tells; where only the meshes of
-/// the bodies tell the gap, and with it tips, also those that grow on three meshes, each of half the elements of the next. None of the latter
-/// where these cannot be made or do not hold the contact.
+/// Which peaks of a run have no limit: under a tip of the gap, or at a corner that is pressed, which the scene tells;
+/// where only the meshes of the bodies tell the gap, and with it tips, also those that grow on three meshes, each of
+/// half the elements of the next. None of the latter where these cannot be made or do not hold the contact.
 pub fn of(discretisation: &Discretisation, run: &Run) -> Result<Vec<Option<Unbounded>>, Error> {
     let contacts = 0..run.contacts.len();
     if !run.solution.converged() {
@@ -63,8 +64,9 @@ pub fn of(discretisation: &Discretisation, run: &Run) -> Result<Vec<Option<Unbou
     Ok(each.collect())
 }
 
-/// Three meshes, each of half the elements of the next: with the mesh at hand as the finest; of bodies whose mesh is given, which is the
-/// coarsest there is, that and two refinements where they are small. None where these cannot be made.
+/// Three meshes, each of half the elements of the next: with the mesh at hand as the finest; of bodies whose mesh is
+/// given, which is the coarsest there is, that and two refinements where they are small. None where these cannot be
+/// made.
 fn halved(discretisation: &Discretisation) -> Option<[Resolution; 3]> {
     let (scene, own) = (&discretisation.scene, discretisation.resolution);
     if scene.bodies.iter().any(|body| body.shape.has_given_mesh()) {
@@ -76,9 +78,10 @@ fn halved(discretisation: &Discretisation) -> Option<[Resolution; 3]> {
     (own.elements >= 4).then(|| [4, 2, 1].map(|part| Resolution { elements: own.elements / part, ..own }))
 }
 
-/// Where the scene itself tells that a pressure has no limit: under a pressed tip `p ∝ E* Δ/2π · ln 1/d`, Δ the leap of the slope there, so that
-/// every halving adds `E* Δ ln 2/2π`; at a pressed corner `p ∝ d^(λ−1)`, or `p ∝ ln 1/d` beside a side that is sheared. Tips that add less than a hundredth, as those of the
-/// straight lines of a table of many points, are as good as smooth.
+/// Where the scene itself tells that a pressure has no limit: under a pressed tip `p ∝ E* Δ/2π · ln 1/d`, Δ the leap of
+/// the slope there, so that every halving adds `E* Δ ln 2/2π`; at a pressed corner `p ∝ d^(λ−1)`, or `p ∝ ln 1/d`
+/// beside a side that is sheared. Tips that add less than a hundredth, as those of the straight lines of a table of
+/// many points, are as good as smooth.
 pub(super) fn told(discretisation: &Discretisation, run: &Run, contact: usize) -> Result<Vec<Unbounded>, Error> {
     let (scene, measures) = (&discretisation.scene, &run.contacts[contact].measures);
     let pair = &scene.contacts[contact];
@@ -95,8 +98,8 @@ pub(super) fn told(discretisation: &Discretisation, run: &Run, contact: usize) -
     Ok(pressed.chain(corner::pressed(discretisation, run, contact)?).collect())
 }
 
-/// Growth of the last of three values at halved elements, coarse to fine, over it; none where they have a limit, since they do not grow as
-/// steadily as one without it.
+/// Growth of the last of three values at halved elements, coarse to fine, over it; none where they have a limit, since
+/// they do not grow as steadily as one without it.
 pub fn grows([coarse, medium, fine]: [f64; 3]) -> Option<f64> {
     let [before, last] = [medium - coarse, fine - medium];
     (last > SMALL * fine && last >= STEADY * before && before > 0.0).then_some(last / fine)

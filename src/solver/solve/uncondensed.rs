@@ -5,8 +5,8 @@ use crate::error::Error;
 use crate::solution::Solution;
 use crate::solve::{Discretisation, Formulation};
 
-/// κ of the springs that check the condensed solution against the full one: far stiffer than the bodies, and soft enough
-/// that round-off in the approach stays below 1e-12 of the pressure.
+/// κ of the springs that check the condensed solution against the full one: far stiffer than the bodies, and soft
+/// enough that round-off in the approach stays below 1e-12 of the pressure.
 const CHECKING_STIFFNESS: f64 = 1e3;
 
 impl Discretisation {

@@ -9,8 +9,8 @@ use crate::solve::Discretisation;
 const ROUND_OFF: f64 = 1e-9;
 
 impl Discretisation {
-    /// A body that moves out of its contacts, or bodies that move together whether they touch or not, with the support that is
-    /// missing, under `load` times the load; none where contact holds every body.
+    /// A body that moves out of its contacts, or bodies that move together whether they touch or not, with the support
+    /// that is missing, under `load` times the load; none where contact holds every body.
     ///
     /// There is no solution unless the load works against every motion that only opens gaps (Fichera 1964).
     pub fn unheld(&self, load: f64) -> Result<Option<Error>, Error> {

@@ -22,8 +22,8 @@ pub struct VonMises {
 /// A largest stress, and where it is.
 #[derive(Clone, Copy, Debug)]
 pub struct Largest {
-    /// `√(½ ((σ_x − σ_y)² + (σ_y − σ_z)² + (σ_z − σ_x)²) + 3 τ²)`, where σ_z is 0 in plane stress, `ν (σ_x + σ_y)` in plane strain, and in
-    /// bodies of revolution the hoop stress \[MPa\].
+    /// `√(½ ((σ_x − σ_y)² + (σ_y − σ_z)² + (σ_z − σ_x)²) + 3 τ²)`, where σ_z is 0 in plane stress, `ν (σ_x + σ_y)` in
+    /// plane strain, and in bodies of revolution the hoop stress \[MPa\].
     pub stress: f64,
     /// Its place \[mm\].
     pub at: [f64; 2],
@@ -46,8 +46,8 @@ impl Discretisation {
         (0..self.scene.bodies.len()).map(of_body).collect()
     }
 
-    /// The largest one inside the cells of a body, but for those at places without limit: none where those have a larger one, since it
-    /// grows with every finer mesh.
+    /// The largest one inside the cells of a body, but for those at places without limit: none where those have a
+    /// larger one, since it grows with every finer mesh.
     fn largest_of(
         &self,
         body: usize,

@@ -1,21 +1,22 @@
 //! How the pressure grows towards an end of a contact where the faces end at a corner: `p ∝ r^(λ−1)`.
 //!
-//! Near such an end each body is a wedge of interior angle θ, loaded by `σ_φφ = −p`, `p = r^(λ−1)`, without friction on its contact face
-//! φ = 0; the other face φ = θ is free, or held. With Airy's function `r^(λ+1) F(φ)` (Williams 1952),
+//! Near such an end each body is a wedge of interior angle θ, loaded by `σ_φφ = −p`, `p = r^(λ−1)`, without friction on
+//! its contact face φ = 0; the other face φ = θ is free, or held. With Airy's function `r^(λ+1) F(φ)` (Williams 1952),
 //!
 //! `F = A cos (λ+1)φ + B sin (λ+1)φ + C cos (λ−1)φ + D sin (λ−1)φ`,
 //!
 //! `σ_φφ = λ(λ+1) r^(λ−1) F`, `τ_rφ = −λ r^(λ−1) F'`, and, κ Kolosov's constant,
 //!
-//! `2μ u_r = r^λ (−(λ+1)F + (κ+1)(C cos (λ−1)φ + D sin (λ−1)φ))`, `2μ u_φ = r^λ (−F' + (κ+1)(C sin (λ−1)φ − D cos (λ−1)φ))`.
+//! `2μ u_r = r^λ (−(λ+1)F + (κ+1)(C cos (λ−1)φ + D sin (λ−1)φ))`,
+//! `2μ u_φ = r^λ (−F' + (κ+1)(C sin (λ−1)φ − D cos (λ−1)φ))`.
 //!
 //! The contact face moves inwards by `u_φ(0) = c(θ, λ) r^λ/E'`, `c = −4D`. Of a wedge whose other face is free
 //!
 //! `c = −(sin 2λθ + λ sin 2θ) / (λ (sin² λθ − λ² sin² θ))`,
 //!
-//! which is `−(2/λ) cot λπ` of a half-plane, θ = π. What both faces do together is a rigid motion, so that `c₁/E₁' + c₂/E₂' = 0`: the
-//! exponent is a root of that between 0 and 1. A rigid side has none of it. Without a root the pressure is finite
-//! (Dundurs & Lee 1972 for a wedge on a half-plane; Comninou 1976 with friction).
+//! which is `−(2/λ) cot λπ` of a half-plane, θ = π. What both faces do together is a rigid motion, so that
+//! `c₁/E₁' + c₂/E₂' = 0`: the exponent is a root of that between 0 and 1. A rigid side has none of it. Without a root
+//! the pressure is finite (Dundurs & Lee 1972 for a wedge on a half-plane; Comninou 1976 with friction).
 
 use std::f64::consts::PI;
 
@@ -26,8 +27,8 @@ pub struct Wedge {
     pub angle: f64,
     /// Plane modulus E' \[MPa\].
     pub modulus: f64,
-    /// Direction of the displacement component in which the other face is held: along it, away from the corner, and out of the body; none
-    /// where it is free, whatever finite traction acts on it \[1\].
+    /// Direction of the displacement component in which the other face is held: along it, away from the corner, and out
+    /// of the body; none where it is free, whatever finite traction acts on it \[1\].
     pub held: Option<[f64; 2]>,
 }
 
@@ -61,7 +62,8 @@ impl Wedge {
     }
 }
 
-/// Difference `1 − λ` below which a pressure is as good as finite: it grows by less than 0.01 % from the width of a contact to an atom.
+/// Difference `1 − λ` below which a pressure is as good as finite: it grows by less than 0.01 % from the width of a
+/// contact to an atom.
 const WEAKEST: f64 = 1e-6;
 /// Intervals of 0 < λ < 1 in which a root is looked for, and of the decades of 1 − λ towards 1.
 const INTERVALS: usize = 200;
@@ -69,8 +71,8 @@ const DECADES: usize = 8;
 /// Halvings after which a root has all its digits.
 const HALVINGS: usize = 60;
 
-/// The exponent λ of the pressure `r^(λ−1)` of two bodies at the end of their contact, or of one on a rigid other side: the smallest root
-/// of `Σ c/E' = 0` in 0 < λ < 1; none where the pressure is finite.
+/// The exponent λ of the pressure `r^(λ−1)` of two bodies at the end of their contact, or of one on a rigid other side:
+/// the smallest root of `Σ c/E' = 0` in 0 < λ < 1; none where the pressure is finite.
 pub fn exponent(wedges: &[Wedge]) -> Option<f64> {
     let compliance = |lambda: f64| -> f64 { wedges.iter().map(|one| one.compliance(lambda) / one.modulus).sum() };
     let even = (1..INTERVALS).map(|k| k as f64 / INTERVALS as f64);

@@ -1,6 +1,8 @@
-//! Places of a body at which its stress has no limit: forces and supports at points, contacts whose pressure has none, and corners.
+//! Places of a body at which its stress has no limit: forces and supports at points, contacts whose pressure has none,
+//! and corners.
 //!
-//! At a corner of interior angle θ stresses grow as `r^(λ−1)`, and λ < 1 from an angle on that the sides beside it tell (Williams 1952):
+//! At a corner of interior angle θ stresses grow as `r^(λ−1)`, and λ < 1 from an angle on that the sides beside it tell
+//! (Williams 1952):
 //!
 //! | sides | θ above |
 //! |---|---|
@@ -9,10 +11,10 @@
 //! | one free, one fixed | `arcsin √((κ+1)/4)`, 57° in plane strain with ν = 0.3 |
 //! | one fixed in another direction | π/4, the smallest there is |
 //!
-//! A side fixed along its normal is a line of symmetry, beside which the corner is one of 2θ. Finite tractions change none of it but where
-//! the shear stress τ on a smooth side leaps: there `σ = (2 Δτ/π) ln 1/r` along the side, Δτ being 2τ beside a line of symmetry at a right angle. On
-//! a line of symmetry itself it is `(κ+3)/(κ+1) Δτ/π ln 1/r` (Kelvin's force in the whole plane, twice τ a length), Δτ being 2τ where two such lines
-//! meet at a right angle.
+//! A side fixed along its normal is a line of symmetry, beside which the corner is one of 2θ. Finite tractions change
+//! none of it but where the shear stress τ on a smooth side leaps: there `σ = (2 Δτ/π) ln 1/r` along the side, Δτ being
+//! 2τ beside a line of symmetry at a right angle. On a line of symmetry itself it is `(κ+3)/(κ+1) Δτ/π ln 1/r`
+//! (Kelvin's force in the whole plane, twice τ a length), Δτ being 2τ where two such lines meet at a right angle.
 
 use std::collections::{BTreeMap, HashSet};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
@@ -80,7 +82,8 @@ fn widest(sides: [Side; 2], kolosov: f64) -> f64 {
 }
 
 impl Discretisation {
-    /// The places of a body at which its stress has no limit, under the displacements of all nodes \[mm\] that a run found.
+    /// The places of a body at which its stress has no limit, under the displacements of all nodes \[mm\] that a run
+    /// found.
     pub fn without_limit(&self, run: &Run, displacement: &[[f64; 2]], body: usize) -> Result<Vec<WithoutLimit>, Error> {
         let mut all = self.at_points(run, displacement, body)?;
         for (contact, pair) in
@@ -148,7 +151,8 @@ impl Discretisation {
         outline.nodes().into_iter().filter_map(is_wide).collect()
     }
 
-    /// Where the shear stress on a smooth side leaps, since a load ends there, be it within an element, or at a line of symmetry.
+    /// Where the shear stress on a smooth side leaps, since a load ends there, be it within an element, or at a line of
+    /// symmetry.
     fn shear_ends(&self, body: usize) -> Result<Vec<WithoutLimit>, Error> {
         use Side::{Free, Normal};
         let outline = Outline::of(self, body);

@@ -1,5 +1,5 @@
-//! What stiff springs cost: the condition number of `S + K_c`, and the digits its solution loses; and how far pressures move
-//! when the bodies' stiffness is not quite what it was.
+//! What stiff springs cost: the condition number of `S + K_c`, and the digits its solution loses; and how far pressures
+//! move when the bodies' stiffness is not quite what it was.
 
 use faer::prelude::Solve;
 use faer::{Mat, Side};
@@ -21,8 +21,8 @@ pub struct Conditioning {
 
 /// Condition and errors under springs `k` that start at the gap; zero is open.
 ///
-/// The reference is the mixed system `S u + Σ A p b = f̂`, `b·u − p/k = g` on the closed points, whose condition does not
-/// grow with k. None where no eigenvalues are found.
+/// The reference is the mixed system `S u + Σ A p b = f̂`, `b·u − p/k = g` on the closed points, whose condition does
+/// not grow with k. None where no eigenvalues are found.
 pub fn of(problem: &ContactProblem, stiffness: &[f64]) -> Option<Conditioning> {
     let eigenvalues = problem.matrix(stiffness).self_adjoint_eigenvalues(Side::Lower).ok()?;
     let (smallest, largest) = (eigenvalues.first()?, eigenvalues.last()?);
@@ -58,8 +58,8 @@ pub struct Influence {
     pub of_gaps: Vec<(usize, f64)>,
 }
 
-/// Influence of forces and gaps on the pressure of each closed point, in their order; none where the closed points leave a body
-/// free.
+/// Influence of forces and gaps on the pressure of each closed point, in their order; none where the closed points
+/// leave a body free.
 pub fn influence(problem: &ContactProblem, pressures: &[f64]) -> Option<Vec<Influence>> {
     let n = problem.load.len();
     let trace = (0..n).map(|i| problem.stiffness[(i, i)]).sum::<f64>();

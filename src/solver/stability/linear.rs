@@ -1,5 +1,5 @@
-//! Iterations of constant stiffness: linearised on the final active set, from the error of its start and not only its rate; and
-//! what the projection of hard springs costs before that.
+//! Iterations of constant stiffness: linearised on the final active set, from the error of its start and not only its
+//! rate; and what the projection of hard springs costs before that.
 
 use faer::Mat;
 
@@ -13,8 +13,8 @@ const DOUBLINGS: usize = 20;
 /// Iterations in which the linear iteration `δr⁺ = M δr` of [`rate::correction`], started without carried forces,
 /// `δr₀ = k₀ w* − p*`, brings a part of the iteration error below a tolerance; infinite beyond a million.
 ///
-/// Unlike `ln τ / ln ρ` it does not count modes that the start hardly holds or the error hardly sees. M is squared again
-/// and again, so that n iterations cost log n products.
+/// Unlike `ln τ / ln ρ` it does not count modes that the start hardly holds or the error hardly sees. M is squared
+/// again and again, so that n iterations cost log n products.
 pub fn iterations(
     problem: &ContactProblem,
     limit: &Limit,
@@ -48,11 +48,12 @@ pub fn iterations(
     Some((taken + 2) as f64)
 }
 
-/// Iterations `max k₀ g/p̄` over the closed points in which hard springs work off their gaps; p̄ is the mean pressure of the
-/// candidates.
+/// Iterations `max k₀ g/p̄` over the closed points in which hard springs work off their gaps; p̄ is the mean pressure
+/// of the candidates.
 ///
-/// Hard springs without a gap hold every candidate at w ≈ 0 with about p̄. As long as `k₀ g > p`, the rule wants less than
-/// no force, and the projection `max(0, ·)` lets the carried force fall by no more than p an iteration: the gap opens by p/k₀.
+/// Hard springs without a gap hold every candidate at w ≈ 0 with about p̄. As long as `k₀ g > p`, the rule wants less
+/// than no force, and the projection `max(0, ·)` lets the carried force fall by no more than p an iteration: the gap
+/// opens by p/k₀.
 pub fn worked_off(problem: &ContactProblem, limit: &Limit) -> f64 {
     let weights = || problem.points.iter().map(|point| point.weight);
     let mean = weights().zip(&limit.pressure).map(|(a, p)| a * p).sum::<f64>() / weights().sum::<f64>();

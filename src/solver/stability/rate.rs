@@ -1,8 +1,8 @@
 //! Asymptotic rates: the factor by which an error shrinks in an iteration, on the final active set.
 //!
-//! All follow from the flexibility of the contact, `C_ij = b_i (S + Σ A k b bᵀ)⁻¹ b_j A_j`: a unit of pressure carried at
-//! point j lessens the approach of point i by `C_ij`. An iteration whose error obeys `δ⁺ = M δ` converges if and only if the
-//! spectral radius `ρ(M)` is below 1, and then gains `−log₁₀ ρ` decades an iteration.
+//! All follow from the flexibility of the contact, `C_ij = b_i (S + Σ A k b bᵀ)⁻¹ b_j A_j`: a unit of pressure carried
+//! at point j lessens the approach of point i by `C_ij`. An iteration whose error obeys `δ⁺ = M δ` converges if and
+//! only if the spectral radius `ρ(M)` is below 1, and then gains `−log₁₀ ρ` decades an iteration.
 
 use faer::Mat;
 
@@ -12,8 +12,8 @@ use crate::stability::Limit;
 
 /// Constant stiffness with fixed target springs `k*` and no gap, `(S + K₀) u⁺ = f̂ + (K₀ − K*) u`.
 ///
-/// `M = I − (S + K₀)⁻¹ (S + K*)`, whose eigenvalues other than 0 are those of `C diag(k₀ − k*)`. It converges if and only if
-/// `S + K* ≻ 0` and `S + 2K₀ − K* ≻ 0`. None where `S + K₀` is not positive definite.
+/// `M = I − (S + K₀)⁻¹ (S + K*)`, whose eigenvalues other than 0 are those of `C diag(k₀ − k*)`. It converges if and
+/// only if `S + K* ≻ 0` and `S + 2K₀ − K* ≻ 0`. None where `S + K₀` is not positive definite.
 pub fn fixed_target(problem: &ContactProblem, initial: &[f64], target: &[f64]) -> Option<f64> {
     let flexibility = flexibility(problem, initial)?;
     let n = initial.len();
@@ -30,11 +30,12 @@ pub fn holds(problem: &ContactProblem, stiffness: &[f64]) -> bool {
 /// A closed point has `r⁺ = r + k₀ (w − g)`, an open one `r⁺ = −k₀ w`, and `δw = −C δr`:
 /// `M = I − k₀ C` in the rows of closed points, `+k₀ C` in those of open ones.
 ///
-/// Whatever the active set, `M = (I + Q (I − 2 k₀ C))/2` with `Q = ±1` on the diagonal. In the inner product weighted with A/k₀ the
-/// eigenvalues of k₀ C lie between 0 and 1, so that neither factor lengthens an error: the iteration is an averaged map (of the kind of
-/// Douglas and Rachford's): from no κ₀ > 0 does it diverge or cycle, it comes no farther from a limit at any step, and it ends in one.
-/// Where more contact points than displacements let pressures be that no displacement feels, that need not be the limit without them.
-/// All this is known before the contact is solved; how fast it goes is not.
+/// Whatever the active set, `M = (I + Q (I − 2 k₀ C))/2` with `Q = ±1` on the diagonal. In the inner product weighted
+/// with A/k₀ the eigenvalues of k₀ C lie between 0 and 1, so that neither factor lengthens an error: the iteration is
+/// an averaged map (of the kind of Douglas and Rachford's): from no κ₀ > 0 does it diverge or cycle, it comes no
+/// farther from a limit at any step, and it ends in one. Where more contact points than displacements let pressures be
+/// that no displacement feels, that need not be the limit without them. All this is known before the contact is solved;
+/// how fast it goes is not.
 pub fn correction(problem: &ContactProblem, closed: &[bool]) -> Option<f64> {
     spectral_radius(&correction_step(problem, &flexibility(problem, &problem.initial)?, closed))
 }
@@ -52,8 +53,8 @@ pub(super) fn correction_step(problem: &ContactProblem, flexibility: &Mat<f64>, 
 /// Constant stiffness with the rule `secant`, `p⁺ = p max(w, 0)/g`, at its limit.
 ///
 /// A closed point has `r⁺ = r + p (w/g − 1)`, so that `M = I − diag(k*) C` with `k* = p/g`: it converges if and only if
-/// `2 (S + K₀) − K* ≻ 0` on the closed points, in effect `k₀ ≥ k*/2`. In an open one `M = diag(w/g) + (1 − w/g) k₀ C`. A
-/// point that starts closed, `g = 0`, asks for the ceiling of k*: no start below half of that converges.
+/// `2 (S + K₀) − K* ≻ 0` on the closed points, in effect `k₀ ≥ k*/2`. In an open one `M = diag(w/g) + (1 − w/g) k₀ C`.
+/// A point that starts closed, `g = 0`, asks for the ceiling of k*: no start below half of that converges.
 pub fn secant_force(problem: &ContactProblem, limit: &Limit) -> Option<f64> {
     let flexibility = flexibility(problem, &problem.initial)?;
     let n = limit.closed.len();
@@ -69,11 +70,13 @@ pub fn secant_force(problem: &ContactProblem, limit: &Limit) -> Option<f64> {
     }))
 }
 
-/// Varying stiffness with the rule `correction`, `p⁺ = max(0, p + κ (w − g))`, `κ = max(k, k₀)`, `k⁺ = p⁺/w`, at its limit.
+/// Varying stiffness with the rule `correction`, `p⁺ = max(0, p + κ (w − g))`, `κ = max(k, k₀)`, `k⁺ = p⁺/w`, at its
+/// limit.
 ///
-/// A closed point has `δk⁺ = δk + (κ/w) δw` and `δw = −C diag(w) δk` with C at the springs `k* = p/w`: up to a similarity
-/// `M = I − diag(κ) C`. It converges if and only if `2 (S + K*) − K ≻ 0` on the closed points, `K = max(K*, K₀)`: near the
-/// contact edge, where k* → 0, `k₀` must stay below about twice the stiffness of the bodies. An open point stops at once.
+/// A closed point has `δk⁺ = δk + (κ/w) δw` and `δw = −C diag(w) δk` with C at the springs `k* = p/w`: up to a
+/// similarity `M = I − diag(κ) C`. It converges if and only if `2 (S + K*) − K ≻ 0` on the closed points,
+/// `K = max(K*, K₀)`: near the contact edge, where k* → 0, `k₀` must stay below about twice the stiffness of the
+/// bodies. An open point stops at once.
 pub fn varying_correction(problem: &ContactProblem, limit: &Limit) -> Option<f64> {
     let target = limit.target(problem);
     let flexibility = flexibility(problem, &target)?;
@@ -87,9 +90,9 @@ pub fn varying_correction(problem: &ContactProblem, limit: &Limit) -> Option<f64
 
 /// Varying stiffness with the rule `secant`, `k⁺ = k w/g`, at its limit: stiffnesses `k` and approaches `w`.
 ///
-/// `δk⁺ = (w/g) δk + (k/g) δw` and `δw = −C diag(w) δk`: `M = diag(w/g) − diag(k/g) C diag(w)`. A point outside the contact
-/// (k → 0) contributes its own `w/g < 1`; one at the ceiling does not move, and where the gap left, `g − w`, is no more than
-/// `slack`, nothing is left to iterate away.
+/// `δk⁺ = (w/g) δk + (k/g) δw` and `δw = −C diag(w) δk`: `M = diag(w/g) − diag(k/g) C diag(w)`. A point outside the
+/// contact (k → 0) contributes its own `w/g < 1`; one at the ceiling does not move, and where the gap left, `g − w`, is
+/// no more than `slack`, nothing is left to iterate away.
 pub fn secant(problem: &ContactProblem, stiffness: &[f64], approach: &[f64], slack: f64) -> Option<f64> {
     let flexibility = flexibility(problem, stiffness)?;
     let n = stiffness.len();
@@ -105,10 +108,11 @@ pub fn secant(problem: &ContactProblem, stiffness: &[f64], approach: &[f64], sla
     }))
 }
 
-/// Rate of varying stiffness with `secant` before anything is solved: `w/g` of Hertz's contact at a place `ξ = x/a > 1`.
+/// Rate of varying stiffness with `secant` before anything is solved: `w/g` of Hertz's contact at a place
+/// `ξ = x/a > 1`.
 ///
-/// Outside the contact Hertz's gap is `g − w = g (ξ √(ξ² − 1) − arcosh ξ)/ξ²`, `g = x²/2R` (Johnson 1985, §4.2). The slowest spring
-/// to let go is the one next to the contact edge.
+/// Outside the contact Hertz's gap is `g − w = g (ξ √(ξ² − 1) − arcosh ξ)/ξ²`, `g = x²/2R` (Johnson 1985, §4.2). The
+/// slowest spring to let go is the one next to the contact edge.
 pub fn outside_hertz(place: f64) -> f64 {
     1.0 - (place * (place * place - 1.0).sqrt() - place.acosh()) / (place * place)
 }

@@ -1,8 +1,9 @@
 //! Varying stiffness: how many iterations the points near the contact edge take to find their pressure.
 //!
-//! Each is followed alone, with its own flexibility C on the final active set: `w = w* − C (p − p*)`. Its force changes by the
-//! factor `w/g` at each iteration (`secant`), or by `κ (w − g)`, `κ = max(p/w, k₀)` (`correction`). A point that ends open,
-//! `p* = 0`, lets go fast while `C p` holds it off, and at last by `w*/g` alone, which just outside the contact is next to 1.
+//! Each is followed alone, with its own flexibility C on the final active set: `w = w* − C (p − p*)`. Its force changes
+//! by the factor `w/g` at each iteration (`secant`), or by `κ (w − g)`, `κ = max(p/w, k₀)` (`correction`). A point that
+//! ends open, `p* = 0`, lets go fast while `C p` holds it off, and at last by `w*/g` alone, which just outside the
+//! contact is next to 1.
 
 use crate::algorithm::{ContactProblem, StiffnessRule};
 use crate::stability::{Limit, rate};
@@ -12,8 +13,8 @@ const STEPS: usize = 100_000;
 /// The error is looked at again after so many more iterations, over those taken.
 const LOOKS: f64 = 0.02;
 
-/// Iterations until the iteration error of all points together falls below a tolerance; none where the limit's springs do not
-/// hold the bodies.
+/// Iterations until the iteration error of all points together falls below a tolerance; none where the limit's springs
+/// do not hold the bodies.
 pub fn iterations(problem: &ContactProblem, limit: &Limit, rule: StiffnessRule, tolerance: f64) -> Option<f64> {
     let target = limit.target(problem);
     let flexibility = rate::flexibility(problem, &target)?;

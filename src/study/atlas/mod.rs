@@ -1,15 +1,16 @@
-//! The stability atlas: outcome, iterations and error of every element × algorithm × rule, and of what the program makes of the
-//! first of them, over initial stiffness and one other number; the plain ones predicted before they are run. Above 400 lines, so
-//! a folder:
+//! The stability atlas: outcome, iterations and error of every element × algorithm × rule, and of what the program
+//! makes of the first of them, over initial stiffness and one other number; the plain ones predicted before they are
+//! run. Above 400 lines, so a folder:
 //!
-//! * `plane` — initial stiffness against which other number, and what lies on one mesh; what is kept under `snapshots/atlas`, and its
-//!   chart of classes with their boundaries; what the records say of each method, and what to use.
+//! * `plane` — initial stiffness against which other number, and what lies on one mesh; what is kept under
+//!   `snapshots/atlas`, and its chart of classes with their boundaries; what the records say of each method, and what
+//!   to use.
 //! * `run` — a point predicted and run; the paper's scenes before and after
 //!   acceleration; and predictions against runs.
 //! * `picture` — charts.
 //!
-//! Below is the page (its text is `page.md` and `iterations.md`): recommendation, predicted curves and their laws, methods, maps, predictions against runs; and the iterations
-//! of the paper's elements and algorithms on its scenes.
+//! Below is the page (its text is `page.md` and `iterations.md`): recommendation, predicted curves and their laws,
+//! methods, maps, predictions against runs; and the iterations of the paper's elements and algorithms on its scenes.
 
 mod picture;
 pub mod plane;
@@ -34,9 +35,11 @@ impl Study for Numbers {
     const NAME: &'static str = "atlas";
     const ABOUT: About = About {
         title: "Where methods fail",
-        asked: "How many iterations every method takes from each initial stiffness, and from which it ends right, over candidates, meshes and \
+        asked: "How many iterations every method takes from each initial stiffness, and from which it ends right, over \
+            candidates, meshes and \
                 scenes.",
-        limits: "Scenes of one contact, without friction, in the plane and of one body of revolution. Beyond the surveyed range nothing is \
+        limits: "Scenes of one contact, without friction, in the plane and of one body of revolution. Beyond the \
+            surveyed range nothing is \
                  known.",
     };
 
@@ -62,7 +65,8 @@ impl Study for Numbers {
         let charts = charts(findings);
         let digests = digests(&charts);
         let iterations = format!(
-            "As Fig. 11, predicted: measured points beside curves predicted from the condensed matrices; truncated Hertz, candidates to \
+            "As Fig. 11, predicted: measured points beside curves predicted from the condensed matrices; truncated \
+            Hertz, candidates to \
              {STRETCH} half-widths; colours tell the rules apart. Hollow markers above the frame: how the others ended"
         );
         let stretch = "How every run ends over initial stiffness and candidate surface, with the predicted boundary";
@@ -126,7 +130,8 @@ pub fn revolution(charts: &[&Chart]) -> String {
     let hold = |judge: fn(&Chart) -> Judged| revolved.iter().all(|chart| judge(chart).verdict == Verdict::Pass);
     let holds = |law: &str, does: bool| format!("{law} {}", if does { "holds" } else { "does not hold" });
     format!(
-        "{follow}: every run of it ends right for {}, where those of plane scenes do for {}. Of them too {} from hard starts on, κ₀ ≥ {HARD}, and {} \
+        "{follow}: every run of it ends right for {}, where those of plane scenes do for {}. Of them too {} from hard \
+        starts on, κ₀ ≥ {HARD}, and {} \
          of constant stiffness with correction, none of whose runs may diverge or cycle.",
         range(&own),
         range(&others),
@@ -157,7 +162,9 @@ const PICTURES: [[&str; 2]; 3] = [
     ["contact-elements.svg", "As Figs 3, 4 and 5: line, layer and node contact element"],
     [
         "iterations-against-stiffness.svg",
-        "As Fig. 11 with all nine formulations, by the iteration error: iterations against initial stiffness, as they stand in the paper and, dash-dotted, accelerated; runs that did not converge are drawn as hollow markers above the chart",
+        "As Fig. 11 with all nine formulations, by the iteration error: iterations against initial stiffness, as they \
+        stand in the paper and, dash-dotted, accelerated; runs that did not converge are drawn as hollow markers above \
+        the chart",
     ],
 ];
 

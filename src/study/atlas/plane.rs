@@ -1,6 +1,6 @@
-//! The planes of the atlas, initial stiffness against one other number; what was measured at each point, as it is kept under
-//! `snapshots/atlas`, and the chart of a plane that it makes; and what charts say of each method: where every run ends right, how the
-//! others end, and which to use from where.
+//! The planes of the atlas, initial stiffness against one other number; what was measured at each point, as it is kept
+//! under `snapshots/atlas`, and the chart of a plane that it makes; and what charts say of each method: where every run
+//! ends right, how the others end, and which to use from where.
 
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -25,8 +25,9 @@ const ELEMENTS: usize = 8;
 const PIN_ROD_ELEMENTS: usize = 12;
 
 named_enum! {
-    /// Initial stiffness against one other number, all else at the centre: truncated Hertz, candidates to 1.9 half-widths, 8
-    /// elements per half-width. The full planes first, then the scenes of the paper; the name is that of the record.
+    /// Initial stiffness against one other number, all else at the centre: truncated Hertz, candidates to 1.9
+    /// half-widths, 8 elements per half-width. The full planes first, then the scenes of the paper; the name is that of
+    /// the record.
     pub enum Plane {
         /// Candidate stretch over the half-width.
         Stretch = "stretch",
@@ -164,8 +165,8 @@ pub fn same(a: f64, b: f64) -> bool {
     (a - b).abs() <= 1e-3 * a.abs().max(b.abs())
 }
 
-/// A line of a record: a method, the plane's other number, and from each initial stiffness class, iterations, error, penalty and predicted
-/// iterations.
+/// A line of a record: a method, the plane's other number, and from each initial stiffness class, iterations, error,
+/// penalty and predicted iterations.
 pub type Line = (Method, f64, Vec<(Ended, usize, f64, Option<f64>, Option<f64>)>);
 
 /// Columns of a record: the formulation and the other number, then what is kept of each initial stiffness.
@@ -295,7 +296,8 @@ fn wrong<'a>(rows: impl Iterator<Item = &'a [Record]>) -> [usize; 2] {
     rows.flatten().fold([0, 0], |[wrong, all], record| [wrong + usize::from(!record.is_right()), all + 1])
 }
 
-/// The range, from rows with the same initial stiffnesses; of equal starts the one nearest to the algorithm's own is the best.
+/// The range, from rows with the same initial stiffnesses; of equal starts the one nearest to the algorithm's own is
+/// the best.
 fn safe(rows: &[&[Record]], usual: f64) -> Option<Safe> {
     let columns = rows.first().map_or(0, |row| row.len());
     let column = |c: usize| rows.iter().map(move |row| &row[c]);
@@ -349,8 +351,11 @@ pub fn recommendation(digests: &[Digest]) -> String {
     let any = any.map(|(method, safe)| ("nothing known of the stiffness", *method, None, *safe));
     let rows: Vec<Advice> = any.into_iter().chain(fewest).chain(constant).collect();
     let mut text = format!(
-        "Names are `element.algorithm.rule`: what is pressed, how its stiffness changes, and by which formula; `+` is what the program adds \
-         to the paper's. From {points} runs over candidate surface, mesh, a body of revolution and both paper scenes, {predicted} of them beside a prediction; a run *ends right* that converges with p₀ and a within {} % of the discrete solution:\n\n{}",
+        "Names are `element.algorithm.rule`: what is pressed, how its stiffness changes, and by which formula; `+` is \
+        what the program adds \
+         to the paper's. From {points} runs over candidate surface, mesh, a body of revolution and both paper scenes, \
+         {predicted} of them beside a prediction; a run *ends right* that converges with p₀ and a within {} % of the \
+         discrete solution:\n\n{}",
         100.0 * RIGHT,
         markdown::columns(&ADVICE, &rows)
     );
@@ -389,10 +394,12 @@ pub fn obstacle(method: Method) -> &'static str {
             "an open point loses its force by w/g an iteration, and w/g → 1 at the contact edge"
         }
         (Iteration::Varying, StiffnessRule::Correction) => {
-            "a correction by κ ≥ k₀ of points near the edge, where p/w is small: of hard κ₀ it is too large, and they swing"
+            "a correction by κ ≥ k₀ of points near the edge, where p/w is small: of hard κ₀ it is too large, and they \
+            swing"
         }
         (Iteration::Constant, StiffnessRule::Correction) => {
-            "a closed point keeps 1 − k₀ C of an error at each iteration, nearly all where κ₀ is soft; an open one k₀ C, nearly all where it is hard"
+            "a closed point keeps 1 − k₀ C of an error at each iteration, nearly all where κ₀ is soft; an open one k₀ \
+            C, nearly all where it is hard"
         }
         (Iteration::Constant, StiffnessRule::Secant) => "the spring asked for, p/g, has no bound where g → 0",
         (Iteration::Constant, StiffnessRule::Literal) => {
@@ -402,7 +409,8 @@ pub fn obstacle(method: Method) -> &'static str {
             "the alternating mode of Gauss points, which the halving law of nodes does not know"
         }
         (Iteration::Kinematic, StiffnessRule::Penalty) => {
-            "the penetration p/k, which is its own law; soft springs let the contact reach the end of the candidate surface"
+            "the penetration p/k, which is its own law; soft springs let the contact reach the end of the candidate \
+            surface"
         }
         _ => "not offered",
     }
@@ -432,7 +440,8 @@ fn is_default(method: Method, stiffness: f64) -> bool {
     taken.stiffness_unit == StiffnessUnit::Reference && same(taken.stiffness, stiffness)
 }
 
-/// The options of the command line that choose a method and where it starts, without those that stand if nothing is said.
+/// The options of the command line that choose a method and where it starts, without those that stand if nothing is
+/// said.
 fn options(method: Method, stiffness: Option<f64>) -> String {
     let Method { element, algorithm, rule, acceleration } = method;
     let usual = Formulation::verification();
@@ -448,7 +457,8 @@ fn options(method: Method, stiffness: Option<f64>) -> String {
     options.into_iter().filter_map(|(name, value)| Some(format!(" --{name} {}", value?))).collect()
 }
 
-/// The method to use, of those to which nothing is added; none where there is none of which every surveyed run ends right.
+/// The method to use, of those to which nothing is added; none where there is none of which every surveyed run ends
+/// right.
 pub fn recommended(digests: &[Digest]) -> Option<Method> {
     reliable(digests).into_iter().map(|(method, _)| method).find(|method| !method.is_accelerated())
 }

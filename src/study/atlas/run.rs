@@ -1,5 +1,6 @@
-//! What is run: points, each predicted from the condensed matrices before; and the paper's formulations beside what the program takes in
-//! their place. And what the atlas must hold: the predictions are right, and what the program takes converges.
+//! What is run: points, each predicted from the condensed matrices before; and the paper's formulations beside what the
+//! program takes in their place. And what the atlas must hold: the predictions are right, and what the program takes
+//! converges.
 
 use std::borrow::Cow;
 use std::path::Path;
@@ -38,13 +39,15 @@ pub fn charts<'a>(findings: &[Found<'a, Numbers>]) -> Vec<&'a Chart> {
     chart.collect()
 }
 
-/// A formulation as it stands in the paper, and as the program takes it: names, and iterations; none where it does not converge.
+/// A formulation as it stands in the paper, and as the program takes it: names, and iterations; none where it does not
+/// converge.
 pub type Saved = [(String, Option<usize>); 2];
 
-/// A spectral radius up to here is 1 to round-off: pressures that no displacement feels stay as they are, and hurt nobody.
+/// A spectral radius up to here is 1 to round-off: pressures that no displacement feels stay as they are, and hurt
+/// nobody.
 const INDIFFERENT: f64 = 1.0 + 1e-6;
-/// Most iterations of a formulation of the paper: more than any takes on the cylinder; on the pin–rod some take fifty thousand, which
-/// would tell no more.
+/// Most iterations of a formulation of the paper: more than any takes on the cylinder; on the pin–rod some take fifty
+/// thousand, which would tell no more.
 pub const ENOUGH: usize = 6_000;
 
 /// Surveys a plane into a file; what is finished of it is kept in the folder `unfinished`.
@@ -58,7 +61,8 @@ fn of_site(site: &Site) -> Result<Vec<Line>, Error> {
     Ok(plane::lines(&records))
 }
 
-/// The points of a site that are chosen by the places of their method and of their initial stiffness, with these places.
+/// The points of a site that are chosen by the places of their method and of their initial stiffness, with these
+/// places.
 pub fn points(site: &Site, chosen: impl Fn(usize, usize) -> bool) -> Result<Vec<([usize; 2], Record)>, Error> {
     let case = site.case();
     let discretisation = Discretisation::of(case.scene, case.resolution)?;
@@ -111,8 +115,8 @@ impl<'a> Ground<'a> {
         })
     }
 
-    /// The iterations that the spectral radius on the limit's active set asks for; the halving law for kinematic load; nothing of what
-    /// is accelerated.
+    /// The iterations that the spectral radius on the limit's active set asks for; the halving law for kinematic load;
+    /// nothing of what is accelerated.
     fn predicted(&self, method: Method, formulation: &Formulation) -> Option<f64> {
         let limit = self.limit.as_ref()?;
         if method.is_accelerated() {
@@ -150,7 +154,8 @@ impl<'a> Ground<'a> {
     }
 }
 
-/// Every formulation as it stands in the paper, for as long as it takes, and as the program takes it, on the mesh of the library.
+/// Every formulation as it stands in the paper, for as long as it takes, and as the program takes it, on the mesh of
+/// the library.
 pub(super) fn saved(scene: Plane) -> Result<Numbers, Error> {
     let case = scene.case(STRETCH);
     let discretisation = Discretisation::of(case.scene, case.resolution)?;
@@ -170,8 +175,8 @@ pub(super) fn saved(scene: Plane) -> Result<Numbers, Error> {
 pub(super) const FACTOR: f64 = 2.5;
 /// Iterations within which the halving law is met.
 pub(super) const HALVINGS: f64 = 1.0;
-/// From this κ₀ on starts are hard of a body of revolution too: where soft ones cease is known of plane scenes, and on candidates that are
-/// little longer than the contact of the sphere κ₀ = 1 is still as soft.
+/// From this κ₀ on starts are hard of a body of revolution too: where soft ones cease is known of plane scenes, and on
+/// candidates that are little longer than the contact of the sphere κ₀ = 1 is still as soft.
 pub(super) const HARD: f64 = 10.0;
 /// Fewer iterations than this are over before a rate matters.
 const FEW: usize = 20;
@@ -213,8 +218,9 @@ fn shall_converge(record: &Record) -> bool {
     record.predicted_iterations.is_some_and(|predicted| predicted * FACTOR <= Settings::default().max_iterations as f64)
 }
 
-/// Of a method how many runs converged of those predicted to fail, failed of those predicted to converge, and took iterations off by more
-/// than [`FACTOR`], or under kinematic load by more than [`HALVINGS`], each with of how many; none where nothing is predicted.
+/// Of a method how many runs converged of those predicted to fail, failed of those predicted to converge, and took
+/// iterations off by more than [`FACTOR`], or under kinematic load by more than [`HALVINGS`], each with of how many;
+/// none where nothing is predicted.
 pub(super) fn agreement(charts: &[&Chart], method: Method) -> Option<[[usize; 2]; 3]> {
     let all: Vec<&Record> = charts.iter().flat_map(|chart| chart.of_method(method)).flatten().collect();
     let share = |of: fn(&Record) -> bool, counted: fn(&Record) -> bool| {
@@ -249,8 +255,9 @@ fn none(
 /// Three predictions that are made of a rate: what fails, what converges, and in how many iterations.
 fn predicted(chart: &Chart) -> Vec<Judged> {
     let is = |r: &Record, algorithm, rule| (r.method.algorithm, r.method.rule) == (algorithm, rule);
-    // The instability of constant stiffness with secant sits in the point nearest the centre: where that point's whole gap is below the
-    // tolerance, it may swing unseen by the error. Varying stiffness with correction does not go to its limit from afar.
+    // The instability of constant stiffness with secant sits in the point nearest the centre: where that point's whole
+    // gap is below the tolerance, it may swing unseen by the error. Varying stiffness with correction does not go to
+    // its limit from afar.
     let is_unseen = |r: &Record| is(r, Iteration::Constant, StiffnessRule::Secant);
     let is_attracted_nearby = |r: &Record| is(r, Iteration::Varying, StiffnessRule::Correction);
     let records = || {
@@ -271,7 +278,8 @@ fn predicted(chart: &Chart) -> Vec<Judged> {
         "run, but of constant stiffness with secant, that converges where the condensed matrices predict failure",
         format!("of {} predicted to fail", failing.len()),
         format!(
-            "spectral radius above 1, or more than {FACTOR} times the limit of iterations; what swings below the tolerance may be called converged"
+            "spectral radius above 1, or more than {FACTOR} times the limit of iterations; what swings below the \
+            tolerance may be called converged"
         ),
         failing.iter().filter(|r| converged(r)).count(),
         failing.len(),
@@ -280,7 +288,8 @@ fn predicted(chart: &Chart) -> Vec<Judged> {
         format!("run of {} that fails where it is predicted to converge", named(&ending)),
         format!("of {} predicted to converge", ending.len()),
         format!(
-            "less than the limit of iterations over {FACTOR}; other methods are in the table of predictions and not judged: varying stiffness \
+            "less than the limit of iterations over {FACTOR}; other methods are in the table of predictions and not \
+            judged: varying stiffness \
              with correction is attracted from nearby only"
         ),
         ending.iter().filter(|r| !converged(r)).count(),
@@ -292,14 +301,15 @@ fn predicted(chart: &Chart) -> Vec<Judged> {
             format!("{} points", ratios.len()),
         ),
         Reference::own("factor accepted", FACTOR),
-        "constant stiffness linearised on the final active set, or its gaps worked off; varying stiffness by its points near the edge, each alone: on fine meshes their neighbours help",
+        "constant stiffness linearised on the final active set, or its gaps worked off; varying stiffness by its \
+        points near the edge, each alone: on fine meshes their neighbours help",
     );
     let in_iterations = in_iterations.judge(worst(ratios.iter().copied()));
     vec![never_converge, always_converge, in_iterations]
 }
 
-/// Kinematic load on nodes against the halving law; soft starts not where their threshold was taken, nor of bodies of revolution. The last closed point of the
-/// pin–rod is that of the solved contact.
+/// Kinematic load on nodes against the halving law; soft starts not where their threshold was taken, nor of bodies of
+/// revolution. The last closed point of the pin–rod is that of the solved contact.
 pub(super) fn halved(chart: &Chart) -> Judged {
     let (which, least) = match chart.plane {
         Plane::Cylinder | Plane::PinRod => ("any start", 0.0),

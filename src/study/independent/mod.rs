@@ -1,9 +1,11 @@
-//! The same physical problem in other codes that share the scene and the definitions of its quantities, and no line: mesh, forms of the
-//! contact and iteration are each script's own. A folder, since what is asked and what is held are more than a file.
+//! The same physical problem in other codes that share the scene and the definitions of its quantities, and no line:
+//! mesh, forms of the contact and iteration are each script's own. A folder, since what is asked and what is held are
+//! more than a file.
 //!
 //! * `run` — one trial a scene: the scene as numbers, and what every script found of it, beside ours.
 //!
-//! Below is how near the scripts must come: within the uncertainties of both, and within three times what is found where that is more than these; and the page.
+//! Below is how near the scripts must come: within the uncertainties of both, and within three times what is found
+//! where that is more than these; and the page.
 
 pub mod run;
 
@@ -84,7 +86,8 @@ impl Study for Compared {
 /// The chart of differences.
 const PICTURE: &str = "difference-independent.svg";
 
-/// Peak and width as they are told: noun, unit with the symbol where that differs from scene to scene, factor from MPa, mm or rad to it.
+/// Peak and width as they are told: noun, unit with the symbol where that differs from scene to scene, factor from MPa,
+/// mm or rad to it.
 fn numbers(scene: Scene) -> [(&'static str, &'static str, f64); 2] {
     let scene = scene.benchmark().case.scene;
     let path = &scene.contact().path;
@@ -155,8 +158,9 @@ const CARRIED: f64 = 4e-4;
 /// Difference of resultants that is accepted: equilibrium to the tolerance of their iterations.
 const RESULTANT: f64 = 1e-5;
 
-/// Relative agreement of peak, width and profile: at most three times what is found; none of a peak or a width where that is below u_val of both
-/// meshes, which leaves room for more, but for facet pairs, whose springs may otherwise be ten times as soft unseen.
+/// Relative agreement of peak, width and profile: at most three times what is found; none of a peak or a width where
+/// that is below u_val of both meshes, which leaves room for more, but for facet pairs, whose springs may otherwise be
+/// ten times as soft unseen.
 fn demanded(scene: Scene, script: Script) -> ([Option<f64>; 2], f64) {
     match (script, scene) {
         // Springs soften the cylinders by 1e-4; the square-root edge lies within one stretch of the profile.
@@ -172,7 +176,8 @@ fn demanded(scene: Scene, script: Script) -> ([Option<f64>; 2], f64) {
         (Script::Nitsche, Scene::TruncatedHertz) => ([None, Some(2.7e-5)], 7e-4),
         (Script::Nitsche, Scene::PinRod) => ([None; 2], 9e-4),
         (Script::Nitsche, Scene::PinPlate) => ([None; 2], 4e-3),
-        // Pressures are linear between the nodes of the boundary, and an edge of the contact moves within a node's distance.
+        // Pressures are linear between the nodes of the boundary, and an edge of the contact moves within a node's
+        // distance.
         (Script::HalfPlane, Scene::TruncatedHertz) => ([Some(5e-6), Some(5e-5)], 1e-3),
         // Edges move within elements: widths wander by 1e-4 from mesh to mesh.
         (Script::Augmented, Scene::PinRod) => ([None, Some(5e-5)], 3e-3),

@@ -1,5 +1,5 @@
-//! What every script found of a scene, beside ours: the scenes as numbers, a series of three meshes each, and what it says of peak, width,
-//! resultant and profile.
+//! What every script found of a scene, beside ours: the scenes as numbers, a series of three meshes each, and what it
+//! says of peak, width, resultant and profile.
 
 use crate::algorithm::StiffnessRule;
 use crate::case::library::{Cylinder, PinPlate, PinRod, TruncatedHertz};
@@ -21,7 +21,8 @@ pub const KAPPA: f64 = 1e4;
 
 /// Meshes of each refinement series.
 pub const LEVELS: usize = 3;
-/// Degrees of freedom up to which the tests ask for a mesh of a series: the finest takes nine tenths of the time, and freezing asks it.
+/// Degrees of freedom up to which the tests ask for a mesh of a series: the finest takes nine tenths of the time, and
+/// freezing asks it.
 pub const ASKED: usize = 20_000;
 /// Stretches of equal length over which profiles are compared by their means; the stations are their middles.
 pub const STATIONS: usize = 40;
@@ -126,7 +127,8 @@ fn hertz_numbers(radius: f64, young: f64, poisson: f64, a_over_r: f64, stretch: 
 /// What was found on the finest of three meshes.
 #[derive(Clone, Debug)]
 pub struct Found {
-    /// Peak pressure \[MPa\] and half-width by second moment \[mm, or rad\], each with its standard uncertainty by Richardson.
+    /// Peak pressure \[MPa\] and half-width by second moment \[mm, or rad\], each with its standard uncertainty by
+    /// Richardson.
     pub measured: [[f64; 2]; 2],
     /// Force on the whole contact \[N\].
     pub resultant: f64,
@@ -209,8 +211,8 @@ pub fn compare(benchmark: &Benchmark, live: Option<Live>) -> Result<Compared, Er
 }
 
 impl Benchmark {
-    /// Force along the load line that a pressure of 1 MPa on each stretch carries, both halves \[N\]: `2 t Δx` on a plane,
-    /// `2 t R · 2 sin(Δθ/2) cos θ` on an arc.
+    /// Force along the load line that a pressure of 1 MPa on each stretch carries, both halves \[N\]: `2 t Δx` on a
+    /// plane, `2 t R · 2 sin(Δθ/2) cos θ` on an arc.
     pub fn carries(&self) -> Vec<f64> {
         let (scene, stations) = (&self.case.scene, &self.physical.stations);
         let (step, pair) = (stations[1] - stations[0], scene.contact());
@@ -225,7 +227,8 @@ impl Benchmark {
     }
 }
 
-/// What every script that serves a scene found; live, meshes up to [`ASKED`] are asked now, and finer ones are as they were frozen.
+/// What every script that serves a scene found; live, meshes up to [`ASKED`] are asked now, and finer ones are as they
+/// were frozen.
 pub fn asked(benchmark: &Benchmark, live: Option<Live>) -> Result<Vec<Other>, Error> {
     let (name, scene) = (benchmark.scene.name(), &benchmark.physical);
     let frozen = Independent::read()?;

@@ -1,5 +1,5 @@
-//! Limits of the load: of the wrong sign, of zero, too small for the mesh. And of the contact's extent: candidates and bodies that end
-//! before it.
+//! Limits of the load: of the wrong sign, of zero, too small for the mesh. And of the contact's extent: candidates and
+//! bodies that end before it.
 
 use crate::algorithm::{Kinematic, iterate};
 use crate::case::library::{Bars, Cylinder, TruncatedHertz};
@@ -170,8 +170,8 @@ const CUT: usize = 5;
 /// Elements per half-width.
 const ELEMENTS: [usize; 3] = [4, 8, 16];
 
-/// What comes of candidates that end before the contact: what the user gets, and the error of p₀ of what the iteration finds, whether it is
-/// accepted or not.
+/// What comes of candidates that end before the contact: what the user gets, and the error of p₀ of what the iteration
+/// finds, whether it is accepted or not.
 type Cut = (Result<Solved, Error>, f64);
 
 fn cut_at(stretch: f64, elements: usize) -> Result<Cut, Error> {

@@ -273,8 +273,8 @@ struct Across {
     patch: [f64; 3],
     /// Two blocks with Hertz's tractions, the contact points on the first and on the second.
     blocks: [Solved; 2],
-    /// Difference of the contact forces on the two bodies and of their moments, over the force and the force times the stretch:
-    /// the larger of both runs.
+    /// Difference of the contact forces on the two bodies and of their moments, over the force and the force times the
+    /// stretch: the larger of both runs.
     unbalanced: f64,
 }
 
@@ -324,7 +324,8 @@ fn unbalanced(discretisation: &Discretisation, run: &Run) -> f64 {
     larger(((force - other) / force).abs(), ((moment - opposite) / (force * arm)).abs())
 }
 
-/// Ratios at which cells of an order are wrong with points on either side: where those on the finer side are better, and where not.
+/// Ratios at which cells of an order are wrong with points on either side: where those on the finer side are better,
+/// and where not.
 fn sides(densities: &Push<Across, 2>, order: usize) -> [Vec<f64>; 2] {
     let errors = |(density, found): &(f64, [Across; 2])| {
         let [first, second] = found[order].blocks.each_ref().map(|solved| solved.errors().largest());
@@ -363,8 +364,10 @@ pub(super) fn non_matching() -> Result<Limit, Error> {
         ),
         seen: format!("{}; only a finer mesh shows the error", densities.last()[1].blocks[1].seen()),
         instead: format!(
-            "8-node cells. Where points on either side are off by more than {}, those on the finer side are less so with 8-node cells at \
-             second / first = {}, with 4-node cells at {}; those on the coarser side with 4-node cells at {}. The body named `first` has them",
+            "8-node cells. Where points on either side are off by more than {}, those on the finer side are less so \
+            with 8-node cells at \
+             second / first = {}, with 4-node cells at {}; those on the coarser side with 4-node cells at {}. The body \
+             named `first` has them",
             size(WRONG),
             list(&of_eight[0]),
             list(&of_four[0]),

@@ -1,10 +1,12 @@
 //! Limits of validity: each trial pushes one thing until it fails, and measures the onset.
 //!
-//! A function a limit, from the scene to its row of the table; in a folder, since thirteen of them are no page of one file.
+//! A function a limit, from the scene to its row of the table; in a folder, since thirteen of them are no page of one
+//! file.
 //!
 //! * `push` — one parameter pushed, what was found at every value of it, and how the page says it.
 //! * `springs` — Gauss points on an edge, stiffness against digits, layer thickness, a rule that cycles.
-//! * `loads` — loads of the wrong sign, of zero, too small for the mesh; candidates and bodies that end before the contact.
+//! * `loads` — loads of the wrong sign, of zero, too small for the mesh; candidates and bodies that end before the
+//!   contact.
 //! * `meshes` — cells that lock or are distorted; meshes that differ on the two sides.
 
 mod loads;
@@ -24,7 +26,8 @@ impl Study for Numbers {
     const ABOUT: About = About {
         title: "Limits of validity",
         asked: "Where everything but the methods stops being right, and what the user then sees.",
-        limits: "One scene a limit: another scene has its onset elsewhere. Bodies of revolution about y = 0 cannot be exported: other codes \
+        limits: "One scene a limit: another scene has its onset elsewhere. Bodies of revolution about y = 0 cannot be \
+            exported: other codes \
                  turn them about x = 0.",
     };
 
@@ -43,7 +46,8 @@ impl Study for Numbers {
         let behind: String =
             limits().filter(|limit| !limit.table.is_empty()).map(|limit| format!("\n{}", limit.table)).collect();
         Ok(format!(
-            "Each row pushes one thing until it fails. What the user sees is what the program said in that run.\n\n{}{behind}",
+            "Each row pushes one thing until it fails. What the user sees is what the program said in that \
+            run.\n\n{}{behind}",
             markdown::columns(&COLUMNS, limits())
         ))
     }

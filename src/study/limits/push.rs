@@ -33,7 +33,8 @@ pub struct Limit {
     pub table: String,
 }
 
-/// What was found at every value of a parameter, in some ways each: with every kind of cells, on every mesh, by every algorithm.
+/// What was found at every value of a parameter, in some ways each: with every kind of cells, on every mesh, by every
+/// algorithm.
 pub(super) struct Push<T, const WAYS: usize> {
     /// Name of the parameter where its onset is told.
     pub name: &'static str,

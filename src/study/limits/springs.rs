@@ -99,7 +99,8 @@ pub(super) fn gauss_points() -> Result<Limit, Error> {
             .judge(largest(lobatto.map(departure))),
         ],
         table: stiffnesses.table(
-            "Line element on 8-node cells, springs fixed at κ: largest departure of a pressure from the line through its neighbours, over the peak",
+            "Line element on 8-node cells, springs fixed at κ: largest departure of a pressure from the line through \
+            its neighbours, over the peak",
             &[
                 ("κ", |(stiffness, _)| number(*stiffness)),
                 ("pin–rod, 3-point Gauss", |(_, runs)| departure_or_end(&runs[0])),
@@ -158,7 +159,8 @@ pub(super) fn stiffness() -> Result<Limit, Error> {
         pushed: "stiffness of the springs",
         range: stiffnesses.range("κ"),
         onset: format!(
-            "one solve loses {of_error:.1} digits with every decade of κ, all but three by {}; after refinement errors are {}; two bodies are refused from {}",
+            "one solve loses {of_error:.1} digits with every decade of κ, all but three by {}; after refinement errors \
+            are {}; two bodies are refused from {}",
             number(value_where(|[plane, _]| plane.plain > THREE_DIGITS)),
             digits(largest(stiffnesses.tried.iter().map(|(_, [plane, _])| plane.refined))),
             number(first_refused)
@@ -282,9 +284,9 @@ fn period(outcome: Outcome) -> f64 {
 
 /// Correction with varying stiffness on two bars, whose cycle can be predicted.
 ///
-/// With `w = u − p/s` and `κ_j = k_0` the rule is an affine map, `k⁺ = k (1 − k₀ g/(u s)) + k₀ (1 − g/u)`. Its fixed point
-/// repels once `k₀ > 2 u s/g`; k then falls to zero at every other iteration: a cycle of period 2. Equal bars of the length ℓ
-/// have `s ℓ/E* = 1`, so that the onset is `κ₀ = 2 u/g`.
+/// With `w = u − p/s` and `κ_j = k_0` the rule is an affine map, `k⁺ = k (1 − k₀ g/(u s)) + k₀ (1 − g/u)`. Its fixed
+/// point repels once `k₀ > 2 u s/g`; k then falls to zero at every other iteration: a cycle of period 2. Equal bars of
+/// the length ℓ have `s ℓ/E* = 1`, so that the onset is `κ₀ = 2 u/g`.
 pub(super) fn cycling() -> Result<Limit, Error> {
     let discretisation = meshed(Bars::default().scene(), 2, Order::Quadratic)?;
     let base = Formulation::new(Element::Node, Iteration::Varying).tolerance(1e-8);

@@ -1,6 +1,6 @@
-//! Against measurements: digitised curves of pins, each held against the same scene of ours on two meshes and not run while the figures
-//! are not at hand, and a photograph of a disc between two plates. Two comparisons of one page, which share nothing but that nothing of
-//! theirs is ours; so the second has a file of its own:
+//! Against measurements: digitised curves of pins, each held against the same scene of ours on two meshes and not run
+//! while the figures are not at hand, and a photograph of a disc between two plates. Two comparisons of one page, which
+//! share nothing but that nothing of theirs is ours; so the second has a file of its own:
 //!
 //! * [`photograph`] — isochromatics of a disc, shape only: the fringe orders of our disc, and what is fitted to them.
 
@@ -46,9 +46,11 @@ impl Study for Numbers {
     const NAME: &'static str = "measured";
     const ABOUT: About = About {
         title: "Against measurements",
-        asked: "Whether stresses and loads along real pins are those that were measured, and the stress field between two \
+        asked: "Whether stresses and loads along real pins are those that were measured, and the stress field between \
+            two \
             plates that of a photographed disc.",
-        limits: "Digitised curves: nothing is compared until somebody brings the figures. The photograph is uncalibrated: \
+        limits: "Digitised curves: nothing is compared until somebody brings the figures. The photograph is \
+            uncalibrated: \
             shapes only. It tells neither load, nor material, nor pressure.",
     };
 

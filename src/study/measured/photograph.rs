@@ -1,5 +1,6 @@
-//! The disc between two plates against a photograph of its isochromatics: measured, shape only, uncalibrated. The fringe orders of our
-//! disc are its principal stress difference; both ends of the photograph in fringe orders: fitted at the bottom, predicted at the top.
+//! The disc between two plates against a photograph of its isochromatics: measured, shape only, uncalibrated. The
+//! fringe orders of our disc are its principal stress difference; both ends of the photograph in fringe orders: fitted
+//! at the bottom, predicted at the top.
 
 use crate::case::library::{Cylinder, CylinderModel};
 use crate::case::{Check, Judged, Quantity, Reference};

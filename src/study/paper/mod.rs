@@ -1,15 +1,15 @@
-//! The paper: what it says of iterations, what it leaves open, misprints. It leaves open how stiffnesses are changed, what has one,
-//! when a run ends and when it is given up: its sentences are held against the reading nearest to its text, every single departure
-//! from it, and a few pairs. Above 400 lines, so a folder; the report puts the judged statements in front, which need the findings of
-//! other studies too.
+//! The paper: what it says of iterations, what it leaves open, misprints. It leaves open how stiffnesses are changed,
+//! what has one, when a run ends and when it is given up: its sentences are held against the reading nearest to its
+//! text, every single departure from it, and a few pairs. Above 400 lines, so a folder; the report puts the judged
+//! statements in front, which need the findings of other studies too.
 //!
 //! * `reading` — one choice on every axis; the designed set.
 //! * `sentence` — what the paper says, and whether it holds.
-//! * `statement` — iterations from every start, and when each criterion would have stopped them; which departures flip a sentence,
-//!   and what is made of it.
+//! * `statement` — iterations from every start, and when each criterion would have stopped them; which departures flip
+//!   a sentence, and what is made of it.
 //!
-//! Below is the page; its text is `page.md`, with misprints, decisions where the paper is silent and sources, and `readings.md`; the numbers in
-//! it come from the code.
+//! Below is the page; its text is `page.md`, with misprints, decisions where the paper is silent and sources, and
+//! `readings.md`; the numbers in it come from the code.
 
 pub mod reading;
 pub mod sentence;
@@ -130,7 +130,8 @@ pub fn together(courses: &[Course]) -> String {
     let (most, all) = (most_fulfilled(courses), Sentence::ALL.len());
     let (first, open) = &most[0];
     format!(
-        "Asked for together, {} of the {all} sentences on iterations hold, each at {}, and no more, under {} of the readings. The first of \
+        "Asked for together, {} of the {all} sentences on iterations hold, each at {}, and no more, under {} of the \
+        readings. The first of \
          them: {}. There does not: {}.",
         all - open.len(),
         first.judged().iter().map(|one| one.stop.name()).collect::<Vec<_>>().join(", "),
@@ -148,5 +149,6 @@ pub const NOT_COVERED: [&str; 7] = [
     "plasticity",
     "dynamics",
     "calibrated experiments: no measured pressure, load or width is at hand",
-    "wall-clock times as requirements: seconds are recorded on one machine and shown, the suite judges errors and work counts only",
+    "wall-clock times as requirements: seconds are recorded on one machine and shown, the suite judges errors and work \
+    counts only",
 ];

@@ -146,8 +146,9 @@ impl Stop {
 }
 
 impl Reading {
-    /// The one nearest to the text and to what it cites: gap elements whose strain drives them (its reference 8), a potential
-    /// contact area, contact conditions whose fulfilment is checked; what it does not say as this program has it.
+    /// The one nearest to the text and to what it cites: gap elements whose strain drives them (its reference 8), a
+    /// potential contact area, contact conditions whose fulfilment is checked; what it does not say as this program has
+    /// it.
     pub fn nearest() -> Self {
         let Settings { tolerance, max_iterations: cap, .. } = Settings::default();
         Self {
@@ -176,8 +177,9 @@ impl Reading {
         all
     }
 
-    /// Pairs of departures: candidates that end where the contact does, by every stop. Of kinematic load, whose iterations the paper
-    /// counts, these two decide together: which contacts it has to open, and when their opening is seen to be done.
+    /// Pairs of departures: candidates that end where the contact does, by every stop. Of kinematic load, whose
+    /// iterations the paper counts, these two decide together: which contacts it has to open, and when their opening is
+    /// seen to be done.
     pub fn pairs() -> Vec<Self> {
         let nearest = Self::nearest();
         let stops = Stop::all().into_iter().filter(|stop| *stop != nearest.stop);

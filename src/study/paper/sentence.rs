@@ -8,7 +8,8 @@ named_enum! {
     /// A sentence of the paper.
     pub enum Sentence {
         /// Every combination is in good agreement with the exact solution.
-        Agrees = "Every combination of element and algorithm agrees with Hertz, and for the pin–rod with one another (Figs 10, 14, 15)",
+        Agrees = "Every combination of element and algorithm agrees with Hertz, and for the pin–rod with one another \
+            (Figs 10, 14, 15)",
         /// The iterations of varying stiffness depend strongly on the initial stiffness.
         VaryingDepends = "The iterations of varying stiffness depend strongly on the initial stiffness (Fig. 11, §5)",
         /// Those of constant stiffness do.
@@ -24,23 +25,27 @@ named_enum! {
         /// Kinematic load with node elements, the paper's own algorithm, converges in every case.
         KinematicAlways = "Kinematic load with node elements has proved to be convergent in every case (§5)",
         /// Kinematic load with node elements converges in two iterations for any initial stiffness.
-        TwoSteps = "Kinematic load with node elements converged in two iterations for any initial stiffness, in both examples",
+        TwoSteps = "Kinematic load with node elements converged in two iterations for any initial stiffness, in both \
+            examples",
         /// From each start it takes fewer iterations than the others.
         Fewest = "Kinematic load takes the fewest iterations",
         /// It needs the least computing time.
         LeastWork = "Kinematic load takes the least computing time (counted in operations)",
         /// From some start constant stiffness saves a great deal of operations against varying stiffness.
-        Saves = "With constant stiffness, which needs one factorisation only, it is possible to save a great deal of operations (3.10)",
+        Saves = "With constant stiffness, which needs one factorisation only, it is possible to save a great deal of \
+            operations (3.10)",
         /// The second example shows the same convergence properties as the first.
         Alike = "For the pin–rod the elements and algorithms converge as they do for the cylinder",
         /// None is more accurate than another, and some take far fewer iterations.
-        NoDifference = "Within the prescribed accuracy there is no remarkable difference between elements or algorithms; the differences are in iterations and time",
+        NoDifference = "Within the prescribed accuracy there is no remarkable difference between elements or \
+            algorithms; the differences are in iterations and time",
     }
 }
 
 /// Error of a peak up to which a chart shows good agreement.
 pub const GOOD: f64 = 0.05;
-/// Most over fewest iterations from which a dependence is strong, and operations over others from which these save a great deal.
+/// Most over fewest iterations from which a dependence is strong, and operations over others from which these save a
+/// great deal.
 pub const STRONG: f64 = 3.0;
 /// Error of a peak that counts as no difference.
 pub const UNREMARKABLE: f64 = 0.01;
@@ -86,8 +91,8 @@ impl Starts {
         self.met.iter().flatten().map(|met| met.error).fold(0.0, larger)
     }
 
-    /// From each start that ended: operations of a dense Cholesky factorisation a run, or an iteration but for constant stiffness, and a
-    /// pair of substitutions an iteration.
+    /// From each start that ended: operations of a dense Cholesky factorisation a run, or an iteration but for constant
+    /// stiffness, and a pair of substitutions an iteration.
     fn operations(&self) -> impl Iterator<Item = Option<f64>> {
         let n = self.retained as f64;
         self.met.iter().map(move |met| {
@@ -194,8 +199,8 @@ impl Seen {
     }
 }
 
-/// Whether every combination is in good agreement with the exact solution in both examples (Figs 10, 14, 15); where starts are missing
-/// none is.
+/// Whether every combination is in good agreement with the exact solution in both examples (Figs 10, 14, 15); where
+/// starts are missing none is.
 pub fn agrees(seen: &[Seen; 2]) -> bool {
     seen.iter().all(|seen| seen.is_there() && seen.agrees())
 }

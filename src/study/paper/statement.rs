@@ -1,5 +1,6 @@
-//! Iterations from every initial stiffness: when each criterion would have stopped them, and how far off they were then; how a sentence
-//! fares over the designed set — under the nearest reading, and by which departures — and what is made of it.
+//! Iterations from every initial stiffness: when each criterion would have stopped them, and how far off they were
+//! then; how a sentence fares over the designed set — under the nearest reading, and by which departures — and what is
+//! made of it.
 
 use std::fmt;
 
@@ -59,7 +60,8 @@ pub struct Course {
     pub met: Vec<Vec<Option<Met>>>,
     /// Of some starts when a stop was met: as a run without it tells, and by a run that it stops.
     pub alone: Vec<[Option<Met>; 2]>,
-    /// Of the nearest reading each start that its cap ends beside one that it does not, and when its stop is met by a cap [`LONGER`] times as large.
+    /// Of the nearest reading each start that its cap ends beside one that it does not, and when its stop is met by a
+    /// cap [`LONGER`] times as large.
     pub later: Vec<(f64, Option<Met>)>,
 }
 
@@ -118,7 +120,8 @@ impl Site {
         })
     }
 
-    /// The mesh with its condensed system; candidates that end with a contact without a closed form have to be looked for.
+    /// The mesh with its condensed system; candidates that end with a contact without a closed form have to be looked
+    /// for.
     fn discretised(&self) -> Result<Discretisation, Error> {
         let (elements, _) = self.example.elements();
         let (elements, order) = match self.mesh {
@@ -176,7 +179,8 @@ impl Site {
         })
     }
 
-    /// One run, and where it passed each stop: it ends by the hardest of them where they are of one criterion, else by nothing visible.
+    /// One run, and where it passed each stop: it ends by the hardest of them where they are of one criterion, else by
+    /// nothing visible.
     fn together(&self, on: &Discretisation, stiffness: f64, stops: &[Stop]) -> Result<Vec<Option<Met>>, Error> {
         let least = stops.iter().map(|stop| stop.tolerance).fold(f64::INFINITY, f64::min);
         let hardest = match stops.chunk_by(|a, b| a.criterion == b.criterion).count() {
@@ -235,7 +239,8 @@ pub enum Judgement {
     Reproduced,
     /// It holds under this condition, which the paper does not state.
     OnlyIf(String),
-    /// It hangs on the rule by which stiffnesses change, which the paper's reference 12 would tell: so it does otherwise.
+    /// It hangs on the rule by which stiffnesses change, which the paper's reference 12 would tell: so it does
+    /// otherwise.
     Undecidable(String),
     /// It does not hold here.
     NotReproduced,
@@ -293,11 +298,16 @@ pub struct Statement {
 }
 
 /// How a judgement is made, for the page.
-pub const RULE: &str = "What the paper says of iterations is judged under the reading nearest to its text, at three tolerances, and \
-    beside it under every single departure that keeps the agreement with the exact solution; that agreement itself, under every one. Where a statement fails at all three \
-    tolerances, it is not reproduced; where it holds at some of them, it is reproduced only there. Where it holds at all three and no other rule of stiffness \
-    flips it, it is reproduced; where another rule does, it is not decidable without [[12]](paper.md#sources), the paper's reference on that rule, which is not at hand. \
-    What is told start by start, that one algorithm takes fewer iterations or can save operations, is reproduced where it holds under the nearest \
+pub const RULE: &str = "What the paper says of iterations is judged under the reading nearest to its text, at three \
+    tolerances, and \
+    beside it under every single departure that keeps the agreement with the exact solution; that agreement itself, \
+    under every one. Where a statement fails at all three \
+    tolerances, it is not reproduced; where it holds at some of them, it is reproduced only there. Where it holds at \
+    all three and no other rule of stiffness \
+    flips it, it is reproduced; where another rule does, it is not decidable without [[12]](paper.md#sources), the \
+    paper's reference on that rule, which is not at hand. \
+    What is told start by start, that one algorithm takes fewer iterations or can save operations, is reproduced where \
+    it holds under the nearest \
     reading. The choices that flip a statement are told with every judgement.";
 
 /// What the paper's reference 12 would tell.
@@ -322,8 +332,8 @@ pub fn statements(courses: &[Course]) -> Vec<Statement> {
     Sentence::ALL.map(judged).into()
 }
 
-/// The readings, single departures and pairs, under which most sentences hold together, and which do not there: as each statement is
-/// judged, a sentence holds where it does at each tolerance of [`Reading::judged`].
+/// The readings, single departures and pairs, under which most sentences hold together, and which do not there: as each
+/// statement is judged, a sentence holds where it does at each tolerance of [`Reading::judged`].
 pub fn most_fulfilled(courses: &[Course]) -> Vec<(Reading, Vec<Sentence>)> {
     let open = |reading: &Reading| {
         let at = reading.judged().into_iter().map(|one| Example::ALL.map(|example| seen(courses, &one, example)));
@@ -415,10 +425,11 @@ fn ended_later(courses: &[Course]) -> String {
     )
 }
 
-/// A sentence over the designed set. Under a reading it holds where it does at each tolerance that the reading is judged at.
+/// A sentence over the designed set. Under a reading it holds where it does at each tolerance that the reading is
+/// judged at.
 ///
-/// A departure counts only where every combination still agrees with the exact solution: the paper's do, so that a rule or a stop under which
-/// they do not is not the paper's.
+/// A departure counts only where every combination still agrees with the exact solution: the paper's do, so that a rule
+/// or a stop under which they do not is not the paper's.
 pub struct Fared {
     /// Whether it holds under the nearest reading, at each tolerance of [`JUDGED`].
     pub held: [bool; JUDGED.len()],

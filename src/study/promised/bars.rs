@@ -62,8 +62,8 @@ pub(super) fn element(number: usize) -> Element {
     Element::ALL[number / 2 % 3]
 }
 
-/// A random scene with its candidates and growth, its mesh and its formulation: order, element and the way to end go in turn; all
-/// else is drawn. The contact ends within an element, but where the candidates end with it.
+/// A random scene with its candidates and growth, its mesh and its formulation: order, element and the way to end go in
+/// turn; all else is drawn. The contact ends within an element, but where the candidates end with it.
 pub fn setup(site: &Site, sample: &Sample) -> (Scene, Resolution, Formulation) {
     let mut draw = Draw::new(SEED + 100_000 * site.family as u64 + site.number as u64);
     // The first number of a seed is like that of the next one.
@@ -150,7 +150,8 @@ impl Record {
     }
 }
 
-/// What errors of a number are relative to: the true peak, half-width, force or shear stress, the largest true displacement.
+/// What errors of a number are relative to: the true peak, half-width, force or shear stress, the largest true
+/// displacement.
 fn size(sample: &Sample, Truth { quantity, value, .. }: &Truth) -> f64 {
     let true_one = |quantity| sample.truth(0, &quantity);
     match quantity {
@@ -165,8 +166,8 @@ fn size(sample: &Sample, Truth { quantity, value, .. }: &Truth) -> f64 {
     }
 }
 
-/// The numbers of a scene whose truth is known, each with its bar, its true error, and what that is relative to; a run that does not
-/// converge has none.
+/// The numbers of a scene whose truth is known, each with its bar, its true error, and what that is relative to; a run
+/// that does not converge has none.
 pub(super) fn barred(site: &Site) -> Result<Vec<(Barred, f64, f64)>, Error> {
     let (sample, found) = solved(site)?;
     let each = sample.truths.iter().filter_map(|truth| {
@@ -176,7 +177,8 @@ pub(super) fn barred(site: &Site) -> Result<Vec<(Barred, f64, f64)>, Error> {
     Ok(each.collect())
 }
 
-/// A scene solved on its random mesh: its truths, and its numbers with their bars; none of a run that does not converge.
+/// A scene solved on its random mesh: its truths, and its numbers with their bars; none of a run that does not
+/// converge.
 fn solved(site: &Site) -> Result<(Sample, Vec<Barred>), Error> {
     let sample = site.sample()?;
     let (scene, resolution, formulation) = setup(site, &sample);
@@ -251,8 +253,8 @@ const SHARE: f64 = 0.95;
 /// Bars beyond which hardly an error lies, and the share that may.
 const BEYOND: f64 = 3.0;
 const OUTLIERS: f64 = 1e-4;
-/// Bars over errors in the median: a bar that is never needed says nothing. 4.2 since they contain what the growth leaves in bodies that bend,
-/// what the force leaves, tops between points, and places between them.
+/// Bars over errors in the median: a bar that is never needed says nothing. 4.2 since they contain what the growth
+/// leaves in bodies that bend, what the force leaves, tops between points, and places between them.
 const MEDIAN: f64 = 5.0;
 
 /// The checks.
@@ -271,8 +273,8 @@ fn by_cells<'a>(recorded: &'a [Record], families: &'a [Family]) -> impl Iterator
     })
 }
 
-/// The share of errors within their bars, an unknown one being outside, of each number of each family on each kind of cells, where it is
-/// smallest.
+/// The share of errors within their bars, an unknown one being outside, of each number of each family on each kind of
+/// cells, where it is smallest.
 pub fn within(recorded: &[Record]) -> Judged {
     let quantity = "share of the true errors within their bars, where it is smallest";
     let because = format!(
@@ -282,14 +284,16 @@ pub fn within(recorded: &[Record]) -> Judged {
     smallest(by_cells(recorded, JUDGED), |_| true, quantity, "closed forms", because)
 }
 
-/// Bodies of revolution whose bars are judged where they are told alone: the smallest share within them, one that is unknown being outside.
+/// Bodies of revolution whose bars are judged where they are told alone: the smallest share within them, one that is
+/// unknown being outside.
 pub fn of_revolution(recorded: &[Record]) -> String {
     let groups = by_cells(recorded, &[Family::Indented]).filter(|(_, own)| !own.is_empty());
     let shares = groups.map(|(at, own)| (share_within(&own, 1.0), at, own));
     let Some((share, at, own)) = shares.reduce(|a, b| if b.0 < a.0 { b } else { a }) else { return String::new() };
     let unknown = own.iter().filter(|[_, bar]| bar.is_nan()).count();
     format!(
-        " Of {at}, where that is least, {:.1} % of the true errors lie within a bar that is known; {:.0} % are asked of the \
+        " Of {at}, where that is least, {:.1} % of the true errors lie within a bar that is known; {:.0} % are asked \
+        of the \
          first {} families; {unknown} of {} bars are not known.",
         100.0 * share,
         100.0 * SHARE,
@@ -298,7 +302,8 @@ pub fn of_revolution(recorded: &[Record]) -> String {
     )
 }
 
-/// The share of errors within the bars that are told, of each number of every family, where it is smallest; none told is no share.
+/// The share of errors within the bars that are told, of each number of every family, where it is smallest; none told
+/// is no share.
 pub fn told(recorded: &[Record]) -> Judged {
     let groups = FAMILIES.into_iter().flat_map(|family| Kind::ALL.map(|kind| (family, kind)));
     let groups = groups.map(|(family, kind)| {
@@ -310,8 +315,8 @@ pub fn told(recorded: &[Record]) -> Judged {
     smallest(groups, |[_, bar]| !bar.is_nan(), quantity, "closed forms and boundary methods", because)
 }
 
-/// The smallest share within their bars of the errors that count, which shall not be below [`SHARE`], of groups that are not empty; one
-/// that is no number is the smallest.
+/// The smallest share within their bars of the errors that count, which shall not be below [`SHARE`], of groups that
+/// are not empty; one that is no number is the smallest.
 fn smallest(
     groups: impl Iterator<Item = (String, Vec<[f64; 2]>)>,
     counts: fn(&[f64; 2]) -> bool,
@@ -420,7 +425,8 @@ pub(super) fn section(recorded: &[Record]) -> String {
         surveyed = SURVEY.told(recorded),
         chart = drawn::picture(
             "coverage.svg",
-            "True error against the bar claimed: in each range of bars the median, the 95th of 100 and the largest error; below the diagonal a bar holds; errors that are round-off are left out"
+            "True error against the bar claimed: in each range of bars the median, the 95th of 100 and the largest \
+            error; below the diagonal a bar holds; errors that are round-off are left out"
         ),
         revolved = of_revolution(recorded),
         table = markdown::columns(&COLUMNS, &rows)

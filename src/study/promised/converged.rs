@@ -1,6 +1,6 @@
-//! What is called converged: every scene, library and file, under all nine formulations, from candidates that hardly reach
-//! beyond the contact to such that are a hundred times as long, and under loads a ten-thousandth of the scene's own. No run may
-//! be called converged whose peak or half-width is not that of its own discrete problem.
+//! What is called converged: every scene, library and file, under all nine formulations, from candidates that hardly
+//! reach beyond the contact to such that are a hundred times as long, and under loads a ten-thousandth of the scene's
+//! own. No run may be called converged whose peak or half-width is not that of its own discrete problem.
 
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
@@ -63,8 +63,8 @@ pub struct Record {
     pub classes: [Option<Ended>; 9],
     /// Iterations made.
     pub iterations: [Option<usize>; 9],
-    /// Largest error of p₀ and a against the solution of the same discrete problem; 0 where it is round-off, none where there is
-    /// no such solution.
+    /// Largest error of p₀ and a against the solution of the same discrete problem; 0 where it is round-off, none where
+    /// there is no such solution.
     pub errors: [Option<Millionths>; 9],
 }
 
@@ -164,7 +164,8 @@ fn share(recorded: &[Record], formulation: usize, is_meant: impl Fn(&Record) -> 
     (!ended.is_empty()).then(|| converged as f64 / ended.len() as f64)
 }
 
-/// How every run of the default formulation ended: how many so, within which tolerances, under which loads, and on which scenes.
+/// How every run of the default formulation ended: how many so, within which tolerances, under which loads, and on
+/// which scenes.
 pub fn of_default(recorded: &[Record]) -> String {
     let own = Formulation::nine().iter().position(|one| one.is_like(&Formulation::verification()));
     let ended = in_order(recorded.iter().filter_map(|record| Some((record.classes[own?]?, record))));
@@ -204,7 +205,8 @@ pub(super) fn section(recorded: &[Record], energies: &[Option<EnergyError>]) -> 
     ) + "\n"
         + &drawn::picture(
             "converged.svg",
-            "Share of the runs that converge at the default tolerance as in the paper, without acceleration, by candidate stretch, over all scenes and loads",
+            "Share of the runs that converge at the default tolerance as in the paper, without acceleration, by \
+            candidate stretch, over all scenes and loads",
         )
 }
 

@@ -1,5 +1,5 @@
-//! How far bars count on differences between meshes: random scenes of closed form, none of those that judge the bars. A claim derives the
-//! constants from them.
+//! How far bars count on differences between meshes: random scenes of closed form, none of those that judge the bars. A
+//! claim derives the constants from them.
 
 use serde::{Deserialize, Serialize};
 

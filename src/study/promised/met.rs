@@ -1,5 +1,5 @@
-//! Whether an accuracy called met is met: random scenes whose truth is known, solved to several accuracies, from guesses of the
-//! candidate stretch up to ten times too long or three times too short.
+//! Whether an accuracy called met is met: random scenes whose truth is known, solved to several accuracies, from
+//! guesses of the candidate stretch up to ten times too long or three times too short.
 
 use std::time::Instant;
 
@@ -214,7 +214,8 @@ impl Beside {
     }
 }
 
-/// A scene, the accuracy asked for, and what the searches took, with cells of any kind and with 8-node cells alone \[s\], as it is recorded.
+/// A scene, the accuracy asked for, and what the searches took, with cells of any kind and with 8-node cells alone
+/// \[s\], as it is recorded.
 type Took = (String, f64, f64, f64);
 
 /// Scenes that are solved beside 8-node cells, and what each stands for.
@@ -295,7 +296,8 @@ const CHEAPEST: ([Order; 3], usize) = ([Order::Quartic, Order::Quintic, Order::S
 /// Move of an end on such a mesh that no longer matters, over what is asked.
 const AT_REST: f64 = 0.1;
 
-/// Dofs of the cheapest fitted mesh, of those that have fewer than the one answered, whose true error is within what is asked.
+/// Dofs of the cheapest fitted mesh, of those that have fewer than the one answered, whose true error is within what is
+/// asked.
 fn cheapest(asked: f64, sample: &Sample, answer: &Answer) -> Option<usize> {
     let (orders, layers) = CHEAPEST;
     let Answer { scene, run, .. } = answer;

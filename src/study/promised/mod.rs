@@ -1,5 +1,5 @@
-//! What is promised: what is called converged, whether error bars hold, whether an accuracy called met is met and what it costs,
-//! and whether the bars beside the suite's own checks hold. In files, since four are surveys of their own:
+//! What is promised: what is called converged, whether error bars hold, whether an accuracy called met is met and what
+//! it costs, and whether the bars beside the suite's own checks hold. In files, since four are surveys of their own:
 //!
 //! * [`converged`] — every scene under all nine formulations (recorded).
 //! * [`counted`] — the random scenes from which the constants of the bars are derived (recorded).
@@ -29,8 +29,8 @@ pub enum Numbers {
     Bars(Vec<bars::Record>),
     /// Answers called met or not, and some beside 8-node cells.
     Met(Vec<met::Record>, Vec<met::Beside>),
-    /// How many checks have a bar beside a closed form; and those of them whose true error is beyond the bar and what the closed form
-    /// itself may be off, or whose bar is not known, each with the title of its trial.
+    /// How many checks have a bar beside a closed form; and those of them whose true error is beyond the bar and what
+    /// the closed form itself may be off, or whose bar is not known, each with the title of its trial.
     Checks(usize, Vec<(String, Judged)>),
 }
 
@@ -39,9 +39,12 @@ impl Study for Numbers {
     const ABOUT: About = About {
         title: "What is promised",
         asked: "What is called converged and how often that is reached, how often the true error is \
-                within the error bar that was printed, how often an answer that is called accurate is not, and what an accuracy costs.",
-        limits: "What is called converged says nothing of the mesh: that is what error bars are for. Bars and accuracies are held \
-                 against random scenes whose truth is a closed form, or that of a boundary method: what has neither is not among them. \
+                within the error bar that was printed, how often an answer that is called accurate is not, and what an \
+                accuracy costs.",
+        limits: "What is called converged says nothing of the mesh: that is what error bars are for. Bars and \
+            accuracies are held \
+                 against random scenes whose truth is a closed form, or that of a boundary method: what has neither is \
+                 not among them. \
                  Of the checks only those against closed forms have a true error to look at.",
     };
 

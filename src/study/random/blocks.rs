@@ -1,6 +1,6 @@
-//! Blocks on which closed forms hold exactly, pressed by parabolas, waves and punches, by their own load or by the stresses of the
-//! half-plane on their sides, so that its contact is theirs; and what these stresses say of the points below a contact: how far they
-//! sink, and where the shear stress is largest.
+//! Blocks on which closed forms hold exactly, pressed by parabolas, waves and punches, by their own load or by the
+//! stresses of the half-plane on their sides, so that its contact is theirs; and what these stresses say of the points
+//! below a contact: how far they sink, and where the shear stress is largest.
 
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -22,14 +22,15 @@ const BOTH_SIDES: Path = Path::Straight { origin: [0.0, 0.0], both_sides: true }
 /// Part of the height of a block at which a point on its axis is looked at.
 const LOOKED_INTO: f64 = 0.3;
 
-/// The sample with how far a point on the axis sinks, given the stresses and the height of the block; the point on the surface
-/// above touches and does not move.
+/// The sample with how far a point on the axis sinks, given the stresses and the height of the block; the point on the
+/// surface above touches and does not move.
 pub fn on_axis(sample: Sample, material: Material, stress: impl Fn([f64; 2]) -> [f64; 3], height: f64) -> Sample {
     let depth = LOOKED_INTO * height;
     sample.moved(0, Place::Point([0.0, depth]), Component::Y, sunk(stress, material, depth))
 }
 
-/// Westergaard's waves on half a wave of a block, under the mean pressure `p* sin² ψ` that makes contact up to `a`, `ψ = πa/λ`.
+/// Westergaard's waves on half a wave of a block, under the mean pressure `p* sin² ψ` that makes contact up to `a`,
+/// `ψ = πa/λ`.
 pub fn cosine(draw: &mut Draw, material: Material, guess: f64) -> Sample {
     let modulus = material.plane_modulus(PlaneHypothesis::Strain);
     let (wavelength, amplitude) = (draw.decades(0.1, 1000.0), draw.decades(1e-5, 1e-3));
@@ -70,8 +71,8 @@ pub fn hertz(draw: &mut Draw, material: Material, guess: f64) -> Sample {
     sample.sheared(0, largest_shear(stress, [0.0, numbers.half_width()]))
 }
 
-/// A whole block under Hertz's stresses for a contact beside the vertex of the parabola, whose tangent it takes there: a small rotation
-/// `c/R` makes `s²/2R` the gap `(s − c)²/2R`.
+/// A whole block under Hertz's stresses for a contact beside the vertex of the parabola, whose tangent it takes there:
+/// a small rotation `c/R` makes `s²/2R` the gap `(s − c)²/2R`.
 pub fn rolling(draw: &mut Draw, material: Material, guess: f64) -> Sample {
     let (radius, a_over_r) = (draw.decades(0.1, 1000.0), draw.decades(1e-4, 0.1));
     let (a, modulus) = (radius * a_over_r, material.plane_modulus(PlaneHypothesis::Strain));
@@ -212,8 +213,8 @@ const DEPTH: f64 = 2.0;
 /// Halvings of the step of the search that follows.
 const HALVINGS: usize = 40;
 
-/// `u_z(0, z) − u_z(0, 0) = ∫ (σ_z − ν' σ_x) dz / E'` in plane strain, `E' = E/(1−ν²)`, `ν' = ν/(1−ν)` \[mm\]; the stresses are
-/// those at x and the depth z, `[σ_x, σ_z, τ]` \[MPa\].
+/// `u_z(0, z) − u_z(0, 0) = ∫ (σ_z − ν' σ_x) dz / E'` in plane strain, `E' = E/(1−ν²)`, `ν' = ν/(1−ν)` \[mm\]; the
+/// stresses are those at x and the depth z, `[σ_x, σ_z, τ]` \[MPa\].
 pub fn sunk(stress: impl Fn([f64; 2]) -> [f64; 3], material: Material, depth: f64) -> f64 {
     let modulus = material.plane_modulus(PlaneHypothesis::Strain);
     let ratio = material.poisson / (1.0 - material.poisson);
@@ -266,9 +267,9 @@ pub fn largest_shear(stress: impl Fn([f64; 2]) -> [f64; 3], [from, to]: [f64; 2]
 /// Elements on the shortest stretch, closed or open: on fewer, no coarser mesh sees it.
 const ON_SHORTEST: f64 = 2.0;
 
-/// A contact between a block and a rigid profile, or between two blocks, the upper one first: `whole` blocks lie on both sides of s = 0, others
-/// are halves of an even contact; `size` is how far they go to each side, and into the depth, and `guess` the candidate stretch, all over the
-/// outermost end of the contact.
+/// A contact between a block and a rigid profile, or between two blocks, the upper one first: `whole` blocks lie on
+/// both sides of s = 0, others are halves of an even contact; `size` is how far they go to each side, and into the
+/// depth, and `guess` the candidate stretch, all over the outermost end of the contact.
 pub fn sample(contact: HalfPlane, materials: &[Material], whole: bool, size: [f64; 2], guess: f64) -> Sample {
     let outermost = contact.stretches.iter().flatten().fold(0.0, |far: f64, end| far.max(end.abs()));
     let [side, height] = size.map(|size| size * outermost);

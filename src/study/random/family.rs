@@ -1,5 +1,5 @@
-//! Kinds of random scenes, the random numbers that they are drawn from, what is true of a sample of them, and which were not used to
-//! choose how far anything is counted on.
+//! Kinds of random scenes, the random numbers that they are drawn from, what is true of a sample of them, and which
+//! were not used to choose how far anything is counted on.
 
 use serde::{Deserialize, Serialize};
 
@@ -264,11 +264,12 @@ pub const FAMILIES: [Family; 24] = [
     Family::Row,
 ];
 
-/// Families of which every bar is judged; of the others those that are told: bodies of revolution, whose coarsest meshes tell
-/// few, and any gap with its truth by the boundary method or a series.
+/// Families of which every bar is judged; of the others those that are told: bodies of revolution, whose coarsest
+/// meshes tell few, and any gap with its truth by the boundary method or a series.
 pub const JUDGED: &[Family] = FAMILIES.split_at(11).0;
 
-/// Six of a family: each kind of cells with each element once, each way to end twice; of three neighbouring families every combination.
+/// Six of a family: each kind of cells with each element once, each way to end twice; of three neighbouring families
+/// every combination.
 pub fn chosen(family: Family) -> impl Iterator<Item = Site> {
     let turn = FAMILIES.iter().position(|one| *one == family).unwrap_or(0);
     (0..6).map(move |k| Site { family, number: FIRST + 6 * ((k + turn) % 3) + k })

@@ -132,7 +132,8 @@ pub fn skew(draw: &mut Draw) -> Gap {
     Gap::of(smooth([a, slope], places(POINTS, true), of), a, true)
 }
 
-/// Two humps `(s² − c²)²/8c²`, whose curvature on top is that of `s²/2`; alike and one of them shown, or of different heights.
+/// Two humps `(s² − c²)²/8c²`, whose curvature on top is that of `s²/2`; alike and one of them shown, or of different
+/// heights.
 pub fn humps(draw: &mut Draw, whole: bool) -> Gap {
     let [a, slope] = size(draw);
     let top = draw.between(0.5, 1.0) * a;

@@ -1,16 +1,20 @@
-//! Random scenes, and what is true of them by closed forms or a boundary method: the same ones for every study that asks.
+//! Random scenes, and what is true of them by closed forms or a boundary method: the same ones for every study that
+//! asks.
 //!
-//! * [`family`] — kinds of scenes, the random numbers, a scene and the truths about it, and scenes that bars and accuracies are tested with.
-//! * `blocks` — blocks under parabolas, waves and punches, and those that are cut out of the half-plane that they press.
+//! * [`family`] — kinds of scenes, the random numbers, a scene and the truths about it, and scenes that bars and
+//!   accuracies are tested with.
+//! * `blocks` — blocks under parabolas, waves and punches, and those that are cut out of the half-plane that they
+//!   press.
 //! * `gaps` — gaps of all other kinds, whose truth is that of the boundary method.
 //! * `round` — cylinders, pins and rings; layers and rows; bodies of revolution.
 //!
 //! Below is a scene of each family; such scenes with a coarse mesh given, and two of them in one.
 //!
-//! Sizes, materials, loads and guesses of the candidate stretch are drawn. What the scene is and the closed form is not must stay
-//! far below the errors that are looked at: blocks carry the stresses of the half-plane on their sides, and leave nothing out;
-//! waves are pressed on blocks at least two waves high, e^(−8π) of which nothing is left; cylinders have a/R ≤ 0.005 and pins
-//! clearances of 1e-6 radii in plates of 1000 radii, which leaves 1e-5; of spheres a half-space leaves out up to a fifth of a/R (tests measure all three).
+//! Sizes, materials, loads and guesses of the candidate stretch are drawn. What the scene is and the closed form is not
+//! must stay far below the errors that are looked at: blocks carry the stresses of the half-plane on their sides, and
+//! leave nothing out; waves are pressed on blocks at least two waves high, e^(−8π) of which nothing is left; cylinders
+//! have a/R ≤ 0.005 and pins clearances of 1e-6 radii in plates of 1000 radii, which leaves 1e-5; of spheres a
+//! half-space leaves out up to a fifth of a/R (tests measure all three).
 
 mod blocks;
 pub mod family;
@@ -74,8 +78,8 @@ impl Family {
     }
 }
 
-/// A scene of another family with a mesh given for its body: of 4- or 8-node cells, two to six of them on the half-width, its
-/// inner nodes shaken.
+/// A scene of another family with a mesh given for its body: of 4- or 8-node cells, two to six of them on the
+/// half-width, its inner nodes shaken.
 fn meshed(draw: &mut Draw, number: usize) -> Result<Sample, Error> {
     let of = [Family::Polynomial, Family::Wedge, Family::Cosine, Family::Cylinder][number % 4];
     let (elements, shake) = (draw.between(2.0, 7.0) as usize, draw.between(0.0, 0.2));

@@ -1,5 +1,5 @@
-//! Cylinders, pins and rings; layers and rows under rigid profiles, half of a contact each; and bodies of revolution: blocks that carry the
-//! tractions of the half-space that they press, and spheres.
+//! Cylinders, pins and rings; layers and rows under rigid profiles, half of a contact each; and bodies of revolution:
+//! blocks that carry the tractions of the half-space that they press, and spheres.
 
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, PI};
 
@@ -80,7 +80,8 @@ pub fn cylinders(draw: &mut Draw, upper: Material, guess: f64) -> Sample {
     Sample::of(scene, of_hertz(&hertz))
 }
 
-/// Two quarters of discs without a load: half-width of the contact that they are drawn for, relative radius and that of the upper one.
+/// Two quarters of discs without a load: half-width of the contact that they are drawn for, relative radius and that of
+/// the upper one.
 pub fn discs(draw: &mut Draw, upper: Material, guess: f64) -> (Scene, [f64; 3]) {
     let lower = Material { young: upper.young * draw.decades(0.1, 10.0), poisson: draw.between(0.0, 0.45) };
     let (above, below) = (draw.decades(0.1, 1000.0), draw.decades(0.3, 3.0));

@@ -1,7 +1,8 @@
-//! Two rings pressed into one another on meshes that do not match: the orders in L2 of the pressure, and of the displacements of both.
+//! Two rings pressed into one another on meshes that do not match: the orders in L2 of the pressure, and of the
+//! displacements of both.
 //!
-//! Their interference is `δ + Δ cos 2θ`, and by Lamé and Michell so is the pressure, `p₀ + p₂ cos 2θ`, all around: no end of the contact
-//! limits the orders, as it does on a half-plane.
+//! Their interference is `δ + Δ cos 2θ`, and by Lamé and Michell so is the pressure, `p₀ + p₂ cos 2θ`, all around: no
+//! end of the contact limits the orders, as it does on a half-plane.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -127,7 +128,8 @@ fn levels(order: Order, element: Element) -> Result<Vec<Level<2>>, Error> {
     (0..LEVELS).map(on_mesh).collect()
 }
 
-/// Contact elements, each on meshes from coarse to fine: errors of the pressure and of the displacements, relative in L2.
+/// Contact elements, each on meshes from coarse to fine: errors of the pressure and of the displacements, relative in
+/// L2.
 pub type Curved = [(Element, Vec<Level<2>>); 3];
 
 /// Both rings by every contact element on cells of one order.
@@ -186,7 +188,8 @@ pub fn table(order: Order, curved: &Curved) -> String {
     let off = of_others().map(|(level, _)| level.errors[0]).fold(f64::NAN, f64::min);
     let beside = of_others().map(|(level, own)| level.errors[1] / own.errors[1]).fold(f64::NAN, f64::max);
     format!(
-        "**Rings, {}-node cells**\n\n{}\nOn every mesh the pressures at the points of the line and the layer element are off by {} or more, and \
+        "**Rings, {}-node cells**\n\n{}\nOn every mesh the pressures at the points of the line and the layer element \
+        are off by {} or more, and \
          their displacements by {} times those of the node element or less.\n\n",
         order.nodes_per_cell(),
         markdown::table(&head.collect::<Vec<_>>(), &rows),

@@ -28,7 +28,8 @@ const DEFAULT: [f64; 3] = [5.0, 2.0, 1.0];
 /// [`Ended::Beyond`] says that the contact reaches beyond the quarter of the pin that is modelled.
 pub type Placed = Result<[f64; 2], Ended>;
 
-/// An eye or a shank by its radius over that of the pin, or its width over the diameter of the pin: what was found at each clearance.
+/// An eye or a shank by its radius over that of the pin, or its width over the diameter of the pin: what was found at
+/// each clearance.
 pub type Curve = (String, Vec<Placed>);
 
 /// A pin–rod of the proportions of another at a place of the family.

@@ -1,11 +1,13 @@
-//! Refinement: observed orders pair by pair, the cylinder against Hertz and against the whole of it, and the pin–rod's dimensionless
-//! family. Four questions of one page; those of nested meshes, of curved sides and of the family are files of their own:
+//! Refinement: observed orders pair by pair, the cylinder against Hertz and against the whole of it, and the pin–rod's
+//! dimensionless family. Four questions of one page; those of nested meshes, of curved sides and of the family are
+//! files of their own:
 //!
 //! * [`curved`] — rings on meshes that do not match.
 //! * [`nested`] — truncated Hertz on nested meshes.
 //! * [`family`] — the pin–rod by three dimensionless numbers.
 //!
-//! Below are the page, and the quarter cylinder under uniform load: how far it is from Hertz, and from the half cylinder.
+//! Below are the page, and the quarter cylinder under uniform load: how far it is from Hertz, and from the half
+//! cylinder.
 
 pub mod curved;
 pub mod family;
@@ -58,8 +60,10 @@ impl Study for Numbers {
     const NAME: &'static str = "refinement";
     const ABOUT: About = About {
         title: "Refinement",
-        asked: "How fast errors fall on finer meshes, how far the cylinder of the paper is from the half-plane of Hertz, \
-            whether its top quarter may be left out, as the paper says, and where a published figure of a pin in an eye \
+        asked: "How fast errors fall on finer meshes, how far the cylinder of the paper is from the half-plane of \
+            Hertz, \
+            whether its top quarter may be left out, as the paper says, and where a published figure of a pin in an \
+            eye \
             belongs, whatever its dimensions.",
         limits: "Orders are read on smooth contacts; where a contact has corners they are lower. The half against the \
             quarter: one cylinder, one material, one way of loading it from above. The family: eyes of the shape drawn \
@@ -143,7 +147,8 @@ const HALVES: [f64; 4] = [0.0125, 0.025, 0.05, 0.1];
 pub struct Ratio {
     /// Half-width of Hertz over the radius.
     pub a_over_r: f64,
-    /// How far peak pressure and second-moment width depart from those of Hertz, relative to them, and their error bars.
+    /// How far peak pressure and second-moment width depart from those of Hertz, relative to them, and their error
+    /// bars.
     pub departures: [[f64; 2]; 2],
     /// Degrees of freedom of the mesh answered.
     pub dofs: usize,
@@ -171,7 +176,8 @@ impl Change {
     }
 }
 
-/// Powers of a/R by which a departure falls, from the largest contact to the smallest; nothing below five error bars has one.
+/// Powers of a/R by which a departure falls, from the largest contact to the smallest; nothing below five error bars
+/// has one.
 fn powers(ratios: &[Ratio], number: usize) -> Vec<Observed> {
     let floor = ratios.iter().map(|ratio| ratio.departures[number][1]).fold(0.0, larger);
     let falling = || ratios.iter().rev();

@@ -36,7 +36,8 @@ pub fn orders<const N: usize>(levels: &[Level<N>], number: usize, floor: f64) ->
 /// What is below the order expected and passes: pairs approach it from both sides.
 const SLACK: f64 = 0.1;
 
-/// The order between each two successive meshes reaches the one expected, by its name and value; one that is withheld does not.
+/// The order between each two successive meshes reaches the one expected, by its name and value; one that is withheld
+/// does not.
 pub fn reach<const N: usize>(
     (name, kind, order, because): (&'static str, &str, f64, &'static str),
     (levels, number, floor): (&[Level<N>], usize, f64),
@@ -64,7 +65,8 @@ pub struct Series {
 }
 
 impl Series {
-    /// Observed orders of an error; the assembled load, or the tolerance of the iteration if that is larger, is what no mesh removes.
+    /// Observed orders of an error; the assembled load, or the tolerance of the iteration if that is larger, is what no
+    /// mesh removes.
     fn orders(&self, number: usize) -> Vec<Observed> {
         orders(&self.levels, number, self.floor())
     }
@@ -186,8 +188,8 @@ pub fn table_of_orders(series: &Series) -> String {
     )
 }
 
-/// Whether the contact's edge wanders within its element, where the errors of the second-moment width are not monotone; nothing where
-/// they are.
+/// Whether the contact's edge wanders within its element, where the errors of the second-moment width are not monotone;
+/// nothing where they are.
 fn why_withheld(series: &Series, orders: &[Observed]) -> String {
     if !orders.contains(&Err(Why::NotMonotone)) {
         return String::new();
@@ -197,7 +199,8 @@ fn why_withheld(series: &Series, orders: &[Observed]) -> String {
     let moved = markdown::significant(moves, 2);
     let why = if moves <= STAYS {
         format!(
-            ". It is not that the contact's edge wanders within its element, where it moves by {moved} of an element: terms of different \
+            ". It is not that the contact's edge wanders within its element, where it moves by {moved} of an element: \
+            terms of different \
              order and sign cancel."
         )
     } else {

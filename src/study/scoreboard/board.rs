@@ -1,5 +1,6 @@
-//! Codes of the scoreboard and the contact that each is run with; the live run, in which every case is exported and every code is asked
-//! for it by each of its settings; and what it leaves: what each code told of its runs, beside the files that it wrote.
+//! Codes of the scoreboard and the contact that each is run with; the live run, in which every case is exported and
+//! every code is asked for it by each of its settings; and what it leaves: what each code told of its runs, beside the
+//! files that it wrote.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -49,8 +50,8 @@ pub struct Setting {
     pub method: &'static str,
     /// The same in words.
     pub says: &'static str,
-    /// Of the code's own contact the parameter that is searched over, and what the code's documentation says of it; none where the code only
-    /// solves our contact rows: its answer is ours again, whatever its contact is worth.
+    /// Of the code's own contact the parameter that is searched over, and what the code's documentation says of it;
+    /// none where the code only solves our contact rows: its answer is ours again, whatever its contact is worth.
     pub searched: Option<[&'static str; 2]>,
 }
 
@@ -113,7 +114,8 @@ impl Setting {
 /// Where it is.
 pub const FOLDER: &str = "oracles/frozen/scoreboard";
 /// What renews it.
-pub const RENEW: &str = "run `bash oracles/peers/setup.sh && cargo run --release -- scoreboard`, and review the diff of oracles/frozen/scoreboard";
+pub const RENEW: &str = "run `bash oracles/peers/setup.sh && cargo run --release -- scoreboard`, and review the diff \
+    of oracles/frozen/scoreboard";
 
 /// All runs.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
@@ -159,7 +161,8 @@ pub struct Told {
 pub enum Ended {
     /// With an answer.
     Answered {
-        /// The file it wrote, in the folder of the board: of a code's own contact kept of the first choice and of the least error.
+        /// The file it wrote, in the folder of the board: of a code's own contact kept of the first choice and of the
+        /// least error.
         file: Option<String>,
         /// Iterations.
         iterations: usize,
@@ -299,7 +302,8 @@ pub fn ask(name: &str, case: &Case, told: impl Fn(&Setting, f64)) -> Result<(Ask
     Ok((Asked { dofs: discretisation.system.dofs(), runs }, files))
 }
 
-/// Whether the search goes on from a multiple with an error, infinite where it failed, to the one after that with another.
+/// Whether the search goes on from a multiple with an error, infinite where it failed, to the one after that with
+/// another.
 fn falls(before: f64, error: f64) -> bool {
     error < FALLS * before
 }
@@ -386,14 +390,15 @@ fn kept(
 pub struct Scored {
     /// Peak pressure \[MPa\] and second-moment width \[mm, or ° on an arc\] as they are judged.
     pub scores: [Judged; 2],
-    /// Largest penetration over the approach that the contact makes, and largest tension over the largest pressure; none where the answer
-    /// does not tell them.
+    /// Largest penetration over the approach that the contact makes, and largest tension over the largest pressure;
+    /// none where the answer does not tell them.
     pub laws: [Option<f64>; 2],
     /// What is not met.
     pub failed: Vec<String>,
 }
 
-/// Peak and second-moment width of a file that a code wrote for an exported case, and what of all that is judged is not met.
+/// Peak and second-moment width of a file that a code wrote for an exported case, and what of all that is judged is not
+/// met.
 pub fn scored(truth: &Truth, discretisation: &Discretisation, file: &Path, bytes: &[u8]) -> Result<Scored, Error> {
     of_answer(truth, answer(&truth.case, discretisation, file, bytes)?)
 }

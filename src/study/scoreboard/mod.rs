@@ -1,11 +1,12 @@
-//! The scoreboard: exported cases solved by other codes, each by its own contact: as it documents it, and by the best of its parameters that
-//! were tried; our own answer among them. Runs in which a code only solves our contact rows are told apart and count for nothing. The frozen
-//! answers of a case are scored as `contact-vv judge` does; whether they are read, and are of the present scripts.
+//! The scoreboard: exported cases solved by other codes, each by its own contact: as it documents it, and by the best
+//! of its parameters that were tried; our own answer among them. Runs in which a code only solves our contact rows are
+//! told apart and count for nothing. The frozen answers of a case are scored as `contact-vv judge` does; whether they
+//! are read, and are of the present scripts.
 //!
 //! A folder, since asking the codes and judging what they wrote are two things of 400 lines.
 //!
-//! * [`board`] — which codes with which contact, the live run, what it leaves under `oracles/frozen/scoreboard`, and how a file that a code
-//!   wrote is scored.
+//! * [`board`] — which codes with which contact, the live run, what it leaves under `oracles/frozen/scoreboard`, and
+//!   how a file that a code wrote is scored.
 
 pub mod board;
 
@@ -68,9 +69,12 @@ impl Study for Numbers {
     const NAME: &'static str = "scoreboard";
     const ABOUT: About = About {
         title: "Scoreboard of contact codes",
-        asked: "How far other codes are from the truths of exported cases by their own contact: by its first choice, and by the best that a stated search finds.",
-        limits: "One mesh a case, one parameter a code, seconds of one machine; another user may find better ones. Looked at and not asked: \
-                 FreeFEM, which leaves contact to an optimiser, MFEM's wheel, which has none, and Elmer and code_aster, which neither Debian 12 nor PyPI holds.",
+        asked: "How far other codes are from the truths of exported cases by their own contact: by its first choice, \
+            and by the best that a stated search finds.",
+        limits: "One mesh a case, one parameter a code, seconds of one machine; another user may find better ones. \
+            Looked at and not asked: \
+                 FreeFEM, which leaves contact to an optimiser, MFEM's wheel, which has none, and Elmer and \
+                 code_aster, which neither Debian 12 nor PyPI holds.",
     };
 
     /// One trial a case.
@@ -85,7 +89,8 @@ impl Study for Numbers {
         let own_contact = Code::ALL.into_iter().filter(|code| own(*code).is_some());
         let judged = own_contact.map(|code| {
             let error = format!("error of {}'s own contact at its best", code.name());
-            let because = "the bar of the truth, what its parameter leaves, the force of the edge in which the contact ends, and what straight cells leave where it needs them";
+            let because = "the bar of the truth, what its parameter leaves, the force of the edge in which the contact \
+                ends, and what straight cells leave where it needs them";
             let bar = self.allowed(code);
             let check = Check::error(Quantity::at(error, self.case.clone()), self.truth.clone(), bar, because);
             Judged { bar: Some(bar), ..check.judge(self.own(code)[1].map_or(f64::NAN, Row::error)) }
@@ -115,7 +120,8 @@ impl Study for Numbers {
         text += &picture(
             FILE,
             &format!(
-                "Scoreboard: error of each code by its own contact, first choice to best of the search; errors below {} are drawn there",
+                "Scoreboard: error of each code by its own contact, first choice to best of the search; errors below \
+                {} are drawn there",
                 markdown::bound(FLOOR)
             ),
         );
@@ -193,8 +199,8 @@ pub struct Row {
     pub told: Told,
     /// What its file holds now; why there is none, or none that can be read.
     pub scored: Result<Scored, String>,
-    /// Departures of peak and second-moment width from their truths, relative: of its file or, where none is kept, of what was found in it
-    /// then; NaN of a run that failed.
+    /// Departures of peak and second-moment width from their truths, relative: of its file or, where none is kept, of
+    /// what was found in it then; NaN of a run that failed.
     pub departures: [f64; 2],
 }
 
@@ -211,8 +217,8 @@ impl Row {
 }
 
 impl Numbers {
-    /// The row of the settings that hold something with the least error, of those whose files are kept; the first one of equals, as those of
-    /// round-off are.
+    /// The row of the settings that hold something with the least error, of those whose files are kept; the first one
+    /// of equals, as those of round-off are.
     pub fn best(&self, of: impl Fn(&Setting) -> bool) -> Option<&Row> {
         let rows = self.rows.iter().filter(|row| of(&row.setting) && row.scored.is_ok() && row.error().is_finite());
         rows.min_by(|a, b| a.error().max(ROUND_OFF).total_cmp(&b.error().max(ROUND_OFF)))
@@ -228,10 +234,11 @@ impl Numbers {
         self.rows.iter().filter(move |row| row.setting.code == code && row.setting.searched.is_some())
     }
 
-    /// What the best of a code may be off, relative: the bar of the truth, what the mesh allows before anybody has solved on it (what the end of
-    /// the contact leaves and, where cells are cut, what straight ones do), and what its parameter does: of a third of what the last multiple
-    /// changed (of a penalty ten times as stiff a ninth is left) and of what the next one changes the smaller, as recorded. Our answer is no
-    /// part of it: a fault of ours would let others be off by as much.
+    /// What the best of a code may be off, relative: the bar of the truth, what the mesh allows before anybody has
+    /// solved on it (what the end of the contact leaves and, where cells are cut, what straight ones do), and what its
+    /// parameter does: of a third of what the last multiple changed (of a penalty ten times as stiff a ninth is left)
+    /// and of what the next one changes the smaller, as recorded. Our answer is no part of it: a fault of ours would
+    /// let others be off by as much.
     fn allowed(&self, code: Code) -> f64 {
         // The way to the best, upwards or downwards from the first choice.
         let best = self.own(code)[1];
@@ -269,7 +276,8 @@ impl Numbers {
         table(&[vec!["code".into()], head].concat(), &rows.collect::<Vec<_>>())
     }
 
-    /// The rows of the page, by error: of the codes' own contacts with ours among them, or of our rows by their solvers.
+    /// The rows of the page, by error: of the codes' own contacts with ours among them, or of our rows by their
+    /// solvers.
     fn lines(&self, our_rows: bool) -> Vec<Line> {
         let is_best =
             |row: &Row| !our_rows && self.own(row.setting.code)[1].is_some_and(|best| std::ptr::eq(best, row));
@@ -306,7 +314,8 @@ impl Scored {
     }
 }
 
-/// The frozen answers of a case, scored; refused where they are not all there, cannot be read, or are of other scripts than the present ones.
+/// The frozen answers of a case, scored; refused where they are not all there, cannot be read, or are of other scripts
+/// than the present ones.
 pub fn numbers(name: &str, case: &Case, board: &Board) -> Result<Numbers, Error> {
     let asked = board.of(name)?;
     let discretisation = case.meshed()?.discretisation;
@@ -347,8 +356,9 @@ fn missing(board: &Board, rows: &[Row]) -> Option<String> {
     unread.or(absent).or_else(|| changed().map(|(script, _)| format!("answers of another {script}")))
 }
 
-/// What chords of cells with straight sides leave of the clearance c of a pin of radius R, `(R φ)²/8R/c` of cells that span the angle φ: the gap of a
-/// node that faces the middle of one is off by its sagitta. 0 of other gaps, which are no narrower than the arcs that face them.
+/// What chords of cells with straight sides leave of the clearance c of a pin of radius R, `(R φ)²/8R/c` of cells that
+/// span the angle φ: the gap of a node that faces the middle of one is off by its sagitta. 0 of other gaps, which are
+/// no narrower than the arcs that face them.
 fn chords(cut: &Discretisation) -> f64 {
     let (Profile::Hole { radius, clearance } | Profile::Pin { radius, clearance }) = cut.scene.contact().profile else {
         return 0.0;
@@ -357,16 +367,17 @@ fn chords(cut: &Discretisation) -> f64 {
     0.125 * radius * angles.fold(0.0, f64::max).powi(2) / clearance
 }
 
-/// What a straight line between nodes leaves of the pressure over a contact of half-width a: at the top of a parabola, h apart, `h²/8a²`.
+/// What a straight line between nodes leaves of the pressure over a contact of half-width a: at the top of a parabola,
+/// h apart, `h²/8a²`.
 fn lines(cut: &Discretisation, width: f64) -> f64 {
     let within = cut.interfaces[0].contact_edges().filter(|edge| edge.ends.iter().all(|end| end.abs() <= width));
     let longest = within.map(|edge| (edge.ends[1] - edge.ends[0]).abs()).fold(0.0, f64::max);
     0.125 * (longest / width).powi(2)
 }
 
-/// What is left of a second-moment width a where the force of the edge in which the contact ends is lost: of nodes h apart there
-/// `0.9 (h/a)^(3/2)`, as Hertz's pressure has `(4√2/3π) (h/a)^(3/2)` of its force there, at four times its second moment. 0 where all candidates
-/// are closed, so that a side ends it.
+/// What is left of a second-moment width a where the force of the edge in which the contact ends is lost: of nodes h
+/// apart there `0.9 (h/a)^(3/2)`, as Hertz's pressure has `(4√2/3π) (h/a)^(3/2)` of its force there, at four times its
+/// second moment. 0 where all candidates are closed, so that a side ends it.
 fn at_end(discretisation: &Discretisation, width: f64) -> f64 {
     let mut places: Vec<f64> = discretisation.interfaces[0].nodes.iter().map(|node| node.coordinate.abs()).collect();
     places.sort_by(f64::total_cmp);
@@ -398,8 +409,8 @@ fn row(truth: &Truth, discretisation: &Discretisation, told: &Told, ours: Option
     Some(Row { setting, told: told.clone(), scored, departures })
 }
 
-/// A code over all cases, none being ours: its answers by the first choice, by the best parameters, and by our rows, case by case; none where a
-/// run failed, or there is no such contact.
+/// A code over all cases, none being ours: its answers by the first choice, by the best parameters, and by our rows,
+/// case by case; none where a run failed, or there is no such contact.
 type Summed = (Option<Code>, [Vec<Option<Scored>>; 3]);
 
 /// The largest of a number over the cases; none where no answer tells it.

@@ -3,8 +3,8 @@
 //! * `rates` — asymptotic rates of constant and varying stiffness, a posteriori and by Hertz's closed form alone.
 //! * `springs` — constant stiffness towards given springs, varying stiffness next to the contact.
 //!
-//! Below is the page, whose text is `page.md`. Each prediction is made and measured by a function, judged by `judge_…` and shown by `table_of_…`. Rules that fail,
-//! and the halving law of kinematic load, are those of the atlas.
+//! Below is the page, whose text is `page.md`. Each prediction is made and measured by a function, judged by `judge_…`
+//! and shown by `table_of_…`. Rules that fail, and the halving law of kinematic load, are those of the atlas.
 
 pub mod rates;
 pub mod springs;

@@ -1,4 +1,5 @@
-//! Rates of convergence: on the final active set by the condensed matrices, beforehand by Hertz's closed form, and as measured.
+//! Rates of convergence: on the final active set by the condensed matrices, beforehand by Hertz's closed form, and as
+//! measured.
 
 use crate::algorithm::{ContactProblem, StiffnessRule};
 use crate::case::library::{Cylinder, TruncatedHertz};
@@ -17,8 +18,8 @@ use crate::study::method::Method;
 /// Initial stiffnesses of the rate studies: constant stiffness depends on them, varying stiffness does not.
 const STARTS: [f64; 9] = [0.1, 0.3, 1.0, 3.0, 10.0, 30.0, 100.0, 300.0, 1000.0];
 const FEW_STARTS: [f64; 3] = [0.1, 3.0, 100.0];
-/// Misplaced force between which the rate is measured, in the latter half of the iterations: below the first the active set is
-/// final, above the last is no round-off.
+/// Misplaced force between which the rate is measured, in the latter half of the iterations: below the first the active
+/// set is final, above the last is no round-off.
 const WINDOW: [f64; 2] = [1e-5, 2e-12];
 /// The least error of a run, times this, is still above what springs at their limit leave.
 const ABOVE_LEAST: f64 = 20.0;
@@ -49,7 +50,8 @@ pub struct Rate {
     pub measured: Option<f64>,
 }
 
-/// Truncated Hertz whose contact edge lies on no node: on one, a point neither open nor closed converges at no rate at all.
+/// Truncated Hertz whose contact edge lies on no node: on one, a point neither open nor closed converges at no rate at
+/// all.
 pub(super) fn discretised() -> Result<Discretisation, Error> {
     let case = TruncatedHertz { stretch: 1.9, ..Default::default() }.case();
     Discretisation::of(case.scene, case.resolution)
@@ -104,7 +106,8 @@ fn to_the_end(method: Method, stiffness: f64) -> Formulation {
     formulation
 }
 
-/// Slope of the errors in the latter half of the window, and between which errors; none where that holds too few iterations.
+/// Slope of the errors in the latter half of the window, and between which errors; none where that holds too few
+/// iterations.
 fn measured(solution: &Solution) -> Option<(f64, [f64; 2])> {
     let errors: Vec<f64> = solution.history.iter().map(|iteration| iteration.error.force).collect();
     let least = errors.iter().copied().fold(f64::INFINITY, f64::min);
@@ -122,13 +125,15 @@ fn measured(solution: &Solution) -> Option<(f64, [f64; 2])> {
 /// Rates between which prediction and measurement are compared: faster ones leave no iterations to measure.
 pub(super) const MEASURABLE: [f64; 2] = [0.05, 0.999];
 /// Where the slope of the linearised iteration over the measured errors differs from ln ρ by more than this, the start
-/// hardly holds the slowest mode and round-off comes before it is alone: by prediction, no rate is to be measured there.
+/// hardly holds the slowest mode and round-off comes before it is alone: by prediction, no rate is to be measured
+/// there.
 const ALONE: f64 = 0.02;
 /// Error of ln ρ that is accepted.
 pub(super) const ACCEPTED: f64 = 0.05;
 
 impl Rate {
-    /// Against its spectral radius; none where by the linearised iteration the slowest mode is not alone above round-off.
+    /// Against its spectral radius; none where by the linearised iteration the slowest mode is not alone above
+    /// round-off.
     fn asymptotic(&self) -> Option<Judged> {
         let alone = self.linearised.is_none_or(|slope| (slope.ln() / self.predicted.ln() - 1.0).abs() <= ALONE);
         alone.then(|| self.against("spectral radius", self.predicted))
@@ -175,11 +180,12 @@ pub(super) fn table_of_rates(starts: &[(&str, &Rate)]) -> String {
 /// Candidates over the half-width, and elements per half-width.
 const STRETCHES: [f64; 3] = [1.3, 1.9, 2.4];
 const ELEMENTS: [usize; 3] = [4, 8, 16];
-/// Factor on ln ρ within which Hertz's closed form says the rate before the contact is solved: where in the contact edge's element
-/// the discrete contact ends, it does not know.
+/// Factor on ln ρ within which Hertz's closed form says the rate before the contact is solved: where in the contact
+/// edge's element the discrete contact ends, it does not know.
 const BEFORE: f64 = 2.0;
 
-/// The rate of varying stiffness on the nodes of a mesh, as Hertz's closed form says it before anything is solved, and measured.
+/// The rate of varying stiffness on the nodes of a mesh, as Hertz's closed form says it before anything is solved, and
+/// measured.
 #[derive(Clone, Copy, Debug)]
 pub struct Before {
     /// Candidate stretch over the half-width.
@@ -230,7 +236,8 @@ pub fn judge_before(meshes: &[Before]) -> Judged {
             format!("{} of {} meshes can be measured", factors.len(), meshes.len()),
         ),
         Reference::own("factor accepted", BEFORE),
-        "nothing is solved for it: w/g of Hertz's contact at the first node outside; where in its element the discrete contact ends it does not know",
+        "nothing is solved for it: w/g of Hertz's contact at the first node outside; where in its element the discrete \
+        contact ends it does not know",
     )
     .judge(factors.into_iter().reduce(larger).unwrap_or(f64::NAN))
 }

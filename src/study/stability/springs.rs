@@ -20,19 +20,21 @@ fn count(wrong: usize, of: usize) -> f64 {
     if of == 0 { f64::NAN } else { wrong as f64 }
 }
 
-/// Target springs by their largest κ*: those that carry the contact's own pressure without a gap, `p/g`, cut off there. A
-/// negative one stands in every point and pushes the bodies apart, so that S + K* is not positive definite.
+/// Target springs by their largest κ*: those that carry the contact's own pressure without a gap, `p/g`, cut off there.
+/// A negative one stands in every point and pushes the bodies apart, so that S + K* is not positive definite.
 const TARGETS: [f64; 7] = [-0.1, 0.1, 1.0, 3.0, 10.0, 1e2, 1e4];
 /// Nearer to the boundary than this a point is not judged.
 const NEAR: f64 = 1.02;
-/// Iterations of a window, relative difference of ln ρ between two of them at which the slowest mode is alone, most windows.
+/// Iterations of a window, relative difference of ln ρ between two of them at which the slowest mode is alone, most
+/// windows.
 const WINDOW: usize = 40;
 const SETTLED: f64 = 5e-4;
 const WINDOWS: usize = 300;
 /// Windows after which a point is left whose [`progress`] is below the next number: it crawls.
 const START: usize = 5;
 const HOPELESS: f64 = 0.1;
-/// Towards fixed springs a start is not judged that ends about where the limit of iterations is: [`progress`] between these.
+/// Towards fixed springs a start is not judged that ends about where the limit of iterations is: [`progress`] between
+/// these.
 const CRAWLING: std::ops::Range<f64> = 0.98..1.02;
 
 /// A start of constant stiffness towards given springs: the condition of the literature, and what is observed.
@@ -137,18 +139,19 @@ pub fn judge_towards(starts: &[Towards]) -> Vec<Judged> {
     vec![
         Check::none(
             Quantity::at(
-                "start towards fixed springs that does not converge although S + K* and S + 2K₀ − K* are positive definite, or \
+                "start towards fixed springs that does not converge although S + K* and S + 2K₀ − K* are positive \
+                definite, or \
                  converges although they are not",
                 format!("of {}", judged.len()),
             ),
-            format!("at every start farther than a factor of {NEAR} from the boundary; where it merely crawls, predicted iterations against the limit"),
+            format!(
+                "at every start farther than a factor of {NEAR} from the boundary; where it merely crawls, \
+                predicted iterations against the limit"
+            ),
         )
         .judge(count(judged.iter().filter(ends_otherwise).count(), judged.len())),
         Check::error(
-            Quantity::at(
-                "largest error of ln ρ, ρ the rate towards fixed springs",
-                format!("{} points", errors.len()),
-            ),
+            Quantity::at("largest error of ln ρ, ρ the rate towards fixed springs", format!("{} points", errors.len())),
             Reference::own("spectral radius", 0.0),
             ACCEPTED,
             "over forty iterations, once the slowest mode is alone",
@@ -224,7 +227,8 @@ pub fn judge_basin(starts: &[Basin]) -> Judged {
     let is_wrong = |start: &&Basin| start.predicted.is_nan() || start.stays != (start.predicted < 1.0);
     Check::none(
         Quantity::at(
-            "start next to the contact, with varying stiffness and correction, that stays although its spectral radius is above 1, \
+            "start next to the contact, with varying stiffness and correction, that stays although its spectral radius \
+            is above 1, \
              or leaves although it is below",
             format!("of {}", starts.len()),
         ),

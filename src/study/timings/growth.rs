@@ -1,5 +1,5 @@
-//! One contact solve of the cylinder at three sizes, stage by stage, against one plain sparse Cholesky solve, and the same of the sphere
-//! at two.
+//! One contact solve of the cylinder at three sizes, stage by stage, against one plain sparse Cholesky solve, and the
+//! same of the sphere at two.
 
 use std::collections::BTreeMap;
 use std::time::Instant;
@@ -16,7 +16,8 @@ use crate::mesh::{Mesh, Order, Resolution};
 use crate::solve::{Change, Discretisation, Formulation};
 use crate::study::seconds::{Spread, quantile, ratios};
 
-/// Elements per half-width and refinement of the meshes of some 10⁴, 10⁵ and 10⁶ degrees of freedom, and how often each is measured.
+/// Elements per half-width and refinement of the meshes of some 10⁴, 10⁵ and 10⁶ degrees of freedom, and how often each
+/// is measured.
 pub const MESHES: [(usize, u32, usize); 3] = [(12, 1, 15), (8, 3, 7), (20, 4, 3)];
 /// The case that is measured on all of them.
 pub const CYLINDER: &str = "cylinder";

@@ -1,13 +1,15 @@
-//! Speed against accuracy: what each accuracy costs, in seconds and in counted work. Our seconds are believed only while our errors
-//! and counts recorded beside them are still the code's own: these the claims compute again. A folder, since what measures seconds and what
-//! keeps them are two things.
+//! Speed against accuracy: what each accuracy costs, in seconds and in counted work. Our seconds are believed only
+//! while our errors and counts recorded beside them are still the code's own: these the claims compute again. A folder,
+//! since what measures seconds and what keeps them are two things.
 //!
-//! * `precision` — on which meshes truncated Hertz is solved; error against seconds and work, ours and of codes on meshes of their own.
+//! * `precision` — on which meshes truncated Hertz is solved; error against seconds and work, ours and of codes on
+//!   meshes of their own.
 //! * `growth` — one solve at three sizes, stage by stage, against one plain sparse Cholesky solve.
-//! * `record` — what is kept under `snapshots/timings`, measured on demand by the command `timings`, what of it is cheapest, and what was asked for.
+//! * `record` — what is kept under `snapshots/timings`, measured on demand by the command `timings`, what of it is
+//!   cheapest, and what was asked for.
 //!
-//! Below are the page, the answer of the front page, and the charts. An error is everywhere the larger one of p₀ and a under
-//! the worst of all loads.
+//! Below are the page, the answer of the front page, and the charts. An error is everywhere the larger one of p₀ and a
+//! under the worst of all loads.
 
 pub mod growth;
 pub mod precision;
@@ -34,7 +36,8 @@ impl Study for Record {
     const ABOUT: About = About {
         title: "Speed against accuracy",
         asked: "What an accuracy costs, in seconds and in counted work, here and in other codes.",
-        limits: "Seconds are those of one machine. Our errors and counts are computed again by the tests; seconds, and what other codes printed, are not.",
+        limits: "Seconds are those of one machine. Our errors and counts are computed again by the tests; seconds, and \
+            what other codes printed, are not.",
     };
 
     fn plan() -> Vec<Planned<Self>> {
@@ -58,8 +61,8 @@ impl Study for Record {
     }
 }
 
-/// What a parabola misses of the top of `√(1 − x²/a²)`, fitted by least squares to x < a/4: its next term is x⁴/8a⁴, and the best
-/// parabola for x⁴ on 0 to h is at 0 off by 3h⁴/35.
+/// What a parabola misses of the top of `√(1 − x²/a²)`, fitted by least squares to x < a/4: its next term is x⁴/8a⁴,
+/// and the best parabola for x⁴ on 0 to h is at 0 off by 3h⁴/35.
 const PARABOLA: f64 = 3.0 / 35.0 / 8.0 * (0.25 * 0.25 * 0.25 * 0.25);
 
 /// The page of a record.
@@ -67,7 +70,8 @@ pub fn page(record: &Record) -> String {
     let targets = targets(record);
     let count = |met: Option<bool>| targets.iter().filter(|target| target.met == met).count();
     let asked = format!(
-        "**Of {} targets {} are met, {} are not and {} could not be measured.** No check holds these: what seconds are worth changes with the machine.\n\n{}",
+        "**Of {} targets {} are met, {} are not and {} could not be measured.** No check holds these: what seconds are \
+        worth changes with the machine.\n\n{}",
         targets.len(),
         count(Some(true)),
         count(Some(false)),
@@ -101,7 +105,8 @@ fn again(record: &Record) -> String {
     let meshes = || measured.growth.iter().chain(&measured.revolved);
     let large = meshes().filter(|one| one.counts.dofs > RECOUNTED).count();
     format!(
-        "the errors and counts of {} points of ours, and the counts of {} of the {} meshes below *Growth*, those up to {RECOUNTED} dofs. \
+        "the errors and counts of {} points of ours, and the counts of {} of the {} meshes below *Growth*, those up to \
+        {RECOUNTED} dofs. \
          The {theirs} points of other codes are as these printed them",
         points.len() - theirs,
         meshes().count() - large,
@@ -153,7 +158,8 @@ fn growth(record: &Record) -> String {
     format!(include_str!("growth.md"), table = markdown::table(&head, &rows), revolved = revolved) + "\n"
 }
 
-/// Why the contact solve of a body of revolution is another multiple of the plain one than that of the plane on as many dofs.
+/// Why the contact solve of a body of revolution is another multiple of the plain one than that of the plane on as many
+/// dofs.
 fn of_revolution((plane, revolved): (&Growth, &Growth)) -> String {
     let seconds = |of: fn(&Growth) -> f64| [revolved, plane].map(|one| format!("{} ms", significant(1e3 * of(one), 3)));
     let [own_plain, plain] = seconds(|one| one.plain.median);
@@ -162,8 +168,10 @@ fn of_revolution((plane, revolved): (&Growth, &Growth)) -> String {
     let [own_steps, steps] = seconds(|one| one.seconds(&[Stage::Iteration]));
     let (dofs, ratios) = (revolved.counts.dofs, [revolved, plane].map(|one| significant(one.ratio.median, 4)));
     format!(
-        " Of {dofs} dofs the contact solve of the sphere takes {} times its plain solve, that of the cylinder {}: of as many entries the plain solve \
-         takes {own_plain} there and {plain} here, its factorisation {own_factor} and {factor}, while all else of the contact solve takes {own_rest} \
+        " Of {dofs} dofs the contact solve of the sphere takes {} times its plain solve, that of the cylinder {}: of \
+        as many entries the plain solve \
+         takes {own_plain} there and {plain} here, its factorisation {own_factor} and {factor}, while all else of the \
+         contact solve takes {own_rest} \
          and {rest}, {own_steps} and {steps} of them the iteration.",
         ratios[0], ratios[1]
     )
@@ -172,7 +180,8 @@ fn of_revolution((plane, revolved): (&Growth, &Growth)) -> String {
 /// Who is compared on the front page: a name, whose points, and a colour.
 pub type Compared = (&'static str, &'static [Series], Colour);
 
-/// Ours on meshes that do not know where the contact ends, ours on meshes fitted to where it is found to end, and other codes.
+/// Ours on meshes that do not know where the contact ends, ours on meshes fitted to where it is found to end, and other
+/// codes.
 pub const COMPARED_CODES: [Compared; 5] = [
     ("ours, 8-node cells", &[Series::Quadratic, Series::SteepQuadratic], palette::NODE),
     ("ours, fitted", &[Series::Fitted], palette::INK),
@@ -189,7 +198,8 @@ pub fn front_of<'a>(record: &'a Record, series: &[Series]) -> Vec<&'a Point> {
     front(&own, |point| point.seconds)
 }
 
-/// Who is the cheapest at each accuracy, from where on other codes are ahead of our cells that are not fitted, and what each takes.
+/// Who is the cheapest at each accuracy, from where on other codes are ahead of our cells that are not fitted, and what
+/// each takes.
 pub fn conclusion(record: &Record) -> String {
     let within = |points: &[&Point], most: f64| {
         cheapest(points.iter().copied(), Point::worst, most).map_or(f64::INFINITY, |point| point.seconds)
@@ -222,7 +232,8 @@ pub fn conclusion(record: &Record) -> String {
         std::iter::once(percent_of(most, 1)).chain(cells).collect::<Vec<_>>()
     });
     format!(
-        "The fastest on truncated Hertz: {}. {ahead} Errors are the larger one of p₀ and a under the worst of {LOADS} loads; – on no mesh that \
+        "The fastest on truncated Hertz: {}. {ahead} Errors are the larger one of p₀ and a under the worst of {LOADS} \
+        loads; – on no mesh that \
          was tried. Theirs are {}.\n\n{}",
         fastest.join(", "),
         methods(record),
@@ -252,13 +263,15 @@ fn tried(record: &Record) -> String {
     format!("Ours are {}; of the others, {}.", ours_tried(), asked.collect::<Vec<_>>().join(", "))
 }
 
-/// What of another code's seconds is in its own assembly and in its own linear solver, on the mesh on which it is compared; the rest is our Python.
+/// What of another code's seconds is in its own assembly and in its own linear solver, on the mesh on which it is
+/// compared; the rest is our Python.
 fn of_their_own(record: &Record) -> String {
     let told = |code: Series| {
         let best = cheapest(record.of(code), Point::worst, COMPARED)?;
         let [assembly, linear] = [best.assembly?, best.linear?].map(|own| 100.0 * own / best.seconds);
         Some(format!(
-            "{}'s {} {:.0} % are in its own assembly and {:.0} % in its own linear solver, {:.0} % in our Python around them",
+            "{}'s {} {:.0} % are in its own assembly and {:.0} % in its own linear solver, {:.0} % in our Python \
+            around them",
             code.name(),
             milliseconds(best.seconds),
             assembly,
@@ -285,7 +298,8 @@ pub fn beside(record: &Record) -> Vec<String> {
     let own = ours(&record.points).map_or(f64::NAN, |own| own.seconds);
     let told = |Beside { code, version, seconds, machine }: &Beside| {
         format!(
-            "Beside {} {version} ({}, {} threads, {}) our solve to {} under the median load took {}, and {} when our points were recorded: \
+            "Beside {} {version} ({}, {} threads, {}) our solve to {} under the median load took {}, and {} when our \
+            points were recorded: \
              {} times as long, by which its own seconds are divided here.",
             code.name(),
             machine.processor,
@@ -318,12 +332,14 @@ pub fn milliseconds(seconds: f64) -> String {
 /// The chart of the front page, and what it shows.
 pub const FRONTS: [&str; 2] = [
     "cost.svg",
-    "Truncated Hertz: worst error of p₀ and a against seconds, ours and other codes, of each the runs that none of its own beats; upright bars begin at the median of the loads",
+    "Truncated Hertz: worst error of p₀ and a against seconds, ours and other codes, of each the runs that none of its \
+    own beats; upright bars begin at the median of the loads",
 ];
 /// The chart of all our points.
 const CLOUD: [&str; 2] = [
     "work-precision.svg",
-    "Truncated Hertz: all our runs by elements on meshes that do not know where the contact ends, against seconds and counted operations",
+    "Truncated Hertz: all our runs by elements on meshes that do not know where the contact ends, against seconds and \
+    counted operations",
 ];
 
 /// Of each that is compared the runs that none of its own beats, its name at their end.

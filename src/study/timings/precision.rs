@@ -1,8 +1,9 @@
-//! Error against seconds and work, over loads the mesh does not know: ours, and by other codes in processes of their own, if they are
-//! installed: scikit-fem, dolfinx and NGSolve on truncated Hertz with their own meshes.
+//! Error against seconds and work, over loads the mesh does not know: ours, and by other codes in processes of their
+//! own, if they are installed: scikit-fem, dolfinx and NGSolve on truncated Hertz with their own meshes.
 //!
-//! The mesh is graded for the nominal half-width and the candidate stretch; eight loads then move the contact edge across
-//! one of its elements, so that no mesh has the edge on a node by luck. Every point is the median and the worst of them.
+//! The mesh is graded for the nominal half-width and the candidate stretch; eight loads then move the contact edge
+//! across one of its elements, so that no mesh has the edge on a node by luck. Every point is the median and the worst
+//! of them.
 
 use std::time::Instant;
 
@@ -131,7 +132,8 @@ pub struct Point {
     pub converged: usize,
     /// Seconds from the scene to the pressures, all meshes on the way included: median.
     pub seconds: f64,
-    /// Of another code's, those in its own assembly and in its own linear solver, medians; none where they were not told apart.
+    /// Of another code's, those in its own assembly and in its own linear solver, medians; none where they were not
+    /// told apart.
     pub assembly: Option<f64>,
     /// The latter.
     pub linear: Option<f64>,
@@ -284,7 +286,8 @@ pub fn precision(code: Series) -> Result<Told, Error> {
     }
 }
 
-/// Interpreter of today's dolfinx, where `oracles/setup.sh` found a Python for it; Debian's answers where it is not there.
+/// Interpreter of today's dolfinx, where `oracles/setup.sh` found a Python for it; Debian's answers where it is not
+/// there.
 const NEWEST: &str = "oracles/.python/newest/bin/python";
 
 /// Meshes of another code, in each of as many gradings as ours.

@@ -1,5 +1,6 @@
-//! What was measured, as it is kept under `snapshots/timings`; what of it is cheapest for an error: the points that no other beats, and
-//! the first within an error that is asked for; and what was asked of the speed, and what was measured.
+//! What was measured, as it is kept under `snapshots/timings`; what of it is cheapest for an error: the points that no
+//! other beats, and the first within an error that is asked for; and what was asked of the speed, and what was
+//! measured.
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -76,8 +77,8 @@ impl Record {
         self.measured.beside.push(beside);
     }
 
-    /// The same with the seconds of other codes as our own solve beside them took as long as when our points were recorded: a machine is
-    /// half as fast on another day, and what counts is the ratio in one run.
+    /// The same with the seconds of other codes as our own solve beside them took as long as when our points were
+    /// recorded: a machine is half as fast on another day, and what counts is the ratio in one run.
     pub fn in_one_run(mut self) -> Self {
         let own = ours(&self.points).map_or(f64::NAN, |own| own.seconds);
         for Beside { code, seconds, .. } in &self.measured.beside {
@@ -161,7 +162,8 @@ pub fn cheapest<'a>(
 const CONTACT: f64 = 1.1;
 /// Degrees of freedom from which the memory is asked for: below, the process itself takes most of it.
 const LARGE: usize = 100_000;
-/// An error for which 8-node cells are too many, and what a fitted mesh may take over the plain solve of the smallest size.
+/// An error for which 8-node cells are too many, and what a fitted mesh may take over the plain solve of the smallest
+/// size.
 const SIXTH: f64 = 1e-6;
 const PLAIN_SOLVES: f64 = 30.0;
 /// Error of p₀ and a to which codes are compared.

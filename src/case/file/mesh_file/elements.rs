@@ -6,16 +6,20 @@ use std::ops::Range;
 use crate::error::Error;
 
 /// What Gmsh needs to be told for meshes of quadrilaterals.
-pub const OPTIONS: &str = "mesh with Mesh.RecombineAll = 1, or transfinite surfaces and Recombine; 8-node cells come from Mesh.ElementOrder = 2 and Mesh.SecondOrderIncomplete = 1";
+pub const OPTIONS: &str = "mesh with Mesh.RecombineAll = 1, or transfinite surfaces and Recombine; 8-node cells come \
+    from Mesh.ElementOrder = 2 and Mesh.SecondOrderIncomplete = 1";
 /// What makes quadrilaterals of triangles.
-pub const SUBDIVISION: &str = "mesh with quadrilaterals: Gmsh cuts all cells into them with Mesh.SubdivisionAlgorithm = 1 and Mesh.RecombineAll = 1, \
-                               where it has the geometry; else a script of the lines `Merge \"old.msh\";`, `RecombineMesh;`, \
-                               `Mesh.SubdivisionAlgorithm = 1;`, `RefineMesh;` and `Save \"new.msh\";` cuts the cells of a mesh";
+pub const SUBDIVISION: &str = "mesh with quadrilaterals: Gmsh cuts all cells into them with Mesh.SubdivisionAlgorithm \
+    = 1 and Mesh.RecombineAll = 1, \
+                               where it has the geometry; else a script of the lines `Merge \"old.msh\";`, \
+                               `RecombineMesh;`, \
+                               `Mesh.SubdivisionAlgorithm = 1;`, `RefineMesh;` and `Save \"new.msh\";` cuts the cells \
+                               of a mesh";
 /// What to do with a mesh of solids.
 pub const PLANE: &str = "scenes are plane: mesh the surfaces only (gmsh -2), in the plane z = 0, of quadrilaterals";
 
-/// Elements that are read: Gmsh's type, nodes, corners. Triangles are known to be refused by their name; the others are of three
-/// dimensions or higher order.
+/// Elements that are read: Gmsh's type, nodes, corners. Triangles are known to be refused by their name; the others are
+/// of three dimensions or higher order.
 pub const KINDS: [(i64, usize, usize); 10] = [
     (15, 1, 1),
     (1, 2, 2),
@@ -29,7 +33,8 @@ pub const KINDS: [(i64, usize, usize); 10] = [
     (10, 9, 4),
 ];
 
-/// What the numbers of the nodes and elements of the first instance of a part begin behind, those of the second behind its double.
+/// What the numbers of the nodes and elements of the first instance of a part begin behind, those of the second behind
+/// its double.
 pub const INSTANCE: u64 = 1 << 40;
 
 /// The number of a node or element in its part.

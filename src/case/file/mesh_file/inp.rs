@@ -1,9 +1,10 @@
-//! Input decks of CalculiX and Abaqus: their nodes, plane elements, sets and surfaces (Abaqus keywords; CalculiX manual, "Input deck
-//! format"). What else stands in a deck is passed over.
+//! Input decks of CalculiX and Abaqus: their nodes, plane elements, sets and surfaces (Abaqus keywords; CalculiX
+//! manual, "Input deck format"). What else stands in a deck is passed over.
 //!
-//! Names are as they are written first, whatever their case is later. Node and element sets, and surfaces, name sides of cells; element sets name
-//! bodies, and `Eall` has all elements. What belongs to an instance of a part is called `INSTANCE.NAME`, and `NAME` too where there is one
-//! instance. Nothing is taken from other files, and nothing generated.
+//! Names are as they are written first, whatever their case is later. Node and element sets, and surfaces, name sides
+//! of cells; element sets name bodies, and `Eall` has all elements. What belongs to an instance of a part is called
+//! `INSTANCE.NAME`, and `NAME` too where there is one instance. Nothing is taken from other files, and nothing
+//! generated.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
@@ -15,8 +16,8 @@ use crate::error::Error;
 use super::elements::{Elements, INSTANCE, KINDS, OPTIONS, PLANE, Piece, add_to, is_off, number};
 use super::words::shown;
 
-/// What plane elements are called before the number of their nodes: plane stress and strain, flat shells and membranes, as which
-/// pre-processors write them, and sections of bodies of revolution.
+/// What plane elements are called before the number of their nodes: plane stress and strain, flat shells and membranes,
+/// as which pre-processors write them, and sections of bodies of revolution.
 const CELLS: [&str; 9] = ["CPS", "CPE", "CPEG", "S", "STRI", "M3D", "R3D", "DC2D", OF_REVOLUTION];
 /// What elements of bodies of revolution are called.
 const OF_REVOLUTION: &str = "CAX";
@@ -26,7 +27,8 @@ const OF_MESHIO: &str = "CAX4P";
 const NO_CELLS: [&str; 15] = [
     "T2D", "T3D", "B2", "B3", "R2D", "GAP", "SPRING", "DASHPOT", "MASS", "ROTARY", "CONN", "DCOUP", "RB", "SFM", "COH",
 ];
-/// What the names of shells and membranes begin with: S1 and S2 are their faces, and their edges are E1 to E4, or S3 to S6 in CalculiX.
+/// What the names of shells and membranes begin with: S1 and S2 are their faces, and their edges are E1 to E4, or S3 to
+/// S6 in CalculiX.
 const SHELLS: [&str; 3] = ["S", "M3D", "R3D"];
 /// What makes nodes and elements that no line lists, moves them, or puts numbers into their lines.
 const GENERATED: [&str; 9] =
@@ -342,7 +344,8 @@ impl Deck {
         instance as u64 * INSTANCE
     }
 
-    /// The instance that a word is of, and the word in it: the one before its point, that of its keyword, or the one that is read.
+    /// The instance that a word is of, and the word in it: the one before its point, that of its keyword, or the one
+    /// that is read.
     fn within<'w>(&self, block: &Block, word: &'w str) -> Result<(usize, &'w str), Error> {
         let of = |name: &str| self.instances.iter().position(|known| known.eq_ignore_ascii_case(name)).map(|k| k + 1);
         if let Some((Some(instance), own)) = word.split_once('.').map(|(name, own)| (of(name), own)) {

@@ -1,5 +1,5 @@
-//! Bodies from meshes made elsewhere: files of Gmsh (`msh`, of `words`) and input decks of CalculiX and Abaqus (`inp`), their
-//! groups of cells and of sides (`elements`).
+//! Bodies from meshes made elsewhere: files of Gmsh (`msh`, of `words`) and input decks of CalculiX and Abaqus (`inp`),
+//! their groups of cells and of sides (`elements`).
 
 mod elements;
 mod inp;
@@ -100,7 +100,8 @@ pub fn refuse_half_told(known: &BTreeMap<BoundaryName, HalfTold>, name: Value) -
         ),
         Some(HalfTold::Hole(node)) => name.refused(
             format!("the set `{called}` lacks node {node}, between two of its sides that lie along one line"),
-            "list that node too; where a part of the line is meant to be left out, name the sides, by a *SURFACE or a group of lines",
+            "list that node too; where a part of the line is meant to be left out, name the sides, by a *SURFACE or a \
+            group of lines",
         ),
     })
 }
@@ -115,7 +116,8 @@ fn known_names(mesh: &Elements, known: &[&str]) -> String {
 
 fn bytes(name: Value, path: &Path) -> Result<Vec<u8>, Error> {
     let refused = |reason: String| {
-        let remedy = "give the file as seen from the folder of the scene file: a Gmsh mesh (.msh), or an input deck of CalculiX or Abaqus (.inp)";
+        let remedy = "give the file as seen from the folder of the scene file: a Gmsh mesh (.msh), or an input deck of \
+            CalculiX or Abaqus (.inp)";
         name.refused(format!("`{}` cannot be read: {reason}", path.display()), remedy)
     };
     let failed = |error: std::io::Error| refused(error.to_string());
@@ -130,7 +132,8 @@ fn bytes(name: Value, path: &Path) -> Result<Vec<u8>, Error> {
     Ok(bytes)
 }
 
-/// Cells of a group, counter-clockwise, and how many were turned: Gmsh lists cells clockwise where their surface is turned over.
+/// Cells of a group, counter-clockwise, and how many were turned: Gmsh lists cells clockwise where their surface is
+/// turned over.
 fn cells(name: Value, mesh: &Elements) -> Result<(Vec<Vec<u64>>, usize), Error> {
     let called = mesh.called[0];
     let Some(group) = mesh.surfaces.get(name.text()) else {
@@ -173,7 +176,8 @@ fn cells(name: Value, mesh: &Elements) -> Result<(Vec<Vec<u64>>, usize), Error> 
         let inside_out = rule.iter().find_map(|(at, _)| element::gradients(&points, *at).err());
         if let Some(jacobian) = inside_out {
             let message = format!(
-                "cell {} of `{}` is turned inside out: its Jacobian determinant is {jacobian:.3e} at a quadrature point",
+                "cell {} of `{}` is turned inside out: its Jacobian determinant is {jacobian:.3e} at a quadrature \
+                point",
                 piece.tag,
                 name.text()
             );
@@ -216,8 +220,8 @@ fn key(a: u64, b: u64) -> SideKey {
 /// Curves by their names.
 type Curves<'a> = BTreeMap<&'a str, Vec<&'a Side>>;
 
-/// The sides of cells of every curve by its name: those of its lines, or of its nodes where no lines are called so. Apart, sets of
-/// nodes that leave a side half told.
+/// The sides of cells of every curve by its name: those of its lines, or of its nodes where no lines are called so.
+/// Apart, sets of nodes that leave a side half told.
 fn curves<'a>(mesh: &'a Elements, sides: &'a HashMap<SideKey, Side>) -> (Curves<'a>, BTreeMap<BoundaryName, HalfTold>) {
     let mut curves: BTreeMap<&str, Vec<&Side>> = BTreeMap::new();
     for (name, lines) in &mesh.curves {
@@ -259,8 +263,8 @@ struct Known<'a> {
     middles: HashSet<u64>,
 }
 
-/// Most sides in a row that a set of nodes is thought to have lost; and of more than two, so many times as many sides as it has at least: else they
-/// are a part that is left out.
+/// Most sides in a row that a set of nodes is thought to have lost; and of more than two, so many times as many sides
+/// as it has at least: else they are a part that is left out.
 const HOLE: usize = 4;
 const SEVERAL: usize = 3;
 /// Cosine of the turn between two sides up to which they lie along one line.
@@ -299,7 +303,8 @@ impl<'a> Known<'a> {
         all
     }
 
-    /// What a set lacks: it has a node of the outline, but no side with it, or no side at all, or a hole of a few nodes.
+    /// What a set lacks: it has a node of the outline, but no side with it, or no side at all, or a hole of a few
+    /// nodes.
     fn half_told(&self, nodes: &[u64], sides: &[&'a Side]) -> Option<HalfTold> {
         let told: HashSet<u64> = sides.iter().flat_map(|(side, _)| side).copied().collect();
         let of = if sides.is_empty() { &self.all } else { &self.outline };
@@ -308,8 +313,8 @@ impl<'a> Known<'a> {
         alone.map(|node| HalfTold::Alone(number(*node))).or_else(hole)
     }
 
-    /// The first node that is missing between two sides of the outline which lie along one line: the middle one of a side between them, or a corner of
-    /// [a few](HOLE).
+    /// The first node that is missing between two sides of the outline which lie along one line: the middle one of a
+    /// side between them, or a corner of [a few](HOLE).
     fn hole(&self, sides: &[&'a Side]) -> Option<u64> {
         let keys: HashSet<SideKey> = sides.iter().map(|(side, _)| key(side[0], side[1])).collect();
         let is_told = |(side, _): &&Side| keys.contains(&key(side[0], side[1]));

@@ -1,5 +1,5 @@
-//! A disc or a sector of it: outer blocks between the arc and a polygon, core blocks around the centre. Where the ends of a contact are
-//! known that is small against the disc, its lower quarter is made of frames around it.
+//! A disc or a sector of it: outer blocks between the arc and a polygon, core blocks around the centre. Where the ends
+//! of a contact are known that is small against the disc, its lower quarter is made of frames around it.
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
@@ -33,7 +33,8 @@ pub(super) fn blocks(layout: &Layout, centre: Point, radius: f64, sector: Sector
     Block::with_images(right.into_iter().map(|block| block.without("axis")).collect(), centre[0])
 }
 
-/// Frames around the contacts at the lowest and at the highest point; none where either has no room for them, or other columns.
+/// Frames around the contacts at the lowest and at the highest point; none where either has no room for them, or other
+/// columns.
 fn framed_at_both_ends<'a>(
     layout: &Layout<'a>,
     pairs: [&'a ContactPair; 2],
@@ -46,8 +47,8 @@ fn framed_at_both_ends<'a>(
     (cut(&lower) == cut(&upper)).then(|| joined(centre, [lower, upper]))
 }
 
-/// The lower quarter and the upper one, turned over: each with the lines of its own contact alone where they have as many, else alike, with
-/// those of both.
+/// The lower quarter and the upper one, turned over: each with the lines of its own contact alone where they have as
+/// many, else alike, with those of both.
 fn both_ends(layout: &Layout, centre: Point, radius: f64) -> [Vec<Block>; 2] {
     let quarter = |layout: &Layout| right_blocks(layout, centre, radius, false);
     if let Some(each) = layout.each_of_two() {
@@ -85,8 +86,9 @@ fn cut(blocks: &[Block]) -> Vec<Point> {
 const SMALL: f64 = 0.25;
 /// Farthest that the box around it, and the candidates, may reach from the middle of the disc, over the radius.
 const REACH: f64 = 0.8;
-/// Depth of the box on the contact over the half-width, and about how much larger a frame is than the one inside it: with order 5 and two
-/// layers cylinders on each other and on a block are found to 7e-6, with 0.7 and 3 to 1.6e-5 by more cells.
+/// Depth of the box on the contact over the half-width, and about how much larger a frame is than the one inside it:
+/// with order 5 and two layers cylinders on each other and on a block are found to 7e-6, with 0.7 and 3 to 1.6e-5 by
+/// more cells.
 const DEPTH: f64 = 0.9;
 const LARGER: f64 = 3.3;
 
@@ -97,7 +99,8 @@ fn right_blocks(layout: &Layout, centre: Point, radius: f64, half: bool) -> Vec<
     wheel(layout, centre, radius, &arcs, depth.len() - 1, half)
 }
 
-/// A sector with frames around the contact, the last of which fills its lower part; the upper one as coarse as they are.
+/// A sector with frames around the contact, the last of which fills its lower part; the upper one as coarse as they
+/// are.
 fn framed(layout: &Layout, centre: Point, radius: f64, sector: Sector) -> Option<Vec<Block>> {
     let is_small = |ends: &&KnownEnds| layout.path.is_straight() && ends.reach() <= SMALL * radius;
     let ends = layout.same_ends().filter(is_small)?;
@@ -145,8 +148,8 @@ fn framed(layout: &Layout, centre: Point, radius: f64, sector: Sector) -> Option
     Some(all)
 }
 
-/// Angle of the point of the unit circle at x; beyond the inner frames, where x would crowd towards the horizontal diameter, evenly up to
-/// that.
+/// Angle of the point of the unit circle at x; beyond the inner frames, where x would crowd towards the horizontal
+/// diameter, evenly up to that.
 fn angle(x: f64, inner: [f64; 2]) -> f64 {
     let beyond = |end: f64| {
         let (from, side) = (end.asin(), end.signum());

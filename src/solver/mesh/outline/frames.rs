@@ -1,7 +1,8 @@
-//! Rectangle or disc around a contact whose ends are known: a box on the contact, and frames of ever larger cells around the box.
+//! Rectangle or disc around a contact whose ends are known: a box on the contact, and frames of ever larger cells
+//! around the box.
 //!
-//! Away from a contact all lengths grow alike, and one cell of high order across a frame is enough (geometric meshes, Babuška
-//! & Guo 1988); columns and rows through the whole body would be as thin far away as they are at the contact.
+//! Away from a contact all lengths grow alike, and one cell of high order across a frame is enough (geometric meshes,
+//! Babuška & Guo 1988); columns and rows through the whole body would be as thin far away as they are at the contact.
 //!
 //! ```text
 //!   ┌──────────────┐
@@ -24,15 +25,15 @@ use crate::scene::contact_pair::CONTACT;
 const LARGER: f64 = 2.8;
 /// Least that a body is larger than the box.
 const LEAST: f64 = 1.25;
-/// Times its width from which on a body is too high for frames, which are thin beside the contact where they are deep below it: half-widths under
-/// waves on a block of ten widths were 0.3 % off on cells of any order.
+/// Times its width from which on a body is too high for frames, which are thin beside the contact where they are deep
+/// below it: half-widths under waves on a block of ten widths were 0.3 % off on cells of any order.
 const TALL: f64 = 4.0;
-/// The same the other way round: beyond the contact of a thin layer no frame has room to grow. Layers of 2.6 to 2.9 mm by 40 mm, loaded on a
-/// part of their top, were up to 40 bars off.
+/// The same the other way round: beyond the contact of a thin layer no frame has room to grow. Layers of 2.6 to 2.9 mm
+/// by 40 mm, loaded on a part of their top, were up to 40 bars off.
 const WIDE: f64 = 4.0;
 
-/// A rectangle whose contact has ends that are known; none where it is too small for a frame, or has more to mesh than one
-/// contact, or is held or pressed at a point of its left or right.
+/// A rectangle whose contact has ends that are known; none where it is too small for a frame, or has more to mesh than
+/// one contact, or is held or pressed at a point of its left or right.
 pub(super) fn blocks(layout: &Layout, x: [f64; 2], y: [f64; 2], contact: Face) -> Option<Vec<Block>> {
     let is_beside = |point: &[f64; 2]| x.contains(&point[0]) && !y.contains(&point[1]);
     let ends = layout.same_ends().filter(|_| layout.opposite.is_none() && !layout.points.iter().any(is_beside))?;
@@ -60,7 +61,8 @@ pub(super) fn blocks(layout: &Layout, x: [f64; 2], y: [f64; 2], contact: Face) -
     })
 }
 
-/// The box and the frames around it: number k reaches from `begins[k]` to `ends[k]`, and down to `depths[k]`; 0 is the box.
+/// The box and the frames around it: number k reaches from `begins[k]` to `ends[k]`, and down to `depths[k]`; 0 is the
+/// box.
 pub(super) struct Frames {
     /// Positions across the box.
     columns: Vec<f64>,
@@ -76,8 +78,9 @@ pub(super) struct Frames {
 }
 
 impl Frames {
-    /// Around a box of some columns and a depth, with cells on its left or without, in a body that reaches from `left` to `right` and is so
-    /// deep, each about so much larger than the one inside it; none where the body is too small for a frame, or too high.
+    /// Around a box of some columns and a depth, with cells on its left or without, in a body that reaches from `left`
+    /// to `right` and is so deep, each about so much larger than the one inside it; none where the body is too small
+    /// for a frame, or too high.
     pub(super) fn around(
         (columns, first, has_left): (Vec<f64>, f64, bool),
         ([left, right], depth): ([f64; 2], f64),
@@ -106,7 +109,8 @@ impl Frames {
         Some(Self { columns, begins, ends, depths, has_left, rows: vec![0.0, 1.0], far: vec![] })
     }
 
-    /// Columns of the box to the left and to the right of about its middle; all of them to the right of a symmetry line.
+    /// Columns of the box to the left and to the right of about its middle; all of them to the right of a symmetry
+    /// line.
     pub(super) fn columns(&self) -> [usize; 2] {
         let (count, middle) = (self.columns.len() - 1, 0.5 * (self.columns[0] + self.columns[self.columns.len() - 1]));
         let away = |k: &usize| (self.columns[*k] - middle).abs();
@@ -115,7 +119,8 @@ impl Frames {
         [left, count - left]
     }
 
-    /// Positions below the box or a frame: those across the box, as much farther apart; opposite the contact with those that shall be corners.
+    /// Positions below the box or a frame: those across the box, as much farther apart; opposite the contact with those
+    /// that shall be corners.
     fn breaks(&self, k: usize) -> Vec<f64> {
         let (first, width) = (self.columns[0], self.columns[self.columns.len() - 1] - self.columns[0]);
         let (begin, wider) = (self.begins[k], (self.ends[k] - self.begins[k]) / width);
@@ -129,8 +134,8 @@ impl Frames {
         [self.begins[inside], self.ends[inside]]
     }
 
-    /// The same whose last frame begins where the candidates end, if these go on beyond: a cell that reaches from among them to the end of the
-    /// body would make candidates of nodes that may be held there.
+    /// The same whose last frame begins where the candidates end, if these go on beyond: a cell that reaches from among
+    /// them to the end of the body would make candidates of nodes that may be held there.
     pub(super) fn holding(mut self, candidates: f64) -> Self {
         let inside = self.ends.len() - 2;
         if inside > 0 && self.ends[inside] < candidates {
@@ -142,8 +147,8 @@ impl Frames {
         self
     }
 
-    /// The blocks, from the point at a place along the side that touches and a depth below it; the last frame ends on a line of its own
-    /// where that is given.
+    /// The blocks, from the point at a place along the side that touches and a depth below it; the last frame ends on a
+    /// line of its own where that is given.
     pub(super) fn blocks(&self, layout: &Layout, place: &dyn Fn(f64, f64) -> Point, rim: Option<&Rim>) -> Vec<Block> {
         let draft = Draft { frames: self, layout, place, rim };
         let around = (1..self.ends.len()).flat_map(|k| {
@@ -160,7 +165,8 @@ pub(super) struct Rim {
     pub far: Vec<Point>,
     /// On the right, from the side that touches to the end of `far`.
     pub right: Vec<Point>,
-    /// On the left, from the side that touches to the begin of `far`; nothing where the frames begin on a symmetry line.
+    /// On the left, from the side that touches to the begin of `far`; nothing where the frames begin on a symmetry
+    /// line.
     pub left: Vec<Point>,
 }
 
@@ -199,7 +205,8 @@ impl Draft<'_> {
         }
     }
 
-    /// The part of a frame beside the one inside it, as on its right: on the side of a name, where the frames reach so far.
+    /// The part of a frame beside the one inside it, as on its right: on the side of a name, where the frames reach so
+    /// far.
     fn beside(&self, k: usize, name: &'static str, x: &[f64]) -> Block {
         Block {
             bottom: Side::named(CONTACT, self.outwards(k, x, &vec![0.0; x.len()])),

@@ -10,8 +10,8 @@ use crate::scene::{ContactPair, Scene};
 const WIDEST: f64 = 0.8;
 /// Size of a cell over that of the one nearer to an end, as of the frames of a rectangle.
 const LARGER: f64 = 2.8;
-/// Room beyond an end over the half-width, below which columns and rows there are as fine as that is wide; from the first on, since a contact
-/// that ends nearer has none.
+/// Room beyond an end over the half-width, below which columns and rows there are as fine as that is wide; from the
+/// first on, since a contact that ends nearer has none.
 const NARROW: Range<f64> = 1e-3..0.2;
 /// Difference of positions, over the stretch, below which they are one.
 const SAME: f64 = 1e-9;
@@ -35,8 +35,8 @@ impl<'a> KnownEnds<'a> {
         (!pair.ends.places.is_empty()).then(|| Self { pair, parts, lines: lines() })
     }
 
-    /// Half the distance of the two ends that are nearest to one another, of one contact half its width; from a symmetry line on
-    /// where the contact begins there.
+    /// Half the distance of the two ends that are nearest to one another, of one contact half its width; from a
+    /// symmetry line on where the contact begins there.
     pub fn half_width(&self) -> f64 {
         let places = &self.pair.ends.places;
         let on_line = places[..1].iter().copied().filter(|_| self.begins_on_line());
@@ -69,10 +69,11 @@ impl<'a> KnownEnds<'a> {
         self.cut(&self.breaks_across())
     }
 
-    /// Positions across a box on the contact: its ends, and half its width beyond them, or up to the end of the stretch where
-    /// that is about as near; none where a kink of the gap lies outside.
+    /// Positions across a box on the contact: its ends, and half its width beyond them, or up to the end of the stretch
+    /// where that is about as near; none where a kink of the gap lies outside.
     ///
-    /// From the left side of the body on where the contact begins there or near it, or on both sides of the path's origin.
+    /// From the left side of the body on where the contact begins there or near it, or on both sides of the path's
+    /// origin.
     pub fn of_box(&self, left: f64) -> Option<Vec<f64>> {
         let (path, places) = (&self.pair.path, &self.pair.ends.places);
         let (columns, origin) = match path.has_both_sides() {
@@ -102,7 +103,8 @@ impl<'a> KnownEnds<'a> {
         holds_all.then(|| self.cut(&columns))
     }
 
-    /// Columns of a box beyond candidates that end close to the contact, as much wider as these are; nothing where the box ends before them.
+    /// Columns of a box beyond candidates that end close to the contact, as much wider as these are; nothing where the
+    /// box ends before them.
     fn beyond(&self, end: f64, candidates: f64, column: Option<&f64>) -> Vec<f64> {
         let (side, half) = (candidates.signum(), self.half_width());
         let room = side * (candidates - end);
@@ -146,21 +148,23 @@ impl<'a> KnownEnds<'a> {
         NARROW.contains(&(room / self.half_width()))
     }
 
-    /// Depths of the rows of a box that is so deep: one, but where there is little room beyond an end ever deeper ones, the first as deep as
-    /// that is wide.
+    /// Depths of the rows of a box that is so deep: one, but where there is little room beyond an end ever deeper ones,
+    /// the first as deep as that is wide.
     pub fn rows(&self, depth: f64) -> Vec<f64> {
         let room = self.room();
         let within = if self.is_narrow(room) { towards(0.0, depth, room) } else { vec![] };
         [0.0].into_iter().chain(within).chain([depth]).collect()
     }
 
-    /// Places from an outermost end inwards, the first as near to it as the end of the stretch is on its other side; nothing where that is far.
+    /// Places from an outermost end inwards, the first as near to it as the end of the stretch is on its other side;
+    /// nothing where that is far.
     fn crowded(&self, end: f64, beyond: f64) -> Vec<f64> {
         let room = (beyond - end) * beyond.signum();
         if self.is_narrow(room) { towards(end, 0.0, room) } else { vec![] }
     }
 
-    /// Half way between neighbouring ends, and between there and both of them; nothing where the gap has a line of its own.
+    /// Half way between neighbouring ends, and between there and both of them; nothing where the gap has a line of its
+    /// own.
     fn between(&self) -> impl Iterator<Item = f64> {
         let (size, leaps) = (self.half_width(), self.pair.leaps());
         let is_whole = move |two: &&[f64]| !leaps.iter().any(|s| two[0] < *s && *s < two[1]);
@@ -171,8 +175,8 @@ impl<'a> KnownEnds<'a> {
         })
     }
 
-    /// Positions from a place on: those given, kinks and leaps of the curvature of the gap, others beyond the last, the end of the stretch, and
-    /// lines among them.
+    /// Positions from a place on: those given, kinks and leaps of the curvature of the gap, others beyond the last, the
+    /// end of the stretch, and lines among them.
     fn breaks(&self, mut breaks: Vec<f64>, from: f64) -> Vec<f64> {
         let stretch = self.pair.stretch;
         breaks.extend(self.pair.profile.kinks());

@@ -14,8 +14,8 @@ use crate::scene::{Circle, ContactPair, Grading, Path, Scene, Shape};
 const WIDEST: f64 = 1.6;
 /// Thickness of a ring over its radius from which on it bends no more like a curved beam.
 const THIN: f64 = 0.25;
-/// The same of a thinner ring over the root of that: a cell whose length squared is not small against thickness times radius stretches
-/// where it shall bend (membrane locking).
+/// The same of a thinner ring over the root of that: a cell whose length squared is not small against thickness times
+/// radius stretches where it shall bend (membrane locking).
 const CURVED: f64 = 3.0;
 /// The same of 4-node cells over it: those longer than thick shear where they shall bend (shear locking).
 const SHEARED: f64 = 1.5;
@@ -99,8 +99,8 @@ impl<'a> Layout<'a> {
         }
     }
 
-    /// The same of both contacts, on opposite sides, where they are all that the body has, their ends are known and differ: lines of both side by
-    /// side would leave no room for layers towards either.
+    /// The same of both contacts, on opposite sides, where they are all that the body has, their ends are known and
+    /// differ: lines of both side by side would leave no room for layers towards either.
     pub fn each_of_two(&self) -> Option<[Self; 2]> {
         let has_ends = |pairs: &[&ContactPair; 2]| pairs.iter().all(|pair| !pair.ends.places.is_empty());
         let are_two = |pairs: &[&ContactPair; 2]| self.several.len() == 2 && !std::ptr::eq(pairs[0], pairs[1]);
@@ -127,7 +127,8 @@ impl<'a> Layout<'a> {
         parts(self.elements)
     }
 
-    /// Positions of an arc about a pole: the candidates, then growing element sizes up to each of the given angles in turn.
+    /// Positions of an arc about a pole: the candidates, then growing element sizes up to each of the given angles in
+    /// turn.
     pub fn arc(&self, on: Rays, until: &[f64]) -> Vec<f64> {
         let mut angles: Vec<f64> = match self.several.is_empty() {
             false => self.angles_of_all(on.circle.radius),
@@ -146,7 +147,8 @@ impl<'a> Layout<'a> {
         angles
     }
 
-    /// Angles of the candidates of all contacts on an arc: every stretch ends on one, and elements are as fine as each asks.
+    /// Angles of the candidates of all contacts on an arc: every stretch ends on one, and elements are as fine as each
+    /// asks.
     fn angles_of_all(&self, radius: f64) -> Vec<f64> {
         let angle = |fine: &Fine, s: f64| if fine.straight { (s / radius).asin() } else { s };
         let pieces = self.several.iter().flat_map(|one| one.pieces().map(move |[from, to]| (one, from, to)));
@@ -176,7 +178,8 @@ impl<'a> Layout<'a> {
         spacing::lattice(breaks, self.refinement, self.order)
     }
 
-    /// Points at the angles of an arc that lie evenly along the contact in every cell: bodies have their nodes at the same places there.
+    /// Points at the angles of an arc that lie evenly along the contact in every cell: bodies have their nodes at the
+    /// same places there.
     pub fn along_contact(&self, on: Rays, angles: &[f64], at: impl Fn(f64) -> Point) -> Vec<Point> {
         let coordinates: Vec<f64> = angles.iter().map(|angle| on.coordinate(self.path, *angle)).collect();
         self.along(&coordinates, |s| at(on.angle(self.path, s)))
@@ -191,8 +194,8 @@ impl<'a> Layout<'a> {
 /// Part of the height of a body that a line may lean over from one side to the opposite one.
 const LEAN: f64 = 0.5;
 
-/// Whether lines can be drawn from such places on one side to those on the opposite one, which lies so high: they are as many, and none leans
-/// too far.
+/// Whether lines can be drawn from such places on one side to those on the opposite one, which lies so high: they are
+/// as many, and none leans too far.
 pub(super) fn can_lean([low, high]: [&[f64]; 2], height: f64) -> bool {
     low.len() == high.len() && low.iter().zip(high).all(|(low, high)| (low - high).abs() <= LEAN * height)
 }
@@ -210,8 +213,8 @@ impl Rays {
         Self { pole: centre, circle: Circle { centre, radius } }
     }
 
-    /// Angle of the ray to the point of the circle that has a contact coordinate: on an arc about another point of the pole's vertical,
-    /// where the ray from there meets the circle.
+    /// Angle of the ray to the point of the circle that has a contact coordinate: on an arc about another point of the
+    /// pole's vertical, where the ray from there meets the circle.
     pub fn angle(&self, path: &Path, s: f64) -> f64 {
         match path {
             Path::Straight { .. } => (s / self.circle.radius).asin(),

@@ -45,16 +45,16 @@ pub(super) fn blocks(layout: &Layout, x: [f64; 2], y: [f64; 2], contact: Face) -
     }]
 }
 
-/// Positions on the contact and on the opposite one, each with the lines of its own alone; none where they are not as many, lean too far, or a
-/// point that is no corner is held or pressed there.
+/// Positions on the contact and on the opposite one, each with the lines of its own alone; none where they are not as
+/// many, lean too far, or a point that is no corner is held or pressed there.
 fn each_alone(layout: &Layout, x: [f64; 2], y: [f64; 2]) -> Option<[Vec<f64>; 2]> {
     let has_points = layout.points.iter().any(|point| y.contains(&point[1]) && !x.contains(&point[0]));
     let [along, far] = layout.each_of_two().filter(|_| !has_points)?.map(|alone| columns(&alone, x, &[]));
     can_lean([&along, &far], y[1] - y[0]).then_some([along, far])
 }
 
-/// Positions along the contact: from the left side on, or from the path's origin on to both sides; with the places of points that are held
-/// or pressed, beyond the candidates of a contact that is the only one.
+/// Positions along the contact: from the left side on, or from the path's origin on to both sides; with the places of
+/// points that are held or pressed, beyond the candidates of a contact that is the only one.
 fn columns(layout: &Layout, [left, right]: [f64; 2], places: &[f64]) -> Vec<f64> {
     if !layout.several.is_empty() {
         return columns_of_all(layout, [left, right], places);
@@ -112,7 +112,8 @@ fn outwards(layout: &Layout, end: f64) -> Vec<f64> {
     positions
 }
 
-/// Positions along the contacts on both sides of the rectangle: every stretch begins, has its s = 0 and ends on one, and so is every place.
+/// Positions along the contacts on both sides of the rectangle: every stretch begins, has its s = 0 and ends on one,
+/// and so is every place.
 fn columns_of_all(layout: &Layout, ends: [f64; 2], places: &[f64]) -> Vec<f64> {
     let straight = layout.several.iter().filter(|one| one.straight);
     let fine = straight.flat_map(|one| one.pieces().map(|[from, to]| [one.origin + from, one.origin + to, one.size]));

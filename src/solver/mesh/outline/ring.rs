@@ -1,5 +1,5 @@
-//! Ring sector: one block between two arcs, fine at the face that carries the contact; rows of cells that grow with the radius where
-//! the ends of the contact are known.
+//! Ring sector: one block between two arcs, fine at the face that carries the contact; rows of cells that grow with the
+//! radius where the ends of the contact are known.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -58,7 +58,8 @@ fn right_blocks(layout: &Layout, pole: Point, circles: [Circle; 2], sweep: f64, 
     }]
 }
 
-/// Angles on the inner circle and on the outer one, each with the lines of its own contact alone; none where they are not as many, or lean too far.
+/// Angles on the inner circle and on the outer one, each with the lines of its own contact alone; none where they are
+/// not as many, or lean too far.
 fn each_alone(layout: &Layout, faces: [Rays; 2], contact: Face, sweep: f64) -> Option<[Vec<f64>; 2]> {
     let [own, other] = layout.each_of_two()?;
     let of_face = if contact == Face::Top { [other, own] } else { [own, other] };
@@ -67,14 +68,14 @@ fn each_alone(layout: &Layout, faces: [Rays; 2], contact: Face, sweep: f64) -> O
     can_lean([&within, &around], (outer - inner) / inner).then_some([within, around])
 }
 
-/// Depth of a ring below the outer face over the radius of its bore from which on that is narrow; length of the cells there over that radius
-/// and the coarsest element's part of the body.
+/// Depth of a ring below the outer face over the radius of its bore from which on that is narrow; length of the cells
+/// there over that radius and the coarsest element's part of the body.
 const NARROW: f64 = 4.0;
 
 /// Depths below the outer circle, with those among them that cells need near a narrow bore.
 ///
-/// There displacements go as 1/r, which a cell misses across which the radius grows many times, and a coarser one alike: the fit of a ring of
-/// ν = 0.49 with a bore of 1/400 of its radius was 2e-5 off on any mesh.
+/// There displacements go as 1/r, which a cell misses across which the radius grows many times, and a coarser one
+/// alike: the fit of a ring of ν = 0.49 with a bore of 1/400 of its radius was 2e-5 off on any mesh.
 fn around_bore(depths: &[f64], bore: f64, coarsest: f64) -> Vec<f64> {
     let whole = depths[depths.len() - 1];
     let radius = |depth: f64| bore + (whole - depth);
@@ -101,11 +102,12 @@ pub(crate) fn cells_at_bore([inside, outside]: [f64; 2], coarsest: f64) -> f64 {
 
 /// Depth below the face, as difference of logarithms of radii, up to which rows grow as the grading has it.
 const NEAR: f64 = 0.42;
-/// Growth of the rows beyond, in the same measure: with 2.4 half-widths of pins in plates were 5e-5 off, with 1.8 within 4e-6.
+/// Growth of the rows beyond, in the same measure: with 2.4 half-widths of pins in plates were 5e-5 off, with 1.8
+/// within 4e-6.
 const GROWTH: f64 = 1.8;
 
-/// The ring in cells whose nodes lie evenly in the logarithm of the radius: displacements there are sums of its powers, and rows
-/// across which the radius is multiplied need no more nodes than those at the contact.
+/// The ring in cells whose nodes lie evenly in the logarithm of the radius: displacements there are sums of its powers,
+/// and rows across which the radius is multiplied need no more nodes than those at the contact.
 fn rows(layout: &Layout, on: Rays, [inner, outer]: [Circle; 2], angles: &[f64], contact: Face) -> Vec<Block> {
     let whole = (outer.radius / inner.radius).ln();
     let first = angles[1] - angles[0];

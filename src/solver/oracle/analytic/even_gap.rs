@@ -1,8 +1,9 @@
 //! A rigid profile of even gap on a half-plane: pressure, half-width, opening outside, and the stresses below.
 //!
 //! With the contact `|x| ≤ a` and the slope of the gap as a cosine series, `g'(a cos θ) = Σ b_n cos nθ` over odd n, the
-//! equation of the half-plane `∫ p ds/(x − s) = (πE*/2) g'(x)` has the solution `p(a cos φ) = (E*/2) Σ b_n sin nφ`, from
-//! `∫₀^π sin nφ sin φ dφ/(cos φ − cos θ) = −π cos nθ` (Glauert's integral; Johnson, Contact Mechanics, 1985, §2.7).
+//! equation of the half-plane `∫ p ds/(x − s) = (πE*/2) g'(x)` has the solution `p(a cos φ) = (E*/2) Σ b_n sin nφ`,
+//! from `∫₀^π sin nφ sin φ dφ/(cos φ − cos θ) = −π cos nθ` (Glauert's integral; Johnson, Contact Mechanics, 1985,
+//! §2.7).
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -94,7 +95,8 @@ impl EvenGap {
         slope - self.terms().map(|(n, b)| b * (-n * eta).exp()).sum::<f64>()
     }
 
-    /// Stresses `[σ_x, σ_z, τ_xz]` \[MPa\] in the half-plane; `x` right, `z ≥ 0` into the body \[mm\], tension positive.
+    /// Stresses `[σ_x, σ_z, τ_xz]` \[MPa\] in the half-plane; `x` right, `z ≥ 0` into the body \[mm\], tension
+    /// positive.
     ///
     /// Flamant's solution, integrated: with `ζ = x + iz = a cosh ω`, `ω = η + iθ` and `F = ∫ p ds/(s − ζ) = −(πE*/2) Σ
     /// b_n e^{−nω}`,

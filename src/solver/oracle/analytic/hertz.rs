@@ -41,7 +41,8 @@ impl Hertz {
         PI * modulus * half_width.powi(2) / (4.0 * radius)
     }
 
-    /// Stresses `[σ_x, σ_z, τ_xz]` \[MPa\] in the half-plane; `x` right, `z ≥ 0` into the body \[mm\], tension positive.
+    /// Stresses `[σ_x, σ_z, τ_xz]` \[MPa\] in the half-plane; `x` right, `z ≥ 0` into the body \[mm\], tension
+    /// positive.
     ///
     /// With `m² − n² = a² − x² + z²`, `mn = xz`, `m ≥ 0` and `q = m² − z²` (McEwen 1949; Johnson 1985, §4.2):
     ///

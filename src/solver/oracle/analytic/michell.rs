@@ -1,8 +1,9 @@
-//! A ring under a pressure `cos nθ` on one of its circles, by Michell's series (J. H. Michell 1899; J. R. Barber, Elasticity, 2010, tables
-//! 8.1 and 9.1).
+//! A ring under a pressure `cos nθ` on one of its circles, by Michell's series (J. H. Michell 1899; J. R. Barber,
+//! Elasticity, 2010, tables 8.1 and 9.1).
 //!
-//! `φ = b² Σ A_k (r/b_k)^{m_k} cos nθ` with `m = n, −n, n + 2, 2 − n`, b the loaded radius, and `b_k` the outer radius where a term grows
-//! and the inner one where it falls, so that no power is large. Its tractions are `σ_rr = (m − n²) φ/r²` and `σ_rθ = n (m − 1) φ tan nθ/r²`.
+//! `φ = b² Σ A_k (r/b_k)^{m_k} cos nθ` with `m = n, −n, n + 2, 2 − n`, b the loaded radius, and `b_k` the outer radius
+//! where a term grows and the inner one where it falls, so that no power is large. Its tractions are
+//! `σ_rr = (m − n²) φ/r²` and `σ_rθ = n (m − 1) φ tan nθ/r²`.
 
 use nalgebra::{Matrix4, Vector4};
 
@@ -23,8 +24,8 @@ pub struct Harmonic {
 }
 
 impl Harmonic {
-    /// The ring of inner and outer radius \[mm\] under a pressure of 1 MPa times `cos nθ`, without shear, on the one or the other; NaN where
-    /// both radii are one.
+    /// The ring of inner and outer radius \[mm\] under a pressure of 1 MPa times `cos nθ`, without shear, on the one or
+    /// the other; NaN where both radii are one.
     pub fn pressed(
         n: usize,
         side: usize,

@@ -75,7 +75,8 @@ fn answer(mut parameters: Vec<Parameter>, quantity: &Quantity, value: f64) -> Re
     Reading::Unavailable(format!("no finite value with {}", given.join(", ")))
 }
 
-/// Where a function is largest between two places, about the second of which it is even: the best of many, then a golden section.
+/// Where a function is largest between two places, about the second of which it is even: the best of many, then a
+/// golden section.
 fn largest([from, to]: [f64; 2], of: impl Fn(f64) -> f64) -> f64 {
     let place = |k: usize| from + (to - from) * k as f64 / PLACES as f64;
     let best = (1..=PLACES).max_by(|&k, &l| of(place(k)).total_cmp(&of(place(l)))).unwrap_or(PLACES);

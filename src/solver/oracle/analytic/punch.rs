@@ -26,7 +26,8 @@ impl FlatPunch {
         self.load / (PI * inside.sqrt())
     }
 
-    /// Stresses `[σ_x, σ_z, τ_xz]` \[MPa\] in the half-plane; `x` right, `z ≥ 0` into the body \[mm\], tension positive.
+    /// Stresses `[σ_x, σ_z, τ_xz]` \[MPa\] in the half-plane; `x` right, `z ≥ 0` into the body \[mm\], tension
+    /// positive.
     ///
     /// Flamant's solution, integrated: with `ζ = x + iz` and `F = ∫ p ds/(s − ζ) = −P/√(ζ² − a²)`,
     ///

@@ -24,8 +24,8 @@ impl Shape {
 
 /// A thick shell (Lamé 1852; Timoshenko and Goodier, Theory of Elasticity, 1951, §§26, 127).
 ///
-/// With `m = 3` of spheres and 2 of cylinders, inside `a` and outside `b`: `σ_r = A − B/r^m`, `σ_θ = A + B/((m − 1) r^m)`,
-/// `A = (p_a a^m − p_b b^m)/(b^m − a^m)`, `B = (p_a − p_b) a^m b^m/(b^m − a^m)`.
+/// With `m = 3` of spheres and 2 of cylinders, inside `a` and outside `b`: `σ_r = A − B/r^m`,
+/// `σ_θ = A + B/((m − 1) r^m)`, `A = (p_a a^m − p_b b^m)/(b^m − a^m)`, `B = (p_a − p_b) a^m b^m/(b^m − a^m)`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Shell {
     /// What it is.
@@ -50,7 +50,8 @@ impl Shell {
         [(inside * a - outside * b) / (b - a), (inside - outside) * a * b / (b - a)]
     }
 
-    /// Radial, hoop and third stress \[MPa\]; the third is again the hoop stress of a sphere, the axial one of a cylinder.
+    /// Radial, hoop and third stress \[MPa\]; the third is again the hoop stress of a sphere, the axial one of a
+    /// cylinder.
     pub fn stress(&self, radius: f64) -> [f64; 3] {
         let [mean, rest] = self.constants();
         // Nothing of the second part is in a solid one, at its centre either.
@@ -92,7 +93,8 @@ impl PressFit {
         [shell([bore, interface], [0.0, pressure], inner), shell([interface, outside], [pressure, 0.0], outer)]
     }
 
-    /// Pressure between them \[MPa\]: their displacements at the interface differ by the interference, and both are proportional to it.
+    /// Pressure between them \[MPa\]: their displacements at the interface differ by the interference, and both are
+    /// proportional to it.
     pub fn pressure(&self) -> f64 {
         let [inner, outer] = self.under(1.0).map(|shell| shell.displacement(self.radii[1]));
         self.interference / (outer - inner)

@@ -15,7 +15,8 @@ pub struct Uniform {
 }
 
 impl Uniform {
-    /// Two blocks with matching faces of the full width `B` \[mm\] pressed together by a pressure `q` \[MPa\]: `p = q`, `qB`.
+    /// Two blocks with matching faces of the full width `B` \[mm\] pressed together by a pressure `q` \[MPa\]: `p = q`,
+    /// `qB`.
     pub fn patch(applied: f64, width: f64) -> Self {
         Self {
             pressure: applied,
@@ -25,8 +26,8 @@ impl Uniform {
         }
     }
 
-    /// Rectangular block standing free on a rigid frictionless plane, of specific weight `ρg` \[N/mm³\], height `H` and full width `B`
-    /// \[mm\]: `p = ρgH`, `ρgHB`.
+    /// Rectangular block standing free on a rigid frictionless plane, of specific weight `ρg` \[N/mm³\], height `H` and
+    /// full width `B` \[mm\]: `p = ρgH`, `ρgHB`.
     pub fn own_weight(specific_weight: f64, height: f64, width: f64) -> Self {
         let pressure = specific_weight * height;
         let given = [("specific_weight", specific_weight), ("height", height), ("width", width)];
@@ -38,8 +39,9 @@ impl Uniform {
         }
     }
 
-    /// Two bars in line (`ν = 0`) of Young's modulus `E` \[MPa\], section per unit thickness `A` and lengths `L₁`, `L₂` \[mm\], one end moved
-    /// by `u` towards the other until the gap `g ≥ 0` closes \[mm\]: `p = E (u − g) / (L₁ + L₂)`, zero while `u ≤ g`, and `pA`.
+    /// Two bars in line (`ν = 0`) of Young's modulus `E` \[MPa\], section per unit thickness `A` and lengths `L₁`, `L₂`
+    /// \[mm\], one end moved by `u` towards the other until the gap `g ≥ 0` closes \[mm\]: `p = E (u − g) / (L₁ + L₂)`,
+    /// zero while `u ≤ g`, and `pA`.
     pub fn bars(young: f64, section: f64, [moved, fixed]: [f64; 2], gap: f64, displacement: f64) -> Self {
         let closure = displacement - gap;
         let pressure = if closure <= 0.0 { 0.0 } else { young * closure / (moved + fixed) };

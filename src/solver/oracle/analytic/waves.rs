@@ -10,8 +10,9 @@ const PARTS: usize = 512;
 
 /// The gap `Δ (1 − cos(2πx/λ))` on a half-plane under a mean pressure, one contact a wave.
 ///
-/// With `p* = πE*Δ/λ` and `sin² ψ = p̄/p*`: `p = 2p* cos(πx/λ) √(sin² ψ − sin²(πx/λ))`, half-width `a = λψ/π`; from `p̄ = p*` on the
-/// whole wave touches and `p = p̄ + p* cos(2πx/λ)`, half-width λ/2 (Johnson, Contact Mechanics, 1985, §13.2).
+/// With `p* = πE*Δ/λ` and `sin² ψ = p̄/p*`: `p = 2p* cos(πx/λ) √(sin² ψ − sin²(πx/λ))`, half-width `a = λψ/π`; from
+/// `p̄ = p*` on the whole wave touches and `p = p̄ + p* cos(2πx/λ)`, half-width λ/2 (Johnson, Contact Mechanics, 1985,
+/// §13.2).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Waves {
     /// Contact modulus `E*` \[MPa\].
@@ -45,8 +46,8 @@ impl Waves {
         self.wavelength / PI * self.sine().asin()
     }
 
-    /// How far the surface has sunk on the mean over a wave, `Δ S (1 − ln S)` with `S = p̄/p*` \[mm\]: the mean gap that is left is
-    /// `Δ (1 − S + S ln S)`, of which the slope by S is `Δ ln S`; from S = 1 on none is left.
+    /// How far the surface has sunk on the mean over a wave, `Δ S (1 − ln S)` with `S = p̄/p*` \[mm\]: the mean gap
+    /// that is left is `Δ (1 − S + S ln S)`, of which the slope by S is `Δ ln S`; from S = 1 on none is left.
     pub fn sunk(&self) -> f64 {
         let share = (self.mean / self.complete()).min(1.0);
         self.amplitude * share * (1.0 - share.ln())
@@ -59,8 +60,8 @@ impl Waves {
         self.beyond() + 2.0 * self.complete() * cos.abs() * below.sqrt()
     }
 
-    /// `2 √(∫p x²/∫p)` \[mm\], by the midpoint rule in t, `sin(πx/λ) = sin ψ sin t`, where the integrand is smooth; that of the same
-    /// pressure everywhere is `λ²/12`.
+    /// `2 √(∫p x²/∫p)` \[mm\], by the midpoint rule in t, `sin(πx/λ) = sin ψ sin t`, where the integrand is smooth;
+    /// that of the same pressure everywhere is `λ²/12`.
     pub fn second_moment(&self) -> f64 {
         let (mut moment, mut total) = (0.0, 0.0);
         for part in 0..PARTS {

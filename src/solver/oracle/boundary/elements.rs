@@ -1,7 +1,7 @@
 //! Pressures that are linear between equally spaced nodes, and an active set: no series, no ends to be found.
 //!
-//! Displacement of the surface under a pressure: `u(x) = −(2/πE*) ∫ p(t) ln|x − t| dt` but for a constant (Flamant; Johnson,
-//! Contact Mechanics, 1985, §2.8). `oracles/boundary/half_plane.py` is the same for a parabola.
+//! Displacement of the surface under a pressure: `u(x) = −(2/πE*) ∫ p(t) ln|x − t| dt` but for a constant (Flamant;
+//! Johnson, Contact Mechanics, 1985, §2.8). `oracles/boundary/half_plane.py` is the same for a parabola.
 
 use std::f64::consts::FRAC_2_PI;
 
@@ -22,8 +22,8 @@ pub struct Elements {
 }
 
 impl Elements {
-    /// A profile pressed on the half-plane by a load \[N/mm\], between two places on so many elements; none where contact
-    /// reaches their ends or the active set does not come to rest.
+    /// A profile pressed on the half-plane by a load \[N/mm\], between two places on so many elements; none where
+    /// contact reaches their ends or the active set does not come to rest.
     pub fn pressed(modulus: f64, profile: &Profile, load: f64, [from, to]: [f64; 2], number: usize) -> Option<Self> {
         let step = (to - from) / number as f64;
         let places: Vec<f64> = (0..=number).map(|k| from + step * k as f64).collect();

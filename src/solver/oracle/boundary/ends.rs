@@ -1,7 +1,7 @@
 //! Where the closed stretches of a contact begin and end under a load: Newton's method from boundary elements.
 //!
-//! Of M stretches the 2M ends make M moments vanish, carry the load, and leave the surface of every open part between two
-//! stretches as far from the profile at its one end as at its other.
+//! Of M stretches the 2M ends make M moments vanish, carry the load, and leave the surface of every open part between
+//! two stretches as far from the profile at its one end as at its other.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -27,8 +27,8 @@ const ROUND_OFF: f64 = 1e-9;
 const PLACES: usize = 60;
 
 impl HalfPlane {
-    /// A profile under a load \[N/mm\], closed somewhere between two places; none where contact reaches them, or what is found
-    /// is not a contact: pressed throughout, and open elsewhere.
+    /// A profile under a load \[N/mm\], closed somewhere between two places; none where contact reaches them, or what
+    /// is found is not a contact: pressed throughout, and open elsewhere.
     pub fn of_load(modulus: f64, profile: Profile, load: f64, within: [f64; 2]) -> Option<Self> {
         let [low, high] = gap::reach(&profile);
         let within = [within[0].max(low), within[1].min(high)];

@@ -1,12 +1,13 @@
 //! A rigid profile on a half-plane, closed on given stretches: pressure, resultants, opening, and the stresses below.
 //!
-//! With `Φ(ζ) = ∫ p ds/(s − ζ)`, which jumps by `2πi p` across the contact L and whose mean there is `−πE* g'/2`, and `X(ζ) =
-//! Π √(ζ − b_k) √(ζ − e_k)` over the stretches `b_k…e_k`, the pressure that vanishes at every end is that of
+//! With `Φ(ζ) = ∫ p ds/(s − ζ)`, which jumps by `2πi p` across the contact L and whose mean there is `−πE* g'/2`, and
+//! `X(ζ) = Π √(ζ − b_k) √(ζ − e_k)` over the stretches `b_k…e_k`, the pressure that vanishes at every end is that of
 //!
 //! `Φ(ζ) = (E*/2) X(ζ) I(ζ)`, `I(ζ) = Σ_k σ_k ∫ g'(t) / (|X(t)| (t − ζ)) dt`, `σ_k = (−1)^{stretches to the right}`
 //!
-//! (N. I. Muskhelishvili, Singular Integral Equations, 1953, ch. 11; of one stretch it is Glauert's series). It is a solution
-//! where the moments `Σ σ_k ∫ g' t^j/|X| dt` vanish for all j below the number of stretches; the next one is 2P/E*.
+//! (N. I. Muskhelishvili, Singular Integral Equations, 1953, ch. 11; of one stretch it is Glauert's series). It is a
+//! solution where the moments `Σ σ_k ∫ g' t^j/|X| dt` vanish for all j below the number of stretches; the next one is
+//! 2P/E*.
 
 use std::f64::consts::{FRAC_2_PI, PI};
 
@@ -16,7 +17,8 @@ use super::{gap, quadrature};
 use crate::oracle::analytic::top;
 use crate::scene::Profile;
 
-/// A search for the largest pressure looks at so many places on 0.2 rad of a stretch, and at least on a part between two breaks.
+/// A search for the largest pressure looks at so many places on 0.2 rad of a stretch, and at least on a part between
+/// two breaks.
 const PLACES: [f64; 2] = [8.0, 2.0];
 /// Angle within which a place is that of a break \[rad\].
 const SAME: f64 = 1e-9;
@@ -54,8 +56,8 @@ impl HalfPlane {
         if (self.stretches.len() - stretch) % 2 == 1 { 1.0 } else { -1.0 }
     }
 
-    /// Points t and weights of `Σ σ_k ∫ … dt/|X|`, closer towards a place; a place within a smooth part of the contact needs
-    /// none there.
+    /// Points t and weights of `Σ σ_k ∫ … dt/|X|`, closer towards a place; a place within a smooth part of the contact
+    /// needs none there.
     fn points(&self, near: Option<Complex<f64>>) -> Vec<[f64; 2]> {
         let breaks = gap::breaks(&self.profile);
         let mut all = Vec::new();
@@ -213,7 +215,8 @@ impl HalfPlane {
         risen + FRAC_2_PI / self.modulus * sum
     }
 
-    /// Stresses `[σ_x, σ_z, τ_xz]` \[MPa\] in the half-plane; `x` right, `z ≥ 0` into the body \[mm\], tension positive.
+    /// Stresses `[σ_x, σ_z, τ_xz]` \[MPa\] in the half-plane; `x` right, `z ≥ 0` into the body \[mm\], tension
+    /// positive.
     ///
     /// Flamant's solution, integrated:
     ///

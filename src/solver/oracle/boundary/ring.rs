@@ -1,9 +1,10 @@
 //! An elastic ring on a rigid pin with clearance, by Michell's series.
 //!
-//! A pressure `cos nθ` on the inner circle moves it outwards by `c_n cos nθ`; towards large n `c_n → 2a/E*n`, whose sum is the
-//! logarithm `Σ cos nθ cos nφ/n = −½ ln 2|cos θ − cos φ|`. With `y = sin(θ/2)/sin(ε/2)` that is `ln|y² − y'²|`, which Chebyshev's
-//! polynomials of the pressure `p = cos(θ/2) √(1 − y²) Σ d_k U_2k(y)` make a sum of cosines; what is left of the series is
-//! smooth. The harmonic n = 1 is that of a rigid motion, and says only what force the ring carries.
+//! A pressure `cos nθ` on the inner circle moves it outwards by `c_n cos nθ`; towards large n `c_n → 2a/E*n`, whose sum
+//! is the logarithm `Σ cos nθ cos nφ/n = −½ ln 2|cos θ − cos φ|`. With `y = sin(θ/2)/sin(ε/2)` that is `ln|y² − y'²|`,
+//! which Chebyshev's polynomials of the pressure `p = cos(θ/2) √(1 − y²) Σ d_k U_2k(y)` make a sum of cosines; what is
+//! left of the series is smooth. The harmonic n = 1 is that of a rigid motion, and says only what force the ring
+//! carries.
 
 use std::f64::consts::{LN_2, PI};
 
@@ -66,8 +67,8 @@ impl Ring {
         Shell { shape, radii: self.radii, pressures, material }.displacement(self.radii[0])
     }
 
-    /// The contact of a half-angle \[rad\] with a pin in it, whose gap is measured on the ring; none where the pressure is not
-    /// one all over it, or the ring is not open beyond.
+    /// The contact of a half-angle \[rad\] with a pin in it, whose gap is measured on the ring; none where the pressure
+    /// is not one all over it, or the ring is not open beyond.
     pub fn on_pin(self, gap: &Profile, half_angle: f64) -> Option<OnPin> {
         let half = 0.5 * half_angle;
         let [inner, _] = self.radii;

@@ -2,9 +2,9 @@
 //!
 //! A pressure moves the surface by `u(x) = (2/πE*) ∫ p(t) G(x − t) dt`, and `G(y) + ln|y|` is smooth:
 //!
-//! * a layer of thickness h: `G = ∫₀^∞ F(q)/q cos(qy/h) dq`, with `F = (cosh 2q − 1)/(sinh 2q + 2q)` on a smooth base and
-//!   `F = (2κ sinh 2q − 4q)/(2κ cosh 2q + 1 + κ² + 4q²)`, `κ = 3 − 4ν`, where it is bonded (Johnson, Contact Mechanics, 1985, §5.8);
-//!   `∫ tanh q/q cos(qy/h) dq = −ln tanh(πy/4h)` has the same logarithm;
+//! * a layer of thickness h: `G = ∫₀^∞ F(q)/q cos(qy/h) dq`, with `F = (cosh 2q − 1)/(sinh 2q + 2q)` on a smooth base
+//!   and `F = (2κ sinh 2q − 4q)/(2κ cosh 2q + 1 + κ² + 4q²)`, `κ = 3 − 4ν`, where it is bonded (Johnson, Contact
+//!   Mechanics, 1985, §5.8); `∫ tanh q/q cos(qy/h) dq = −ln tanh(πy/4h)` has the same logarithm;
 //! * a row of contacts, one in every period λ: `G = −ln|2 sin(πy/λ)|`, but for the mean (Westergaard, 1939).
 //!
 //! The pressure that vanishes at both ends is `p = Σ c_k sin (2k + 1)ψ`, `s = a cos ψ`.
@@ -88,8 +88,8 @@ impl Strip {
         points.into_iter().map(|[q, weight]| [q, weight * (self.transform(q) - q.tanh()) / q]).collect()
     }
 
-    /// The contact of a half-width \[mm\] with an even profile; none where it is not pressed all over, or not open beyond, up to a
-    /// place.
+    /// The contact of a half-width \[mm\] with an even profile; none where it is not pressed all over, or not open
+    /// beyond, up to a place.
     pub fn pressed(self, modulus: f64, profile: &Profile, half_width: f64, open_to: f64) -> Option<OnStrip> {
         let (a, points) = (half_width, self.points());
         let moved = |x: f64| -> Vec<f64> {

@@ -1,5 +1,5 @@
-//! The closed stretches of every contact, a mesh with lines on their ends, and how far these shall move; where a contact ends on such a
-//! mesh: at the line, moved as the pressures near it ask.
+//! The closed stretches of every contact, a mesh with lines on their ends, and how far these shall move; where a
+//! contact ends on such a mesh: at the line, moved as the pressures near it ask.
 //!
 //! Read from pressures alone, as on any mesh, an end is ten times less accurate than the line that was laid on it.
 
@@ -45,15 +45,17 @@ impl Closed {
             if places(all).is_empty() {
                 let message =
                     "--fitted cannot be used: the contact ends where its candidates end, and any mesh has a line there";
-                let remedy = "widen the candidate stretch where the surfaces go on; give more elements where a corner is pressed";
+                let remedy = "widen the candidate stretch where the surfaces go on; give more elements where a corner \
+                    is pressed";
                 return refused(contact, message, format!("{REMEDY}; {remedy}"));
             }
         }
         Ok(())
     }
 
-    /// Lays ends of two contacts of one body on one line that lie within so many half-widths of one another: a body through which one force
-    /// goes has ends that differ by what the mesh leaves, and cells between two lines for them would be as narrow.
+    /// Lays ends of two contacts of one body on one line that lie within so many half-widths of one another: a body
+    /// through which one force goes has ends that differ by what the mesh leaves, and cells between two lines for them
+    /// would be as narrow.
     pub(super) fn join(&mut self, scene: &Scene, near: f64) {
         let pairs = &scene.contacts;
         for later in 1..pairs.len() {
@@ -108,7 +110,8 @@ impl Closed {
 
     /// The moves with all points between the ends closed and all others open.
     ///
-    /// By node elements, whatever is solved with after: the end is the mesh's, and others have more points than displacements can follow.
+    /// By node elements, whatever is solved with after: the end is the mesh's, and others have more points than
+    /// displacements can follow.
     pub(super) fn moves(&self, made: &Discretisation) -> Result<Moves, Error> {
         let formulation = Formulation::verification();
         let points = made.points(&formulation);
@@ -182,12 +185,13 @@ pub(super) fn places(stretches: &[Stretch]) -> Vec<f64> {
     places
 }
 
-/// How far two readings of an end are said to be apart, over how far from it a point is astray: of two readings a half is counted at least, and the
-/// true end may lie as far as the next point from that one.
+/// How far two readings of an end are said to be apart, over how far from it a point is astray: of two readings a half
+/// is counted at least, and the true end may lie as far as the next point from that one.
 const ASTRAY: f64 = 4.0;
 
-/// How far from the nearest end of some stretches a point between is open, [near](NEAR) that end, or one beyond is pressed, but for those on mesh
-/// lines: the contact ends elsewhere. Beside a leap of the curvature the pressures of all points between, held closed, may fall towards a line that lies too far out.
+/// How far from the nearest end of some stretches a point between is open, [near](NEAR) that end, or one beyond is
+/// pressed, but for those on mesh lines: the contact ends elsewhere. Beside a leap of the curvature the pressures of
+/// all points between, held closed, may fall towards a line that lies too far out.
 pub(super) fn astray(stretches: &[[f64; 2]], lines: &[f64], points: &[PointState]) -> f64 {
     let within = |point: &PointState| {
         let of = |[begin, end]: &[f64; 2]| (point.position - begin).min(end - point.position);
@@ -215,8 +219,8 @@ pub(super) fn apart(stretches: &[Stretch], moves: &[[[f64; 2]; 2]]) -> f64 {
 /// Distance of an end from its line, over the half-width, beyond which it is not the one that the line was laid on.
 const NEAR: f64 = 0.1;
 
-/// Puts the ends of all stretches where the lines of their mesh tell them, and reads the largest pressures between; leaves them as they were
-/// read where a line, or how far it lies from the end, is not known.
+/// Puts the ends of all stretches where the lines of their mesh tell them, and reads the largest pressures between;
+/// leaves them as they were read where a line, or how far it lies from the end, is not known.
 pub(in crate::solve) fn of_lines(discretisation: &Discretisation, measures: &mut [Measures], parts: &[Part]) {
     let pairs = &discretisation.scene.contacts;
     let is_told = discretisation.resolution.order >= Order::Quartic;

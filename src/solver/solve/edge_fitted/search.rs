@@ -37,10 +37,11 @@ pub struct Answer {
 }
 
 impl Answer {
-    /// Whether every contact is closed between the ends that were found, and open beyond, but for so much of the half-width beside them.
+    /// Whether every contact is closed between the ends that were found, and open beyond, but for so much of the
+    /// half-width beside them.
     ///
-    /// Where a first mesh takes two stretches for one, or one that begins away from a symmetry line for one that begins on it, the
-    /// fitted mesh has no line where the contact ends.
+    /// Where a first mesh takes two stretches for one, or one that begins away from a symmetry line for one that begins
+    /// on it, the fitted mesh has no line where the contact ends.
     pub fn is_where_it_was_sought(&self, near: f64) -> bool {
         let contacts = self.discretisation.scene.contacts.iter().zip(&self.run.contacts).zip(&self.stretches);
         contacts.enumerate().all(|(contact, ((pair, found), stretches))| {
@@ -56,15 +57,15 @@ impl Answer {
 const FIRST: Resolution = Resolution { elements: 3, refinement: 0, order: Order::Quadratic };
 /// Times that this mesh is halved where the contact found on it is not that of the fitted mesh.
 const HALVED: u32 = 5;
-/// Order of the mesh on which its ends are sought first, with a layer more than the last one: an order costs more than a layer, and tells
-/// less of an end.
+/// Order of the mesh on which its ends are sought first, with a layer more than the last one: an order costs more than
+/// a layer, and tells less of an end.
 const COARSE: Order = Order::Quartic;
 /// Move of an end, over the half-width, from which on the last mesh is worth while.
 const NEAR: f64 = 2e-3;
 /// Part of a move of an end that is left after it, at most: the mesh itself tells whether it was less.
 const LEFT: f64 = 0.25;
-/// Farthest that the ends of two contacts of one body may be from one another and share a mesh line, over the half-width: on the last of the
-/// meshes no farther than an end may be off.
+/// Farthest that the ends of two contacts of one body may be from one another and share a mesh line, over the
+/// half-width: on the last of the meshes no farther than an end may be off.
 const TOGETHER: f64 = 0.1;
 /// Most meshes of each kind.
 const MESHES: usize = 5;
@@ -80,7 +81,8 @@ pub struct Sought<'a> {
     pub elements: usize,
     /// Move of an end, over the half-width, that no longer matters.
     pub at_rest: f64,
-    /// Whether the run that tells where the contacts are is one on such a mesh, so that no coarse ones are solved first.
+    /// Whether the run that tells where the contacts are is one on such a mesh, so that no coarse ones are solved
+    /// first.
     pub is_near: bool,
     /// Whether ends that would move there and back for ever are brought to rest between.
     pub is_damped: bool,
@@ -137,7 +139,8 @@ impl Fitted {
                     if !has_converged || answer.is_where_it_was_sought(near) {
                         return Ok(Answer { tried, ..answer });
                     }
-                    let message = "the contact is not closed where its ends were found: the mesh that it was sought on is too coarse";
+                    let message = "the contact is not closed where its ends were found: the mesh that it was sought on \
+                        is too coarse";
                     refused = Some(Error::at(scene.name.as_str(), message, REMEDY));
                 }
                 Err(error @ Error { kind: Kind::TooManyDofs { .. }, .. }) => return Err(error),
@@ -193,8 +196,8 @@ impl Fitted {
     }
 }
 
-/// What the ends shall move, where the mesh asks for such moves and did for others before, upon which they made such steps: to the zero of the
-/// line through both where they would go back, for some would do so for ever.
+/// What the ends shall move, where the mesh asks for such moves and did for others before, upon which they made such
+/// steps: to the zero of the line through both where they would go back, for some would do so for ever.
 fn damped(moves: &Moves, before: Option<&[Moves; 2]>) -> Moves {
     let mut steps = moves.clone();
     let Some([asked, made]) = before else { return steps };
@@ -208,8 +211,8 @@ fn damped(moves: &Moves, before: Option<&[Moves; 2]>) -> Moves {
     steps
 }
 
-/// Lays the mesh lines of a scene on the ends that a run found; those of two contacts of a body on one line where they lie within so many
-/// half-widths. A contact that has other ends than lines keeps these.
+/// Lays the mesh lines of a scene on the ends that a run found; those of two contacts of a body on one line where they
+/// lie within so many half-widths. A contact that has other ends than lines keeps these.
 pub(crate) fn lay_on_ends(scene: &mut Scene, run: &Run, near: f64) {
     let mut ends = found(run);
     ends.join(scene, near);

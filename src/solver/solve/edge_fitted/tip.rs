@@ -9,11 +9,13 @@ use crate::scene::contact_pair::LAYER;
 
 /// Part of the half-width that rounding explains.
 const SAME: f64 = 1e-9;
-/// Terms of a series that smooth profiles need no more of, and of the longest one: as many as there are functions on cells of order 8.
+/// Terms of a series that smooth profiles need no more of, and of the longest one: as many as there are functions on
+/// cells of order 8.
 const TERMS: [usize; 2] = [4, 7];
 /// Fewest functions that tell a series, and the one of a term less.
 const FEWEST: usize = 3;
-/// Parts of the stretch on which profiles that are steep at its end have a series of so few terms: up to the outermost layer of cells, and the next one.
+/// Parts of the stretch on which profiles that are steep at its end have a series of so few terms: up to the outermost
+/// layer of cells, and the next one.
 const NARROW: [f64; 2] = [LAYER, LAYER * LAYER];
 /// Order to which the functions vanish where the piece ends that is looked at.
 const VANISHES: usize = 2;
@@ -36,12 +38,14 @@ impl Tip {
         (position - self.end) * self.inwards
     }
 
-    /// How far the end lies beyond the line, over the half-width, and how far another series is from that; by the `[contact coordinate, force]` of closed
-    /// nodes, where the gap is smooth up to a distance. None where the pressure does not fall towards the end.
+    /// How far the end lies beyond the line, over the half-width, and how far another series is from that; by the
+    /// `[contact coordinate, force]` of closed nodes, where the gap is smooth up to a distance. None where the pressure
+    /// does not fall towards the end.
     ///
-    /// Closed up to a place that is not its end, a frictionless contact has the pressure of a sharp corner at the distance d from there, as it
-    /// may have at the other end, D = 2a away: `p √(d (D − d)) = A + B d/D + …`. At the end itself A, the stress intensity, vanishes. Where the end
-    /// lies at −δ, `p ∝ √(δ + d) = √d + δ/(2√d) + …`, so that `δ = 2AD/(B + A/2)`.
+    /// Closed up to a place that is not its end, a frictionless contact has the pressure of a sharp corner at the
+    /// distance d from there, as it may have at the other end, D = 2a away: `p √(d (D − d)) = A + B d/D + …`. At the
+    /// end itself A, the stress intensity, vanishes. Where the end lies at −δ, `p ∝ √(δ + d) = √d + δ/(2√d) + …`, so
+    /// that `δ = 2AD/(B + A/2)`.
     ///
     /// Of some series the one whose last term matters least is taken.
     pub(super) fn moved(&self, interface: &Interface, forces: &[[f64; 2]], smooth: f64) -> Option<[f64; 2]> {
@@ -56,11 +60,13 @@ impl Tip {
         Some([moved, known.get(1).map_or(last, |other| (other[0] - moved).abs())])
     }
 
-    /// The same by a series of so many terms up to the farthest corner of a cell within a distance, and what the last term changes.
+    /// The same by a series of so many terms up to the farthest corner of a cell within a distance, and what the last
+    /// term changes.
     ///
-    /// The force of a node by itself says little, as no cell follows a root; but `Σ g(s_a) F_a` is `∫ g p dA` to twice the order, for what it misses is
-    /// what the mesh leaves of the solution times what it would leave under a load g (Babuška & Miller 1984). So the series is fitted to such sums,
-    /// with polynomials g of the degree of the cells that vanish where the piece ends.
+    /// The force of a node by itself says little, as no cell follows a root; but `Σ g(s_a) F_a` is `∫ g p dA` to twice
+    /// the order, for what it misses is what the mesh leaves of the solution times what it would leave under a load g
+    /// (Babuška & Miller 1984). So the series is fitted to such sums, with polynomials g of the degree of the cells
+    /// that vanish where the piece ends.
     fn by_series(&self, interface: &Interface, forces: &[[f64; 2]], within: f64, terms: usize) -> Option<[f64; 2]> {
         let [same, width] = [SAME, 2.0].map(|part| part * self.half_width);
         let span = |[a, b]: [f64; 2]| [self.away(a).min(self.away(b)), self.away(a).max(self.away(b))];

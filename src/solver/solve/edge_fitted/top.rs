@@ -14,9 +14,9 @@ use crate::solution::{Part, PointState};
 const FEWEST: usize = 3;
 /// What the last term of a series may matter, over the peak, if it shall be taken whatever points tell.
 const SETTLED: f64 = 1e-4;
-/// How far such a top may be from what points tell, over what two readings of these are apart, besides what the points of cells of order 4, and of
-/// each further order, miss of a smooth top (spheres: 1.2e-3, 1.7e-4, 7e-5, 5e-6, 2e-6): where a few terms do not draw the pressure, as of a thin layer,
-/// two series may agree by chance.
+/// How far such a top may be from what points tell, over what two readings of these are apart, besides what the points
+/// of cells of order 4, and of each further order, miss of a smooth top (spheres: 1.2e-3, 1.7e-4, 7e-5, 5e-6, 2e-6):
+/// where a few terms do not draw the pressure, as of a thin layer, two series may agree by chance.
 const AGREES: f64 = 3.0;
 const SMOOTH_TOP: (f64, f64) = (1.5e-3, 0.2);
 /// Part of the radius that rounding explains.
@@ -47,7 +47,8 @@ impl Series {
         self.derivatives(x)[0] / (1.0 - x * x).sqrt()
     }
 
-    /// The largest pressure, away from the ends: where `q′ (1 − x²) + x q` vanishes, by Newton's method from the best place of a grid.
+    /// The largest pressure, away from the ends: where `q′ (1 − x²) + x q` vanishes, by Newton's method from the best
+    /// place of a grid.
     fn top(&self) -> Peak {
         let places = (0..=GRID).map(|k| WITHIN * f64::from(k) / f64::from(GRID));
         let mut x = places.max_by(|a, b| self.pressure(*a).total_cmp(&self.pressure(*b))).unwrap_or(0.0);
@@ -62,9 +63,10 @@ impl Series {
     }
 }
 
-/// Reads the largest pressure of a contact around an axis, with one closed stretch that ends on a mesh line and an analytic gap: between the tops
-/// of two series of which one has a term more, as they lie above and below, of those that are nearest to one another. Leaves what was read of the
-/// points around the highest where that is told better, the last term matters much, or points tell another.
+/// Reads the largest pressure of a contact around an axis, with one closed stretch that ends on a mesh line and an
+/// analytic gap: between the tops of two series of which one has a term more, as they lie above and below, of those
+/// that are nearest to one another. Leaves what was read of the points around the highest where that is told better,
+/// the last term matters much, or points tell another.
 pub(super) fn read(interface: &Interface, one: &Stretch, part: Part, measures: &mut Measures) {
     let all = by_series(interface, one, part.points).unwrap_or_default();
     let between = |two: &[Series]| {
@@ -91,9 +93,9 @@ pub(super) fn read(interface: &Interface, one: &Stretch, part: Part, measures: &
 
 /// Series of more and more terms.
 ///
-/// `p √(1 − x²)` is as smooth as the gap, and `Σ g(s_a) F_a` is `∫ g p dA` to twice the order of the cells for a polynomial g of their degree
-/// (Babuška & Miller 1984): so it is fitted to such sums over the whole circle. About the axis both have
-/// even powers only.
+/// `p √(1 − x²)` is as smooth as the gap, and `Σ g(s_a) F_a` is `∫ g p dA` to twice the order of the cells for a
+/// polynomial g of their degree (Babuška & Miller 1984): so it is fitted to such sums over the whole circle. About the
+/// axis both have even powers only.
 fn by_series(interface: &Interface, one: &Stretch, points: &[PointState]) -> Option<Vec<Series>> {
     let x_of = |r: f64| r / one.end;
     let degree = interface.edges.first()?.len().checked_sub(1)?;

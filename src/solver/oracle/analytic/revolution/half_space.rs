@@ -1,13 +1,14 @@
 //! Stresses and displacements of the elastic half-space under a pressure of revolution, without friction.
 //!
-//! With r from the axis and `z ≥ 0` into the body \[mm\], the harmonic `f = (1/2π) ∫ p dA/ρ` has `f_z = −p` on the surface,
-//! and with `φ_z = −f` (Boussinesq 1885; Barber, Elasticity, 2010, §21.5)
+//! With r from the axis and `z ≥ 0` into the body \[mm\], the harmonic `f = (1/2π) ∫ p dA/ρ` has `f_z = −p` on the
+//! surface, and with `φ_z = −f` (Boussinesq 1885; Barber, Elasticity, 2010, §21.5)
 //!
 //! * `2G u_r = (1 − 2ν) φ_r − z f_r`, `2G u_z = 2(1 − ν) f − z f_z`,
 //! * `σ_z = f_z − z f_zz`, `τ_rz = −z f_rz`, `σ_r = f_z + z (f_zz + f_r/r) − (1 − 2ν) φ_r/r`,
 //! * `σ_θ = φ_r/r − z f_r/r + 2ν (f_z − φ_r/r)`.
 //!
-//! The potentials are imaginary parts of functions of `ζ = z + ia` and `ρ = √(r² + ζ²)`: a punch, moved by ia along the axis.
+//! The potentials are imaginary parts of functions of `ζ = z + ia` and `ρ = √(r² + ζ²)`: a punch, moved by ia along the
+//! axis.
 
 use nalgebra::Complex;
 

@@ -1,9 +1,9 @@
 //! A half-space pressed by a rigid profile of revolution.
 //!
-//! The transform `w(t) = t ∫₀ᵗ g'(r) dr/√(t² − r²)` of the profile g gives, of the contact `r ≤ a` (Sneddon 1965; Popov and
-//! Heß, Method of Dimensionality Reduction, 2015, §3), the approach `δ = w(a)`, the load `F = 2E* ∫₀ᵃ t w'(t) dt` and the pressure
-//! `p = (E*/π) ∫ᵣᵃ w'(t) dt/√(t² − r²)`. A punch that ends at `a` may be pressed deeper, by e: then `δ = w(a) + e`, and
-//! `2E*ae` and `E*e/π√(a² − r²)` are added.
+//! The transform `w(t) = t ∫₀ᵗ g'(r) dr/√(t² − r²)` of the profile g gives, of the contact `r ≤ a` (Sneddon 1965; Popov
+//! and Heß, Method of Dimensionality Reduction, 2015, §3), the approach `δ = w(a)`, the load `F = 2E* ∫₀ᵃ t w'(t) dt`
+//! and the pressure `p = (E*/π) ∫ᵣᵃ w'(t) dt/√(t² − r²)`. A punch that ends at `a` may be pressed deeper, by e: then
+//! `δ = w(a) + e`, and `2E*ae` and `E*e/π√(a² − r²)` are added.
 
 use std::f64::consts::{PI, TAU};
 
@@ -34,7 +34,8 @@ impl Indentation {
         Self { modulus, radius, powers, beyond: 0.0 }
     }
 
-    /// The same under a load \[N\] that makes a radius between `low` and `high` \[mm\], where the load grows with the radius.
+    /// The same under a load \[N\] that makes a radius between `low` and `high` \[mm\], where the load grows with the
+    /// radius.
     pub fn of_load(load: f64, modulus: f64, powers: &[[f64; 2]], between: [f64; 2]) -> Self {
         let of = |radius| Self::smooth(modulus, radius, powers.to_vec());
         of(grown_to(load, between, |radius| of(radius).load()))
@@ -71,14 +72,16 @@ impl Indentation {
         2.0 * self.modulus * (self.radius * self.beyond + terms.sum::<f64>())
     }
 
-    /// Radius by second moment, `√(5/2 ∫p r² dA/F)` with `∫p r² dA = (4E*/3) [a³e + Σ b n aⁿ⁺³/(n + 3)]`; a paraboloid's is a \[mm\].
+    /// Radius by second moment, `√(5/2 ∫p r² dA/F)` with `∫p r² dA = (4E*/3) [a³e + Σ b n aⁿ⁺³/(n + 3)]`; a
+    /// paraboloid's is a \[mm\].
     pub fn second_moment_radius(&self) -> f64 {
         let terms = self.transformed().map(|[b, n]| b * n / (n + 3.0) * self.radius.powf(n + 3.0));
         let moment = 4.0 / 3.0 * self.modulus * (self.radius.powi(3) * self.beyond + terms.sum::<f64>());
         (2.5 * moment / self.load()).sqrt()
     }
 
-    /// Pressure at `r` \[MPa\], zero outside the contact; infinite at a sharp edge, and at the tip where an n is at most 1.
+    /// Pressure at `r` \[MPa\], zero outside the contact; infinite at a sharp edge, and at the tip where an n is at
+    /// most 1.
     pub fn pressure(&self, r: f64) -> f64 {
         let (a, r) = (self.radius, r.abs());
         if r > a {
@@ -97,7 +100,8 @@ impl Indentation {
         self.pressure(largest([self.radius, 0.0], |r| self.pressure(r)))
     }
 
-    /// The potential below the contact, `(E*/π) [∫₀ᵃ w'(t) f_t dt + e f_a]` with that of flat punches of radius t; `z > 0` \[mm\].
+    /// The potential below the contact, `(E*/π) [∫₀ᵃ w'(t) f_t dt + e f_a]` with that of flat punches of radius t;
+    /// `z > 0` \[mm\].
     pub fn potential(&self, r: f64, z: f64) -> Potential {
         let terms: Vec<[f64; 2]> = self.transformed().collect();
         // With t = a sin θ. The potentials have a pole at t = r + iz, and w' of a broken power one at zero.
