@@ -89,9 +89,8 @@ pub fn schema() -> String {
 }
 
 /// What to do about a document that is none.
-const SCHEMA: &str = "write it by the schema that `contact-vv schema answer` prints; `contact-vv export` writes one to \
-    begin with; numbers are \
-     finite: leave out only points beyond the contact";
+const SCHEMA: &str = "write it by the schema that `contact-vv schema answer` prints; `contact-vv export` writes one \
+    to begin with; numbers are finite: leave out only points beyond the contact";
 
 /// The answer in a text.
 pub fn parse(file: &Path, text: &str, case: &str, scene: &Scene, asked: &Asked) -> Result<Answer, Error> {

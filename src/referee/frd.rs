@@ -21,13 +21,12 @@ const CONTACT: &str =
     "write `*CONTACT FILE` with CDIS and CSTR in the step, and run ccx again; of an exported deck hand in the .dat";
 /// How they are written such that their nodes are there.
 const EXPANDED: &str = "write *CONTACT FILE and *NODE FILE with OUTPUT=3D, so that the file has the nodes into which \
-    ccx expands plane elements and those \
-                        of the contact are among them; or hand in a .csv of positions and nodal forces";
+    ccx expands plane elements and those of the contact are among them; or hand in a .csv of positions and nodal \
+    forces";
 /// How they are written where the file has the expanded nodes, and those of the contact are of the plane, as of a
 /// surface of nodes.
 const IN_PLANE: &str = "leave OUTPUT=3D out, so that the file has the nodes of the plane elements, by which the \
-    contact names its own; or hand in a \
-                        .csv of positions and nodal forces";
+    contact names its own; or hand in a .csv of positions and nodal forces";
 /// What to do about a node with two kinds of numbers.
 const TWICE: &str = "keep one line a node, that of the side and state which are judged, or run ccx again";
 /// What to do where they are there, and have no values.
@@ -82,8 +81,7 @@ pub fn parse(file: &Path, text: &str, scene: &Scene, asked: &Asked) -> Result<An
     if lacking + lost > 0 {
         let message = format!(
             "its contact block has values at {} nodes, {} of which the file does not have, {lost} of them under \
-            pressure; {lacking} of the {} \
-             nodes of contact `{}` have none, and none is no zero",
+            pressure; {lacking} of the {} nodes of contact `{}` have none, and none is no zero",
             block.rows.len(),
             strange.len(),
             nodes.len(),

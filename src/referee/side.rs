@@ -26,9 +26,8 @@ const APART: f64 = 1e-2;
 /// Part of the candidate stretch that a side reaches over which lies there with its points in another unit.
 const REACHED: f64 = 0.5;
 /// What to do about points that lie elsewhere.
-const UNDEFORMED: &str = "hand in the mesh undeformed, in plane cells, in the coordinates of the scene and the unit of \
-    --unit position=UNIT; --contact \
-                          names one of several";
+const UNDEFORMED: &str = "hand in the mesh undeformed, in plane cells, in the coordinates of the scene and the unit \
+    of --unit position=UNIT; --contact names one of several";
 /// What to do about cells of the other half of a scene whose contact does not lie on the symmetry line.
 const ONE_HALF: &str = "; of a symmetric whole hand in the half that the scene is";
 
@@ -188,9 +187,8 @@ impl Side {
         let is_beyond = |edge: &Edge| edge.iter().any(|&node| pair.path.coordinate(points[node]).abs() > pair.stretch);
         let beyond = pressed().filter(|edge| is_beyond(edge)).count();
         let message = format!(
-            "{} of the edges that are pressed lie off the undeformed path of contact `{}`, {beyond} of them beyond its \
-            candidate stretch: {:.2} % of \
-             the force would be left out",
+            "{} of the edges that are pressed lie off the undeformed path of contact `{}`, {beyond} of them beyond \
+            its candidate stretch: {:.2} % of the force would be left out",
             pressed().count(),
             pair.name,
             100.0 * dropped / whole

@@ -59,8 +59,7 @@ fn problem(name: &str, case: &Case, has_sheet: bool) -> String {
         ),
         None if has_sheet => format!(
             "Input: the [benchmark sheet](../sheets/{name}.md) has geometry, material, loads, supports and reference \
-            values; \
-             `contact-vv solve {name}` solves it.\n\n"
+            values; `contact-vv solve {name}` solves it.\n\n"
         ),
         None => described::scene(&case.scene).join("\n\n") + "\n\n",
     };

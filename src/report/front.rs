@@ -39,11 +39,9 @@ pub fn page(findings: &[Finding]) -> String {
     let body: String = parts.map(|(question, answer)| format!("## {question}\n\n{answer}\n")).concat();
     format!(
         "# Validation report\n\nThree contact elements × three iterations for frictionless elastic contact in 2D \
-        (Égert 1999). \
-         Numbers, verdicts and conditions are computed, and with them the sentences that have any; typed are \
-         definitions, sources, hypotheses, \
-         the paper's misprints, decisions where it is silent, reasons, limits and obstacles. Do not edit. What letters \
-         stand for: {}.\n\n{}\n",
+        (Égert 1999). Numbers, verdicts and conditions are computed, and with them the sentences that have any; typed \
+        are definitions, sources, hypotheses, the paper's misprints, decisions where it is silent, reasons, limits \
+        and obstacles. Do not edit. What letters stand for: {}.\n\n{}\n",
         link("symbols", symbols::FILE),
         body.trim_end()
     )
@@ -87,8 +85,7 @@ pub fn right(findings: &[Finding]) -> String {
             let beyond = outside.len() - unknown;
             Some(format!(
                 " Of {all} numbers beside a closed form {beyond} are off by more than their error bar and the model \
-                error that their case states; of {unknown} the \
-                 bar is not known ({}).",
+                error that their case states; of {unknown} the bar is not known ({}).",
                 link("which", &format!("{}#error-bars-beside-checks", study_page::file(promised::Numbers::NAME)))
             ))
         }
@@ -138,9 +135,8 @@ pub fn against(findings: &[Finding]) -> String {
     let more = all_of_them - named.len();
     format!(
         "{}\nOf what other codes answer {of_codes} more checks are made: {}. {} {}. The {NAMED} closed forms with the \
-        most numbers \
-         that agree with them, not by round-off alone, every other code, and what was measured; {more} more closed \
-         forms stand in {}:\n\n{}",
+        most numbers that agree with them, not by round-off alone, every other code, and what was measured; {more} \
+        more closed forms stand in {}:\n\n{}",
         markdown::table(&head, &rows),
         to_study("the scoreboard", scoreboard::Numbers::NAME),
         experiments(findings),
@@ -255,9 +251,9 @@ fn advice(findings: &[Finding]) -> String {
         format!(
             "If nothing is said, `contact-vv` takes `{}`. Runs of it on all scenes, on candidates of their own and on \
             longer ones:\n\n{table}\n\
-             *{}* is the named error that no spring is left to hold a body. It names what may be the cause: a load \
-             that pulls the bodies apart, \
-             a soft start, or a contact smaller than two elements, for which `--accuracy` seeks a mesh.\n\n",
+            *{}* is the named error that no spring is left to hold a body. It names what may be the cause: a load \
+            that pulls the bodies apart, a soft start, or a contact smaller than two elements, for which `--accuracy` \
+            seeks a mesh.\n\n",
             Method::default(Element::Node, Iteration::Kinematic),
             Ended::Unsupported.name(),
         )

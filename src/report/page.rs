@@ -73,16 +73,13 @@ fn of_checks(findings: &[Finding]) -> String {
     let judged = told::each(findings);
     let body = format!(
         "*Verification* holds the code against closed forms and orders of accuracy (kind *analytic*); *benchmarking* \
-        holds it against \
-         other codes (*cross-code*); *self-consistency* asks it the same in another way; *validation* compares with \
-         measurement. The checks are \
-         {} propositions, each of a quantity, how it shall stand to a reference, and the kind of that, judged in {} \
-         rows: one for each case and \
-         reference, by the worst of the runs that are held to it. The tables below count these runs. ± is the error \
-         bar, {COVERAGE} standard \
-         uncertainties of the value from refinement; how many bars hold, {} tells.\n\n{}\n{}## Truths\n\n\
-         Every truth that is not this code, but for those of the scoreboard, with the numbers held against it, and the \
-         relative errors above round-off:\n\n{}\n## Every run\n\n{}",
+        holds it against other codes (*cross-code*); *self-consistency* asks it the same in another way; *validation* \
+        compares with measurement. The checks are {} propositions, each of a quantity, how it shall stand to a \
+        reference, and the kind of that, judged in {} rows: one for each case and reference, by the worst of the runs \
+        that are held to it. The tables below count these runs. ± is the error bar, {COVERAGE} standard uncertainties \
+        of the value from refinement; how many bars hold, {} tells.\n\n{}\n{}## Truths\n\n\
+        Every truth that is not this code, but for those of the scoreboard, with the numbers held against it, and the \
+        relative errors above round-off:\n\n{}\n## Every run\n\n{}",
         told::propositions(judged.iter().copied()),
         judged.len(),
         links::to_page("what is promised", &study_page::file(promised::Numbers::NAME)),

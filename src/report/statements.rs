@@ -51,8 +51,7 @@ pub fn section(findings: &[Finding]) -> String {
     let table = markdown::columns(&columns, &judge(findings));
     format!(
         "## Its statements\n\n{} What is measured of iterations is of cylinder and pin–rod, in this order, under that \
-        reading, by a cap of \
-         {}.\n\n{table}\n",
+        reading, by a cap of {}.\n\n{table}\n",
         statement::RULE,
         Reading::nearest().cap
     )
@@ -82,8 +81,7 @@ pub fn two_stops() -> String {
     let stop = Reading::nearest().stop.name();
     format!(
         "Every run here stops by its error, and the paper's statements are judged by {stop}, which a run can meet \
-        before: there a method may \
-         end in every case that is given up here. {}.\n",
+        before: there a method may end in every case that is given up here. {}.\n",
         markdown::capitalised(&by_error())
     )
 }
@@ -116,8 +114,7 @@ fn with_reference(statement: Statement, findings: &[Finding]) -> Statement {
     let means = worst(pin_rod::NINE, Quantity::EdgeMeans);
     let measured = format!(
         "{}. By the discrete solutions of all nine: p₀ within {peak:.2} % of Hertz, a within {width:.2} %, pin–rod \
-        peak within {rod_peak:.2} %, edge means \
-         within {means:.2} %",
+        peak within {rod_peak:.2} %, edge means within {means:.2} %",
         statement.measured
     );
     let judgement = if cylinder && rod { statement.judgement } else { Judgement::NotReproduced };

@@ -12,9 +12,9 @@ pub const FILE: &str = "symbols.md";
 pub const SYMBOLS: [[&str; 2]; 30] = [
     [
         "κ₀ = k ℓ/E*",
-        "initial stiffness k of the contact springs per area, made a pure number by the length ℓ of the scene (Hertz's \
-        half-width, or the \
-         radius of the pin) and the contact modulus E* (1/E* = Σ (1−ν²)/E in plane strain, Σ 1/E in plane stress)",
+        "initial stiffness k of the contact springs per area, made a pure number by the length ℓ of the scene \
+        (Hertz's half-width, or the radius of the pin) and the contact modulus E* (1/E* = Σ (1−ν²)/E in plane strain, \
+        Σ 1/E in plane stress)",
     ],
     ["κ = k ℓ/E*", "the same of any spring"],
     ["k₀, k*", "spring stiffness at the start and at the end"],

@@ -58,8 +58,8 @@ impl Study for Numbers {
         Ok(format!(
             "{text}\nTo ask the codes themselves, {SET_UP} and `cargo test --release --workspace`.\n\n\
              Each code takes our mesh and assembles stiffness, loads and edge functions for itself; supports and \
-             penalty line elements \
-             (two Gauss points an edge) are put together from these in Python, condensed nowhere.\n\n"
+             penalty line elements (two Gauss points an edge) are put together from these in Python, condensed \
+             nowhere.\n\n"
         ))
     }
 }

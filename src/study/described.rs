@@ -87,8 +87,7 @@ fn shape(shape: &Shape) -> String {
         ),
         Shape::Ring { inner, outer, sweep, both_sides, contact, .. } => format!(
             "ring from the downward vertical {} through {} °, inner circle of radius {} about {:?}, outer circle of \
-            radius {} about {:?}; \
-             `contact` is its {} arc, `start` and `end` the straight sides",
+            radius {} about {:?}; `contact` is its {} arc, `start` and `end` the straight sides",
             if *both_sides { "to either side" } else { "counter-clockwise" },
             sweep.to_degrees(),
             inner.radius,
@@ -102,9 +101,8 @@ fn shape(shape: &Shape) -> String {
         ),
         Shape::Eye { hole, outer_radius, shank_half_width, shank_end, .. } => format!(
             "right half (x ≥ 0) of a rod's eye: hole of radius {} about {:?} (`contact`), outer radius {outer_radius} \
-            about the same point, shank of half-width \
-             {shank_half_width} upwards with a flat `end` {shank_end} above that point, joined without a fillet; \
-             `axis` is x = 0",
+            about the same point, shank of half-width {shank_half_width} upwards with a flat `end` {shank_end} above \
+            that point, joined without a fillet; `axis` is x = 0",
             hole.radius, hole.centre
         ),
         Shape::Blocks(blocks) => format!("{} quadrilateral blocks", blocks.len()),
@@ -161,8 +159,7 @@ fn contact(scene: &Scene, pair: &ContactPair) -> String {
         if pair.clearance > 0.0 { format!(", and {} more everywhere", pair.clearance) } else { String::new() };
     format!(
         "**Contact `{}`** of `{first}` with {other}, without friction. Coordinate s: {along}. Initial normal gap: {}. \
-        Contact may occur for |s| ≤ {} \
-         {unit}.{half}",
+        Contact may occur for |s| ≤ {} {unit}.{half}",
         pair.name,
         gap(&pair.profile) + &clearance,
         // Without what conversion to degrees leaves in its last digits.
@@ -205,23 +202,20 @@ pub fn equations(plane: PlaneHypothesis) -> String {
                 Some(1) => "sym ∇u in (r, z) = (y, x) and ε_θ = u_r/r, all integrals with 2πr",
                 _ => "sym ∇u in (r, z) = (x, y) and ε_θ = u_r/r, all integrals with 2πr",
             },
-            "The second-moment radius is √(5/2 ∫p r² dA / ∫p dA), dA = 2πr dr: that of a semi-ellipsoid is its radius; \
-            the contact radius is where the \
-             contact ends.",
+            "The second-moment radius is √(5/2 ∫p r² dA / ∫p dA), dA = 2πr dr: that of a semi-ellipsoid is its \
+            radius; the contact radius is where the contact ends.",
         ],
         false => [
             "sym ∇u",
             "The second-moment width is 2 √(∫p s²/∫p) about the centre of pressure, on an arc the same of the angle; \
-            the half-width is half of what lies \
-             between the ends of the contact.",
+            the half-width is half of what lies between the ends of the contact.",
         ],
     };
     format!(
         "## Equations\n\nSmall strain: ε = {hoop}, σ = λ tr ε I + 2μ ε with {lame} and μ = E/(2(1+ν)), div σ + b = 0. \
-        On the contact n is the outward \
-         normal of the first body on its undeformed path, and w = (u₁ − u₂)·n, with u₂ = 0 where the other side is \
-         rigid. There g = g₀ − w ≥ 0, p = −n·σn ≥ 0, p g = 0, \
-         and there is no shear. p is per area of the undeformed path. {width}"
+        On the contact n is the outward normal of the first body on its undeformed path, and w = (u₁ − u₂)·n, with u₂ \
+        = 0 where the other side is rigid. There g = g₀ − w ≥ 0, p = −n·σn ≥ 0, p g = 0, and there is no shear. p is \
+        per area of the undeformed path. {width}"
     )
 }
 
@@ -250,8 +244,7 @@ pub fn elsewhere(name: &str, scene: &Scene, mesh: &Mesh) -> String {
         }
         PlaneHypothesis::Axisymmetric | PlaneHypothesis::AxisymmetricAboutX => {
             "MOOSE has bodies of revolution by `coord_type = RZ` in `[Mesh]`; MFEM's `ElasticityIntegrator` has no \
-            hoop strain, so that it needs the whole \
-             body in three dimensions"
+            hoop strain, so that it needs the whole body in three dimensions"
         }
     };
     let forces = match scene.is_of_revolution() {
@@ -268,8 +261,7 @@ pub fn elsewhere(name: &str, scene: &Scene, mesh: &Mesh) -> String {
     let pressed = |pair: &ContactPair| match pair.profile {
         Profile::Uniform(gap) if gap < 0.0 && pair.second.is_some() => Some(format!(
             "The mesh has no interference: both sides of `{}` lie on one another, and the {} mm by which they overlap \
-            are to be given beside it, as by \
-             moving the nodes of one body. ",
+            are to be given beside it, as by moving the nodes of one body. ",
             pair.name, -gap
         )),
         _ => None,

@@ -65,8 +65,7 @@ impl Study for Numbers {
             (
                 "figure-15.svg",
                 "Fig. 15, which quantity it shows not being known: hoop stress and displacement along pin and rod by \
-                the five combinations \
-                 that the paper shows, without Gaertner's curves",
+                the five combinations that the paper shows, without Gaertner's curves",
             ),
             ("iteration-paths.svg", "Figs 6 and 7, and kinematic load beside them: the path of the iterations"),
         ];

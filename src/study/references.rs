@@ -52,12 +52,11 @@ impl Study for Numbers {
     const NAME: &'static str = "references";
     const ABOUT: About = About {
         title: "Reference answers and benchmark sheets",
-        asked: "Which numbers of scenes without a closed form are known to five digits, and what somebody with another \
-            code \
-            needs to run the cases of the library.",
+        asked: "Which numbers of scenes without a closed form are known to five digits, and what somebody with \
+            another code needs to run the cases of the library.",
         limits: "The error bar of an answer is drawn from differences between meshes of this code; who found it too, \
-            and what they \
-            confirm it to, stands beside it. A closed form may be of an idealised scene; the sheet says where.",
+            and what they confirm it to, stands beside it. A closed form may be of an idealised scene; the sheet says \
+            where.",
     };
 
     /// A trial an answer, and a case of the library.

@@ -221,8 +221,8 @@ fn blocks_that_cross_the_middle_are_the_rectangle() {
     let blocks = eccentric(4.0).replace(
         "{ rectangle = { x = [-10, 10], y = [0, 8], contact = \"bottom\" } }",
         "{ blocks = [{ corners = [[-10, 0], [4, 0], [4, 8], [-10, 8]], elements = [7, 4], bottom = \"contact\", top = \
-        \"far\" }, \
-         { corners = [[4, 0], [10, 0], [10, 8], [4, 8]], elements = [3, 4], bottom = \"contact\", top = \"far\" }] }",
+        \"far\" }, { corners = [[4, 0], [10, 0], [10, 8], [4, 8]], elements = [3, 4], bottom = \"contact\", top = \
+        \"far\" }] }",
     );
     let blocks = blocks.replace("elements = 4\nper = 10\n", "").replace("at = [0, 8]", "at = [4, 8]");
     let (_, run) = parsed(&blocks).solve().expect("solved");

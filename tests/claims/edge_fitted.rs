@@ -618,8 +618,7 @@ fn a_contact_that_ends_far_from_a_corner_does_not_press_it() {
     let ring = |name: &str, [poisson, inner, outer, sweep]: [f64; 4], contact: &str| {
         format!(
             "[[body]]\nname = \"{name}\"\nyoung = 1000\npoisson = {poisson}\nshape = {{ ring = {{ centre = [0, 0], \
-            inner = {inner}, \
-             outer = {outer}, sweep = {sweep}, contact = \"{contact}\" }} }}\n"
+            inner = {inner}, outer = {outer}, sweep = {sweep}, contact = \"{contact}\" }} }}\n"
         )
     };
     let text = format!(

@@ -153,7 +153,10 @@ fn an_entry_of_other_sources_is_told_with_their_number() {
     let old = Entry { bound: bound(&["Cargo.toml"]), sources: Some("another".into()), date: None, by: vec![] };
     let unbound = Entry { bound: vec![], sources: digest(&root(), &[""; 0]).ok(), date: None, by: vec![] };
     let gone = Entry { bound: bound(&["src/absent.rs"]), sources: None, date: None, by: vec![] };
-    let is_not_run = |entries: &[Entry], told: &str| matches!(MADE[0].judge(entries).verdict, Verdict::NotRun(why) if why.starts_with(told));
+    let is_not_run = |entries: &[Entry], told: &str| {
+        let verdict = MADE[0].judge(entries).verdict;
+        matches!(verdict, Verdict::NotRun(why) if why.starts_with(told))
+    };
     assert!(is_not_run(&[sound[0].clone(), old], "1 of 2 are of other sources or tests"));
     assert!(is_not_run(&[unbound, gone], "2 of 2 are of other sources or tests"));
     assert!(is_not_run(&[], "none is recorded"));

@@ -222,8 +222,8 @@ pub mod vtu {
         let several = if components > 1 { format!("NumberOfComponents=\"{components}\" ") } else { String::new() };
         format!(
             "<DataArray type=\"{kind}\" Name=\"{name}\" {several}format=\"ascii\">\n{numbers}\n<InformationKey \
-            name=\"L2_NORM_RANGE\" \
-             location=\"vtkDataArray\" length=\"2\">\n<Value index=\"0\">0</Value>\n</InformationKey>\n</DataArray>\n"
+            name=\"L2_NORM_RANGE\" location=\"vtkDataArray\" length=\"2\">\n<Value \
+            index=\"0\">0</Value>\n</InformationKey>\n</DataArray>\n"
         )
     }
 
@@ -236,11 +236,10 @@ pub mod vtu {
         let types = list(&mut cells.iter().map(|cell| if cell.len() == 4 { "9" } else { "23" }.into()));
         format!(
             "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" \
-            header_type=\"UInt32\" \
-             compressor=\"vtkLZ4DataCompressor\">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\"{}\" \
-             NumberOfCells=\"{}\">\n\
-             <PointData>\n{fields}</PointData>\n<Points>\n{}</Points>\n<Cells>\n{}{}{}</Cells>\n</Piece>\n\
-             </UnstructuredGrid>\n</VTKFile>\n",
+            header_type=\"UInt32\" compressor=\"vtkLZ4DataCompressor\">\n<UnstructuredGrid>\n<Piece \
+            NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n\
+            <PointData>\n{fields}</PointData>\n<Points>\n{}</Points>\n<Cells>\n{}{}{}</Cells>\n</Piece>\n\
+            </UnstructuredGrid>\n</VTKFile>\n",
             points.len(),
             cells.len(),
             array("Float64", "Points", 3, &places),

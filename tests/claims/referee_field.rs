@@ -111,9 +111,8 @@ fn displacements_of_the_wrong_sign_or_through_the_other_body_are_found_whatever_
     let ring = |name: &str, radii: [u8; 2], side: &str, supports: &str| {
         format!(
             "[[body]]\nname = \"{name}\"\nyoung = 70e3\npoisson = 0.3\nshape = {{ ring = {{ centre = [0, 0], inner = \
-            {}, outer = {}, sweep = 90, \
-             contact = \"{side}\" }} }}\nsupports = [{{ at = \"start\", component = \"x\" }}, {{ at = \"end\", \
-             component = \"y\" }}{supports}]\n",
+            {}, outer = {}, sweep = 90, contact = \"{side}\" }} }}\nsupports = [{{ at = \"start\", component = \"x\" \
+            }}, {{ at = \"end\", component = \"y\" }}{supports}]\n",
             radii[0], radii[1]
         )
     };

@@ -496,9 +496,9 @@ fn reports_of_several_columns_end_with_their_extremes_and_where_these_are() {
         })
         .collect();
     let text = format!(
-        "Node COORD.COOR1 COORD.COOR2 CPRESS \
-        COPEN\n{rows}\n  Minimum              0.             0.             0.             0.\n\
-         \x20     At Node          1              1             60              1\n"
+        "Node COORD.COOR1 COORD.COOR2 CPRESS COPEN\n{rows}\n  Minimum              0.             0.             \
+        0.             0.\n\
+        \x20     At Node          1              1             60              1\n"
     );
     ellipse::assert(&parsed("abaqus.rpt", text, &usual()).expect("read"), 1e-6);
 }

@@ -150,9 +150,8 @@ fn tables_say_the_same_whatever_their_marks_numbers_and_names() {
         format!("x [mm],p [MPa],nodes\n{}\n", row(",", plain).trim_end().replace('\n', ",\"2,3\"\n") + ",\"2,3\""),
         format!("$ x (mm)  Contact Pressure (MPa)\n{}", row("  ", plain)),
         format!(
-            "***\nField Output Report, written Mon Nov 23 10:21:07\n\n  Node    COORD.COOR1 [mm]    CPRESS \
-            [MPa]\n  Label              @Loc 1          @Loc 1\n-----\n{}\n\n  \
-             Minimum 0.  0.\n      At Node 4\n",
+            "***\nField Output Report, written Mon Nov 23 10:21:07\n\n  Node    COORD.COOR1 [mm]    CPRESS [MPa]\n  \
+            Label              @Loc 1          @Loc 1\n-----\n{}\n\n  Minimum 0.  0.\n      At Node 4\n",
             row("  ", plain).lines().enumerate().map(|(k, line)| format!("  {}  {line}\n", k + 1)).collect::<String>()
         ),
     ];

@@ -278,12 +278,12 @@ fn file_of(cell: &str, nodes: impl IntoIterator<Item = [[f64; 3]; 2]>) -> Source
         count = k + 1;
     }
     let text = format!(
-        "    1C\n    2C{count:>30}                                     1\n{places} \
-        -3\n    3C                             1\n{cell} -3\n\
-         \x20 100CL  101 1.000000000{count:>12}                     0    1           1\n -4  DISP        4    1\n \
-         -5  D1          1    2    1    0\n\
-         \x20-5  D2          1    2    2    0\n -5  D3          1    2    3    0\n \
-         -5  ALL         1    2    0    0    1ALL\n{moved} -3\n 9999\n"
+        "    1C\n    2C{count:>30}                                     1\n{places} -3\n    \
+        3C                             1\n{cell} -3\n\
+        \x20 100CL  101 1.000000000{count:>12}                     0    1           1\n -4  DISP        4    1\n -5  \
+        D1          1    2    1    0\n\
+        \x20-5  D2          1    2    2    0\n -5  D3          1    2    3    0\n -5  ALL         1    2    0    0    \
+        1ALL\n{moved} -3\n 9999\n"
     );
     Source { file: Path::new("one.frd"), text: text.leak() }
 }

@@ -154,8 +154,8 @@ const STEEP: &str = "{ blocks = [\
     \"far\" }] }";
 
 /// A shear stress that ends within an element, and at the line of symmetry.
-const SHEARED: &str = "{ pressure = { at = \"far\", law = { uniform = 1 } } }, \
-    { traction = { at = \"far\", part = { along = \"x\", from = 0, to = 7.3 }, value = [500, 0] } }";
+const SHEARED: &str = "{ pressure = { at = \"far\", law = { uniform = 1 } } }, { traction = { at = \"far\", part = { \
+    along = \"x\", from = 0, to = 7.3 }, value = [500, 0] } }";
 
 #[test]
 fn no_stress_is_quoted_beside_a_force_at_a_point_nor_a_corner_nor_a_pressure_without_limit() {
@@ -248,8 +248,8 @@ fn shear_on_a_line_of_symmetry_grows_towards_another_as_kelvins_forces_say() {
         let text = format!(
             "plane = \"strain\"\nthickness = 1\n[[body]]\nname = \"block\"\nyoung = 1000\npoisson = 0.3\n\
              shape = {{ blocks = [{{ corners = [[0, 0], [10, 0], [10, 10], [0, 10]], elements = [{elements}, \
-             {elements}], \
-             bottom = \"contact\", left = \"left\", right = \"right\", top = \"far\" }}] }}\nsupports = [{supports}]\n\
+             {elements}], bottom = \"contact\", left = \"left\", right = \"right\", top = \"far\" }}] }}\nsupports = \
+             [{supports}]\n\
              loads = [{{ traction = {{ at = \"right\", value = [0, {SHEAR}] }} }}]\n\
              [contact]\nfirst = \"block\"\ngap = {{ parabola = 100 }}\nstretch = 8\n[mesh]\n"
         );

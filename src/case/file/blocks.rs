@@ -15,9 +15,9 @@ const MOST_GROWTH: f64 = 1e6;
 /// The four sides by name.
 const SIDES: [&str; 4] = ["bottom", "right", "top", "left"];
 
-/// `{ corners = [[x, y], …], elements = [n, m], growth = [p, q], bottom = "contact", …, arcs = { bottom = [x, y], … } }`
-/// has corners counter-clockwise, elements and their growth from left to right and from bottom to top, names of the
-/// sides that are boundaries, and centres of those that are arcs.
+/// `{ corners = […], elements = [n, m], growth = [p, q], bottom = "contact", …, arcs = { bottom = [x, y], … } }` has
+/// corners counter-clockwise, elements and their growth from left to right and from bottom to top, names of the sides
+/// that are boundaries, and centres of those that are arcs.
 pub(super) const BLOCK: Form = Table(&[
     must("corners", List(&PAIR)),
     must("elements", List(&Count)),

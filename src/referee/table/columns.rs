@@ -9,12 +9,11 @@ use crate::scene::Scene;
 
 /// What a file needs.
 pub(super) const HEADER: &str = "begin with a line of names and units such as `position [mm],pressure [MPa]`, or name \
-    columns by --column and --unit; where \
-                      there are no names, by their numbers, --column position=1 --column pressure=2";
+    columns by --column and --unit; where there are no names, by their numbers, --column position=1 --column \
+    pressure=2";
 /// What a list of nodes without their places needs.
 const PLACES: &str = "it lists nodes by their numbers: write their places beside them, as Abaqus does with COORD, \
-    Ansys with LOCX and LOCY; or hand in a \
-                      grid, or the .frd";
+    Ansys with LOCX and LOCY; or hand in a grid, or the .frd";
 /// What the coordinates of bodies of revolution are called.
 const RADIUS_AND_AXIS: [&str; 2] = ["r", "z"];
 /// What places along a line are called, which may begin anywhere: read where there are no coordinates.

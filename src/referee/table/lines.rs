@@ -17,8 +17,7 @@ use crate::referee::units::Role;
 
 /// What to do about a second table.
 pub(super) const ONE: &str = "keep the table of the side, step and frame that is to be judged, and remove the others; \
-    of one that was printed in pages remove the \
-                   lines between them";
+    of one that was printed in pages remove the lines between them";
 
 /// What to do about a column of times that is none.
 const TIMED: &str =

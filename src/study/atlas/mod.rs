@@ -35,12 +35,10 @@ impl Study for Numbers {
     const NAME: &'static str = "atlas";
     const ABOUT: About = About {
         title: "Where methods fail",
-        asked: "How many iterations every method takes from each initial stiffness, and from which it ends right, over \
-            candidates, meshes and \
-                scenes.",
+        asked: "How many iterations every method takes from each initial stiffness, and from which it ends right, \
+            over candidates, meshes and scenes.",
         limits: "Scenes of one contact, without friction, in the plane and of one body of revolution. Beyond the \
-            surveyed range nothing is \
-                 known.",
+            surveyed range nothing is known.",
     };
 
     /// One trial a plane, and one a scene of the paper.
@@ -66,8 +64,8 @@ impl Study for Numbers {
         let digests = digests(&charts);
         let iterations = format!(
             "As Fig. 11, predicted: measured points beside curves predicted from the condensed matrices; truncated \
-            Hertz, candidates to \
-             {STRETCH} half-widths; colours tell the rules apart. Hollow markers above the frame: how the others ended"
+            Hertz, candidates to {STRETCH} half-widths; colours tell the rules apart. Hollow markers above the frame: \
+            how the others ended"
         );
         let stretch = "How every run ends over initial stiffness and candidate surface, with the predicted boundary";
         let page = format!(
@@ -131,8 +129,8 @@ pub fn revolution(charts: &[&Chart]) -> String {
     let holds = |law: &str, does: bool| format!("{law} {}", if does { "holds" } else { "does not hold" });
     format!(
         "{follow}: every run of it ends right for {}, where those of plane scenes do for {}. Of them too {} from hard \
-        starts on, κ₀ ≥ {HARD}, and {} \
-         of constant stiffness with correction, none of whose runs may diverge or cycle.",
+        starts on, κ₀ ≥ {HARD}, and {} of constant stiffness with correction, none of whose runs may diverge or \
+        cycle.",
         range(&own),
         range(&others),
         holds("the halving law", hold(halved)),

@@ -202,8 +202,7 @@ fn note(chart: &Chart) -> String {
     let silent: Vec<&str> = rules.filter(|rule| !is_predicted(rule)).map(|rule| rule.name()).collect();
     format!(
         "Error: the larger one of p₀ and a against the solution of the same discrete problem. The boundary is \
-        predicted from the \
-         condensed matrices. Nothing is predicted for what is accelerated, nor for: {}.",
+        predicted from the condensed matrices. Nothing is predicted for what is accelerated, nor for: {}.",
         silent.join(", ")
     )
 }

@@ -352,10 +352,9 @@ pub fn recommendation(digests: &[Digest]) -> String {
     let rows: Vec<Advice> = any.into_iter().chain(fewest).chain(constant).collect();
     let mut text = format!(
         "Names are `element.algorithm.rule`: what is pressed, how its stiffness changes, and by which formula; `+` is \
-        what the program adds \
-         to the paper's. From {points} runs over candidate surface, mesh, a body of revolution and both paper scenes, \
-         {predicted} of them beside a prediction; a run *ends right* that converges with p₀ and a within {} % of the \
-         discrete solution:\n\n{}",
+        what the program adds to the paper's. From {points} runs over candidate surface, mesh, a body of revolution \
+        and both paper scenes, {predicted} of them beside a prediction; a run *ends right* that converges with p₀ and \
+        a within {} % of the discrete solution:\n\n{}",
         100.0 * RIGHT,
         markdown::columns(&ADVICE, &rows)
     );

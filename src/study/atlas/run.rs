@@ -289,8 +289,7 @@ fn predicted(chart: &Chart) -> Vec<Judged> {
         format!("of {} predicted to converge", ending.len()),
         format!(
             "less than the limit of iterations over {FACTOR}; other methods are in the table of predictions and not \
-            judged: varying stiffness \
-             with correction is attracted from nearby only"
+            judged: varying stiffness with correction is attracted from nearby only"
         ),
         ending.iter().filter(|r| !converged(r)).count(),
         ending.len(),

@@ -365,9 +365,8 @@ pub(super) fn non_matching() -> Result<Limit, Error> {
         seen: format!("{}; only a finer mesh shows the error", densities.last()[1].blocks[1].seen()),
         instead: format!(
             "8-node cells. Where points on either side are off by more than {}, those on the finer side are less so \
-            with 8-node cells at \
-             second / first = {}, with 4-node cells at {}; those on the coarser side with 4-node cells at {}. The body \
-             named `first` has them",
+            with 8-node cells at second / first = {}, with 4-node cells at {}; those on the coarser side with 4-node \
+            cells at {}. The body named `first` has them",
             size(WRONG),
             list(&of_eight[0]),
             list(&of_four[0]),

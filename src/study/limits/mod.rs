@@ -27,8 +27,7 @@ impl Study for Numbers {
         title: "Limits of validity",
         asked: "Where everything but the methods stops being right, and what the user then sees.",
         limits: "One scene a limit: another scene has its onset elsewhere. Bodies of revolution about y = 0 cannot be \
-            exported: other codes \
-                 turn them about x = 0.",
+            exported: other codes turn them about x = 0.",
     };
 
     /// A trial for each limit.

@@ -47,11 +47,9 @@ impl Study for Numbers {
     const ABOUT: About = About {
         title: "Against measurements",
         asked: "Whether stresses and loads along real pins are those that were measured, and the stress field between \
-            two \
-            plates that of a photographed disc.",
+            two plates that of a photographed disc.",
         limits: "Digitised curves: nothing is compared until somebody brings the figures. The photograph is \
-            uncalibrated: \
-            shapes only. It tells neither load, nor material, nor pressure.",
+            uncalibrated: shapes only. It tells neither load, nor material, nor pressure.",
     };
 
     /// A trial a source of curves, and the one photograph.

@@ -131,8 +131,7 @@ pub fn together(courses: &[Course]) -> String {
     let (first, open) = &most[0];
     format!(
         "Asked for together, {} of the {all} sentences on iterations hold, each at {}, and no more, under {} of the \
-        readings. The first of \
-         them: {}. There does not: {}.",
+        readings. The first of them: {}. There does not: {}.",
         all - open.len(),
         first.judged().iter().map(|one| one.stop.name()).collect::<Vec<_>>().join(", "),
         most.len(),

@@ -299,16 +299,13 @@ pub struct Statement {
 
 /// How a judgement is made, for the page.
 pub const RULE: &str = "What the paper says of iterations is judged under the reading nearest to its text, at three \
-    tolerances, and \
-    beside it under every single departure that keeps the agreement with the exact solution; that agreement itself, \
-    under every one. Where a statement fails at all three \
-    tolerances, it is not reproduced; where it holds at some of them, it is reproduced only there. Where it holds at \
-    all three and no other rule of stiffness \
+    tolerances, and beside it under every single departure that keeps the agreement with the exact solution; that \
+    agreement itself, under every one. Where a statement fails at all three tolerances, it is not reproduced; where \
+    it holds at some of them, it is reproduced only there. Where it holds at all three and no other rule of stiffness \
     flips it, it is reproduced; where another rule does, it is not decidable without [[12]](paper.md#sources), the \
-    paper's reference on that rule, which is not at hand. \
-    What is told start by start, that one algorithm takes fewer iterations or can save operations, is reproduced where \
-    it holds under the nearest \
-    reading. The choices that flip a statement are told with every judgement.";
+    paper's reference on that rule, which is not at hand. What is told start by start, that one algorithm takes fewer \
+    iterations or can save operations, is reproduced where it holds under the nearest reading. The choices that flip \
+    a statement are told with every judgement.";
 
 /// What the paper's reference 12 would tell.
 const RULES: [Axis; 2] = [Axis::Varying, Axis::Constant];

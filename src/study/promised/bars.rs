@@ -293,8 +293,7 @@ pub fn of_revolution(recorded: &[Record]) -> String {
     let unknown = own.iter().filter(|[_, bar]| bar.is_nan()).count();
     format!(
         " Of {at}, where that is least, {:.1} % of the true errors lie within a bar that is known; {:.0} % are asked \
-        of the \
-         first {} families; {unknown} of {} bars are not known.",
+        of the first {} families; {unknown} of {} bars are not known.",
         100.0 * share,
         100.0 * SHARE,
         JUDGED.len(),

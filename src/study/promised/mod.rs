@@ -42,10 +42,9 @@ impl Study for Numbers {
                 within the error bar that was printed, how often an answer that is called accurate is not, and what an \
                 accuracy costs.",
         limits: "What is called converged says nothing of the mesh: that is what error bars are for. Bars and \
-            accuracies are held \
-                 against random scenes whose truth is a closed form, or that of a boundary method: what has neither is \
-                 not among them. \
-                 Of the checks only those against closed forms have a true error to look at.",
+            accuracies are held against random scenes whose truth is a closed form, or that of a boundary method: \
+            what has neither is not among them. Of the checks only those against closed forms have a true error to \
+            look at.",
     };
 
     /// The trials; the one of the checks is made after those of all studies.

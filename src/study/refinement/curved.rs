@@ -189,8 +189,7 @@ pub fn table(order: Order, curved: &Curved) -> String {
     let beside = of_others().map(|(level, own)| level.errors[1] / own.errors[1]).fold(f64::NAN, f64::max);
     format!(
         "**Rings, {}-node cells**\n\n{}\nOn every mesh the pressures at the points of the line and the layer element \
-        are off by {} or more, and \
-         their displacements by {} times those of the node element or less.\n\n",
+        are off by {} or more, and their displacements by {} times those of the node element or less.\n\n",
         order.nodes_per_cell(),
         markdown::table(&head.collect::<Vec<_>>(), &rows),
         markdown::error(off),

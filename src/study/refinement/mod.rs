@@ -61,10 +61,8 @@ impl Study for Numbers {
     const ABOUT: About = About {
         title: "Refinement",
         asked: "How fast errors fall on finer meshes, how far the cylinder of the paper is from the half-plane of \
-            Hertz, \
-            whether its top quarter may be left out, as the paper says, and where a published figure of a pin in an \
-            eye \
-            belongs, whatever its dimensions.",
+            Hertz, whether its top quarter may be left out, as the paper says, and where a published figure of a pin \
+            in an eye belongs, whatever its dimensions.",
         limits: "Orders are read on smooth contacts; where a contact has corners they are lower. The half against the \
             quarter: one cylinder, one material, one way of loading it from above. The family: eyes of the shape drawn \
             here; no friction, no plate of another outline.",

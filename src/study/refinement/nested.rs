@@ -200,8 +200,7 @@ fn why_withheld(series: &Series, orders: &[Observed]) -> String {
     let why = if moves <= STAYS {
         format!(
             ". It is not that the contact's edge wanders within its element, where it moves by {moved} of an element: \
-            terms of different \
-             order and sign cancel."
+            terms of different order and sign cancel."
         )
     } else {
         format!(": the contact's edge wanders by {moved} of an element from mesh to mesh.")

@@ -72,9 +72,8 @@ impl Study for Numbers {
         asked: "How far other codes are from the truths of exported cases by their own contact: by its first choice, \
             and by the best that a stated search finds.",
         limits: "One mesh a case, one parameter a code, seconds of one machine; another user may find better ones. \
-            Looked at and not asked: \
-                 FreeFEM, which leaves contact to an optimiser, MFEM's wheel, which has none, and Elmer and \
-                 code_aster, which neither Debian 12 nor PyPI holds.",
+            Looked at and not asked: FreeFEM, which leaves contact to an optimiser, MFEM's wheel, which has none, and \
+            Elmer and code_aster, which neither Debian 12 nor PyPI holds.",
     };
 
     /// One trial a case.

@@ -140,8 +140,7 @@ pub fn judge_towards(starts: &[Towards]) -> Vec<Judged> {
         Check::none(
             Quantity::at(
                 "start towards fixed springs that does not converge although S + K* and S + 2K₀ − K* are positive \
-                definite, or \
-                 converges although they are not",
+                definite, or converges although they are not",
                 format!("of {}", judged.len()),
             ),
             format!(
@@ -227,9 +226,8 @@ pub fn judge_basin(starts: &[Basin]) -> Judged {
     let is_wrong = |start: &&Basin| start.predicted.is_nan() || start.stays != (start.predicted < 1.0);
     Check::none(
         Quantity::at(
-            "start next to the contact, with varying stiffness and correction, that stays although its spectral radius \
-            is above 1, \
-             or leaves although it is below",
+            "start next to the contact, with varying stiffness and correction, that stays although its spectral \
+            radius is above 1, or leaves although it is below",
             format!("of {}", starts.len()),
         ),
         "the boundary is where 2 (S + K*) − max(K*, K₀) ceases to be positive definite on the closed points",

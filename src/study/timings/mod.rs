@@ -105,9 +105,8 @@ fn again(record: &Record) -> String {
     let meshes = || measured.growth.iter().chain(&measured.revolved);
     let large = meshes().filter(|one| one.counts.dofs > RECOUNTED).count();
     format!(
-        "the errors and counts of {} points of ours, and the counts of {} of the {} meshes below *Growth*, those up to \
-        {RECOUNTED} dofs. \
-         The {theirs} points of other codes are as these printed them",
+        "the errors and counts of {} points of ours, and the counts of {} of the {} meshes below *Growth*, those up \
+        to {RECOUNTED} dofs. The {theirs} points of other codes are as these printed them",
         points.len() - theirs,
         meshes().count() - large,
         meshes().count()
@@ -169,10 +168,9 @@ fn of_revolution((plane, revolved): (&Growth, &Growth)) -> String {
     let (dofs, ratios) = (revolved.counts.dofs, [revolved, plane].map(|one| significant(one.ratio.median, 4)));
     format!(
         " Of {dofs} dofs the contact solve of the sphere takes {} times its plain solve, that of the cylinder {}: of \
-        as many entries the plain solve \
-         takes {own_plain} there and {plain} here, its factorisation {own_factor} and {factor}, while all else of the \
-         contact solve takes {own_rest} \
-         and {rest}, {own_steps} and {steps} of them the iteration.",
+        as many entries the plain solve takes {own_plain} there and {plain} here, its factorisation {own_factor} and \
+        {factor}, while all else of the contact solve takes {own_rest} and {rest}, {own_steps} and {steps} of them \
+        the iteration.",
         ratios[0], ratios[1]
     )
 }
@@ -233,8 +231,7 @@ pub fn conclusion(record: &Record) -> String {
     });
     format!(
         "The fastest on truncated Hertz: {}. {ahead} Errors are the larger one of p₀ and a under the worst of {LOADS} \
-        loads; – on no mesh that \
-         was tried. Theirs are {}.\n\n{}",
+        loads; – on no mesh that was tried. Theirs are {}.\n\n{}",
         fastest.join(", "),
         methods(record),
         markdown::table(&head, &rows)
@@ -299,8 +296,7 @@ pub fn beside(record: &Record) -> Vec<String> {
     let told = |Beside { code, version, seconds, machine }: &Beside| {
         format!(
             "Beside {} {version} ({}, {} threads, {}) our solve to {} under the median load took {}, and {} when our \
-            points were recorded: \
-             {} times as long, by which its own seconds are divided here.",
+            points were recorded: {} times as long, by which its own seconds are divided here.",
             code.name(),
             machine.processor,
             machine.threads,

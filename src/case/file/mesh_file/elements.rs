@@ -10,11 +10,9 @@ pub const OPTIONS: &str = "mesh with Mesh.RecombineAll = 1, or transfinite surfa
     from Mesh.ElementOrder = 2 and Mesh.SecondOrderIncomplete = 1";
 /// What makes quadrilaterals of triangles.
 pub const SUBDIVISION: &str = "mesh with quadrilaterals: Gmsh cuts all cells into them with Mesh.SubdivisionAlgorithm \
-    = 1 and Mesh.RecombineAll = 1, \
-                               where it has the geometry; else a script of the lines `Merge \"old.msh\";`, \
-                               `RecombineMesh;`, \
-                               `Mesh.SubdivisionAlgorithm = 1;`, `RefineMesh;` and `Save \"new.msh\";` cuts the cells \
-                               of a mesh";
+    = 1 and Mesh.RecombineAll = 1, where it has the geometry; else a script of the lines `Merge \"old.msh\";`, \
+    `RecombineMesh;`, `Mesh.SubdivisionAlgorithm = 1;`, `RefineMesh;` and `Save \"new.msh\";` cuts the cells of a \
+    mesh";
 /// What to do with a mesh of solids.
 pub const PLANE: &str = "scenes are plane: mesh the surfaces only (gmsh -2), in the plane z = 0, of quadrilaterals";
 

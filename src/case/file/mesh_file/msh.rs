@@ -19,9 +19,8 @@ const LONGEST_NAME: usize = 127;
 /// How groups are made.
 const MADE: &str = "give the body a Physical Surface and its sides Physical Curves in Gmsh";
 /// What to do with a file that is none of Gmsh's.
-const OTHER: &str = "give a mesh of Gmsh (.msh), or an input deck of CalculiX or Abaqus (.inp); Gmsh opens .bdf, .unv, \
-    .med, .cgns, .stl and .vtk and \
-                     saves them as .msh, as `meshio convert` does";
+const OTHER: &str = "give a mesh of Gmsh (.msh), or an input deck of CalculiX or Abaqus (.inp); Gmsh opens .bdf, \
+    .unv, .med, .cgns, .stl and .vtk and saves them as .msh, as `meshio convert` does";
 /// What to do with a file of another version.
 const VERSIONS: &str = "save it as version 4.1 or 2.2: Mesh.MshFileVersion = 4.1";
 
