@@ -80,6 +80,8 @@ pub struct Check {
     pub scope: Scope,
     /// Index of the contact it is asked of.
     pub contact: usize,
+    /// How many runs, answers or faults it is asked of; of none nothing is known, and it fails.
+    pub number: usize,
 }
 
 impl Reference {
@@ -169,12 +171,17 @@ impl Check {
         tolerance: f64,
         because: Cow<'static, str>,
     ) -> Self {
-        Self { quantity, relation, against, tolerance, model: 0.0, because, scope: Scope::Own, contact: 0 }
+        Self { quantity, relation, against, tolerance, model: 0.0, because, scope: Scope::Own, contact: 0, number: 1 }
     }
 
     /// The same, whose closed form may itself be off by so much.
     pub fn leaving(self, model: f64) -> Self {
         Self { model, ..self }
+    }
+
+    /// The same, asked of so many runs, answers or faults together.
+    pub fn asked_of(self, number: usize) -> Self {
+        Self { number, ..self }
     }
 
     /// The same, asked of every run.

@@ -65,8 +65,9 @@ impl Check {
         self.judge_by(value, reference)
     }
 
-    /// Judges a value by the reference that was found for it.
+    /// Judges a value by the reference that was found for it; of nothing there is none.
     pub fn judge_by(self, value: f64, reference: Reference) -> Judged {
+        let value = if self.number > 0 { value } else { f64::NAN };
         let error = match self.relation {
             Relation::Near => (value - reference.value).abs() / reference.value.abs(),
             Relation::NearAbsolutely => (value - reference.value).abs(),

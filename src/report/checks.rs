@@ -1,6 +1,6 @@
 //! Requirement by requirement: what shall hold is stated once, and what was found stands below it, trial by trial.
 
-use crate::case::{Judged, Quantity, Relation, Scope, Verdict, judged};
+use crate::case::{Check, Judged, Quantity, Relation, Scope, Verdict, judged};
 use crate::markdown;
 use crate::report::told;
 use crate::study::Finding;
@@ -13,7 +13,7 @@ const TRIAL: &str = "trial";
 /// tolerance, which the cell then has not.
 type Cell = fn(&Judged, bool) -> String;
 const COLUMNS: [(&str, Cell); 8] = [
-    ("at", |one, _| place(&one.check.quantity)),
+    ("at", |one, _| place(&one.check)),
     ("found", |one, _| match one.check.relation {
         Relation::Error => String::new(),
         _ => with_uncertainty(one.value, one.uncertainty),
@@ -190,17 +190,16 @@ fn held(one: &Judged, in_sentence: bool) -> String {
     if in_sentence { held } else { format!("{} {held}", one.reference.name).trim_end().to_string() }
 }
 
-/// Where, or of how many, a number was found, and its unit.
-fn place(quantity: &Quantity) -> String {
-    let place = match quantity {
+/// Where a number was found and its unit, and of how many it is.
+fn place(check: &Check) -> String {
+    let place = match &check.quantity {
         Quantity::Named { at, .. } => at.clone(),
         number => number.coordinate().unwrap_or_default(),
     };
-    match (quantity.unit(), place.is_empty()) {
-        (None, _) => place,
-        (Some(unit), true) => format!("[{unit}]"),
-        (Some(unit), false) => format!("{place} [{unit}]"),
-    }
+    let unit = check.quantity.unit().map(|unit| format!("[{unit}]"));
+    let number = (check.number != 1).then(|| format!("of {}", check.number));
+    let at = [Some(place), unit].into_iter().flatten().filter(|part| !part.is_empty()).collect::<Vec<_>>().join(" ");
+    [Some(at), number].into_iter().flatten().filter(|part| !part.is_empty()).collect::<Vec<_>>().join(", ")
 }
 
 /// A value, with its error bar where its standard uncertainty is known and more than none.
@@ -228,8 +227,7 @@ pub fn of_every_run<'a>(judged: impl Iterator<Item = &'a Judged>, with_reasons: 
 
 /// What was not run has no error, and its number stands beside that of the runs.
 fn universal_row(name: &str, all: &[&Judged]) -> [String; 6] {
-    let mut places: Vec<String> =
-        all.iter().map(|one| place(&one.check.quantity)).filter(|place| !place.is_empty()).collect();
+    let mut places: Vec<String> = all.iter().map(|one| place(&one.check)).filter(|place| !place.is_empty()).collect();
     places.sort();
     places.dedup();
     let places = if places.is_empty() { String::new() } else { format!(": {}", places.join(", ")) };

@@ -178,7 +178,7 @@ impl CheckRow {
             uncertainty: judged.uncertainty.map(four),
             verdict,
             why: if let Verdict::NotRun(why) = &judged.verdict { why.clone() } else { String::new() },
-            runs: 1,
+            runs: check.number,
             worst: String::new(),
         }
     }
@@ -197,7 +197,14 @@ impl CheckRow {
         let worst = format!("{} × {}", own.case, at.collect::<Vec<_>>().join(", "));
         let case = if of_case { own.case.clone() } else { EVERY_RUN.into() };
         let place = if is_there { own.place.clone() } else { String::new() };
-        Self { case, trial: String::new(), place, runs: runs.len(), worst, ..own }
+        Self {
+            case,
+            trial: String::new(),
+            place,
+            runs: runs.iter().map(|(_, one)| one.check.number).sum(),
+            worst,
+            ..own
+        }
     }
 }
 

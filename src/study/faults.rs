@@ -113,11 +113,9 @@ impl Study for Numbers {
     /// The checks: what no truth sees, and whether this and the other records are of the present sources.
     fn judge(&self) -> Result<Vec<Judged>, Error> {
         let missed = self.record.iter().filter(|fault| !is_caught(fault)).count();
-        let quantity = Quantity::at(
-            "planted fault that turns no closed form, no other code and no claim red",
-            format!("of {}", self.record.len()),
-        );
-        let caught = Check::none(quantity, "snapshots alone verify nothing").judge(missed as f64);
+        let what = "planted fault that turns no closed form, no other code and no claim red";
+        let caught = Check::none(what, "snapshots alone verify nothing").asked_of(self.record.len());
+        let caught = caught.judge(missed as f64);
         std::iter::once(Ok(caught)).chain(MADE.iter().map(|made| Ok(made.judge(&made.read()?.record)))).collect()
     }
 
@@ -429,15 +427,12 @@ impl Made {
     pub fn judge(&self, record: &[Entry]) -> Judged {
         let old = record.iter().filter(|entry| !entry.is_current()).count();
         let all = record.len();
-        let quantity = Quantity::at(
-            format!("{} of other sources or tests than the present ones", self.entry),
-            format!("of {all}"),
-        );
         let judged = Check::at_most(
-            quantity,
+            Quantity::at(format!("{} of other sources or tests than the present ones", self.entry), ""),
             Reference::own(self.file, 0.0),
             "what was found on other sources, or by a test that is no more, need not hold on these",
         )
+        .asked_of(all)
         .judge(old as f64);
         let why = match all {
             0 => format!("none is recorded: {}", self.renew),

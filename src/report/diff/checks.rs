@@ -9,7 +9,7 @@ use crate::case::Relation;
 use crate::markdown::{self, significant};
 use crate::oracle::ReferenceKind;
 use crate::report::record::{CheckRow, Mark, ROUND_OFF};
-use crate::study::grouped::{joined, largest_first, sorted};
+use crate::study::grouped::{joined, largest_first};
 
 /// Folders of what is recorded.
 const RECORDS: [&str; 2] = ["snapshots", "oracles/frozen"];
@@ -33,12 +33,9 @@ pub struct Pairs<'a> {
 }
 
 impl<'a> Pairs<'a> {
-    /// Matches two records by the keys of their checks; those that nothing but counts tells apart in their order.
+    /// Matches two records by the keys of their checks.
     pub fn of(before: &'a [CheckRow], after: &'a [CheckRow]) -> Self {
-        let keyed = |rows: &'a [CheckRow]| {
-            let alike = sorted(rows.iter().map(|row| (uncounted(row), row))).into_iter();
-            alike.flat_map(|(key, rows)| rows.into_iter().enumerate().map(move |(k, row)| ((key.clone(), k), row)))
-        };
+        let keyed = |rows: &'a [CheckRow]| rows.iter().map(|row| (row.key(), row));
         let mut pairs = Self::default();
         for one in joined([before, after].map(keyed)).into_values() {
             match one {
@@ -52,19 +49,6 @@ impl<'a> Pairs<'a> {
         pairs
     }
 }
-
-/// The key of a check, with no count in a place that says of how many: of more of them it is the same check.
-fn uncounted(row: &CheckRow) -> [String; 6] {
-    let is_count = |word: &str| word.parse::<usize>().is_ok();
-    let words: Vec<&str> = row.place.split([' ', ',']).collect();
-    let says = words.windows(2).any(|two| two[0] == "of" && is_count(two[1]));
-    let mut key = row.key().map(String::from);
-    key[PLACE] = words.into_iter().filter(|word| !says || !is_count(word)).collect::<Vec<_>>().join(" ");
-    key
-}
-
-/// Part of a key that says where, and of how many.
-const PLACE: usize = 4;
 
 /// Whether two numbers of a record differ; what is no number is like what is no number.
 fn differ([before, after]: [f64; 2]) -> bool {
@@ -162,7 +146,7 @@ fn change(row: &CheckRow, size: f64, how: String) -> Change {
 
 /// Case, trial and place of a check; of several runs those of the worst.
 fn at(row: &CheckRow) -> String {
-    if row.runs > 1 {
+    if !row.worst.is_empty() {
         return row.worst.clone();
     }
     let place = if row.place.is_empty() { String::new() } else { format!(", {}", row.place) };

@@ -2,7 +2,6 @@
 //! program takes in their place. And what the atlas must hold: the predictions are right, and what the program takes
 //! converges.
 
-use std::borrow::Cow;
 use std::path::Path;
 
 use rayon::prelude::*;
@@ -241,17 +240,6 @@ fn worst(values: impl Iterator<Item = f64>) -> f64 {
     values.reduce(larger).unwrap_or(f64::NAN)
 }
 
-/// That none of some is wrong; of nothing nothing is known.
-fn none(
-    what: impl Into<Cow<'static, str>>,
-    at: String,
-    because: impl Into<Cow<'static, str>>,
-    wrong: usize,
-    of: usize,
-) -> Judged {
-    Check::none(Quantity::at(what, at), because).judge(if of == 0 { f64::NAN } else { wrong as f64 })
-}
-
 /// Three predictions that are made of a rate: what fails, what converges, and in how many iterations.
 fn predicted(chart: &Chart) -> Vec<Judged> {
     let is = |r: &Record, algorithm, rule| (r.method.algorithm, r.method.rule) == (algorithm, rule);
@@ -274,36 +262,31 @@ fn predicted(chart: &Chart) -> Vec<Judged> {
         names.dedup();
         names.join(" or ")
     };
-    let never_converge = none(
+    let never_converge = Check::none(
         "run, but of constant stiffness with secant, that converges where the condensed matrices predict failure",
-        format!("of {} predicted to fail", failing.len()),
         format!(
             "spectral radius above 1, or more than {FACTOR} times the limit of iterations; what swings below the \
             tolerance may be called converged"
         ),
-        failing.iter().filter(|r| converged(r)).count(),
-        failing.len(),
-    );
-    let always_converge = none(
-        format!("run of {} that fails where it is predicted to converge", named(&ending)),
-        format!("of {} predicted to converge", ending.len()),
+    )
+    .asked_of(failing.len())
+    .judge(failing.iter().filter(|r| converged(r)).count() as f64);
+    let always_converge = Check::none(
+        Quantity::at(format!("run of {} that fails where it is predicted to converge", named(&ending)), ""),
         format!(
             "less than the limit of iterations over {FACTOR}; other methods are in the table of predictions and not \
             judged: varying stiffness with correction is attracted from nearby only"
         ),
-        ending.iter().filter(|r| !converged(r)).count(),
-        ending.len(),
-    );
+    )
+    .asked_of(ending.len())
+    .judge(ending.iter().filter(|r| !converged(r)).count() as f64);
     let in_iterations = Check::at_most(
-        Quantity::at(
-            "largest factor between predicted and measured iterations on nodes",
-            format!("{} points", ratios.len()),
-        ),
+        "largest factor between predicted and measured iterations on nodes",
         Reference::own("factor accepted", FACTOR),
         "constant stiffness linearised on the final active set, or its gaps worked off; varying stiffness by its \
         points near the edge, each alone: on fine meshes their neighbours help",
     );
-    let in_iterations = in_iterations.judge(worst(ratios.iter().copied()));
+    let in_iterations = in_iterations.asked_of(ratios.len()).judge(worst(ratios.iter().copied()));
     vec![never_converge, always_converge, in_iterations]
 }
 
@@ -332,7 +315,7 @@ pub(super) fn averaged(chart: &Chart) -> Judged {
     let what = "run of constant stiffness with correction that diverges or cycles";
     let because =
         "predicted before any contact is solved: an averaged map comes no farther from its limit at any iteration";
-    none(what, format!("of {}", own.len()), because, wrong, own.len())
+    Check::none(what, because).asked_of(own.len()).judge(wrong as f64)
 }
 
 /// What the program takes converges, all nine of it.

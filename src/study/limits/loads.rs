@@ -61,12 +61,10 @@ pub(super) fn pulled_apart() -> Result<Limit, Error> {
         instead,
         judged: vec![
             Check::none(
-                Quantity::at(
-                    "run that ends neither in the error of a lost spring nor at the cap of its iterations",
-                    format!("of {all}"),
-                ),
+                "run that ends neither in the error of a lost spring nor at the cap of its iterations",
                 "nothing balances the load",
             )
+            .asked_of(all)
             .judge((all as f64 - named - capped).abs()),
         ],
         table: folded(
@@ -99,12 +97,10 @@ pub(super) fn no_load() -> Result<Limit, Error> {
         instead,
         judged: vec![
             Check::none(
-                Quantity::at(
-                    "formulation that finds a pressure between fixed bodies without a load",
-                    format!("of {all}"),
-                ),
+                "formulation that finds a pressure between fixed bodies without a load",
                 "the bars do not touch: p = 0 exactly, whatever the formulation",
             )
+            .asked_of(all)
             .judge(all as f64 - silent),
         ],
         table: String::new(),

@@ -144,9 +144,10 @@ pub(super) fn distorted() -> Result<Limit, Error> {
                 "isoparametric cells keep linear fields; engineering tolerance of the paper's comparison",
             ),
             Check::none(
-                Quantity::at("refusal that does not name an inverted cell", format!("of {}", refusals.len())),
+                "refusal that does not name an inverted cell",
                 "the Jacobian determinant is looked at in every cell",
             )
+            .asked_of(refusals.len())
             .judge(others as f64),
         ],
         table: moves.table(

@@ -16,7 +16,7 @@ pub mod sentence;
 pub mod statement;
 
 use crate::case::library::{Cylinder, PinRod};
-use crate::case::{Check, Judged, Quantity, Reference};
+use crate::case::{Check, Judged, Reference};
 use crate::error::Error;
 use crate::solve::{Element, Formulation, Iteration, LIMITS, Settings};
 use crate::study::about::{About, Found, Planned, Study};
@@ -48,12 +48,12 @@ impl Study for Numbers {
             _ => false,
         };
         let wrong = stopped.iter().filter(|pair| !is_told(pair)).count();
-        let at = format!("of {}", stopped.len());
         let check = Check::at_most(
-            Quantity::at("run that stops elsewhere than the course of one tells", at),
+            "run that stops elsewhere than the course of one tells",
             Reference::own("runs of their own", 0.0),
             "the same iterations, stopped or not",
-        );
+        )
+        .asked_of(stopped.len());
         Ok(vec![check.judge(if stopped.iter().any(|pair| pair[1].is_some()) { wrong as f64 } else { f64::NAN })])
     }
 

@@ -336,13 +336,13 @@ fn smallest(
 pub fn beyond(recorded: &[Record]) -> Judged {
     let mut known = meant(recorded, |_, _| true);
     known.retain(|[_, bar]| !bar.is_nan());
-    let quantity = case::Quantity::at(
-        format!("share of the true errors beyond {BEYOND} bars"),
-        format!("of {} bars known, of every family", known.len()),
-    );
+    let quantity =
+        case::Quantity::at(format!("share of the true errors beyond {BEYOND} bars"), "bars known of every family");
     let because = "a number so far outside would mislead whoever trusts its bar";
     let beyond = 1.0 - share_within(&known, BEYOND);
-    Check::at_most(quantity, Reference::analytic("closed forms and boundary methods", OUTLIERS), because).judge(beyond)
+    Check::at_most(quantity, Reference::analytic("closed forms and boundary methods", OUTLIERS), because)
+        .asked_of(known.len())
+        .judge(beyond)
 }
 
 /// Bars are no wider than they need be, whatever counts as round-off.
@@ -350,10 +350,10 @@ pub fn narrow(recorded: &[Record]) -> Judged {
     let all = recorded.iter().map(|record| record.numbers().count()).sum::<usize>();
     let quantity = case::Quantity::at(
         "largest median of bar over true error",
-        format!("errors above {:e} to {:e}, of {all}", CUTS[0], CUTS[CUTS.len() - 1]),
+        format!("errors above {:e} to {:e}", CUTS[0], CUTS[CUTS.len() - 1]),
     );
     let because = "a bar that is never needed says nothing";
-    Check::at_most(quantity, Reference::analytic("closed forms", MEDIAN), because).judge(widest(recorded))
+    Check::at_most(quantity, Reference::analytic("closed forms", MEDIAN), because).asked_of(all).judge(widest(recorded))
 }
 
 /// The largest median of bar over error, of errors above any of the cuts.

@@ -159,12 +159,11 @@ pub(super) fn judge(recorded: &[Record]) -> Vec<Judged> {
 pub fn right(recorded: &[Record]) -> Judged {
     let met = recorded.iter().filter(|record| record.met).count();
     let wrong = recorded.iter().filter(|record| record.is_falsely_met()).count();
-    let quantity = Quantity::at(
-        "share of the accuracies called met with a peak or a half-width off by more than was asked",
-        format!("{wrong} of {met} called met, {} answers in all", recorded.len()),
-    );
+    let quantity = "share of the accuracies called met with a peak or a half-width off by more than was asked";
     let because = "bars are held by nineteen of twenty and more, and an answer seldom uses all of its own";
-    Check::error(quantity, Reference::analytic("closed forms", 0.0), WRONG, because).judge(wrong as f64 / met as f64)
+    Check::error(quantity, Reference::analytic("closed forms", 0.0), WRONG, because)
+        .asked_of(met)
+        .judge(wrong as f64 / met as f64)
 }
 
 /// Nothing that is called met is far from it.
@@ -179,13 +178,9 @@ pub fn near(recorded: &[Record]) -> Judged {
 /// Nothing is called not met whose estimates are all within what was asked.
 pub fn consistent(recorded: &[Record]) -> Judged {
     let wrong = recorded.iter().filter(|record| !record.met && record.estimate.0 <= record.asked).count();
-    let quantity = Quantity::at(
-        "accuracy called not met beside estimates that are all within it",
-        format!("of {} answers", recorded.len()),
-    );
+    let quantity = "accuracy called not met beside estimates that are all within it";
     let because = "an estimate beyond what was asked is the reason why it is not met";
-    let wrong = if recorded.is_empty() { f64::NAN } else { wrong as f64 };
-    Check::at_most(quantity, Reference::own("the estimate", 0.0), because).judge(wrong)
+    Check::at_most(quantity, Reference::own("the estimate", 0.0), because).asked_of(recorded.len()).judge(wrong as f64)
 }
 
 /// The answers of a family to an accuracy.

@@ -105,9 +105,10 @@ pub fn judge(curves: &[Curve], [first, other]: &[[f64; 2]; 2], wide_plate: f64) 
     let all = || curves.iter().flat_map(|(_, placed)| placed);
     let lost = all().filter(|placed| placed.is_err_and(|class| class != Ended::Beyond)).count();
     let lost = Check::none(
-        Quantity::at("scene of the family whose iteration does not converge", format!("of {}", all().count())),
+        "scene of the family whose iteration does not converge",
         "a contact is found, or refused because it reaches beyond the quarter",
     )
+    .asked_of(all().count())
     .judge(lost as f64);
     let at_last = |(_, placed): &Curve| placed.last().map_or(f64::NAN, |placed| numbers(*placed)[1]);
     let smallest = curves.iter().map(at_last).reduce(|a, b| -larger(-a, -b)).unwrap_or(f64::NAN);

@@ -231,14 +231,12 @@ pub(super) fn before(scene: Stretched) -> Result<Vec<Before>, Error> {
 pub fn judge_before(meshes: &[Before]) -> Judged {
     let factors: Vec<f64> = meshes.iter().filter_map(Before::ratio).map(|ratio| larger(ratio, 1.0 / ratio)).collect();
     Check::at_most(
-        Quantity::at(
-            "largest factor between ln ρ by Hertz's closed form and as measured",
-            format!("{} of {} meshes can be measured", factors.len(), meshes.len()),
-        ),
+        "largest factor between ln ρ by Hertz's closed form and as measured",
         Reference::own("factor accepted", BEFORE),
         "nothing is solved for it: w/g of Hertz's contact at the first node outside; where in its element the discrete \
         contact ends it does not know",
     )
+    .asked_of(factors.len())
     .judge(factors.into_iter().reduce(larger).unwrap_or(f64::NAN))
 }
 

@@ -15,11 +15,6 @@ fn irregular(point: usize) -> f64 {
     (0.618 * (point + 1) as f64).fract() - 0.5
 }
 
-/// A share of nothing is not a number.
-fn count(wrong: usize, of: usize) -> f64 {
-    if of == 0 { f64::NAN } else { wrong as f64 }
-}
-
 /// Target springs by their largest κ*: those that carry the contact's own pressure without a gap, `p/g`, cut off there.
 /// A negative one stands in every point and pushes the bodies apart, so that S + K* is not positive definite.
 const TARGETS: [f64; 7] = [-0.1, 0.1, 1.0, 3.0, 10.0, 1e2, 1e4];
@@ -138,17 +133,15 @@ pub fn judge_towards(starts: &[Towards]) -> Vec<Judged> {
     let errors: Vec<f64> = compared.map(|start| (start.observed.ln() / start.predicted.ln() - 1.0).abs()).collect();
     vec![
         Check::none(
-            Quantity::at(
-                "start towards fixed springs that does not converge although S + K* and S + 2K₀ − K* are positive \
+            "start towards fixed springs that does not converge although S + K* and S + 2K₀ − K* are positive \
                 definite, or converges although they are not",
-                format!("of {}", judged.len()),
-            ),
             format!(
                 "at every start farther than a factor of {NEAR} from the boundary; where it merely crawls, \
                 predicted iterations against the limit"
             ),
         )
-        .judge(count(judged.iter().filter(ends_otherwise).count(), judged.len())),
+        .asked_of(judged.len())
+        .judge(judged.iter().filter(ends_otherwise).count() as f64),
         Check::error(
             Quantity::at("largest error of ln ρ, ρ the rate towards fixed springs", format!("{} points", errors.len())),
             Reference::own("spectral radius", 0.0),
@@ -225,14 +218,12 @@ fn stays(problem: &ContactProblem, limit: &Limit) -> bool {
 pub fn judge_basin(starts: &[Basin]) -> Judged {
     let is_wrong = |start: &&Basin| start.predicted.is_nan() || start.stays != (start.predicted < 1.0);
     Check::none(
-        Quantity::at(
-            "start next to the contact, with varying stiffness and correction, that stays although its spectral \
+        "start next to the contact, with varying stiffness and correction, that stays although its spectral \
             radius is above 1, or leaves although it is below",
-            format!("of {}", starts.len()),
-        ),
         "the boundary is where 2 (S + K*) − max(K*, K₀) ceases to be positive definite on the closed points",
     )
-    .judge(count(starts.iter().filter(is_wrong).count(), starts.len()))
+    .asked_of(starts.len())
+    .judge(starts.iter().filter(is_wrong).count() as f64)
 }
 
 /// Every start with the name of its element.
