@@ -60,73 +60,93 @@ const OF_A_LINE: [&str; 5] = ["hertz", "flat-punch", "polynomial", "wedge", "cos
 
 /// The closed form that is given for a contact of a scene.
 pub(super) fn read(given: Value, scene: &Scene, contact: usize) -> Result<SharedOracle, Error> {
-    let (name, t) = given.only();
-    let (units, pair) = (t.units, &scene.contacts[contact]);
-    let length = |key| t.at(key).length();
-    // Force per thickness [N/mm].
-    let load = || Ok::<f64, Error>(units.force * t.at("load").positive()? / scene.thickness);
-    let modulus = scene.modulus_of(pair);
-    let coefficients = || -> Result<[f64; 3], Error> {
-        let [second, fourth, sixth] = t.at("coefficients").exactly()?.map(Value::finite);
-        Ok([second? * units.length.powi(-1), fourth? * units.length.powi(-3), sixth? * units.length.powi(-5)])
-    };
+    let pair = &scene.contacts[contact];
     if let Some(radial) = scene.plane.radial() {
-        if name == "lame" {
-            return lame_of_revolution(t, (scene, pair), radial);
-        }
-        if radial == 1 || !pair.path.is_around_axis(scene.plane) || !pair.path.is_straight() {
-            let message = format!("`{name}` is a closed form of a contact around the axis x = 0, along y = const");
-            return Err(
-                given.refused(message, "leave `oracle` out and give checks a `value`; of fitted rings use `lame`")
-            );
-        }
-        let pressed = |powers: &[[f64; 2]]| Ok::<_, Error>(Indentation::of_load(load()?, modulus, powers, HALF_WIDTHS));
-        return Ok(match name {
-            "hertz" => Arc::new(Sphere { load: load()?, radius: length("radius")?, modulus }),
-            "flat-punch" => Arc::new(Indentation::flat(modulus, length("half-width")?, load()?)),
-            "polynomial" => {
-                let [second, fourth, sixth] = coefficients()?;
-                Arc::new(pressed(&[[second, 2.0], [fourth, 4.0], [sixth, 6.0]])?)
-            }
-            "powers" => Arc::new(pressed(&powers(t.at("terms"))?)?),
-            "cone" => Arc::new(pressed(&[[t.at("slope").positive()?, 1.0]])?),
-            _ => {
-                let message = format!("`{name}` is a closed form of plane scenes, not of bodies of revolution");
-                let remedy = "use `hertz`, `flat-punch`, `polynomial`, `powers`, `cone` or `lame`, or leave `oracle` \
-                    out and give checks a `value`";
-                return Err(given.refused(message, remedy));
-            }
-        });
+        return of_revolution(given, (scene, pair), radial);
     }
-    let closed: SharedOracle = match name {
-        "hertz" => Arc::new(Hertz { load: load()?, radius: length("radius")?, modulus }),
-        "persson" => {
-            let material = scene.bodies[pair.first].material;
-            Arc::new(PinInHole {
-                radius: length("radius")?,
-                clearance: length("clearance")?,
-                load: load()?,
-                modulus: material.plane_modulus(scene.plane),
-                poisson: material.poisson,
-                plane: scene.plane,
-            })
+    let closed = of_plane(given, (scene, pair))?;
+    Ok(match &pair.path {
+        Path::Arc(arc) if OF_A_LINE.contains(&given.only().0) => {
+            Arc::new(OnArc { straight: closed, radius: arc.radius })
         }
+        _ => closed,
+    })
+}
+
+/// Force per thickness \[N/mm\].
+fn load(t: Value, scene: &Scene) -> Result<f64, Error> {
+    Ok(t.units.force * t.at("load").positive()? / scene.thickness)
+}
+
+/// Coefficients of x², x⁴ and x⁶ \[mm⁻¹, mm⁻³, mm⁻⁵\].
+fn coefficients(t: Value) -> Result<[f64; 3], Error> {
+    let [second, fourth, sixth] = t.at("coefficients").exactly()?.map(Value::finite);
+    let per = |k: i32| t.units.length.powi(-k);
+    Ok([second? * per(1), fourth? * per(3), sixth? * per(5)])
+}
+
+/// One of a contact around the axis x = 0, or of fitted rings.
+fn of_revolution(given: Value, (scene, pair): (&Scene, &ContactPair), radial: usize) -> Result<SharedOracle, Error> {
+    let (name, t) = given.only();
+    if name == "lame" {
+        return lame_of_revolution(t, (scene, pair), radial);
+    }
+    if radial == 1 || !pair.path.is_around_axis(scene.plane) || !pair.path.is_straight() {
+        let message = format!("`{name}` is a closed form of a contact around the axis x = 0, along y = const");
+        return Err(given.refused(message, "leave `oracle` out and give checks a `value`; of fitted rings use `lame`"));
+    }
+    let modulus = scene.modulus_of(pair);
+    let load = || load(t, scene);
+    let pressed = |powers: &[[f64; 2]]| Ok::<_, Error>(Indentation::of_load(load()?, modulus, powers, HALF_WIDTHS));
+    Ok(match name {
+        "hertz" => Arc::new(Sphere { load: load()?, radius: t.at("radius").length()?, modulus }),
+        "flat-punch" => Arc::new(Indentation::flat(modulus, t.at("half-width").length()?, load()?)),
+        "polynomial" => {
+            let [second, fourth, sixth] = coefficients(t)?;
+            Arc::new(pressed(&[[second, 2.0], [fourth, 4.0], [sixth, 6.0]])?)
+        }
+        "powers" => Arc::new(pressed(&powers(t.at("terms"))?)?),
+        "cone" => Arc::new(pressed(&[[t.at("slope").positive()?, 1.0]])?),
+        _ => {
+            let message = format!("`{name}` is a closed form of plane scenes, not of bodies of revolution");
+            let remedy = "use `hertz`, `flat-punch`, `polynomial`, `powers`, `cone` or `lame`, or leave `oracle` \
+                out and give checks a `value`";
+            return Err(given.refused(message, remedy));
+        }
+    })
+}
+
+/// One of plane strain or plane stress, by the length of a line where the contact runs along an arc.
+fn of_plane(given: Value, (scene, pair): (&Scene, &ContactPair)) -> Result<SharedOracle, Error> {
+    let (name, t) = given.only();
+    let (units, modulus, material) = (t.units, scene.modulus_of(pair), scene.bodies[pair.first].material);
+    let length = |key| t.at(key).length();
+    let load = || load(t, scene);
+    Ok(match name {
+        "hertz" => Arc::new(Hertz { load: load()?, radius: length("radius")?, modulus }),
+        "persson" => Arc::new(PinInHole {
+            radius: length("radius")?,
+            clearance: length("clearance")?,
+            load: load()?,
+            modulus: material.plane_modulus(scene.plane),
+            poisson: material.poisson,
+            plane: scene.plane,
+        }),
         "lame" => Arc::new(lame(t, scene, pair)?),
         "flat-punch" => Arc::new(FlatPunch { load: load()?, half_width: length("half-width")? }),
         "uniform" => Arc::new(Uniform::patch(units.stress * t.at("pressure").positive()?, length("width")?)),
         "bars" => {
             let [moved, fixed] = t.at("lengths").exactly()?;
-            let (young, section) = (scene.bodies[pair.first].material.young, length("width")?);
             let lengths = [moved.length()?, fixed.length()?];
             let gap = units.length * t.at("gap").within("a gap of 0 or more", |gap| gap >= 0.0)?;
-            Arc::new(Uniform::bars(young, section, lengths, gap, length("push")?))
+            Arc::new(Uniform::bars(material.young, length("width")?, lengths, gap, length("push")?))
         }
         "own-weight" => {
             let specific_weight = units.specific_weight() * t.at("weight").positive()?;
             Arc::new(Uniform::own_weight(specific_weight, length("height")?, length("width")?))
         }
         "polynomial" => {
-            let coefficients = coefficients()?;
+            let coefficients = coefficients(t)?;
             let gap = |a| EvenGap::polynomial(modulus, a, coefficients);
             Arc::new(EvenGap::of_load(load()?, HALF_WIDTHS, gap))
         }
@@ -138,19 +158,15 @@ pub(super) fn read(given: Value, scene: &Scene, contact: usize) -> Result<Shared
             };
             Arc::new(EvenGap::of_load(load()?, HALF_WIDTHS, gap))
         }
-        "cone" | "powers" => {
-            let message = format!("`{name}` is a closed form of bodies of revolution, and the scene is plane");
-            return Err(given.refused(message, "use `wedge` or `polynomial`, or give `plane = \"axisymmetric\"`"));
-        }
         "cosine" => {
             let wavelength = length("wavelength")?;
             Arc::new(Waves { modulus, amplitude: length("amplitude")?, wavelength, mean: load()? / wavelength })
         }
+        "cone" | "powers" => {
+            let message = format!("`{name}` is a closed form of bodies of revolution, and the scene is plane");
+            return Err(given.refused(message, "use `wedge` or `polynomial`, or give `plane = \"axisymmetric\"`"));
+        }
         _ => t.unknown(),
-    };
-    Ok(match &pair.path {
-        Path::Arc(arc) if OF_A_LINE.contains(&name) => Arc::new(OnArc { straight: closed, radius: arc.radius }),
-        _ => closed,
     })
 }
 
