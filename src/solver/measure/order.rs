@@ -82,7 +82,7 @@ impl Richardson {
 /// |---|---|---|
 /// | 0.5 … 2 | `1.25 Δ/(2^p − 1)` | `f₁ + Δ/(2^p − 1)` |
 /// | 2 … 3 | `1.25 Δ/3`, as of order 2 | `f₁ + Δ/3` |
-/// | above 3 | `3 Δ`, as of order 1 with Roache's factor of two meshes | `f₁` |
+/// | above 3 | `3 Δ`, as of order 1 with Roache's factor of two meshes, or `1.25/15` of the range if that is larger | `f₁` |
 /// | 0 … 0.5 | three times the range of the three, or `1.25 Δ/(2^p − 1)` if that is larger | `f₁` |
 /// | none: not monotone | the range of the three | `f₁` |
 /// | none: changes that do not fall | NaN: such a series tells nothing | `f₁` |
@@ -98,7 +98,11 @@ pub fn richardson([coarse, medium, fine]: [f64; 3]) -> Richardson {
     let (bar, limit) = match order {
         _ if !known => (f64::NAN, f64::NAN),
         _ if !monotone => (range, fine),
-        p if p > FASTEST => (CAUTIOUS * correction(1.0).abs(), fine),
+        p if p > FASTEST => {
+            // Of order 2 from the coarsest on: a last change that is small by chance tells nothing.
+            let from_coarsest = CONSISTENT * range / (4f64.powf(FORMAL) - 1.0);
+            ((CAUTIOUS * correction(1.0).abs()).max(from_coarsest), fine)
+        }
         p if p >= SLOWEST => (CONSISTENT * correction(p.min(FORMAL)).abs(), fine + correction(p.min(FORMAL))),
         p if p > 0.0 => ((CAUTIOUS * range).max(CONSISTENT * correction(p).abs()), fine),
         _ => (f64::NAN, fine),
