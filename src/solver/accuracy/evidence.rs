@@ -201,10 +201,30 @@ impl Family {
         let kind = Kind::of(&reading.quantity);
         let row = Row::of(kind, self.formulation.element, self.order, fills_candidates(measures));
         let number = Number { reading, discrete, measures, row };
-        match &self.next {
+        let own = match &self.next {
             Some(next) if reading.quantity.is_of_pressures() => self.of_next(next, &number),
             _ => self.of_coarser(&number),
+        };
+        own.and(larger(self.of_width(run, &number) - own.bar(), 0.0))
+    }
+
+    /// What a centre or a moment may be off on meshes that end with the contact, by what its second-moment width may
+    /// be: both are moments of one pressure, and a number with a sign agrees by chance from order to order. Nothing
+    /// where every mesh has the same, which statics or symmetry give.
+    fn of_width(&self, run: &Run, number: &Number) -> f64 {
+        let &Number { reading: &Reading { contact, ref quantity, scale, .. }, measures, .. } = number;
+        let arm = match quantity {
+            Quantity::Centre => 1.0,
+            Quantity::Moment => measures.resultant.abs(),
+            _ => return 0.0,
+        };
+        let is_given = self.errors(number).iter().all(|error| *error <= ROUND_OFF * scale.abs());
+        if !self.on_ends || is_given {
+            return 0.0;
         }
+        let (quantity, width) = (Quantity::SecondMomentWidth, measures.second_moment_width);
+        let of_width = Reading { contact, quantity, value: width, scale: width };
+        arm * (self.of_meshes(run, &of_width, width).bar() + self.of_force(run, &of_width, width))
     }
 
     /// What the next mesh says: `F |f₀ − f₁|`, with what the reading misses and, where the gap is not smooth, what peak
