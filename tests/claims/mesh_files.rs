@@ -743,27 +743,28 @@ fn quadrilaterals_with_a_node_twice_are_triangles_and_files_that_are_no_mesh_say
 }
 
 /// Halving keeps how much coarser the other side is: its cells are made no longer than those of the mesh from the
-/// start.
+/// start, and no shorter where it presses.
 #[test]
 fn a_mesh_of_4_node_cells_is_answered_on_a_body_that_is_meshed_beside_it() {
-    let (columns, rows) = (72, 42);
-    let tag = |i: usize, j: usize| 100 * i + j + 1;
-    let all = || (0..=columns).flat_map(|i| (0..=rows).map(move |j| (i, j)));
-    let place = |i: usize, j: usize| [40.0 * i as f64 / columns as f64 - 20.0, 24.0 * j as f64 / rows as f64];
-    let node = |(i, j)| format!("{}, {}, {}\n", tag(i, j), place(i, j)[0], place(i, j)[1]);
-    let cell = |(i, j)| {
-        let corners = [tag(i, j), tag(i + 1, j), tag(i + 1, j + 1), tag(i, j + 1)];
-        format!("{}, {}\n", tag(i, j), corners.map(|corner| corner.to_string()).join(", "))
+    let deck = |columns: usize, rows: usize| {
+        let tag = |i: usize, j: usize| 100 * i + j + 1;
+        let all = || (0..=columns).flat_map(|i| (0..=rows).map(move |j| (i, j)));
+        let place = |i: usize, j: usize| [40.0 * i as f64 / columns as f64 - 20.0, 24.0 * j as f64 / rows as f64];
+        let node = |(i, j)| format!("{}, {}, {}\n", tag(i, j), place(i, j)[0], place(i, j)[1]);
+        let cell = |(i, j)| {
+            let corners = [tag(i, j), tag(i + 1, j), tag(i + 1, j + 1), tag(i, j + 1)];
+            format!("{}, {}\n", tag(i, j), corners.map(|corner| corner.to_string()).join(", "))
+        };
+        let set = |name: &str, j: usize| {
+            let own: String = (0..=columns).map(|i| format!("{},\n", tag(i, j))).collect();
+            format!("*NSET, NSET={name}\n{own}")
+        };
+        let nodes: String = all().map(node).collect();
+        let cells: String = all().filter(|(i, j)| *i < columns && *j < rows).map(cell).collect();
+        let sides = set("down", 0) + &set("up", rows);
+        format!("*NODE\n{nodes}*ELEMENT, TYPE=CPS4, ELSET=plate\n{cells}{sides}")
     };
-    let set = |name: &str, j: usize| {
-        let own: String = (0..=columns).map(|i| format!("{},\n", tag(i, j))).collect();
-        format!("*NSET, NSET={name}\n{own}")
-    };
-    let nodes: String = all().map(node).collect();
-    let cells: String = all().filter(|(i, j)| *i < columns && *j < rows).map(cell).collect();
-    let sides = set("down", 0) + &set("up", rows);
-    let deck = format!("*NODE\n{nodes}*ELEMENT, TYPE=CPS4, ELSET=plate\n{cells}{sides}");
-    let scene = |shape: &str, far: &str, guess: f64| {
+    let scene = |shape: &str, far: &str, guess: f64, [first, second]: [&str; 2]| {
         format!(
             "plane = \"stress\"\nthickness = 2.5\n[[body]]\nname = \"plate\"\nyoung = 70e3\npoisson = 0.33\nshape = \
             {shape}\n\
@@ -773,8 +774,8 @@ fn a_mesh_of_4_node_cells_is_answered_on_a_body_that_is_meshed_beside_it() {
              [[body]]\nname = \"base\"\nyoung = 210e3\npoisson = 0.3\n\
              shape = {{ rectangle = {{ x = [-40, 40], y = [-50, 0], contact = \"top\" }} }}\n\
              supports = [{{ at = \"far\", component = \"y\" }}, {{ at = \"left\", component = \"x\" }}]\n\
-             [contact]\nfirst = \"plate\"\nsecond = \"base\"\nboth-sides = true\ngap = {{ parabola = 900 }}\nstretch = \
-             {guess}\n\
+             [contact]\nfirst = \"{first}\"\nsecond = \"{second}\"\nboth-sides = true\n\
+             gap = {{ parabola = 900 }}\nstretch = {guess}\n\
              [mesh]\naccuracy = \"1 %\"\n"
         )
     };
@@ -783,11 +784,19 @@ fn a_mesh_of_4_node_cells_is_answered_on_a_body_that_is_meshed_beside_it() {
         assert_eq!(answer.unmet, None);
         answer
     };
-    let ours = parsed(&scene("{ rectangle = { x = [-20, 20], y = [0, 24], contact = \"bottom\" } }", "far", 18.0));
+    let ours = parsed(&scene(
+        "{ rectangle = { x = [-20, 20], y = [0, 24], contact = \"bottom\" } }",
+        "far",
+        18.0,
+        ["plate", "base"],
+    ));
     let truth = answer(&ours, 1e-3).run.measures().peak.pressure;
-    // Whether the contact is longer or shorter than guessed.
-    for guess in [12.0, 18.0, 20.0] {
-        let given = scene("{ mesh = { file = \"a.inp\", group = \"plate\", contact = \"down\" } }", "up", guess);
+    // Whether the contact is longer or shorter than guessed, and whichever side presses.
+    let (fine, coarse, of_given) = (deck(72, 42), deck(16, 6), ["plate", "base"]);
+    let of_other = (&coarse, 18.0, ["base", "plate"]);
+    for (deck, guess, sides) in [(&fine, 12.0, of_given), (&fine, 18.0, of_given), (&fine, 20.0, of_given), of_other] {
+        let shape = "{ mesh = { file = \"a.inp\", group = \"plate\", contact = \"down\" } }";
+        let given = scene(shape, "up", guess, sides);
         let found = answer(&beside("a.inp", deck.as_bytes(), &given).expect("a case"), 3e-2);
         assert!(found.run.dofs < 60_000, "{guess}: {}", found.run.dofs);
         assert_relative_eq!(found.run.measures().peak.pressure, truth, max_relative = 5e-3);

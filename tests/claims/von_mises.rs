@@ -343,3 +343,33 @@ fn stress_of_a_fixed_block_is_quoted_with_the_corner_that_has_none() {
         assert!(all.iter().all(|one| one.because != "a corner"), "{all:?}");
     }
 }
+
+/// On the axis of revolution a node of 4-node cells has an area, whose force its whole neighbourhood carries: ball and
+/// block, the ball's cells half and a third as wide.
+#[test]
+fn stresses_below_an_axis_are_the_same_whichever_side_has_the_smaller_cells() {
+    let supports = "supports = [{ at = \"SIDE\", component = \"x\" }";
+    let text = |density: u8| {
+        format!(
+            "plane = \"axisymmetric\"\n[[body]]\nname = \"block\"\nyoung = 70e3\npoisson = 0.33\n\
+             shape = {{ rectangle = {{ x = [0, 60], y = [-60, 0], contact = \"top\" }} }}\n{}, \
+             {{ at = \"far\", component = \"y\" }}]\n\
+             [[body]]\nname = \"ball\"\ndensity = {density}\nyoung = 210e3\npoisson = 0.3\n\
+             shape = {{ disc = {{ centre = [0, 50], radius = 50 }} }}\n{}]\n\
+             loads = [{{ traction = {{ at = \"cut\", value = [0, -20] }} }}]\n\
+             [contact]\nfirst = \"block\"\nsecond = \"ball\"\ngap = {{ circle = 50 }}\nstretch = 6\n\
+             [mesh]\nelements = 48\nper = 4.6\norder = 1\n",
+            supports.replace("SIDE", "left"),
+            supports.replace("SIDE", "axis")
+        )
+    };
+    let found = [1, 2, 3].map(|density| {
+        let case = parsed(&text(density));
+        let (discretisation, run) = solved(case.scene.clone(), case.resolution, &Formulation::verification());
+        let all = bars(&discretisation, &run, &[]).expect("bars").all;
+        let one = of_body(&all, 1).expect("a stress");
+        [one.value, one.bar.total()]
+    });
+    let [matching, _] = found[0];
+    found.into_iter().for_each(|[value, bar]| assert!((value - matching).abs() <= bar, "{value} ± {bar}: {matching}"));
+}

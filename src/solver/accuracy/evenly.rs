@@ -197,8 +197,8 @@ impl Evenly {
 /// Gives all contacts of bodies that touch, directly or through others, elements of one size, that of the shortest of
 /// them: nodes of both sides then face one another, and other bodies have the size that they need. The grading unit is
 /// the longest of these lengths; candidates are `margin` times as long as what they are sized for. Bodies beside a
-/// given mesh have elements no longer than its own there: halving keeps the ratio of both, and the nodes of a coarser
-/// side show in the pressures of the finer one.
+/// given mesh have elements no longer than its own there, and no shorter where their own nodes are those that press:
+/// halving keeps the ratio of both, and the nodes of a coarser side show in the pressures of the finer one.
 fn fit(scene: &mut Scene, asked: &[f64], margin: f64) {
     let groups = touching(scene);
     let shortest = |group: usize| {
@@ -225,7 +225,7 @@ fn fit(scene: &mut Scene, asked: &[f64], margin: f64) {
         if let ([ours], [given]) = (&ours[..], &given[..]) {
             let density = unit / (FIRST as f64 * edge(pair, &scene.bodies[*given].shape, pair.side(*given)));
             let body = &mut scene.bodies[*ours];
-            body.density = body.density.max(density);
+            body.density = if *ours == pair.first { density } else { body.density.max(density) };
         }
     }
 }

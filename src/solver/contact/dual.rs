@@ -35,8 +35,8 @@ impl Interface {
 /// For each node the primary dofs with `(1/D_a) ∫ φ_a N_b ds`, `D_a = ∫ N_a ds`.
 ///
 /// The dual shape functions `φ = D M⁻¹ N`, `M_ac = ∫ N_a N_c ds` edge by edge, satisfy `∫ φ_a N_c ds = δ_ac D_a` and
-/// `Σ φ_a = 1` (Wohlmuth 2000); lengths of bodies of revolution are times `2πr`, and a node on the axis, which may have
-/// none, meets what is there. Where every node faces a node this is that node alone; elsewhere equal pressures at the
+/// `Σ φ_a = 1` (Wohlmuth 2000); lengths of bodies of revolution are times `2πr`, and a node on the axis that has none
+/// meets what is there. Where every node faces a node this is that node alone; elsewhere equal pressures at the
 /// nodes are a uniform pressure on both sides, and the patch test holds.
 fn rows(interface: &Interface, primary: &PrimarySurface) -> Vec<Vec<(usize, f64)>> {
     let nodes = interface.nodes.len();
@@ -72,7 +72,7 @@ fn rows(interface: &Interface, primary: &PrimarySurface) -> Vec<Vec<(usize, f64)
     }
     let each = rows.into_iter().zip(areas).zip(&interface.nodes);
     each.map(|((row, area), node)| {
-        if interface.is_on_axis(node.coordinate, primary.same) {
+        if interface.has_no_area(node) {
             let nodes = primary.at(node.coordinate).into_iter().flatten();
             return nodes.map(|(node, value)| (node.dof, value)).collect();
         }

@@ -12,6 +12,8 @@ use crate::scene::{ContactPair, Profile, Scene};
 
 /// Part of the area of an edge below which a point has none: a node on the axis of revolution.
 const NO_AREA: f64 = 1e-9;
+/// Radius up to which a node is on the axis of revolution \[mm\]: what rounding leaves.
+const ON_AXIS: f64 = 1e-9;
 /// Gauss points that find the centre of the area of an edge of 2 nodes: exactly, its radius being linear.
 const FINE: usize = 2;
 
@@ -142,9 +144,11 @@ impl Interface {
         self.radial.map_or(1.0, |radial| TAU * self.pair.path.point(position)[radial])
     }
 
-    /// Whether a contact coordinate is that of the axis of revolution, but for so much rounding \[mm\].
-    pub fn is_on_axis(&self, position: f64, rounding: f64) -> bool {
-        self.radial.is_some_and(|radial| self.pair.path.point(position)[radial] <= rounding)
+    /// Whether a node has no area: on the axis of revolution, but for rounding, `∫ N r dr = 0` of edges of order 2 and
+    /// more, but for what a curved edge adds.
+    pub fn has_no_area(&self, node: &ContactNode) -> bool {
+        let is_on_axis = |radial: usize| self.pair.path.point(node.coordinate)[radial] <= ON_AXIS;
+        self.radial.is_some_and(is_on_axis) && self.edges.iter().any(|edge| edge.len() > 2)
     }
 
     /// At a natural coordinate of an edge: shape functions `N_a`, contact coordinate `s`, and length per ξ \[mm\].

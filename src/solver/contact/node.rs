@@ -4,9 +4,6 @@ use crate::contact::interface::ContactNode;
 use crate::contact::{ContactPoint, Interface};
 use crate::elasticity::quadrature;
 
-/// Radius up to which a node is on the axis \[mm\]: what rounding leaves.
-const ON_AXIS: f64 = 1e-9;
-
 /// One contact point per node pair, with the consistent tributary area `A_a = ∫ N_a (n·n_a) ds · thickness`:
 /// 1/6, 4/6, 1/6 of a straight 3-node edge, the Lobatto weights of one of any order.
 ///
@@ -19,11 +16,8 @@ pub fn points(interface: &Interface) -> Vec<ContactPoint> {
             shares[a].push((index, area));
         }
     }
-    // On the axis of revolution the node of an edge of order 2 or more has no area, `∫ N r dr = 0` but for what a
-    // curved edge adds, and carries nothing.
-    let is_high = interface.edges.iter().any(|edge| edge.len() > 2);
-    let has_area = |node: &ContactNode| !(is_high && interface.is_on_axis(node.coordinate, ON_AXIS));
-    let nodes = interface.nodes.iter().zip(shares).filter(|(node, _)| has_area(node));
+    // A node without an area carries nothing.
+    let nodes = interface.nodes.iter().zip(shares).filter(|(node, _)| !interface.has_no_area(node));
     let point = |(node, shares): (&ContactNode, Vec<(usize, f64)>)| ContactPoint {
         contact: interface.contact,
         row: node.row().collect(),
