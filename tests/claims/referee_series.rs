@@ -88,6 +88,45 @@ fn a_mesh_of_a_series_is_as_fine_as_its_edges_within_the_contact_and_its_limit_a
     }
 }
 
+/// Where the contact ends within its edge jumps from mesh to mesh, and with it what straight lines leave of the width;
+/// changes below what the truth is known to tell nothing.
+#[test]
+fn exact_pressures_pass_wherever_the_contact_ends_within_an_edge_and_whatever_the_last_changes_are() {
+    let truth = truth("truncated-hertz");
+    let at = |count: usize, size: f64| -> String {
+        let row = |k: usize| {
+            let s = size * k as f64;
+            format!("{s},{}\n", 5_769.230_769 * (1.0 - (s / 2.5).powi(2)).max(0.0).sqrt())
+        };
+        "position [mm],pressure [MPa]\n".to_owned() + &(0..count).map(row).collect::<String>()
+    };
+    for per in [10.1, 10.5, 10.84, 13.3, 14.7, 20.3] {
+        let answers = [1.0, 2.0, 4.0].map(|finer| {
+            let size = 2.5 / per / finer;
+            judged_as(truth, "series.csv", &at((3.2 / size) as usize + 2, size), &Asked::default())
+        });
+        let series = series::all(truth, &answers).pop().expect("a series");
+        assert!(verdicts_of(&series).iter().all(|verdict| **verdict == Verdict::Pass), "{per}: {series:?}");
+    }
+    let moved = |factors: [f64; 3]| {
+        let answers = factors.into_iter().zip([8, 16, 32]).map(|(factor, steps)| {
+            let right = table(steps);
+            let scaled = right.lines().skip(1).map(|row| {
+                let (s, p) = row.split_once(',').expect("two cells");
+                format!("{s},{}\n", factor * p.parse::<f64>().expect("a number"))
+            });
+            let text = "position [mm],pressure [MPa]\n".to_owned() + &scaled.collect::<String>();
+            judged_as(truth, "series.csv", &text, &Asked::default())
+        });
+        let series = series::all(truth, &answers.collect::<Vec<_>>()).pop().expect("a series");
+        series.along.into_iter().find(|one| one.name == "peak pressure").expect("a peak").judged
+    };
+    let bar = truth.known(0, &Quantity::PeakPressure).bar / truth.known(0, &Quantity::PeakPressure).reference.value;
+    // Changes that grow: right where the last value is the truth as far as that is known, wrong where it is not.
+    assert_eq!(moved([1.0 + 3.5 * bar, 1.0 + 2.0 * bar, 1.0]).verdict, Verdict::Pass);
+    assert_eq!(moved([1.001, 1.003, 1.008]).verdict, Verdict::Fail);
+}
+
 #[test]
 fn the_table_of_a_series_tells_errors_in_per_cent() {
     let folder = Folder::made();
