@@ -28,6 +28,13 @@ fn each() -> [(Check, f64); 5] {
 }
 
 #[test]
+fn a_check_that_is_asked_of_nothing_fails() {
+    let none = |number: usize| Check::none("run that is lost", "none may be").asked_of(number).judge(0.0);
+    assert_eq!([1, 7].map(|number| none(number).verdict), [Verdict::Pass, Verdict::Pass]);
+    assert!(none(0).verdict == Verdict::Fail && none(0).value.is_nan());
+}
+
+#[test]
 fn value_beyond_its_bound_fails_and_so_does_nan() {
     let beyond = [2.3, 2.2, 0.2, 1.9, 2.1];
     for ((check, good), bad) in each().into_iter().zip(beyond) {
