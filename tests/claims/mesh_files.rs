@@ -8,7 +8,7 @@ use contact_vv::accuracy::{self, Asked};
 use contact_vv::case::Case;
 use contact_vv::error::Error;
 use contact_vv::mesh::Order;
-use contact_vv::scene::Shape;
+use contact_vv::scene::{Curve, Shape};
 use contact_vv::solve::{Discretisation, Formulation};
 
 use crate::balance::solved_as_it_says;
@@ -708,6 +708,39 @@ fn section_of_a_mesh_with_more_rows_than_it_counts_is_refused() {
     assert_ne!(fewer, text);
     let parts = ["behind the last row of `$Elements`", "counts fewer"];
     workbench::refused(read("mesh.msh", fewer.as_bytes()), &parts);
+}
+
+#[test]
+fn a_circle_is_seen_in_coordinates_of_nine_digits_however_short_its_edges_and_few_digits_are_exact() {
+    // Edges of a rim of radius 50 mm that grow from 0.06 mm by a quarter each.
+    let angles = std::iter::successors(Some(0.0012), |step| Some(1.25 * step)).take(19);
+    let angles = angles.scan(0.0, |sum, step| Some(std::mem::replace(sum, *sum + step)));
+    let angles: Vec<f64> = angles.collect();
+    for digits in [5, 8, 9, 12] {
+        let mut deck = String::from("*PART, NAME=P\n*NODE\n");
+        for (k, angle) in angles.iter().enumerate() {
+            for (tag, radius) in [(2 * k + 1, 50.0), (2 * k + 2, 40.0)] {
+                let [x, y] = [radius * angle.sin(), -radius * angle.cos()].map(|x| format!("{x:.*e}", digits - 1));
+                deck += &format!("{tag}, {x}, {y}\n");
+            }
+        }
+        deck += "*ELEMENT, TYPE=CPE4, ELSET=BLOCK\n";
+        for k in 1..angles.len() {
+            deck += &format!("{k}, {}, {}, {}, {}\n", 2 * k - 1, 2 * k + 1, 2 * k + 2, 2 * k);
+        }
+        let rim: String = (0..angles.len()).map(|k| format!("{},\n", 2 * k + 1)).collect();
+        deck += &format!("*NSET, NSET=BOTTOM\n{rim}*END PART\n*INSTANCE, NAME=I, PART=P\n0, 50, 0\n*END INSTANCE\n");
+        let scene = on_plane(STRAIN, ["mesh.inp", "BLOCK", "BOTTOM"], "").replace("uniform = 0", "from = \"bodies\"");
+        let case = beside("mesh.inp", deck.as_bytes(), &scene).unwrap_or_else(|error| panic!("{error}"));
+        let Shape::Given(given) = &case.scene.bodies[0].shape else { panic!("no mesh") };
+        let curves = given.curves("BOTTOM").expect("a side");
+        for curve in &curves {
+            match curve {
+                Curve::Arc { centre, .. } if digits > 5 => assert!((centre[1] - 50.0).abs() < 1e-3, "{centre:?}"),
+                curve => assert!(digits == 5, "{digits} digits: {curve:?}"),
+            }
+        }
+    }
 }
 
 /// The block of a deck of a type, pressed on a rigid plane in a scene of a plane hypothesis.

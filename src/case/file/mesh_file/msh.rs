@@ -224,6 +224,7 @@ impl<'a> Gmsh<'a> {
         let words = &mut self.words;
         let begin = words.begin();
         let place = [words.real("x")?, words.real("y")?, words.real("z")?];
+        self.elements.count_digits(place);
         self.elements.add_node(tag, place, |message, remedy| words.refused(begin, message, remedy))
     }
 
