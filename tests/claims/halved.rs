@@ -68,7 +68,7 @@ fn outline_on_a_circle_is_seen_and_nothing_else_is() {
     ] {
         let boundaries = [("contact".into(), contact)].into();
         let (half_told, inner) = Default::default();
-        let mesh = GivenMesh { points, cells, boundaries, half_told, inner, turned: 0 };
+        let mesh = GivenMesh { points, cells, boundaries, half_told, inner, turned: 0, rounding: 0.0 };
         assert!(mesh.arcs().is_empty(), "{:?}", mesh.points);
     }
 }

@@ -8,7 +8,7 @@ use contact_vv::accuracy::{self, Asked};
 use contact_vv::case::Case;
 use contact_vv::error::Error;
 use contact_vv::mesh::Order;
-use contact_vv::scene::Shape;
+use contact_vv::scene::{Curve, Shape};
 use contact_vv::solve::{Discretisation, Formulation};
 
 use crate::balance::solved_as_it_says;
@@ -128,6 +128,7 @@ impl Written {
 
 /// The body as Gmsh writes it, by its reference manual.
 pub fn msh(body: &Body, version: &str, coding: Coding) -> Vec<u8> {
+    let (version, more) = version.split_once(' ').unwrap_or((version, ""));
     let mut file = Written { coding, bytes: vec![] };
     file.line(format!("$MeshFormat\n{version} {} 8", i32::from(coding != Coding::Text)));
     if coding != Coding::Text {
@@ -144,16 +145,31 @@ pub fn msh(body: &Body, version: &str, coding: Coding) -> Vec<u8> {
         let sides = body.sides.len() as u64;
         file.line("$Entities");
         file.sizes(&[0, sides, 1, 0]);
-        for (dimension, tag, group) in (0..body.sides.len() as i32).map(|k| (1, k + 1, k + 1)).chain([(2, 4, 9)]) {
-            file.ints(&[tag]);
-            file.reals(&[0.0, 0.0, 0.0, 2.0, 1.0, 0.0]);
-            file.sizes(&[1]);
-            // The sign of a group tells which way its entity runs.
-            file.ints(&[if dimension == 1 { -group } else { group }]);
-            file.sizes(&[1]);
-            file.ints(&[tag]);
+        // Entities that are cut into parts go by other numbers.
+        let shift = if more == "in parts" { 10 } else { 0 };
+        for shift in std::collections::BTreeSet::from([0, shift]) {
+            if shift > 0 {
+                file.line("\n$EndEntities\n$PartitionedEntities");
+                file.sizes(&[2, 1]);
+                file.ints(&[77, 2]);
+                file.sizes(&[0, sides, 1, 0]);
+            }
+            for (dimension, tag, group) in (0..body.sides.len() as i32).map(|k| (1, k + 1, k + 1)).chain([(2, 4, 9)]) {
+                file.ints(&[tag + shift]);
+                if shift > 0 {
+                    file.ints(&[dimension, tag]);
+                    file.sizes(&[2]);
+                    file.ints(&[1, 2]);
+                }
+                file.reals(&[0.0, 0.0, 0.0, 2.0, 1.0, 0.0]);
+                file.sizes(&[1]);
+                // The sign of a group tells which way its entity runs.
+                file.ints(&[if dimension == 1 { -group } else { group }]);
+                file.sizes(&[1]);
+                file.ints(&[tag + shift]);
+            }
         }
-        file.line("\n$EndEntities\n$Nodes");
+        file.line(if shift > 0 { "\n$EndPartitionedEntities\n$Nodes" } else { "\n$EndEntities\n$Nodes" });
         file.sizes(&[2, body.nodes.len() as u64, 1, 10_000]);
         for part in body.nodes.chunks(body.nodes.len() - 2) {
             file.ints(&[2, 4, 1]);
@@ -166,7 +182,7 @@ pub fn msh(body: &Body, version: &str, coding: Coding) -> Vec<u8> {
         file.sizes(&[sides + 1, all, 1, 10_000]);
         let mut tag = 1000;
         for (k, (_, edges)) in body.sides.iter().enumerate() {
-            file.ints(&[1, k as i32 + 1, line]);
+            file.ints(&[1, k as i32 + 1 + shift, line]);
             file.sizes(&[edges.len() as u64]);
             for edge in edges {
                 tag += 1;
@@ -174,7 +190,7 @@ pub fn msh(body: &Body, version: &str, coding: Coding) -> Vec<u8> {
                 file.sizes(edge);
             }
         }
-        file.ints(&[2, 4, cell]);
+        file.ints(&[2, 4 + shift, cell]);
         file.sizes(&[body.cells.len() as u64]);
         for (tag, nodes) in &body.cells {
             file.sizes(&[*tag]);
@@ -183,12 +199,19 @@ pub fn msh(body: &Body, version: &str, coding: Coding) -> Vec<u8> {
         file.line("\n$EndElements\n$NodeData\nanything\n$EndNodeData");
         return file.bytes;
     }
-    file.line(format!("$Nodes\n{}", body.nodes.len()));
+    let nodes = if more == "with parameters" { "ParametricNodes" } else { "Nodes" };
+    file.line(format!("${nodes}\n{}", body.nodes.len()));
     for (tag, [x, y]) in &body.nodes {
         file.ints(&[*tag as i32]);
         file.reals(&[*x, *y, 0.0]);
+        if nodes != "Nodes" {
+            // As many parameters as the entity has dimensions, none in a volume.
+            let dimension = (*tag % 4) as i32;
+            file.ints(&[dimension, 1]);
+            file.reals(&[0.5, 0.25][..(dimension % 3) as usize]);
+        }
     }
-    file.line(format!("\n$EndNodes\n$Elements\n{all}"));
+    file.line(format!("\n$End{nodes}\n$Elements\n{all}"));
     let short = |nodes: &[u64]| nodes.iter().map(|node| *node as i32).collect::<Vec<i32>>();
     let mut list = |kind: i32, group: i32, of: &[(u64, Vec<u64>)]| {
         if coding != Coding::Text {
@@ -327,7 +350,8 @@ fn formats(body: &Body) -> Vec<(String, Vec<u8>)> {
     let codings = [Coding::Text, Coding::Little, Coding::Big];
     let of_gmsh =
         |version: &'static str| codings.map(|coding| (format!("{version}-{coding:?}.msh"), msh(body, version, coding)));
-    let mut all: Vec<(String, Vec<u8>)> = ["4.1", "2.2"].into_iter().flat_map(of_gmsh).collect();
+    let mut all: Vec<(String, Vec<u8>)> =
+        ["4.1", "2.2", "4.1 in parts", "2.2 with parameters"].into_iter().flat_map(of_gmsh).collect();
     let marked = |bytes: &[u8]| [b"\xEF\xBB\xBF", bytes].concat();
     all.push(("mark.msh".into(), marked(&all[0].1)));
     all.push(("deck.inp".into(), inp(body).into_bytes()));
@@ -710,6 +734,39 @@ fn section_of_a_mesh_with_more_rows_than_it_counts_is_refused() {
     workbench::refused(read("mesh.msh", fewer.as_bytes()), &parts);
 }
 
+#[test]
+fn a_circle_is_seen_in_coordinates_of_nine_digits_however_short_its_edges_and_few_digits_are_exact() {
+    // Edges of a rim of radius 50 mm that grow from 0.06 mm by a quarter each.
+    let angles = std::iter::successors(Some(0.0012), |step| Some(1.25 * step)).take(19);
+    let angles = angles.scan(0.0, |sum, step| Some(std::mem::replace(sum, *sum + step)));
+    let angles: Vec<f64> = angles.collect();
+    for digits in [5, 8, 9, 12] {
+        let mut deck = String::from("*PART, NAME=P\n*NODE\n");
+        for (k, angle) in angles.iter().enumerate() {
+            for (tag, radius) in [(2 * k + 1, 50.0), (2 * k + 2, 40.0)] {
+                let [x, y] = [radius * angle.sin(), -radius * angle.cos()].map(|x| format!("{x:.*e}", digits - 1));
+                deck += &format!("{tag}, {x}, {y}\n");
+            }
+        }
+        deck += "*ELEMENT, TYPE=CPE4, ELSET=BLOCK\n";
+        for k in 1..angles.len() {
+            deck += &format!("{k}, {}, {}, {}, {}\n", 2 * k - 1, 2 * k + 1, 2 * k + 2, 2 * k);
+        }
+        let rim: String = (0..angles.len()).map(|k| format!("{},\n", 2 * k + 1)).collect();
+        deck += &format!("*NSET, NSET=BOTTOM\n{rim}*END PART\n*INSTANCE, NAME=I, PART=P\n0, 50, 0\n*END INSTANCE\n");
+        let scene = on_plane(STRAIN, ["mesh.inp", "BLOCK", "BOTTOM"], "").replace("uniform = 0", "from = \"bodies\"");
+        let case = beside("mesh.inp", deck.as_bytes(), &scene).unwrap_or_else(|error| panic!("{error}"));
+        let Shape::Given(given) = &case.scene.bodies[0].shape else { panic!("no mesh") };
+        let curves = given.curves("BOTTOM").expect("a side");
+        for curve in &curves {
+            match curve {
+                Curve::Arc { centre, .. } if digits > 5 => assert!((centre[1] - 50.0).abs() < 1e-3, "{centre:?}"),
+                curve => assert!(digits == 5, "{digits} digits: {curve:?}"),
+            }
+        }
+    }
+}
+
 /// The block of a deck of a type, pressed on a rigid plane in a scene of a plane hypothesis.
 fn pressed_block(kind: &str, plane: &str, change: [&str; 2]) -> Result<Case, Error> {
     let deck = deck_of(kind, "*NSET, NSET=roof\n4, 5, 6\n*NSET, NSET=axis\n1, 4\n").replace(change[0], change[1]);
@@ -736,8 +793,13 @@ fn decks_of_bodies_of_revolution_are_read_in_scenes_of_such_bodies_alone() {
 fn quadrilaterals_with_a_node_twice_are_triangles_and_files_that_are_no_mesh_say_what_to_give() {
     let twice = pressed_block("CPE4", STRAIN, ["11, 2, 3, 6, 5", "11, 2, 3, 6, 6"]);
     workbench::refused(twice, &["cell 11 of `BLOCK` is degenerate", "a node twice"]);
-    for (name, text) in [("a.bdf", "GRID,1,,0.,0.,0.\n"), ("a.unv", "    -1\n  2411\n"), ("a.vtk", "# vtk DataFile\n")]
-    {
+    for (name, text) in [
+        ("a.bdf", "GRID,1,,0.,0.,0.\n"),
+        ("a.unv", "    -1\n  2411\n"),
+        ("a.vtk", "# vtk DataFile\n"),
+        ("b.bdf", "$ Made by hand\nGRID,1\n"),
+        ("a.key", "$# LS-DYNA\n*KEYWORD\n"),
+    ] {
         workbench::refused(read(name, text.as_bytes()), &["meshio convert", name]);
     }
 }

@@ -1,13 +1,14 @@
 //! The gap given in a contact and the gap between the drawn bodies are one, or the file says that they need not be;
 //! what a table of gaps is.
 
+use std::f64::consts::{FRAC_PI_2, SQRT_2};
 use std::path::Path;
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use contact_vv::accuracy;
 use contact_vv::case::{Case, library};
 use contact_vv::mesh::{Mesh, Resolution, candidates};
-use contact_vv::scene::{Curve, DrawnGap, MonotoneCubic, Profile, Scene};
+use contact_vv::scene::{Circle, Curve, DrawnGap, MonotoneCubic, Profile, Scene};
 
 use crate::balance::solved_as_it_says;
 use crate::scene_file::{changed, folder, scene_alone, text_of, with_key};
@@ -117,7 +118,7 @@ fn gap_from_meshes_and_blocks_is_that_of_their_curves() {
     // Rings of a mesh with edges that do not face one another: interference everywhere, no sag of the edges in it.
     let rings = profile("rings-from-gmsh", &[("gap = \"drawn\"", "gap = { from = \"bodies\" }")], 0);
     for k in 0..=60 {
-        assert_relative_eq!(rings.gap(f64::from(k) / 60.0 * std::f64::consts::FRAC_PI_2), -0.02, epsilon = 1e-6);
+        assert_relative_eq!(rings.gap(f64::from(k) / 60.0 * FRAC_PI_2), -0.02, epsilon = 1e-6);
     }
     let inclined = profile("blocks", &[INCLINED, ("{ uniform = 0.01 }", "{ from = \"bodies\" }")], 0);
     for s in [0.0, 2.5, 10.0] {
@@ -337,6 +338,29 @@ fn drawn_corner_leaps_by_its_angle_whatever_is_curved_beside_it_and_however_far_
         for (found, wanted) in tips.iter().zip(&wanted) {
             assert_abs_diff_eq!(found[0], wanted[0], epsilon = 1e-12);
             assert_relative_eq!(found[1], wanted[1], max_relative = 1e-6);
+        }
+    }
+}
+
+#[test]
+fn arcs_whose_ends_are_rounded_by_their_file_meet_and_turn_by_no_more_than_that() {
+    let centre = [0.0, 0.0];
+    let path = contact_vv::scene::Path::Arc(Circle { centre, radius: 40.02 });
+    for digits in 8..=12_i32 {
+        let rounded = |x: f64| format!("{x:.*e}", digits as usize - 1).parse::<f64>().expect("a number");
+        let side = |radius: f64, count: u32| {
+            let at = |k: u32| {
+                let (sin, cos) = (FRAC_PI_2 * f64::from(k) / f64::from(count)).sin_cos();
+                [radius * sin, -radius * cos].map(rounded)
+            };
+            (0..count).map(|k| Curve::Arc { centre, ends: [at(k), at(k + 1)] }).collect::<Vec<_>>()
+        };
+        let sides = vec![side(40.02, 18), side(40.0, 13)];
+        let tips = Profile::Bodies(DrawnGap { sides, path, above: true }.into()).tips();
+        // Half a unit of the last digit at both coordinates of three ends, the middle one twice.
+        let most = 4.0 * SQRT_2 * 0.5 * 10_f64.powi(2 - digits) / (FRAC_PI_2 / 18.0);
+        for [s, leap] in tips.expect("curves tell") {
+            assert!(leap <= most, "{digits} digits at {s}: {leap}");
         }
     }
 }

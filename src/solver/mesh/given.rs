@@ -56,6 +56,7 @@ impl Mesh {
             half_told: Default::default(),
             inner: own.lines.keys().cloned().collect(),
             turned: 0,
+            rounding: 0.0,
         }
     }
 }

@@ -7,7 +7,7 @@ use crate::scene::path::Path;
 pub enum Curve {
     /// Straight, between two points \[mm\].
     Line([[f64; 2]; 2]),
-    /// Circular, less than half a turn.
+    /// Circular, less than half a turn; its ends may differ in their distance from the centre by rounding.
     Arc {
         /// Centre \[mm\].
         centre: [f64; 2],
@@ -128,7 +128,9 @@ impl Curve {
                 let [a, b] = ends.map(|end| [end[0] - centre[0], end[1] - centre[1]]);
                 let sweep = (a[0] * b[1] - a[1] * b[0]).atan2(a[0] * b[0] + a[1] * b[1]);
                 let (sin, cos) = (t * sweep).sin_cos();
-                [centre[0] + a[0] * cos - a[1] * sin, centre[1] + a[0] * sin + a[1] * cos]
+                // From the distance of one end to that of the other, so that neighbouring arcs meet.
+                let grown = 1.0 + t * (b[0].hypot(b[1]) / a[0].hypot(a[1]) - 1.0);
+                [centre[0] + grown * (a[0] * cos - a[1] * sin), centre[1] + grown * (a[0] * sin + a[1] * cos)]
             }
         }
     }

@@ -1,6 +1,6 @@
 //! A mesh made elsewhere, and the circles that its outline follows.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{BTreeMap, BTreeSet, VecDeque};
 
 use crate::scene::{BoundaryName, Curve};
 
@@ -20,6 +20,8 @@ pub struct GivenMesh {
     pub inner: BTreeSet<BoundaryName>,
     /// Cells that were listed clockwise where they were made, and have been turned.
     pub turned: usize,
+    /// Half a unit of the last digit that the coordinates have in their file \[mm\].
+    pub rounding: f64,
 }
 
 /// What a set of nodes lacks to be a boundary; nodes by their numbers in the file.
@@ -33,8 +35,16 @@ pub enum HalfTold {
 
 /// Largest turn from one chord of an arc to the next: the corners of a square lie on a circle too \[rad\].
 const TURN: f64 = 0.5;
-/// Distance of a node from the circle of its neighbours, over the rise of a chord, that rounding explains.
+/// Distance of a node from the circle of its neighbours, over the rise of a chord, up to which it lies on it.
 const SAME: f64 = 1e-4;
+/// The same over the rounding of coordinates: √2 from that of the node, 1.25 times as much from the three nodes by which
+/// the circle is found.
+const ROUNDED: f64 = 4.0;
+/// Rise of an arc over the rounding of coordinates from which it is seen: three chords of a circle and one of its
+/// tangent leave their circle by a tenth of their rise.
+const SEEN: f64 = 100.0;
+/// Most edges from which a circle is found.
+const MOST: usize = 256;
 /// Radius over the chord above which an arc is a straight line.
 const STRAIGHT: f64 = 1e5;
 
@@ -44,14 +54,32 @@ impl GivenMesh {
     /// two bevels do.
     pub fn arcs(&self) -> BTreeMap<[usize; 2], [f64; 2]> {
         let outline = self.outline();
-        let next: BTreeMap<usize, &Vec<usize>> = outline.iter().map(|edge| (edge[0], edge)).collect();
+        let [before, next] =
+            [1, 0].map(|end| outline.iter().map(|edge| (edge[end], edge)).collect::<BTreeMap<usize, &Vec<usize>>>());
         let mut arcs = BTreeMap::new();
         for first in &outline {
             let wanted = if first.len() == 3 { 2 } else { 4 };
-            let run: Vec<&Vec<usize>> =
+            let mut run: VecDeque<&Vec<usize>> =
                 std::iter::successors(Some(first), |edge| next.get(&edge[1]).copied()).take(wanted).collect();
-            if let Some(centre) = self.centre_of(&run).filter(|_| run.len() == wanted) {
-                arcs.extend(run.iter().map(|edge| ([edge[0], edge[1]], centre)));
+            let known =
+                self.centre_of(&run).filter(|_| run.len() == wanted && !arcs.contains_key(&[first[0], first[1]]));
+            let Some(mut centre) = known else { continue };
+            // The longest arc has the centre that rounding moves least.
+            for ahead in [true, false] {
+                let longer = |run: &VecDeque<_>| {
+                    let mut run: VecDeque<&Vec<usize>> = run.clone();
+                    match ahead {
+                        true => run.push_back(*next.get(&run.back()?[1])?),
+                        false => run.push_front(*before.get(&run.front()?[0])?),
+                    }
+                    Some((self.centre_of(&run).filter(|_| run.len() <= MOST)?, run))
+                };
+                while let Some(grown) = longer(&run) {
+                    (centre, run) = grown;
+                }
+            }
+            for edge in run {
+                arcs.entry([edge[0], edge[1]]).or_insert(centre);
             }
         }
         arcs
@@ -71,11 +99,13 @@ impl GivenMesh {
     }
 
     /// Centre of the circle on which all nodes of some edges in a row lie; none where there is none.
-    fn centre_of(&self, run: &[&Vec<usize>]) -> Option<[f64; 2]> {
+    fn centre_of(&self, run: &VecDeque<&Vec<usize>>) -> Option<[f64; 2]> {
         let nodes = run.iter().flat_map(|edge| [Some(edge[0]), edge.get(2).copied()]).flatten();
-        let points: Vec<[f64; 2]> = nodes.chain(run.last().map(|edge| edge[1])).map(|node| self.points[node]).collect();
-        let (first, middle, last) = (points[0], points[points.len() / 2], *points.last()?);
-        let centre = circumcentre([first, middle, last])?;
+        let points: Vec<[f64; 2]> = nodes.chain(run.back().map(|edge| edge[1])).map(|node| self.points[node]).collect();
+        let (first, last) = (points[0], *points.last()?);
+        let off_middle = |point: &[f64; 2]| (distance(*point, first) - distance(*point, last)).abs();
+        let middle = points.iter().min_by(|a, b| off_middle(a).total_cmp(&off_middle(b)))?;
+        let centre = circumcentre([first, *middle, last])?;
         let radius = distance(first, centre);
         let turn = |three: &[[f64; 2]]| {
             let [a, b] = [1, 2].map(|k| [0, 1].map(|axis| three[k][axis] - three[k - 1][axis]));
@@ -84,10 +114,13 @@ impl GivenMesh {
         let is_round = |pair: &[[f64; 2]]| {
             let chord = distance(pair[0], pair[1]);
             let rise = chord * chord / (8.0 * radius);
-            radius <= STRAIGHT * chord && (distance(pair[1], centre) - radius).abs() <= SAME * rise
+            let off = (distance(pair[1], centre) - radius).abs();
+            radius <= STRAIGHT * chord && off <= SAME * rise + ROUNDED * self.rounding
         };
+        let length: f64 = points.windows(2).map(|pair| distance(pair[0], pair[1])).sum();
+        let is_seen = length * length >= 8.0 * radius * SEEN * self.rounding;
         let bends = points.windows(3).all(|three| turn(three).abs() <= TURN);
-        (bends && points.windows(2).all(is_round)).then_some(centre)
+        (is_seen && bends && points.windows(2).all(is_round)).then_some(centre)
     }
 
     /// The edges of a boundary on the outline as curves, arcs where they lie on a circle; none where it is not there,

@@ -61,6 +61,8 @@ pub struct Elements {
     pub nodes: BTreeMap<u64, [f64; 2]>,
     /// Nodes off the plane and their z: points of reference, and no nodes of cells.
     pub off: BTreeMap<u64, f64>,
+    /// Most digits that a coordinate has, and the power of ten of the largest one.
+    pub written: (usize, i32),
     /// All elements.
     pub pieces: Vec<Piece>,
     /// Groups of cells.
@@ -77,7 +79,27 @@ pub struct Elements {
     pub of_revolution: Option<Error>,
 }
 
+/// Digits that coordinates are taken to have at least: shorter ones may be exact.
+const DIGITS: usize = 7;
+
 impl Elements {
+    /// Counts the digits of the coordinates of a node as they are in the file.
+    pub fn count_digits(&mut self, [x, y, _]: [f64; 3]) {
+        for x in [x, y].into_iter().filter(|x| x.abs() > 0.0) {
+            let written = format!("{x:e}");
+            let Some((digits, power)) = written.split_once('e') else { continue };
+            let count = digits.bytes().filter(u8::is_ascii_digit).count();
+            self.written.0 = self.written.0.max(count);
+            self.written.1 = self.written.1.max(power.parse().unwrap_or_default());
+        }
+    }
+
+    /// Half a unit of the last digit of the largest coordinates, in the file's unit.
+    pub fn rounding(&self) -> f64 {
+        let (digits, power) = self.written;
+        0.5 * 10_f64.powi(power + 1 - digits.max(DIGITS) as i32)
+    }
+
     /// Adds a node; it must lie in the plane z = 0.
     pub fn add_node(
         &mut self,

@@ -371,6 +371,7 @@ impl Deck {
             for (x, word) in at.iter_mut().zip(&row[1..]) {
                 *x = block.coordinate(word)?;
             }
+            self.elements.count_digits(at);
             let mut at = self.placed.map_or(at, |placed| placed.of_point(at));
             if is_off(at) {
                 self.elements.off.insert(tag, std::mem::take(&mut at[2]));

@@ -86,7 +86,8 @@ pub fn shape(revolves: bool, table: Value) -> Result<Shape, Error> {
     side.refuse_if(inner.contains(side.text()), message, "name a curve on the outline of the body")?;
     let contact = contact.clone();
     boundaries.insert(CONTACT.into(), contact);
-    Ok(Shape::Given(Arc::new(GivenMesh { points, cells: own, boundaries, half_told, inner, turned })))
+    let rounding = table.units.length * mesh.rounding();
+    Ok(Shape::Given(Arc::new(GivenMesh { points, cells: own, boundaries, half_told, inner, turned, rounding })))
 }
 
 /// Refuses a boundary that is given by a set of nodes which leaves a side half told.

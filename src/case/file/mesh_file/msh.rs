@@ -31,7 +31,11 @@ const SOLIDS: [i64; 11] = [4, 5, 6, 7, 11, 12, 13, 14, 17, 18, 19];
 type Entities = HashMap<(i64, i64), Vec<u64>>;
 
 /// Sections that are read to their last row.
-const SECTIONS: [&str; 4] = ["$PhysicalNames", "$Entities", "$Nodes", "$Elements"];
+const SECTIONS: [&str; 6] = ["$PhysicalNames", "$Entities", PARTITIONED, "$Nodes", PARAMETRIC, "$Elements"];
+/// Entities of a mesh that is cut into parts.
+const PARTITIONED: &str = "$PartitionedEntities";
+/// Nodes of format 2.2 with their parameters (Mesh.SaveParametric).
+const PARAMETRIC: &str = "$ParametricNodes";
 
 /// What a file is read into.
 struct Gmsh<'a> {
@@ -56,16 +60,20 @@ pub fn parse(file: &Path, bytes: &[u8]) -> Result<Elements, Error> {
     let mut sections = Vec::new();
     while let Some((name, place)) = gmsh.words.next() {
         gmsh.words.begin_data();
-        let is_read = name != "$MeshFormat" && SECTIONS.contains(&&*name) && (gmsh.by_blocks || name != "$Entities");
+        let is_of_other = if gmsh.by_blocks { name == PARAMETRIC } else { name == "$Entities" || name == PARTITIONED };
+        let is_read = SECTIONS.contains(&&*name) && !is_of_other;
         match &*name {
             "$MeshFormat" => gmsh.read_format(bytes)?,
             "$PhysicalNames" => gmsh.read_names()?,
-            "$Entities" if gmsh.by_blocks => gmsh.read_entities()?,
+            "$Entities" | PARTITIONED if is_read => gmsh.read_entities(name == PARTITIONED)?,
             "$Nodes" if gmsh.by_blocks => gmsh.read_nodes()?,
-            "$Nodes" => gmsh.read_listed_nodes()?,
+            "$Nodes" | PARAMETRIC if is_read => gmsh.read_listed_nodes(name == PARAMETRIC)?,
             "$Elements" if gmsh.by_blocks => gmsh.read_elements()?,
             "$Elements" => gmsh.read_listed_elements()?,
-            _ if name.starts_with('$') => gmsh.words.at = place.end,
+            // Comments of other programs begin like sections.
+            _ if name.starts_with('$') && (!sections.is_empty() || gmsh.words.end_of(&name).is_some()) => {
+                gmsh.words.at = place.end
+            }
             _ => {
                 let message = format!("`{}` stands where a section should begin", shown(&name));
                 let remedy = if sections.is_empty() { OTHER } else { "save the mesh again as version 4.1, ASCII" };
@@ -77,7 +85,7 @@ pub fn parse(file: &Path, bytes: &[u8]) -> Result<Elements, Error> {
         } else {
             gmsh.words.skip(&name, place)?
         }
-        sections.push(name);
+        sections.push(if name == PARAMETRIC { "$Nodes".into() } else { name });
     }
     let wanted = ["$MeshFormat", "$Nodes", "$Elements"].into_iter().chain(gmsh.by_blocks.then_some("$Entities"));
     for wanted in wanted {
@@ -146,9 +154,16 @@ impl<'a> Gmsh<'a> {
         Ok(())
     }
 
-    /// Physical groups of points, curves, surfaces and volumes.
-    fn read_entities(&mut self) -> Result<(), Error> {
+    /// Physical groups of points, curves, surfaces and volumes, or of the parts they are cut into.
+    fn read_entities(&mut self, cut: bool) -> Result<(), Error> {
         let words = &mut self.words;
+        if cut {
+            words.count("a number of parts")?;
+            for _ in 0..words.count("a number of ghosts")? {
+                words.whole("a ghost")?;
+                words.whole("a part")?;
+            }
+        }
         let mut counts = [0_u64; 4];
         for count in &mut counts {
             *count = words.count("a number of entities")?;
@@ -156,6 +171,13 @@ impl<'a> Gmsh<'a> {
         for (dimension, count) in (0_i64..).zip(counts) {
             for _ in 0..count {
                 let tag = words.whole("an entity")?;
+                if cut {
+                    words.whole("a dimension")?;
+                    words.whole("an entity")?;
+                    for _ in 0..words.count("a number of parts")? {
+                        words.whole("a part")?;
+                    }
+                }
                 let box_corners = if dimension == 0 { 3 } else { 6 };
                 for _ in 0..box_corners {
                     words.real("a coordinate")?;
@@ -208,13 +230,19 @@ impl<'a> Gmsh<'a> {
         Ok(())
     }
 
-    /// Nodes of format 2.2: each with its place.
-    fn read_listed_nodes(&mut self) -> Result<(), Error> {
+    /// Nodes of format 2.2: each with its place and, where they are parametric, an entity and as many parameters as
+    /// that has dimensions.
+    fn read_listed_nodes(&mut self, parametric: bool) -> Result<(), Error> {
         let count: u64 = self.words.number("a number of nodes")?;
         self.words.begin_data();
         for _ in 0..count {
             let tag = self.words.short_tag("a node tag")?;
             self.read_place(tag)?;
+            let dimension = if parametric { self.words.whole("a dimension")? } else { continue };
+            self.words.whole("an entity")?;
+            for _ in 0..if dimension < 3 { dimension } else { 0 } {
+                self.words.real("a parameter")?;
+            }
         }
         Ok(())
     }
@@ -224,6 +252,7 @@ impl<'a> Gmsh<'a> {
         let words = &mut self.words;
         let begin = words.begin();
         let place = [words.real("x")?, words.real("y")?, words.real("z")?];
+        self.elements.count_digits(place);
         self.elements.add_node(tag, place, |message, remedy| words.refused(begin, message, remedy))
     }
 

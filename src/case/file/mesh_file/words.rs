@@ -143,12 +143,18 @@ impl<'a> Words<'a> {
         }
     }
 
+    /// Where a section ends.
+    pub fn end_of(&self, name: &str) -> Option<usize> {
+        let end = format!("$End{}", &name[1..]);
+        let found = self.bytes[self.at..].windows(end.len()).position(|window| window == end.as_bytes());
+        found.map(|k| self.at + k + end.len())
+    }
+
     /// Skips a section.
     pub fn skip(&mut self, name: &str, place: Range<usize>) -> Result<(), Error> {
-        let end = format!("$End{}", &name[1..]);
-        match self.bytes[self.at..].windows(end.len()).position(|window| window == end.as_bytes()) {
-            Some(k) => {
-                self.at += k + end.len();
+        match self.end_of(name) {
+            Some(end) => {
+                self.at = end;
                 Ok(())
             }
             None => {
