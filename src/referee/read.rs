@@ -137,8 +137,9 @@ fn decompressed(file: &Path, bytes: &[u8]) -> Result<Vec<u8>, Error> {
 }
 
 /// The text in bytes: in UTF-8; in UTF-16, as which Windows marks it; or, where it has letters of neither, in Latin-1.
-/// Lines end in CR alone where Excel for the Mac wrote them.
+/// Lines end in CR alone where Excel for the Mac wrote them, and the file in Ctrl-Z where a program of DOS did.
 fn text<'a>(file: &Path, bytes: &'a [u8]) -> Result<Cow<'a, str>, Error> {
+    let bytes = bytes.strip_suffix(b"\x1a").unwrap_or(bytes);
     let words = |of: fn([u8; 2]) -> u16| bytes[2..].as_chunks().0.iter().map(|two| of(*two)).collect::<Vec<u16>>();
     let text = match bytes {
         [0xFF, 0xFE, ..] => String::from_utf16(&words(u16::from_le_bytes)).ok().map(Cow::from),

@@ -217,6 +217,39 @@ fn pressures_without_a_limit_that_alternate_are_no_answer() {
 }
 
 #[test]
+fn pressures_alternate_no_more_than_a_tighter_tolerance_allows() {
+    let parabola = truth("truncated-hertz");
+    let failed_by = |tolerance: f64, times: &dyn Fn(i32) -> f64| {
+        let place = |k: i32| 0.025 * f64::from(k);
+        let row = |k: i32| [place(k), times(k) * parabola.pressure(0, place(k))];
+        let text = table(PRESSURES, (0..=104).map(row));
+        let answer = read(&parabola.case, "turns.csv", &text, &Asked::default()).expect("read");
+        let found = verdicts(parabola, answer, tolerance).expect("judged");
+        let says = found.ruled[0]
+            .missing
+            .iter()
+            .any(|[what, remedy]| what.starts_with("the means over edges") && remedy.contains("`edges`"));
+        let names = failed(&found);
+        assert_eq!(says, names.iter().any(|one| one.starts_with("alternation")), "{names:?}");
+        names
+    };
+    let turn = |share: f64| move |k: i32| if k % 2 == 0 { 1.0 + share } else { 1.0 - share };
+    assert_eq!(failed_by(1e-2, &turn(0.09)), [""; 0]);
+    assert_eq!(failed_by(1e-3, &turn(0.0)), [""; 0]);
+    assert_eq!(failed_by(1e-3, &turn(0.009)), [""; 0]);
+    for share in [0.09, -0.09, 0.011] {
+        let named = failed_by(1e-3, &turn(share));
+        assert!(named.iter().any(|one| one.starts_with("alternation")), "{share}: {named:?}");
+    }
+    // One point alone, too.
+    let one = |share: f64| move |k: i32| if k == 40 { 1.0 + share } else { 1.0 };
+    assert_eq!(failed_by(1e-2, &one(0.03)), [""; 0]);
+    assert_eq!(failed_by(1e-3, &one(0.004)), [""; 0]);
+    let named = failed_by(1e-3, &one(0.03));
+    assert!(named.iter().any(|one| one.starts_with("departure of one point alone")), "{named:?}");
+}
+
+#[test]
 fn a_cone_is_judged_by_its_profile_though_its_tip_has_no_limit() {
     let truth = truth("cone");
     let places: Vec<f64> = (1..=160).map(|k| 2.5 * f64::from(k) / 80.0).collect();

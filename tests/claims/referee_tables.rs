@@ -198,3 +198,31 @@ fn rows_that_begin_with_the_mark_of_a_comment_are_rows() {
     assert_eq!(failed(&found("theirs.txt", &counted(1.0), &usual())), [""; 0]);
     assert_ne!(failed(&found("theirs.txt", &counted(0.6), &usual())), [""; 0]);
 }
+
+#[test]
+fn rows_of_units_and_names_are_found_where_rows_hold_as_many_words_as_numbers() {
+    let rows = |[first, between, behind]: [&str; 3], inch: f64| -> String {
+        places().map(|s| format!("{first}{}{between}{}{behind}\n", s / inch, ellipse::pressure(s))).collect()
+    };
+    let of = |head: &str, marks: [&str; 3]| format!("{head}\n{}", rows(marks, 1.0));
+    let latex = ["", " & ", r" \\"];
+    for (name, text) in [
+        ("words.csv", of("position;pressure;note;who\nmm;MPa;-;-", ["", ";", ";ok;me"])),
+        ("first.csv", of("part;set;position;pressure;note\n;;mm;MPa;", ["B-1;S;", ";", ";ok"])),
+        ("behind.csv", of("position;pressure;note;\nmm;MPa;-;", ["", ";", ";ok;"])),
+        ("counts.txt", of("Results of job 7\n3 5 2024\nx pressure part set\nmm MPa - -", ["", " ", " B S"])),
+        ("latex.txt", of(r"\hline x [mm] & p [MPa] \\", latex).replace(r"\hline ", "\\hline\n") + r"\hline"),
+        ("markdown.txt", of("| x [mm] | p [MPa] |\n|---:|---:|", ["| ", " | ", " |"])),
+        ("dos.csv", of("x [mm],p [MPa]", ["", ",", ""]) + "\u{1a}"),
+        ("inch.txt", format!("position pressure\nin MPa\n{}", rows(["", " ", ""], 25.4))),
+        ("inches.txt", format!("note position pressure\n- in MPa\n{}", rows(["1 ", " ", ""], 25.4))),
+    ] {
+        assert_eq!(failed(&found(name, &text, &Asked::default())), [""; 0], "{name}");
+    }
+    let columns = vec![(Role::Position, "x".into()), (Role::Pressure, "s".into())];
+    let asked = Asked { columns, ..in_units(&[(Role::Position, "in"), (Role::Pressure, "MPa")]) };
+    let against = format!("z x s\nksi in MPa\n{}", rows(["0 ", " ", ""], 25.4));
+    assert_eq!(failed(&found("inch.txt", &against, &asked)), [""; 0]);
+    let other = Asked { units: in_units(&[(Role::Position, "mm"), (Role::Pressure, "MPa")]).units, ..asked };
+    refused("inch.txt", against, &other, &["in in by the file, but in mm by --unit"]);
+}

@@ -3,7 +3,7 @@
 use crate::referee::units::Role;
 
 /// What comments begin with.
-const COMMENTS: [&str; 6] = ["#", "%", "!", "//", "$", "*"];
+const COMMENTS: [&str; 7] = ["#", "%", "!", "//", "$", "*", "\\"];
 /// What stands behind the mark of a comment; none of a line that is none.
 pub fn comment(line: &str) -> Option<&str> {
     let line = line.trim_start();
@@ -52,7 +52,9 @@ pub(super) fn cells(line: &str, mark: char) -> Vec<String> {
             let unit = all.remove(k);
             all[k - 1] += &format!(" {unit}");
         }
-        while let Some(k) = (2..all.len()).find(|&k| all[k - 1] == "in" && is_known_unit(&all[k])) {
+        // In a row of units it is the inch.
+        let is_of_name = |three: &[String]| three[1] == "in" && is_known_unit(&three[2]) && !is_unit(&three[0]);
+        while let Some(k) = (2..all.len()).find(|&k| is_of_name(&all[k - 2..=k])) {
             let unit = all.drain(k - 1..=k).collect::<Vec<_>>().join(" ");
             all[k - 2] += &format!(" {unit}");
         }
@@ -76,11 +78,12 @@ pub(super) fn fitting(line: &str, mark: char, wanted: usize) -> Vec<String> {
     [apart, behind].into_iter().find(|cells| cells.len() == wanted).unwrap_or(own)
 }
 
-/// Whether the cells are those of a row: two numbers or more, and fewer names.
-pub(super) fn is_data(cells: &[String]) -> bool {
+/// Whether the cells are those of a row: two numbers or more, and fewer names, or as many cells as are wanted.
+pub(super) fn is_data(cells: &[String], wanted: &[usize]) -> bool {
     let (numbers, others): (Vec<&String>, Vec<&String>) =
         cells.iter().partition(|cell| number(cell).is_some_and(f64::is_finite));
-    numbers.len() > 1.max(others.len())
+    numbers.len() > 1
+        && (numbers.len() > others.len() || wanted.contains(&cells.len()))
         && others.iter().all(|cell| !cell.starts_with(|first: char| first.is_ascii_digit()))
 }
 

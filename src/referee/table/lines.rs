@@ -98,7 +98,7 @@ impl<'a> Table<'a> {
                 // The second line of a head of two.
                 true => {}
                 false if is_below(line, mark) => {
-                    let is_row = |line: &str| is_row(line, mark) && !is_below(line, mark);
+                    let is_row = |line: &str| is_row(line, mark, &[wanted]) && !is_below(line, mark);
                     let is_more = |line: &&&str| is_row(line) && fitting(line, mark, wanted).len() == wanted;
                     let more = lines[k..].iter().find(is_more);
                     return more.map_or(Ok(()), |more| Err(source.at(more, ANOTHER, ONE)));
@@ -218,18 +218,29 @@ struct Begins {
 
 impl Begins {
     fn of(lines: &[&str], asked: &Asked) -> Self {
-        let rows = |mark: &char| lines.iter().take(SEEN).filter(|line| is_row(line, *mark)).count();
-        let most = MARKS.iter().map(rows).max().unwrap_or_default();
-        let stands = |mark: &char| lines.first().is_some_and(|line| line.trim().contains(*mark));
-        let is_it = |mark: &char| if most > 0 { rows(mark) == most } else { stands(mark) };
-        let mark = MARKS.into_iter().find(is_it).unwrap_or(',');
-        // Where names stand behind a row or two of numbers, such as counts, and none before these, the rows behind them
-        // are the first.
-        let is_head = |line: &str| is_head(&cells(comment(line).unwrap_or(line), mark), asked);
-        let data = (0..lines.len()).filter(|&k| is_row(lines[k], mark)).take(FEWEST).collect::<Vec<usize>>();
-        let headed = || data.iter().copied().find(|&k| k > 0 && is_head(lines[k - 1]));
-        let is_plain = data.first().is_some_and(|&first| lines[..first].iter().any(|line| is_head(line)));
-        let first = data.first().map(|&first| if is_plain { first } else { headed().unwrap_or(first) });
+        // Lines that name a place and what presses there, each with its cells, of which rows behind it have as many.
+        let heads = |mark: char| -> Vec<(usize, usize)> {
+            let names = |line: &str| cells(comment(line).unwrap_or(line), mark);
+            let all = lines.iter().take(SEEN).map(|line| names(line)).enumerate();
+            all.filter(|(_, names)| is_head(names, asked)).map(|(k, names)| (k, names.len())).collect()
+        };
+        let is_row = |k: usize, mark: char, heads: &[(usize, usize)]| {
+            let wanted: Vec<usize> = heads.iter().filter(|head| head.0 < k).map(|head| head.1).collect();
+            is_row(lines[k], mark, &wanted)
+        };
+        let counts = MARKS.map(|mark| {
+            let heads = heads(mark);
+            (0..lines.len().min(SEEN)).filter(|&k| is_row(k, mark, &heads)).count()
+        });
+        let most = counts.into_iter().max().unwrap_or_default();
+        let stands = |mark: char| lines.first().is_some_and(|line| line.trim().contains(mark));
+        let is_it = |(mark, count): &(char, usize)| if most > 0 { *count == most } else { stands(*mark) };
+        let mark = MARKS.into_iter().zip(counts).find(is_it).map_or(',', |(mark, _)| mark);
+        // Where names stand behind a row or two of numbers, such as counts, the rows behind them are the first.
+        let heads = heads(mark);
+        let data: Vec<usize> = (0..lines.len()).filter(|&k| is_row(k, mark, &heads)).take(FEWEST).collect();
+        let headed = data.iter().copied().find(|&k| heads.iter().any(|head| head.0 < k));
+        let first = headed.or(data.first().copied());
         // What all rows have behind their last mark is no cell.
         let ends =
             |first: usize| mark != ' ' && lines[first..].iter().take(SEEN).all(|line| line.trim_end().ends_with(mark));
@@ -254,9 +265,9 @@ impl Begins {
     }
 }
 
-/// Whether a line is a row of numbers.
-fn is_row(line: &str, mark: char) -> bool {
-    comment(line).is_none() && is_data(&cells(line, mark))
+/// Whether a line is a row of numbers, or has two beside other cells, as many as are wanted.
+fn is_row(line: &str, mark: char, wanted: &[usize]) -> bool {
+    comment(line).is_none() && is_data(&cells(line, mark), wanted)
 }
 
 impl Table<'_> {
