@@ -213,12 +213,12 @@ fn matrix_types_of_libraries_stay_inside_the_numerics() {
 
 /// Lines that a room may have; raised only by a commit that says what for.
 const BUDGETS: [(&str, usize); 9] = [
-    ("solver", 24_433),
+    ("solver", 24_495),
     ("drawing", 2_758),
-    ("case", 8_245),
+    ("case", 8_304),
     ("oracle", 1_450),
     ("study", 15_135),
-    ("referee", 8_140),
+    ("referee", 8_192),
     ("report", 3_176),
     ("cli", 4_681),
     ("live", 421),
