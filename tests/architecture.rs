@@ -213,7 +213,7 @@ fn matrix_types_of_libraries_stay_inside_the_numerics() {
 
 /// Lines that a room may have; raised only by a commit that says what for.
 const BUDGETS: [(&str, usize); 9] = [
-    ("solver", 24_495),
+    ("solver", 24_498),
     ("drawing", 2_758),
     ("case", 8_304),
     ("oracle", 1_450),

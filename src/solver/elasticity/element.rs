@@ -340,7 +340,10 @@ pub fn hoop_strain(radius: f64, outwards: f64, radial: f64) -> f64 {
 /// Error of a cell turned inside out or of no area.
 pub(super) fn degenerate(scene: &Scene, body: usize, cell: usize, jacobian: f64) -> Error {
     let message = format!("cell {cell} has Jacobian determinant {jacobian:.3e} at a quadrature point");
-    let remedy = "make the grading gentler or the elements smaller";
+    let remedy = match scene.bodies[body].shape.has_given_mesh() {
+        true => "repair the mesh: parts of a cell of its file are turned inside out, which halving shows",
+        false => "make the grading gentler or the elements smaller",
+    };
     Error { kind: Kind::DegenerateCell, ..Error::at(scene.place_of_body(body), message, remedy) }
 }
 
