@@ -116,7 +116,7 @@ fn of_revolution(given: Value, (scene, pair): (&Scene, &ContactPair), radial: us
     })
 }
 
-/// One of plane strain or plane stress, by the length of a line where the contact runs along an arc.
+/// One of plane strain or plane stress, along a line; `persson` and `lame` along an arc.
 fn of_plane(given: Value, (scene, pair): (&Scene, &ContactPair)) -> Result<SharedOracle, Error> {
     let (name, t) = given.only();
     let (units, modulus, material) = (t.units, scene.modulus_of(pair), scene.bodies[pair.first].material);

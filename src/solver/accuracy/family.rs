@@ -200,8 +200,8 @@ pub(super) fn discrete_of(run: &Run, contact: usize) -> &Measures {
 /// to the solution of its active set as bars need. On meshes fitted to the ends of a contact round-off may leave more of
 /// the balance of a body than a solve accepts; others leave more in a body that is as thin than coarser ones tell.
 fn is_found(run: &Run, on_ends: bool) -> bool {
-    let [error, most] = if on_ends { [run.formulation.settings.tolerance, UNBALANCED.0] } else { [NEAR, BALANCED] };
-    run.solution.converged() || run.iteration_error() <= error && run.imbalance() <= most
+    let is_near = || run.iteration_error() <= NEAR && run.imbalance() <= BALANCED;
+    if on_ends { run.is_found(UNBALANCED.0) } else { run.solution.converged() || is_near() }
 }
 
 /// What of a body's balance round-off takes: what the iteration leaves is its own part.
