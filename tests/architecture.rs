@@ -218,7 +218,7 @@ const BUDGETS: [(&str, usize); 9] = [
     ("case", 8_304),
     ("oracle", 1_450),
     ("study", 15_135),
-    ("referee", 8_192),
+    ("referee", 8_193),
     ("report", 3_176),
     ("cli", 4_681),
     ("live", 421),

@@ -344,7 +344,8 @@ const AT_END: usize = 3;
 const QUARTER: f64 = 0.25;
 const PARTS: usize = 8;
 const ALTERNATE: f64 = 0.1;
-/// What one point may be off over the peak at 1 %, and times what those beside it are off from which on it is alone in that.
+/// What one point may be off over the peak at 1 %, and times what those beside it are off from which on it is alone in
+/// that.
 const SPIKE: f64 = 0.05;
 const LONE: f64 = 4.0;
 /// Points in a row that may be off while those beside them are not.

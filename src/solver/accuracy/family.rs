@@ -197,8 +197,8 @@ pub(super) fn discrete_of(run: &Run, contact: usize) -> &Measures {
 }
 
 /// Whether a run has found what its iteration ends at: it has converged or, where round-off ends it before, is as near
-/// to the solution of its active set as bars need. On meshes fitted to the ends of a contact round-off may leave more of
-/// the balance of a body than a solve accepts; others leave more in a body that is as thin than coarser ones tell.
+/// to the solution of its active set as bars need. On meshes fitted to the ends of a contact round-off may leave more
+/// of the balance of a body than a solve accepts; others leave more in a body that is as thin than coarser ones tell.
 fn is_found(run: &Run, on_ends: bool) -> bool {
     let is_near = || run.iteration_error() <= NEAR && run.imbalance() <= BALANCED;
     if on_ends { run.is_found(UNBALANCED.0) } else { run.solution.converged() || is_near() }

@@ -82,7 +82,7 @@ impl Richardson {
 /// |---|---|---|
 /// | 0.5 … 2 | `1.25 Δ/(2^p − 1)` | `f₁ + Δ/(2^p − 1)` |
 /// | 2 … 3 | `1.25 Δ/3`, as of order 2 | `f₁ + Δ/3` |
-/// | above 3 | `3 Δ`, as of order 1 with Roache's factor of two meshes, or `1.25/15` of the range if that is larger | `f₁` |
+/// | above 3 | the larger of `3 Δ`, of order 1 with Roache's factor of two meshes, and `1.25/15` of the range | `f₁` |
 /// | 0 … 0.5 | three times the range of the three, or `1.25 Δ/(2^p − 1)` if that is larger | `f₁` |
 /// | none: not monotone | the range of the three | `f₁` |
 /// | none: changes that do not fall | NaN: such a series tells nothing | `f₁` |

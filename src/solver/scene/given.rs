@@ -37,8 +37,8 @@ pub enum HalfTold {
 const TURN: f64 = 0.5;
 /// Distance of a node from the circle of its neighbours, over the rise of a chord, up to which it lies on it.
 const SAME: f64 = 1e-4;
-/// The same over the rounding of coordinates: √2 from that of the node, 1.25 times as much from the three nodes by which
-/// the circle is found.
+/// The same over the rounding of coordinates: √2 from that of the node, 1.25 times as much from the three nodes by
+/// which the circle is found.
 const ROUNDED: f64 = 4.0;
 /// Rise of an arc over the rounding of coordinates from which it is seen: three chords of a circle and one of its
 /// tangent leave their circle by a tenth of their rise.
