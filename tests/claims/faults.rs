@@ -108,6 +108,10 @@ fn digest_of_sources_changes_with_their_names_and_texts_and_with_nothing_else() 
     assert_eq!(first, digest_of(folder.path()));
     fs::rename(folder.path().join("src/two.rs"), folder.path().join("src/three.rs")).expect("renamed");
     let renamed = digest_of(folder.path());
+    write(folder.path(), "src/three.rs", "    /// Said of it.\nsrc/two.rs\n// Said of it as well.");
+    assert_eq!(renamed, digest_of(folder.path()), "comments of Rust");
+    write(folder.path(), "src/three.rs", "let two = 1; // Said beside it.\nsrc/two.rs");
+    assert_ne!(renamed, digest_of(folder.path()));
     assert!(first != edited && first != renamed && edited != renamed);
     assert!(digest(folder.path(), &["src", "absent"]).is_err());
 }
@@ -121,6 +125,7 @@ fn digest_is_the_same_in_python() {
     };
     let folder = sources();
     write(folder.path(), "src/__pycache__/two.pyc", "left behind");
+    write(folder.path(), "src/deep/four.rs", "\t//! Said of it.\nfour\r\n   // As well.\n/ no comment\n");
     assert_eq!(python(folder.path(), &["src", "Cargo.toml"]), digest_of(folder.path()));
     let recorded = MADE.iter().flat_map(|made| made.read().expect(made.file).record);
     let names: Vec<String> = recorded.flat_map(|entry| entry.bound).collect();
