@@ -1,4 +1,4 @@
-//! `compare CASE`: all nine formulations on one scene, a line each, the recommended first.
+//! `compare CASE`: all nine formulations on one scene, a line each, the one with the fewest operations first.
 
 use std::path::{Path, PathBuf};
 
@@ -55,8 +55,13 @@ pub fn run(arguments: &Arguments) -> Result<Exit, Error> {
         rows.push(arguments.row(formulation, &run));
         runs.extend(run);
     }
-    let operations = |row: &Compares| row.operations.unwrap_or(f64::NAN);
-    rows.sort_by(|a, b| a.rank().cmp(&b.rank()).then(operations(a).total_cmp(&operations(b))));
+    // Of equal work, what leaves the smaller error.
+    let told = |row: &Compares| [row.operations.map(f64::round), row.error].map(|number| number.unwrap_or(f64::NAN));
+    let by_work = |a: &Compares, b: &Compares| {
+        let [[work, error], [other, larger]] = [told(a), told(b)];
+        work.total_cmp(&other).then(error.total_cmp(&larger))
+    };
+    rows.sort_by(|a, b| a.rank().cmp(&b.rank()).then_with(|| by_work(a, b)));
     let ended = if rows.iter().any(Compares::converged) { Exit::Well } else { Exit::NotConverged };
     let [dofs, retained] = [discretisation.system.dofs(), discretisation.condensed.retained()];
     let compared = Compared { case: case.name.clone(), dofs, retained, formulations: rows };
@@ -186,7 +191,8 @@ impl Compares {
 /// A line each, and the command of the first.
 fn print(compared: &Compared) {
     say(format!("{}: {} dofs, {} retained", compared.case, compared.dofs, compared.retained));
-    let mut table = table(["formulation", "outcome", "iterations", "factorisations", "error", "seconds"]);
+    let head = ["formulation", "outcome", "iterations", "factorisations", "operations", "error", "seconds"];
+    let mut table = table(head);
     let count = |number: Option<usize>| number.map_or_else(|| "–".into(), |number| number.to_string());
     for row in &compared.formulations {
         let [error, seconds] = [row.error, row.seconds].map(|number| number.unwrap_or(f64::NAN));
@@ -195,8 +201,9 @@ fn print(compared: &Compared) {
             row.outcome.clone(),
             count(row.iterations),
             count(row.factorisations),
+            row.operations.map_or_else(|| "–".into(), |operations| format!("{operations:.2e}")),
             if error.is_finite() { markdown::error(error) } else { "–".into() },
-            if seconds.is_finite() { format!("{seconds:.3}") } else { "–".into() },
+            if seconds.is_finite() { markdown::significant(seconds, 2) } else { "–".into() },
         ]);
     }
     say(table);
@@ -204,9 +211,7 @@ fn print(compared: &Compared) {
         row.reason.iter().for_each(|reason| say(format!("{}: {reason}", row.formulation)));
     }
     match compared.formulations.iter().find(|row| row.converged()) {
-        Some(first) => {
-            say(format!("recommended, with the fewest operations of those that converge:\n  {}", first.command))
-        }
+        Some(first) => say(format!("with the fewest operations of those that converge:\n  {}", first.command)),
         None => say("none of them converges to a contact"),
     }
 }

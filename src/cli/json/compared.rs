@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// Formulations of one scene, the recommended one first: the result of `compare`.
+/// Formulations of one scene, the one with the fewest operations first: the result of `compare`.
 #[derive(Serialize, JsonSchema)]
 pub struct Compared {
     /// Name of the case, or of the scene file.
@@ -13,7 +13,7 @@ pub struct Compared {
     pub dofs: usize,
     /// Normal degrees of freedom that the condensation retains.
     pub retained: usize,
-    /// Each formulation: those that converge by their operations, then those that do not, then those that are refused.
+    /// Each formulation: those that converge by their operations, of equal ones by their error, then those that do not, then those that are refused.
     pub formulations: Vec<Compares>,
 }
 

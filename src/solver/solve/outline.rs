@@ -77,7 +77,7 @@ impl<'a> Outline<'a> {
         turn <= before.abs() + after.abs() + TURN && turn < FRAC_PI_4
     }
 
-    fn turn(&self, node: usize) -> f64 {
+    pub(super) fn turn(&self, node: usize) -> f64 {
         self.angle(node).map_or(0.0, |angle| angle - PI)
     }
 

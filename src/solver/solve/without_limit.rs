@@ -9,7 +9,7 @@
 //! | both free, or both fixed | π |
 //! | one fixed along its normal, the other one too, free or fixed | π/2 |
 //! | one free, one fixed | `arcsin √((κ+1)/4)`, 57° in plane strain with ν = 0.3 |
-//! | one fixed in another direction | π/4, the smallest there is |
+//! | one fixed in another direction | π/4, the smallest there is: of wider ones it may be |
 //!
 //! A side fixed along its normal is a line of symmetry, beside which the corner is one of 2θ. Finite tractions change
 //! none of it but where the shear stress τ on a smooth side leaps: there `σ = (2 Δτ/π) ln 1/r` along the side, Δτ being
@@ -34,8 +34,6 @@ use crate::solve::{Discretisation, Run};
 const AT_POINT: f64 = 1e-6;
 /// Leap of a shear stress, over the largest traction, from which on it leaves a stress without limit.
 const LEAP: f64 = 1e-3;
-/// Cosine of the angle between the direction in which a side is fixed and its normal, from which on they are one.
-const NORMAL: f64 = 1.0 - 1e-6;
 
 /// A place at which the stress of a body has no limit.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
@@ -55,6 +53,7 @@ const FORCE: &str = "a force at a point";
 const SUPPORT: &str = "a support at a point";
 pub(super) const PRESSURE: &str = "a contact pressure without limit";
 const CORNER: &str = "a corner";
+const OBLIQUE: &str = "what may be such a corner, a side of it held obliquely,";
 const SHEAR: &str = "a shear stress on a side that ends";
 
 /// How a side of a body is fixed.
@@ -141,12 +140,12 @@ impl Discretisation {
         let material = &self.scene.bodies[body].material;
         let kolosov = self.scene.plane.kolosov(material.poisson);
         let is_wide = |node: usize| {
-            let [arriving, leaving] = outline.at(node)?;
-            let sides = [arriving, leaving].map(|edge| side(&outline, edge));
+            let sides = sides(&outline, outline.at(node)?);
             let [before, after] = outline.next_turns(node);
             let angle = outline.angle(node)? - before.max(0.0) - after.max(0.0);
             let is_wide = angle > widest(sides, kolosov) + TURN;
-            (is_wide && !(outline.is_smooth(node) && sides[0] == sides[1])).then(|| self.at_node(node, CORNER))
+            let because = if sides.contains(&Side::Oblique) { OBLIQUE } else { CORNER };
+            (is_wide && !(outline.is_smooth(node) && sides[0] == sides[1])).then(|| self.at_node(node, because))
         };
         outline.nodes().into_iter().filter_map(is_wide).collect()
     }
@@ -176,7 +175,7 @@ impl Discretisation {
             };
             let [before, after] = loads.iter().map(of_load).fold([0.0; 2], |[a, b], [c, d]| [a + c, b + d]);
             let is_right = || outline.angle(node).is_some_and(|angle| (angle - FRAC_PI_2).abs() <= TURN);
-            match edges.map(|edge| side(&outline, edge)) {
+            match sides(&outline, edges) {
                 [Free, Free] | [Normal, Normal] if outline.is_smooth(node) => Some(before + after),
                 [Free, Normal] if is_right() => Some(2.0 * (before - after)),
                 [Normal, Free] if is_right() => Some(2.0 * (after - before)),
@@ -211,15 +210,21 @@ impl Discretisation {
     }
 }
 
-/// How an edge is fixed.
-fn side(outline: &Outline, edge: &Edge) -> Side {
+/// How the edges that arrive at a node and leave it are fixed there.
+fn sides(outline: &Outline, [arriving, leaving]: [&Edge; 2]) -> [Side; 2] {
+    [side(outline, arriving, 1.0, arriving[0]), side(outline, leaving, -1.0, leaving[1])]
+}
+
+/// How an edge is fixed at ξ, its other end at a node. An edge of an arc turns away from it by half of what edges turn
+/// at that node.
+fn side(outline: &Outline, edge: &Edge, xi: f64, other: usize) -> Side {
     let direction = match outline.fixed(edge) {
         [false, false] => return Side::Free,
         [true, true] => return Side::Fixed,
         [true, false] => 0,
         [false, true] => 1,
     };
-    let [dx, dy] = outline.tangent(edge, 0.0);
-    let normal = [dy, dx][direction].abs();
-    if normal >= NORMAL { Side::Normal } else { Side::Oblique }
+    let of_arc = if outline.is_smooth(other) { 0.5 * outline.turn(other).abs() } else { 0.0 };
+    let along = outline.tangent(edge, xi)[direction].abs();
+    if along <= TURN + of_arc { Side::Normal } else { Side::Oblique }
 }
