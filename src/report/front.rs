@@ -22,7 +22,7 @@ use crate::study::paper::statement::{Judgement, Statement};
 use crate::study::paper::{self, NOT_COVERED};
 use crate::study::timings::record::Record;
 use crate::study::timings::{self, FRONTS, conclusion};
-use crate::study::{Finding, Room, Study, cases, faults, limits, measured, promised, scoreboard};
+use crate::study::{Finding, Room, Study, cases, faults, limits, measured, promised, refinement, scoreboard};
 
 /// The page.
 pub fn page(findings: &[Finding]) -> String {
@@ -69,12 +69,13 @@ pub fn right(findings: &[Finding]) -> String {
     let [pass, fail, absent] = told::tally(all.iter().copied());
     let not_run = if absent > 0 { format!(", {absent} could not be run") } else { String::new() };
     let propositions = told::propositions(all.iter().copied());
+    let of_codes = told::each(findings.iter().filter(|finding| is_of_codes(finding))).len();
     let verdict = match (all.len(), fail) {
         (0, _) => "**Nothing was checked.**".to_string(),
         (number, 0) => {
             format!(
                 "**No check fails**: {pass} of {number} pass{not_run}: {propositions} propositions, judged in {number} \
-                rows."
+                rows, {of_codes} of them of what other codes answer."
             )
         }
         (number, _) => format!("**✗ {fail} of {number} checks fail**; {pass} pass{not_run}.{}", told::failures(&all)),
@@ -109,14 +110,24 @@ fn spoiled() -> String {
     let link = to_study("planted faults and mutants", faults::Numbers::NAME);
     faults::rooms().map_or_else(
         |_| String::new(),
-        |rooms| format!("* Mutants caught by a truth alone: {} ({link}).\n\n", faults::by_truths_alone(&rooms)),
+        |rooms| {
+            let share = faults::by_truths_alone(&rooms);
+            format!(
+                "Of small changes that a program makes in the code, mutants, closed forms and other codes alone catch \
+                {share}; claims and the code itself are asked besides: {link}.\n\n"
+            )
+        },
     )
+}
+
+/// Whether it judges what other codes answer, not this one.
+fn is_of_codes(finding: &Finding) -> bool {
+    finding.study == scoreboard::Numbers::NAME
 }
 
 /// Counts of checks by kind, the truths with the agreement with each, and what no measurement has seen.
 pub fn against(findings: &[Finding]) -> String {
-    let (theirs, ours): (Vec<&Finding>, Vec<&Finding>) =
-        findings.iter().partition(|finding| finding.study == scoreboard::Numbers::NAME);
+    let (theirs, ours): (Vec<&Finding>, Vec<&Finding>) = findings.iter().partition(|finding| is_of_codes(finding));
     let (all, of_codes) = (told::each(ours), told::each(theirs).len());
     let own = |kind: ReferenceKind| all.iter().copied().filter(move |one| one.reference.kind == kind);
     let mut kinds = SHOWS;
@@ -136,7 +147,7 @@ pub fn against(findings: &[Finding]) -> String {
     format!(
         "{}\nOf what other codes answer {of_codes} more checks are made: {}. {} {}. The {NAMED} closed forms with the \
         most numbers that agree with them, not by round-off alone, every other code, and what was measured; {more} \
-        more closed forms stand in {}:\n\n{}",
+        more closed forms and orders expected stand in {}:\n\n{}",
         markdown::table(&head, &rows),
         to_study("the scoreboard", scoreboard::Numbers::NAME),
         experiments(findings),
@@ -181,7 +192,7 @@ const COUNTED: f64 = 1.0;
 /// Every truth that some check passed against but for those of the scoreboard, those with the most agreements first,
 /// then those with the most numbers.
 pub fn truths(findings: &[Finding]) -> Vec<Passed<'_>> {
-    let all = told::each(findings.iter().filter(|finding| finding.study != scoreboard::Numbers::NAME));
+    let all = told::each(findings.iter().filter(|finding| !is_of_codes(finding)));
     let passed = all.into_iter().filter(|one| one.verdict == Verdict::Pass && OUTSIDE.contains(&one.reference.kind));
     let mut truths: Vec<Passed> = in_order(passed.map(|one| ((&*one.reference.name, one.reference.kind), one)));
     truths.sort_by_key(|(_, passed)| Reverse((agreements(passed).len(), passed.len())));
@@ -217,9 +228,10 @@ fn cost() -> String {
     let processor = &record.measured.machine.processor;
     format!(
         "{}\nSeconds of one machine ({processor}), one thread, those of other codes scaled by our own solve beside \
-        them; {}.\n\n{}",
+        them. {} {}.\n\n{}",
         conclusion(&record),
-        to_study("all our runs, growth, stages, memory, targets", timings::Numbers::NAME),
+        timings::met(&record),
+        to_study("All our runs, growth, stages, memory, targets", timings::Numbers::NAME),
         picture(FRONTS[0], FRONTS[1])
     )
 }
@@ -259,9 +271,11 @@ fn advice(findings: &[Finding]) -> String {
         )
     });
     format!(
-        "{}{}\n{}\n{}, {}, {}.\n\n{}",
+        "{}{}\n{} {}\n\n{}\n{}, {}, {}.\n\n{}",
         default.unwrap_or_default(),
         atlas::recommendation(&digests),
+        refinement::in_front(findings),
+        to_study("Both by mesh", refinement::Numbers::NAME) + ".",
         statements::two_stops(),
         to_study("Why", atlas::Numbers::NAME),
         to_study("where everything else ends", limits::Numbers::NAME),

@@ -19,7 +19,7 @@ pub const SYMBOLS: [[&str; 2]; 30] = [
     ["κ = k ℓ/E*", "the same of any spring"],
     ["k₀, k*", "spring stiffness at the start and at the end"],
     ["K₀, K*, S", "the matrices of these springs; that of the bodies as the contact sees them"],
-    ["w, g, p", "approach, initial gap and pressure of a contact point"],
+    ["w, g, p", "approach, initial gap and pressure of a contact point; h = g − w what remains of the gap"],
     ["n_a, A_a", "unit normal and area of a contact node; N_a its shape function, n the normal beside it"],
     [
         "C",
@@ -44,7 +44,7 @@ pub const SYMBOLS: [[&str; 2]; 30] = [
     ["ρ", "rate of convergence: the factor on the error from one iteration to the next"],
     ["R", "radius"],
     ["L", "how far candidates reach"],
-    ["h", "size of an element"],
+    ["h/a, t₀/h", "h the size of an element wherever it stands beside another length"],
     ["F, t, c", "load, thickness, clearance"],
     ["L2(p)", "error of the pressure profile, relative in the L2 norm"],
     ["u, u/g", "displacement, and the same over the gap"],

@@ -169,23 +169,23 @@ fn contact(scene: &Scene, pair: &ContactPair) -> String {
 
 fn gap(profile: &Profile) -> String {
     match profile {
-        Profile::Uniform(gap) => format!("g₀ = {gap}"),
+        Profile::Uniform(gap) => format!("g = {gap}"),
         Profile::Drawn | Profile::Bodies(_) => "as the bodies are drawn".into(),
-        Profile::Punch { half_width } => format!("g₀ = 0 for |s| ≤ {half_width}, no other side beyond"),
-        Profile::Circle { radius } => format!("g₀ = R − √(R² − s²), R = {radius}"),
-        Profile::Circles { radii } => format!("g₀ = Σ (R − sgn(R) √(R² − s²)), R = {radii:?}"),
-        Profile::Parabola { radius } => format!("g₀ = s²/2R, R = {radius}"),
-        Profile::Powers { terms } => format!("g₀ = Σ c |s|ⁿ, [c, n] = {terms:?}"),
-        Profile::Even { coefficients } => format!("g₀ = Σ c_k s^(2k+2), c = {coefficients:?}"),
-        Profile::Wedge { slope } => format!("g₀ = {slope} |s|"),
-        Profile::Table(points) => format!("straight lines between [s, g₀] = {points:?}"),
-        Profile::Smooth(cubic) => format!("a monotone cubic through [s, g₀] = {:?}", cubic.points),
-        Profile::Cosine { amplitude, wavelength } => format!("g₀ = {amplitude} (1 − cos 2πs/{wavelength})"),
+        Profile::Punch { half_width } => format!("g = 0 for |s| ≤ {half_width}, no other side beyond"),
+        Profile::Circle { radius } => format!("g = R − √(R² − s²), R = {radius}"),
+        Profile::Circles { radii } => format!("g = Σ (R − sgn(R) √(R² − s²)), R = {radii:?}"),
+        Profile::Parabola { radius } => format!("g = s²/2R, R = {radius}"),
+        Profile::Powers { terms } => format!("g = Σ c |s|ⁿ, [c, n] = {terms:?}"),
+        Profile::Even { coefficients } => format!("g = Σ c_k s^(2k+2), c = {coefficients:?}"),
+        Profile::Wedge { slope } => format!("g = {slope} |s|"),
+        Profile::Table(points) => format!("straight lines between [s, g] = {points:?}"),
+        Profile::Smooth(cubic) => format!("a monotone cubic through [s, g] = {:?}", cubic.points),
+        Profile::Cosine { amplitude, wavelength } => format!("g = {amplitude} (1 − cos 2πs/{wavelength})"),
         Profile::Hole { radius, clearance } => {
-            format!("g₀ = √((R+c)² − c² sin²s) − c cos s − R, R = {radius}, c = {clearance}")
+            format!("g = √((R+c)² − c² sin²s) − c cos s − R, R = {radius}, c = {clearance}")
         }
         Profile::Pin { radius, clearance } => {
-            format!("g₀ = R + c − c cos s − √(R² − c² sin²s), R = {radius}, c = {clearance}")
+            format!("g = R + c − c cos s − √(R² − c² sin²s), R = {radius}, c = {clearance}")
         }
     }
 }
@@ -214,7 +214,7 @@ pub fn equations(plane: PlaneHypothesis) -> String {
     format!(
         "## Equations\n\nSmall strain: ε = {hoop}, σ = λ tr ε I + 2μ ε with {lame} and μ = E/(2(1+ν)), div σ + b = 0. \
         On the contact n is the outward normal of the first body on its undeformed path, and w = (u₁ − u₂)·n, with u₂ \
-        = 0 where the other side is rigid. There g = g₀ − w ≥ 0, p = −n·σn ≥ 0, p g = 0, and there is no shear. p is \
+        = 0 where the other side is rigid. There h = g − w ≥ 0, p = −n·σn ≥ 0, p h = 0, and there is no shear. p is \
         per area of the undeformed path. {width}"
     )
 }

@@ -111,8 +111,8 @@ pub fn picture(file: &str, caption: &str) -> String {
 /// What is to be known beside a picture of all nine formulations: what their agreement cannot show.
 pub fn how_stopped() -> String {
     format!(
-        "All nine are stopped within {:e} of the solution of the discrete problem, which an active set finds before: \
-        they show elements and mesh.",
+        "Each run stops once it is within {:e} of the solution of the discrete problem, which an active set has found \
+        before: what differs here is due to element and mesh.",
         Settings::default().tolerance
     )
 }

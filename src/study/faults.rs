@@ -436,7 +436,7 @@ impl Made {
         .judge(old as f64);
         let why = match all {
             0 => format!("none is recorded: {}", self.renew),
-            _ => format!("{old} of {all} are of other sources or tests: {}", self.renew),
+            _ => format!("{old} of {all} {}s are of other sources or tests: {}", self.entry, self.renew),
         };
         if old == 0 && all > 0 { judged } else { Judged { verdict: Verdict::NotRun(why), ..judged } }
     }

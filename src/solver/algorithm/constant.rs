@@ -9,7 +9,7 @@ use crate::solution::Work;
 /// `(S + K_c0) u_j = f̂ − Σ A r_j b`, spring force `p_j = k_0 w_j + r_j`, `r_{j+1} = r_j + (p⁺ − p_j)`.
 #[derive(Clone, Debug)]
 pub struct Constant {
-    /// `Correction` with κ = k_0, `Secant` on the spring force, or `Literal`.
+    /// `Correction` by k_0, `Secant` on the spring force, or `Literal`.
     pub rule: StiffnessRule,
     /// How the fixed point of the carried forces is approached.
     pub acceleration: Acceleration,

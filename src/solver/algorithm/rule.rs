@@ -18,7 +18,7 @@ named_enum! {
         Step = "step",
         /// `k ← 2 k` where w > g, `k ← k/2` elsewhere.
         Doubling = "doubling",
-        /// `p ← max(0, p + κ (w − g))`: projected correction (Uzawa, augmented Lagrangian).
+        /// `p ← max(0, p + max(k, k₀) (w − g))`: projected correction (Uzawa, augmented Lagrangian).
         Correction = "correction",
         /// Equation (3.10) taken literally, with the secant rule on stored stiffnesses.
         Literal = "literal",
@@ -119,7 +119,7 @@ pub fn secant(scale: &Scale, stiffness: f64, approach: f64, gap: f64) -> f64 {
     scale.clip(stiffness * factor(StiffnessRule::Secant, scale, approach, gap))
 }
 
-/// Correction: `max(0, p + κ (w − g))` \[MPa\].
+/// Correction: `max(0, p + k (w − g))`, k the larger of the own and the initial stiffness \[MPa\].
 pub fn correction(pressure: f64, stiffness: f64, approach: f64, gap: f64) -> f64 {
     positive_part(pressure + stiffness * (approach - gap))
 }

@@ -10,7 +10,7 @@ use crate::solution::Work;
 /// `(S + K_c(k^j)) u_j = f̂`, `p_j = k^j w_j`; the rule gives k^{j+1}.
 #[derive(Clone, Debug)]
 pub struct Varying {
-    /// A factor on the stiffness ([`rule::factor`]), or `Correction` with `κ_j = max(k^j, k_0)` and `k^{j+1} = p⁺ / w`.
+    /// A factor on the stiffness ([`rule::factor`]), or `Correction` by `max(k^j, k_0)` and then `k^{j+1} = p⁺ / w`.
     pub rule: StiffnessRule,
     /// How far the rule may go in an iteration; `Correction` asks no bound.
     pub leeway: Leeway,

@@ -70,7 +70,7 @@ pub fn secant_force(problem: &ContactProblem, limit: &Limit) -> Option<f64> {
     }))
 }
 
-/// Varying stiffness with the rule `correction`, `p⁺ = max(0, p + κ (w − g))`, `κ = max(k, k₀)`, `k⁺ = p⁺/w`, at its
+/// Varying stiffness with the rule `correction`, `p⁺ = max(0, p + max(k, k₀) (w − g))`, `k⁺ = p⁺/w`, at its
 /// limit.
 ///
 /// A closed point has `δk⁺ = δk + (κ/w) δw` and `δw = −C diag(w) δk` with C at the springs `k* = p/w`: up to a

@@ -1,7 +1,7 @@
 //! Varying stiffness: how many iterations the points near the contact edge take to find their pressure.
 //!
 //! Each is followed alone, with its own flexibility C on the final active set: `w = w* − C (p − p*)`. Its force changes
-//! by the factor `w/g` at each iteration (`secant`), or by `κ (w − g)`, `κ = max(p/w, k₀)` (`correction`). A point that
+//! by the factor `w/g` at each iteration (`secant`), or by `max(p/w, k₀) (w − g)` (`correction`). A point that
 //! ends open, `p* = 0`, lets go fast while `C p` holds it off, and at last by `w*/g` alone, which just outside the
 //! contact is next to 1.
 

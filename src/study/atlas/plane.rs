@@ -12,7 +12,7 @@ use crate::error::Error;
 use crate::markdown;
 use crate::mesh::Resolution;
 use crate::named::named_enum;
-use crate::solve::{Ended, Formulation, Iteration};
+use crate::solve::{Element, Ended, Formulation, Iteration};
 use crate::study::grouped::in_order;
 use crate::study::method::Method;
 use crate::study::records::{self, rounded};
@@ -336,7 +336,10 @@ const ADVICE: [markdown::Column<Advice>; 6] = [
 /// Which element and algorithm to use from which initial stiffness, and which not.
 pub fn recommendation(digests: &[Digest]) -> String {
     let points: usize = digests.iter().flat_map(|digest| &digest.wrong).map(|(_, [_, all])| all).sum();
-    let predicted: usize = digests.iter().map(|digest| digest.predicted).sum();
+    let of = |is_own: &dyn Fn(&Digest) -> bool| -> usize {
+        digests.iter().filter(|digest| is_own(digest)).map(|digest| digest.predicted).sum()
+    };
+    let predicted = of(&|_| true);
     let reliable = reliable(digests);
     let served = |need: &'static str, serves: &dyn Fn(&Method) -> bool| {
         let (method, safe) = reliable.iter().find(|(method, _)| serves(method))?;
@@ -353,8 +356,10 @@ pub fn recommendation(digests: &[Digest]) -> String {
     let mut text = format!(
         "Names are `element.algorithm.rule`: what is pressed, how its stiffness changes, and by which formula; `+` is \
         what the program adds to the paper's. From {points} runs over candidate surface, mesh, a body of revolution \
-        and both paper scenes, {predicted} of them beside a prediction; a run *ends right* that converges with p₀ and \
-        a within {} % of the discrete solution:\n\n{}",
+        and both paper scenes, {predicted} of them beside a prediction, {} of these on nodes, the only element of which \
+        predicted iterations are judged; a run *ends right* that converges with p₀ and a within {} % of the discrete \
+        solution:\n\n{}",
+        of(&|digest| digest.method.element == Element::Node),
         100.0 * RIGHT,
         markdown::columns(&ADVICE, &rows)
     );
@@ -389,12 +394,16 @@ pub fn obstacle(method: Method) -> &'static str {
             "points that part from the contact one by one: until those that press stand still, the rule goes alone"
         }
         (Iteration::Constant, _) if method.is_accelerated() => "which points press is found step by step",
-        (Iteration::Varying, StiffnessRule::Secant) => {
+        (Iteration::Varying, StiffnessRule::Secant) if method.element == Element::Node => {
             "an open point loses its force by w/g an iteration, and w/g → 1 at the contact edge"
         }
+        (Iteration::Varying, StiffnessRule::Secant) => {
+            "an alternating mode of Gauss points, which the bodies hardly feel: it dies out in iterations that grow \
+            with the square of the number of edges"
+        }
         (Iteration::Varying, StiffnessRule::Correction) => {
-            "a correction by κ ≥ k₀ of points near the edge, where p/w is small: of hard κ₀ it is too large, and they \
-            swing"
+            "springs never softer than at the start, where p/w is small near the edge: from hard ones the correction \
+            is too large, and points there swing"
         }
         (Iteration::Constant, StiffnessRule::Correction) => {
             "a closed point keeps 1 − k₀ C of an error at each iteration, nearly all where κ₀ is soft; an open one k₀ \

@@ -169,7 +169,7 @@ pub(super) fn stiffness() -> Result<Limit, Error> {
         instead: beyond.remedy,
         judged: vec![
             proportional("|d log condition / d log κ − 1|", of_condition, "the largest eigenvalue is A κ"),
-            proportional("|d log error / d log κ − 1|", of_error, "p = κ (w − g), and w − g carries round-off of w"),
+            proportional("|d log error / d log κ − 1|", of_error, "p = k (w − g), and w − g carries round-off of w"),
             Check::error(
                 Quantity::at("largest error of a refined pressure over p_ref", "κ ≤ 1e6"),
                 Reference::own("the mixed system", 0.0),
@@ -284,7 +284,7 @@ fn period(outcome: Outcome) -> f64 {
 
 /// Correction with varying stiffness on two bars, whose cycle can be predicted.
 ///
-/// With `w = u − p/s` and `κ_j = k_0` the rule is an affine map, `k⁺ = k (1 − k₀ g/(u s)) + k₀ (1 − g/u)`. Its fixed
+/// With `w = u − p/s` and `max(k, k₀) = k₀` the rule is an affine map, `k⁺ = k (1 − k₀ g/(u s)) + k₀ (1 − g/u)`. Its fixed
 /// point repels once `k₀ > 2 u s/g`; k then falls to zero at every other iteration: a cycle of period 2. Equal bars of
 /// the length ℓ have `s ℓ/E* = 1`, so that the onset is `κ₀ = 2 u/g`.
 pub(super) fn cycling() -> Result<Limit, Error> {

@@ -130,11 +130,14 @@ pub fn together(courses: &[Course]) -> String {
     let (most, all) = (most_fulfilled(courses), Sentence::ALL.len());
     let (first, open) = &most[0];
     format!(
-        "Asked for together, {} of the {all} sentences on iterations hold, each at {}, and no more, under {} of the \
-        readings. The first of them: {}. There does not: {}.",
+        "Of the {all} sentences on iterations no reading fulfils more than {} at once, each at {}. {}: {}. It does \
+        not fulfil: {}.",
         all - open.len(),
         first.judged().iter().map(|one| one.stop.name()).collect::<Vec<_>>().join(", "),
-        most.len(),
+        match most.len() {
+            1 => "One does".to_owned(),
+            some => format!("{some} do, first of them"),
+        },
         first.name(),
         open.iter().map(|one| format!("*{}*", one.name())).collect::<Vec<_>>().join(", ")
     )

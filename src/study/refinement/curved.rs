@@ -11,6 +11,7 @@ use crate::case::library::PressFit;
 use crate::elasticity::{element, quadrature, shape_functions};
 use crate::error::Error;
 use crate::markdown;
+use crate::measure::larger;
 use crate::measure::order::Observed;
 use crate::measure::profile::relative_l2;
 use crate::mesh::{Mesh, Order, Resolution};
@@ -158,6 +159,23 @@ pub fn judge(cells: Order, [.., (_, levels)]: &Curved) -> Vec<Judged> {
         reach((name, "order", order, because), (levels, number, TOLERANCE), between)
     });
     judged.collect()
+}
+
+/// How far the pressures of each element are off on meshes that do not match, at best of line and layer elements, at
+/// worst of node elements.
+pub fn in_front<'a>(all: impl IntoIterator<Item = &'a Curved>) -> String {
+    let [mut least, mut largest] = [f64::NAN, 0.0];
+    for [others @ .., (_, own)] in all {
+        let of = |levels: &'a [Level<2>]| levels.iter().map(|level| level.errors[0]);
+        least = others.iter().flat_map(|(_, levels)| of(levels)).fold(least, f64::min);
+        largest = of(own).fold(largest, larger);
+    }
+    format!(
+        "Where meshes of curved sides do not match, the pressures of line and layer elements are off by {} or more on \
+        every mesh on which they converge, those of node elements by {} or less.",
+        markdown::error(least),
+        markdown::error(largest)
+    )
 }
 
 /// Errors and orders by each contact element.

@@ -23,6 +23,7 @@ use crate::measure::order::{Observed, pairs};
 use crate::measure::{larger, relative_error};
 use crate::mesh::Order;
 use crate::solve::{Discretisation, Formulation, Run};
+use crate::study::Finding;
 use crate::study::about::{About, Found, Planned, Study};
 use crate::study::differences::peak_and_width;
 use crate::study::drawn::picture;
@@ -130,6 +131,14 @@ impl Study for Numbers {
         });
         Ok(vec![(nested::FILE.into(), nested::chart(&series.collect::<Vec<_>>()))])
     }
+}
+
+/// What the front page says of elements on meshes that do not match.
+pub fn in_front(findings: &[Finding]) -> String {
+    curved::in_front(findings.iter().filter_map(|finding| match finding.numbers() {
+        Some(Numbers::Rings(_, found)) => Some(found),
+        _ => None,
+    }))
 }
 
 /// Relative error that may remain in the cylinder beside Hertz, and in what.

@@ -65,18 +65,25 @@ impl Study for Record {
 /// and the best parabola for x⁴ on 0 to h is at 0 off by 3h⁴/35.
 const PARABOLA: f64 = 3.0 / 35.0 / 8.0 * (0.25 * 0.25 * 0.25 * 0.25);
 
-/// The page of a record.
-pub fn page(record: &Record) -> String {
+/// How many of the targets are met.
+pub fn met(record: &Record) -> String {
     let targets = targets(record);
     let count = |met: Option<bool>| targets.iter().filter(|target| target.met == met).count();
-    let asked = format!(
-        "**Of {} targets {} are met, {} are not and {} could not be measured.** No check holds these: what seconds are \
-        worth changes with the machine.\n\n{}",
+    format!(
+        "Of {} targets for speed {} are met, {} are not and {} could not be measured.",
         targets.len(),
         count(Some(true)),
         count(Some(false)),
-        count(None),
-        markdown::columns(&target::COLUMNS, &targets)
+        count(None)
+    )
+}
+
+/// The page of a record.
+pub fn page(record: &Record) -> String {
+    let asked = format!(
+        "**{}** No check holds these: what seconds are worth changes with the machine.\n\n{}",
+        met(record),
+        markdown::columns(&target::COLUMNS, &targets(record))
     );
     [asked, "\n".into(), machine(record), precision(record), growth(record)].concat()
 }
