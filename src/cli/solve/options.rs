@@ -46,8 +46,8 @@ pub struct Arguments {
     /// others; with none they are those of the paper.
     #[arg(long, value_parser = choice(Acceleration::TOLD))]
     acceleration: Option<Acceleration>,
-    /// Initial stiffness κ₀ = k_n ℓ/E*: by default 1 for varying and constant, and for kinematic 1e6 (node) or 10 times
-    /// what the bodies resist (line, layer).
+    /// Initial stiffness κ₀ = k_n ℓ/E*: by default 1 for varying and constant, and for kinematic 1e6 (node) or that of
+    /// 10 √(E*/L · s), L the candidate stretch and s what the bodies resist at a point (line, layer).
     #[arg(long, value_name = "KAPPA", allow_negative_numbers = true)]
     stiffness: Option<f64>,
     /// Hertz half-width over the radius (Hertz scenes only).
