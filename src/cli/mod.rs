@@ -128,7 +128,8 @@ enum Command {
         "export cylinder elsewhere --condensed",
     ]))]
     Export(export::Arguments),
-    /// Judge the answer of another code, on its own mesh, by the truth of a case; 1 where something is not met.
+    /// Judge the answer of another code, on its own mesh, by the truth of a case; 1 where something is not met or
+    /// a contact is missing.
     #[command(after_help = examples(&[
         "judge cylinder theirs.csv",
         "judge cylinder theirs.csv --column pressure=CPRESS --unit pressure=MPa --unit position=mm",

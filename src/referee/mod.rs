@@ -80,10 +80,15 @@ pub struct Verdicts {
 }
 
 impl Verdicts {
-    /// Whether nothing is failed.
+    /// Whether nothing is failed, and every contact was handed in.
     pub fn met(&self) -> bool {
+        self.absent.is_empty() && !self.fails()
+    }
+
+    /// Whether something of what was handed in is failed.
+    pub fn fails(&self) -> bool {
         let mut judged = self.ruled.iter().flat_map(|ruled| &ruled.judged);
-        judged.all(|judged| judged.verdict != crate::case::Verdict::Fail)
+        judged.any(|judged| judged.verdict == crate::case::Verdict::Fail)
     }
 }
 

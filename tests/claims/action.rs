@@ -11,7 +11,7 @@ use contact_vv::checkout::root;
 use quick_junit::{Report, TestCase, TestCaseStatus};
 use serde_json::json;
 
-use crate::outputs::contact_vv;
+use crate::outputs::{contact_vv, scene};
 use crate::program::{Folder, ended, program};
 
 /// Our own answer to a case.
@@ -78,6 +78,30 @@ fn junit_has_a_test_case_for_every_verdict() {
     folder.with("verdicts.xml", "<testsuites name=\"another\"/>");
     let (_, _, error) = judge("--junit");
     assert!(error.contains("not an earlier output"), "{error}");
+}
+
+#[test]
+fn an_answer_that_lacks_a_contact_is_not_met_where_no_contact_alone_is_asked_for() {
+    let folder = Folder::made();
+    let (case, to) = (scene("plate-on-two-supports"), folder.at("to"));
+    contact_vv(&["export", &case, &to]);
+    let both = folder.read("to/ours.csv");
+    let left: String = both.lines().filter(|line| !line.ends_with("right")).map(|line| format!("{line}\n")).collect();
+    let [both, left] = [("both.csv", both), ("left.csv", left)].map(|(name, text)| folder.with(name, text));
+    let xml = folder.at("verdicts.xml");
+    let judge = |rest: &[&str]| ended(program(&["judge", &case, "--junit", &xml, "--force"]).args(rest));
+    for (rest, wanted) in [(&[&*both][..], 0), (&[&left], 1), (&[&left, "--markdown"], 1), (&[&both, &left], 1)] {
+        let (code, said, error) = judge(rest);
+        assert_eq!(code, Some(wanted), "{rest:?}: {said}{error}");
+        let title = "lacks a contact, and meets all that could be judged";
+        assert_eq!(said.contains(title) && said.contains("NOT HANDED IN: contact `right`"), wanted == 1, "{said}");
+        let report = Report::deserialize_from_str(&folder.read("verdicts.xml")).expect("JUnit XML");
+        assert_eq!(report.test_suites.iter().map(|suite| suite.failures).sum::<usize>(), wanted as usize);
+    }
+    let (code, said, _) = judge(&[&left, "--contact", "left", "--json"]);
+    assert_eq!(code, Some(0), "{said}");
+    let (_, said, _) = judge(&[&left, "--json"]);
+    assert!(said.contains("\"met\":false") && said.contains("contact `right`"), "{said}");
 }
 
 #[test]

@@ -42,6 +42,8 @@ pub fn run(arguments: &Arguments) -> Result<Exit, Error> {
         let Some(truth) = &truth else { break };
         let file = answer.file.clone();
         match verdicts(truth, answer, tolerance) {
+            // Where one contact is asked for, no other is wanted.
+            Ok(verdicts) if asked.contact.is_some() => judged.push(Verdicts { absent: vec![], ..verdicts }),
             Ok(verdicts) => judged.push(verdicts),
             Err(error) => wrong.push((file, error)),
         }

@@ -37,7 +37,7 @@ pub struct Arguments {
     /// mid-sides by turns.
     #[arg(long, value_parser = choice(Order::TOLD))]
     order: Option<Order>,
-    /// Contact that the answers are of, in a scene with several.
+    /// Contact that the answers are of, in a scene with several: the others are then not missed.
     #[arg(long, value_name = "NAME")]
     contact: Option<String>,
     /// Pressures and forces are negative in compression.

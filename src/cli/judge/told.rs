@@ -1,5 +1,5 @@
 //! The verdicts on an answer, in lines and as Markdown; and as JUnit XML: a suite an answer, a test case a check,
-//! skipped where something is not handed in; an error where it could not be judged.
+//! skipped where something is not handed in, but failed where that is a contact; an error where it could not be judged.
 
 use std::path::PathBuf;
 
@@ -82,7 +82,11 @@ pub fn series(truth: &Truth, found: &Series) {
 
 fn title(truth: &Truth, found: &Verdicts) -> String {
     let code = found.answer.code.as_ref().map_or_else(String::new, |code| format!(" of {code}"));
-    let verdict = if found.met() { "meets all that could be judged" } else { "does not meet its truth" };
+    let verdict = match (found.fails(), found.absent.is_empty()) {
+        (true, _) => "does not meet its truth",
+        (false, true) => "meets all that could be judged",
+        (false, false) => "lacks a contact, and meets all that could be judged",
+    };
     format!("`{}`{code}, held against {}: {verdict}", found.answer.file.display(), truth.case.name)
 }
 
@@ -120,11 +124,13 @@ fn remarks(found: &Verdicts) -> Vec<String> {
         ruled.missing.iter().map(|[what, how]| format!("not judged: {what}; hand in {how}")).collect::<Vec<_>>()
     };
     let missing = found.ruled.iter().flat_map(of);
-    let absent = found.absent.iter().map(|name| format!("not judged: contact `{name}`; hand in its points too"));
+    let absent = found.absent.iter().map(|name| format!("NOT HANDED IN: contact `{name}`; {LACKING}"));
     let notes = found.notes.iter().map(|note| format!("note: {note}"));
     std::iter::once(read).chain(notes).chain(mistakes).chain(missing).chain(absent).collect()
 }
 
+/// What to do about a contact that is not handed in.
+const LACKING: &str = "hand in its points too, or name by --contact the one that is to be judged";
 /// What reports are called: those of other programs are not replaced.
 const NAME: &str = "contact-vv";
 
@@ -150,7 +156,10 @@ pub fn report(of: &Case, answers: &[Verdicts], wrong: &[(PathBuf, Error)], serie
             suite.add_test_cases(ruled.judged.iter().map(|judged| judged_case(&name, judged)));
             suite.add_test_cases(ruled.missing.iter().map(|[what, hand_in]| missing(&name, what, hand_in)));
         }
-        suite.add_test_cases(found.absent.iter().map(|name| missing(&of.name, name, "its points")));
+        suite.add_test_cases(found.absent.iter().map(|name| {
+            let failed = TestCaseStatus::non_success(NonSuccessKind::Failure);
+            case(&of.name, name, said(failed, &format!("not handed in: {LACKING}")))
+        }));
         found.mistakes.iter().for_each(|mistake| {
             suite.add_property(("usual mistake", mistake.as_str()));
         });
