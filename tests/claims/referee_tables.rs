@@ -212,8 +212,11 @@ fn rows_of_units_and_names_are_found_where_rows_hold_as_many_words_as_numbers() 
         ("behind.csv", of("position;pressure;note;\nmm;MPa;-;", ["", ";", ";ok;"])),
         ("counts.txt", of("Results of job 7\n3 5 2024\nx pressure part set\nmm MPa - -", ["", " ", " B S"])),
         ("latex.txt", of(r"\hline x [mm] & p [MPa] \\", latex).replace(r"\hline ", "\\hline\n") + r"\hline"),
+        ("close.txt", of("$x$ [mm]&$p$ [MPa]\\\\\\hline", ["", "&", r"\\[2pt]"]) + "\\hline\n\\end{tabular}"),
+        ("commas.txt", of(r"x [mm]&p [MPa]\\", ["", "&", r"\\"]).replace('.', ",")),
         ("markdown.txt", of("| x [mm] | p [MPa] |\n|---:|---:|", ["| ", " | ", " |"])),
         ("dos.csv", of("x [mm],p [MPa]", ["", ",", ""]) + "\u{1a}"),
+        ("block.csv", of("x [mm],p [MPa]", ["", ",", ""]) + &"\u{1a}".repeat(100)),
         ("inch.txt", format!("position pressure\nin MPa\n{}", rows(["", " ", ""], 25.4))),
         ("inches.txt", format!("note position pressure\n- in MPa\n{}", rows(["1 ", " ", ""], 25.4))),
     ] {

@@ -1,5 +1,7 @@
 //! Cells of a line: numbers, names and units.
 
+use std::borrow::Cow;
+
 use crate::referee::units::Role;
 
 /// What comments begin with.
@@ -32,6 +34,9 @@ pub(super) fn is_marked_row(line: &str, mark: char, wanted: usize) -> bool {
 /// to the name before it.
 pub(super) fn cells(line: &str, mark: char) -> Vec<String> {
     let (mut all, mut quoted, mut deep) = (vec![String::new()], false, 0);
+    // Rows of LaTeX have their own end, and formulas within dollars.
+    let latex = || line.split(r"\\").next().unwrap_or_default().replace('$', "");
+    let line: Cow<str> = if mark == '&' { latex().into() } else { line.into() };
     for letter in line.trim_matches([' ', '\r']).chars() {
         quoted ^= letter == '"';
         deep += match letter {

@@ -27,7 +27,7 @@ const TIMED: &str =
 const KEEP: &str = "name one of them by --time, or keep the rows of the state that is to be judged alone";
 
 /// What separates cells: the mark by which most lines are rows of numbers.
-const MARKS: [char; 4] = [';', '\t', ',', ' '];
+const MARKS: [char; 5] = ['&', ';', '\t', ',', ' '];
 /// Lines by which what separates cells is found.
 const SEEN: usize = 1000;
 /// What columns of times are called, by code_aster and Ansys too.
