@@ -119,8 +119,8 @@ fn states(scene: &Scene, pair: &ContactPair, points: &[Point], order: Order, for
 /// which they vary less.
 fn of_nodes(scene: &Scene, handed: &Handed, states: &[PointState]) -> Vec<[f64; 2]> {
     let points = &handed.points;
-    let has_areas_between = handed.order > Order::Quadratic || scene.is_of_revolution();
-    if has_areas_between || states.len() < points.len() || points.iter().any(|point| point.area.is_some()) {
+    let is_of_one_order = handed.order > Order::Quadratic || scene.is_of_revolution();
+    if is_of_one_order || states.len() < points.len() || points.iter().any(|point| point.area.is_some()) {
         let pressed = |state: &PointState| [state.position, state.pressure];
         return states.iter().map(pressed).filter(|[_, p]| p.is_finite()).collect();
     }

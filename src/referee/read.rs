@@ -8,6 +8,7 @@ use std::path::Path;
 use flate2::read::GzDecoder;
 
 use crate::case::Case;
+use crate::case::file::text_of;
 use crate::error::Error;
 use crate::markdown::significant;
 use crate::referee::answer::{Answer, Handed, without_pull};
@@ -136,25 +137,10 @@ fn decompressed(file: &Path, bytes: &[u8]) -> Result<Vec<u8>, Error> {
     limited(file, plain)
 }
 
-/// The text in bytes: in UTF-8; in UTF-16, as which Windows marks it; or, where it has letters of neither, in Latin-1.
-/// Lines end in CR alone where Excel for the Mac wrote them, and the file in Ctrl-Z where a program of DOS did.
+/// The text in bytes.
 fn text<'a>(file: &Path, bytes: &'a [u8]) -> Result<Cow<'a, str>, Error> {
-    let bytes = bytes.strip_suffix(b"\x1a").unwrap_or(bytes);
-    let words = |of: fn([u8; 2]) -> u16| bytes[2..].as_chunks().0.iter().map(|two| of(*two)).collect::<Vec<u16>>();
-    let text = match bytes {
-        [0xFF, 0xFE, ..] => String::from_utf16(&words(u16::from_le_bytes)).ok().map(Cow::from),
-        [0xFE, 0xFF, ..] => String::from_utf16(&words(u16::from_be_bytes)).ok().map(Cow::from),
-        [0xEF, 0xBB, 0xBF, rest @ ..] | rest => match std::str::from_utf8(rest) {
-            Ok(text) => Some(text.into()),
-            Err(_) if rest.iter().any(|byte| byte.is_ascii_control() && !byte.is_ascii_whitespace()) => None,
-            Err(_) => Some(rest.iter().map(|byte| char::from(*byte)).collect::<String>().into()),
-        },
-    };
-    // UTF-16 that Windows has not marked has every second byte 0.
-    let text = text.filter(|text| !text.contains('\0'));
-    let text =
-        text.ok_or_else(|| Error::unreadable(file, "it is no text", "write it as text, in UTF-8 and not in binary"))?;
-    Ok(if text.contains('\n') { text } else { text.replace('\r', "\n").into() })
+    let refused = || Error::unreadable(file, "it is no text", "write it as text, in UTF-8 and not in binary");
+    text_of(bytes).ok_or_else(refused)
 }
 
 fn bytes(file: &Path) -> Result<Vec<u8>, Error> {

@@ -619,6 +619,54 @@ fn meshes_that_meshio_writes_are_read() {
 }
 
 #[test]
+fn groups_of_decks_go_by_names_in_quotes_in_latin_1_and_in_whatever_case_only_one_is_written() {
+    let body = Body::of(8);
+    let deck = inp(&body);
+    let quoted = deck
+        .replace("elset = body", "elset = \"body, left\"")
+        .replace("NAME=sole", "NAME=\"sole, of 3\"")
+        .replace("NSET=\"Some\"", "NSET=\"a, few\"")
+        .replace(" SOME\n", " \"A, FEW\"\n");
+    let (few, latin) = (quoted.replace("\"a, few\"", "\"a few\""), deck.replace("body", "Körper"));
+    let capitals = deck.to_uppercase();
+    let of = |[group, sole, axis, roof]: [&str; 4]| {
+        scene("a.inp", UNIFORM, &format!("\"{axis}\""))
+            .replace("\"body\", contact = \"sole\"", &format!("\"{group}\", contact = \"{sole}\""))
+            .replace("at = \"roof\"", &format!("at = \"{roof}\""))
+    };
+    let in_latin = |text: &str| text.chars().map(|letter| letter as u8).collect::<Vec<u8>>();
+    let usual = ["body", "sole", "axis", "roof"];
+    for (bytes, names) in [
+        (quoted.clone().into_bytes(), ["body, left", "sole, of 3", "axis", "roof"]),
+        (in_latin(&latin), ["Körper", "sole", "axis", "roof"]),
+        (in_latin(&latin.replace('\n', "\r")), ["Körper", "sole", "axis", "roof"]),
+        (in_latin(&format!("** Körper\n{deck}")), usual),
+        (capitals.clone().into_bytes(), usual),
+        (deck.clone().into_bytes(), ["BODY", "Sole", "aXis", "ROOF"]),
+    ] {
+        assert_uniform(&beside("a.inp", &bytes, &of(names)).unwrap_or_else(|error| panic!("{error}")));
+    }
+    let told = |deck: &str, names: [&str; 4], parts: &[&str]| {
+        workbench::refused(beside("a.inp", deck.as_bytes(), &of(names)), parts)
+    };
+    told(&few, ["body, left", "sole, of 3", "axis", "roof"], &["there is no node or set of nodes `A, FEW`", "a.inp:"]);
+    told(&capitals, ["bodies", "sole", "axis", "roof"], &["there is no element set `bodies`", "known: BODY, Eall"]);
+    // Gmsh tells names apart by their case: of two neither is meant by a third.
+    let mut twice = body;
+    twice.sides[2].0 = "Roof";
+    let twice = msh(&twice, "2.2", Coding::Text);
+    let of = |roof: &str| of(["BODY", "sole", "Roof", roof]).replace("a.inp", "a.msh");
+    assert_uniform(&beside("a.msh", &twice, &of("roof")).unwrap_or_else(|error| panic!("{error}")));
+    workbench::refused(beside("a.msh", &twice, &of("ROOF")), &["no boundary `ROOF`", "`Roof`, `contact`, `roof`"]);
+    // One place by two names is one.
+    let support = "{ at = \"axis\", component = \"x\" }";
+    let fixed = scene("a.inp", UNIFORM, "\"axis\"")
+        .replace(support, &format!("{support}, {}", support.replace("axis", "Axis")));
+    assert_ne!(fixed, scene("a.inp", UNIFORM, "\"axis\""));
+    workbench::refused(beside("a.inp", deck.as_bytes(), &fixed), &["already fixed there"]);
+}
+
+#[test]
 fn counts_that_a_header_states_take_no_memory_and_no_time() {
     let [body, huge] = [Body::of(4), Body::of(4)];
     let text = |bytes: Vec<u8>| String::from_utf8(bytes).expect("text");

@@ -14,7 +14,7 @@ use serde_json::Value as Schema;
 use crate::outputs::contact_vv;
 use crate::program::Folder;
 use crate::scene_mistakes::rows;
-use crate::workbench::{fails, parsed};
+use crate::workbench::{fails, parsed, refused};
 
 pub fn folder() -> PathBuf {
     root().join("tests/cases")
@@ -451,4 +451,18 @@ fn schema_of_scenes_takes_every_scene_file_and_refuses_wrong_keys_and_values() {
         let spoiled = sound.replacen(from, to, 1);
         assert!(spoiled != *sound && !fits(&schema, &read(&spoiled)), "{to}");
     }
+}
+
+#[test]
+fn a_scene_file_in_latin_1_or_in_the_utf_16_of_windows_is_read_and_one_in_binary_is_none() {
+    let (folder, text) = (Folder::made(), format!("# Körper\n{}", text_of("flat-punch.toml")));
+    let latin: Vec<u8> = text.chars().map(|letter| letter as u8).collect();
+    let wide: Vec<u8> = "\u{feff}".encode_utf16().chain(text.encode_utf16()).flat_map(u16::to_le_bytes).collect();
+    for bytes in [latin, wide] {
+        folder.with("mine.toml", bytes);
+        let case = Case::read(&folder.path().join("mine.toml")).unwrap_or_else(|error| panic!("{error}"));
+        assert_eq!(case.scene.bodies.len(), parsed(&text).scene.bodies.len());
+    }
+    folder.with("mine.toml", b"\x7fELF\x02\xff");
+    refused(Case::read(&folder.path().join("mine.toml")), &["mine.toml", "it is no text", "scene file"]);
 }

@@ -63,7 +63,7 @@ const MESH: Form = Table(&[must("file", Text), must("group", Text), must("contac
 pub fn body(plane: PlaneHypothesis, across: bool, table: Value) -> Result<Body, Error> {
     let shape = shape(plane, across, table.at("shape"))?;
     let [supports, loads] = ["supports", "loads"].map(|key| table.list(key));
-    refuse_fixed_twice(&supports, &loads)?;
+    refuse_fixed_twice(&shape, &supports, &loads)?;
     let material = material(plane, table)?;
     Ok(Body {
         name: table.at("name").text().into(),
@@ -91,9 +91,9 @@ pub fn refuse_equal_names(bodies: &[Value]) -> Result<(), Error> {
 }
 
 /// Refuses a component that is prescribed twice at one place, or prescribed and loaded as a rigid face.
-fn refuse_fixed_twice(supports: &[Value], loads: &[Value]) -> Result<(), Error> {
+fn refuse_fixed_twice(shape: &Shape, supports: &[Value], loads: &[Value]) -> Result<(), Error> {
     let is_same = |one: Value, other: Value| {
-        one.at("component").text() == other.at("component").text() && same_place(one.at("at"), other.at("at"))
+        one.at("component").text() == other.at("component").text() && same_place(shape, one.at("at"), other.at("at"))
     };
     for (k, support) in supports.iter().enumerate() {
         if supports[..k].iter().any(|other| is_same(*other, *support)) {

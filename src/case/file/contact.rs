@@ -8,10 +8,10 @@ use crate::case::file::gap::GAP;
 use crate::case::file::oracle::ORACLE;
 use crate::case::file::side::Side;
 use crate::case::file::value::Value;
-use crate::case::file::{gap, named};
+use crate::case::file::{gap, mesh_file, named};
 use crate::error::Error;
 use crate::scene::contact_pair::CONTACT;
-use crate::scene::{Body, BoundaryName, Circle, ContactPair, DrawnGap, Ends, Path, PlaneHypothesis, Profile};
+use crate::scene::{Body, BoundaryName, Circle, ContactPair, DrawnGap, Ends, Path, PlaneHypothesis, Profile, Shape};
 
 /// One table, or several.
 pub(super) const CONTACTS: Form = Own(&[ONE, List(&ONE)], |value| match value.get_ref() {
@@ -102,7 +102,8 @@ fn pair(plane: PlaneHypothesis, bodies: &[Body], table: Value) -> Result<Contact
     let other = second.map(|body| (body, table.at("second"), table.get("second-side")));
     let named: Vec<_> = [(first, table.at("first"), table.get("first-side"))].into_iter().chain(other).collect();
     let side = |&(body, name, boundary): &(usize, _, _)| named_side(&bodies[body], (name, boundary), &path, stretch);
-    let sides = named.iter().map(side).collect::<Result<Vec<Side>, Error>>()?;
+    let (names, sides): (Vec<BoundaryName>, Vec<Side>) =
+        named.iter().map(side).collect::<Result<Vec<_>, Error>>()?.into_iter().unzip();
     let above = sides[0].outward.unwrap_or(true);
     let drawn = DrawnGap { sides: sides.iter().map(|side| side.curves.clone()).collect(), path, above };
     let profile = gap::profile(given, across, &drawn)?;
@@ -115,14 +116,12 @@ fn pair(plane: PlaneHypothesis, bodies: &[Body], table: Value) -> Result<Contact
     refuse_one_way(table, &sides)?;
     gap::refuse_ended(&profile, stretch, given)?;
     refuse_other_side_of_hole(table.at("first"), &profile, above)?;
-    let boundary =
-        |key| -> BoundaryName { table.get(key).map_or(CONTACT.into(), |name| name.text().to_owned().into()) };
     let pair = ContactPair {
         name: name_of(table),
         first,
         above,
         second,
-        sides: [boundary("first-side"), boundary("second-side")],
+        sides: [0, 1].map(|k| names.get(k).cloned().unwrap_or(CONTACT.into())),
         path,
         profile,
         clearance,
@@ -177,16 +176,25 @@ pub(super) fn way(table: Value) -> Result<(Path, f64), Error> {
     Ok((path, stretch.within(&expected, |x| x > 0.0 && x <= QUARTER)?.to_radians()))
 }
 
-/// The side of a body that is named, `contact` where none is.
-fn named_side(body: &Body, (name, boundary): (Value, Option<Value>), path: &Path, stretch: f64) -> Result<Side, Error> {
-    let wanted = boundary.map_or(CONTACT, Value::text);
-    boundary.map_or(Ok(()), |boundary| named::refuse_half_told(&body.shape, boundary))?;
-    Side::of(&body.shape, wanted, path, stretch).ok_or_else(|| {
+/// The side of a body that is named, `contact` where none is, and its name.
+fn named_side(
+    body: &Body,
+    (name, boundary): (Value, Option<Value>),
+    path: &Path,
+    stretch: f64,
+) -> Result<(BoundaryName, Side), Error> {
+    let wanted = match (&body.shape, boundary) {
+        (Shape::Given(mesh), Some(boundary)) => mesh_file::boundary(mesh, boundary)?,
+        _ => None,
+    };
+    let wanted = wanted.unwrap_or_else(|| boundary.map_or(CONTACT, Value::text).to_owned().into());
+    let side = Side::of(&body.shape, &wanted, path, stretch).ok_or_else(|| {
         let names = body.shape.boundaries().into_iter();
         let able: Vec<_> = names.filter(|other| Side::of(&body.shape, other, path, stretch).is_some()).collect();
         let message = format!("no contact can lie on a side `{wanted}` of `{}`", body.name);
         boundary.unwrap_or(name).refused(message, format!("known: {}", listed(able.iter().map(AsRef::as_ref))))
-    })
+    })?;
+    Ok((wanted, side))
 }
 
 /// The name given, or one made of the bodies.

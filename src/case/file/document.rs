@@ -15,7 +15,7 @@ use crate::case::file::places::Places;
 use crate::case::file::reference::REFERENCE;
 use crate::case::file::revolution::PLANES;
 use crate::case::file::solve::SOLVE;
-use crate::case::file::source::Source;
+use crate::case::file::source::{Source, text_of};
 use crate::case::file::units::{FORCES, LENGTHS, STRESSES, Units};
 use crate::case::file::unsupported::Unsupported;
 use crate::case::file::value::Value;
@@ -73,13 +73,13 @@ impl Case {
         if !std::fs::metadata(file).map_err(failed)?.is_file() {
             return Err(Error::unreadable(file, "this is no file", remedy));
         }
-        let mut text = String::new();
-        let size =
-            File::open(file).map_err(failed)?.take(LARGEST_FILE + 1).read_to_string(&mut text).map_err(failed)?;
+        let mut bytes = Vec::new();
+        let size = File::open(file).map_err(failed)?.take(LARGEST_FILE + 1).read_to_end(&mut bytes).map_err(failed)?;
         if size as u64 > LARGEST_FILE {
             let cause = format!("it has more than {LARGEST_FILE} bytes, which no scene needs");
             return Err(Error::unreadable(file, cause, remedy));
         }
+        let text = text_of(&bytes).ok_or_else(|| Error::unreadable(file, "it is no text", remedy))?;
         Self::parse(file, &text)
     }
 

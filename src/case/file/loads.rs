@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use crate::case::file::form::Form::{List, Number, OneOf, Table, Text};
 use crate::case::file::form::{Form, PAIR, may, must};
-use crate::case::file::named::{boundary, component, refuse_inside};
+use crate::case::file::named::{boundary, component, outer};
 use crate::case::file::value::Value;
 use crate::error::Error;
 use crate::oracle::analytic::hertz::Hertz;
@@ -64,8 +64,7 @@ pub(super) fn load(of: (PlaneHypothesis, Material), shape: &Shape, given: Value)
     Ok(match name {
         "traction" => traction(shape, table)?,
         "pressure" => {
-            refuse_inside(shape, table.at("at"))?;
-            let (boundary, field) = (boundary()?, pressure(table.at("law"))?);
+            let (boundary, field) = (outer(shape, table.at("at"))?, pressure(table.at("law"))?);
             Load::OnSide { boundary, part: part(table)?, action: Action::Stress(field) }
         }
         "moment" => Load::OnSide {
@@ -73,10 +72,7 @@ pub(super) fn load(of: (PlaneHypothesis, Material), shape: &Shape, given: Value)
             part: part(table)?,
             action: Action::Moment(units.force * units.length * table.at("value").finite()?),
         },
-        "hertz" => {
-            refuse_inside(shape, table.at("at"))?;
-            Load::on(boundary()?, Action::Stress(hertz(of, table)?))
-        }
+        "hertz" => Load::on(outer(shape, table.at("at"))?, Action::Stress(hertz(of, table)?)),
         "body-force" => Load::BodyForce(table.pair()?.map(|f| units.specific_weight() * f)),
         "force" => {
             Load::Force { at: table.at("at").point()?, force: table.at("value").pair()?.map(|f| units.force * f) }

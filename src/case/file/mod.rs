@@ -3,7 +3,8 @@
 //! * `form` — which keys a table has, and what their values are: stated as data beside the function that reads the
 //!   table, and held against the file before anything is read.
 //! * `value` — a value by its key, in the units of the scene; its place is looked up where something is wrong.
-//! * `source` — the text, `units` — names of units, `named` — bodies, boundaries, points and supports by their names.
+//! * `source` — the text, in whatever letters, `units` — names of units.
+//! * `named` — bodies, boundaries, points and supports by their names.
 //! * `document` — the whole file.
 //! * `bodies` — `[[body]]`, with `blocks` and `mesh_file` (meshes of other programs) for its shape, `loads`.
 //! * `contact` — `[contact]`: its bodies, their sides (`side`, `curves`) and the path; `gap` — its gap, also against
@@ -45,3 +46,4 @@ mod wanted;
 pub use document::schema;
 pub use folder::files_in;
 pub use places::Places;
+pub use source::text_of;

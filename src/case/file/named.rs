@@ -40,9 +40,9 @@ pub(super) fn place(shape: &Shape, at: Value) -> Result<Place, Error> {
     }
 }
 
-/// Whether two places are written alike.
-pub(super) fn same_place(a: Value, b: Value) -> bool {
-    a.word() == b.word() && numbers(a) == numbers(b)
+/// Whether two places of a shape are the same.
+pub(super) fn same_place(shape: &Shape, a: Value, b: Value) -> bool {
+    place(shape, a).is_ok_and(|a| place(shape, b).is_ok_and(|b| a == b))
 }
 
 /// The coordinates of a point as they are written.
@@ -53,16 +53,14 @@ fn numbers(at: Value) -> Vec<f64> {
 /// A boundary that the shape has.
 pub(super) fn boundary(shape: &Shape, name: Value) -> Result<BoundaryName, Error> {
     refuse_axis(shape, name)?;
-    refuse_half_told(shape, name)?;
+    if let Shape::Given(mesh) = shape
+        && let Some(own) = mesh_file::boundary(mesh, name)?
+    {
+        return Ok(own);
+    }
     let boundaries = shape.boundaries();
     let known: Vec<_> = boundaries.iter().enumerate().map(|(k, name)| (name.as_ref(), k)).collect();
     Ok(boundaries[name.choice("boundary", &known)?].clone())
-}
-
-/// Refuses a set of nodes that is no boundary, as it leaves a side half told.
-pub(super) fn refuse_half_told(shape: &Shape, name: Value) -> Result<(), Error> {
-    let Shape::Given(mesh) = shape else { return Ok(()) };
-    mesh_file::refuse_half_told(&mesh.half_told, name)
 }
 
 /// Refuses the axis of a disc, or the beginning of a ring, on both sides of it, where it is no boundary.
@@ -82,15 +80,17 @@ fn refuse_axis(shape: &Shape, name: Value) -> Result<(), Error> {
     Err(name.refused(message, format!("fix a node, as in {{ at = [{x}, {y}], component = \"x\" }}")))
 }
 
-/// Refuses a pressure on a line inside the body, which has no outer side.
-pub(super) fn refuse_inside(shape: &Shape, name: Value) -> Result<(), Error> {
+/// A boundary that the shape has, for a pressure: refused is a line inside the body, which has no outer side.
+pub(super) fn outer(shape: &Shape, name: Value) -> Result<BoundaryName, Error> {
+    let own = boundary(shape, name)?;
     let is_inside = match shape {
-        Shape::Given(mesh) => mesh.inner.contains(name.text()),
-        Shape::Disc { sector, .. } if sector.has_upper_part() => name.text() == "middle",
+        Shape::Given(mesh) => mesh.inner.contains(&own),
+        Shape::Disc { sector, .. } if sector.has_upper_part() => own == "middle",
         _ => false,
     };
-    let message = format!("`{}` runs inside the body, where a pressure has no side to act on", name.text());
-    name.refuse_if(is_inside, message, "give a traction there, or a pressure on the outline")
+    let message = format!("`{own}` runs inside the body, where a pressure has no side to act on");
+    name.refuse_if(is_inside, message, "give a traction there, or a pressure on the outline")?;
+    Ok(own)
 }
 
 /// The displacement of a side or a point; what does not exist is told with its line and what there is.
@@ -106,7 +106,8 @@ pub(super) fn reaction(of: Value, tables: &[Value], bodies: &[Body]) -> Result<Q
     let body = body(of.at("body"), bodies)?;
     let supports = tables[body].list("supports");
     let is_it = |support: &Value| {
-        same_place(support.at("at"), of.at("at")) && support.at("component").text() == of.at("component").text()
+        same_place(&bodies[body].shape, support.at("at"), of.at("at"))
+            && support.at("component").text() == of.at("component").text()
     };
     supports.iter().position(is_it).map(|support| Quantity::Reaction { body, support }).ok_or_else(|| {
         let shown = |support: Value| {

@@ -76,16 +76,24 @@ fn lines<'a>(source: Source<'a>, part: Range<usize>) -> impl Iterator<Item = Wor
     lines.filter(|(line, _)| !line.trim_start().starts_with("**") && !line.is_empty())
 }
 
-/// The words between the commas of a line; none behind its last word.
+/// The words between the commas of a line, but for those in quotes; none behind its last word.
 fn words((line, place): Word<'_>) -> Vec<Word<'_>> {
-    let mut at = place.start;
-    let own = line.trim_end_matches([',', ' ', '\t']).split(',');
+    let (mut at, mut is_quoted) = (place.start, false);
+    let own = line.trim_end_matches([',', ' ', '\t']).split(|mark| {
+        is_quoted ^= mark == '"';
+        mark == ',' && !is_quoted
+    });
     let word = own.map(|word| {
         let begin = at + (word.len() - word.trim_start().len());
         at += word.len() + 1;
-        (word.trim(), begin..begin + word.trim().len())
+        (unquoted(word), begin..begin + word.trim().len())
     });
     word.collect()
+}
+
+/// A name without blanks and quotes around it.
+fn unquoted(name: &str) -> &str {
+    name.trim().trim_matches('"')
 }
 
 impl<'a> Block<'a> {
@@ -126,7 +134,7 @@ impl<'a> Block<'a> {
             }
             let parameter = |(word, _): Word<'a>| {
                 let (name, value) = word.split_once('=').unwrap_or((word, ""));
-                (name.trim().to_uppercase(), value.trim().trim_matches('"'))
+                (name.trim().to_uppercase(), unquoted(value))
             };
             let parameters = given.into_iter().skip(1).map(parameter).collect();
             let block = Self { source, keyword, within, parameters, place: place.start..end, data: end..end };
@@ -348,8 +356,8 @@ impl Deck {
     /// that is read.
     fn within<'w>(&self, block: &Block, word: &'w str) -> Result<(usize, &'w str), Error> {
         let of = |name: &str| self.instances.iter().position(|known| known.eq_ignore_ascii_case(name)).map(|k| k + 1);
-        if let Some((Some(instance), own)) = word.split_once('.').map(|(name, own)| (of(name), own)) {
-            return Ok((instance, own));
+        if let Some((Some(instance), own)) = word.split_once('.').map(|(name, own)| (of(unquoted(name)), own)) {
+            return Ok((instance, unquoted(own)));
         }
         let Some(name) = block.parameter("INSTANCE") else { return Ok((self.instance, word)) };
         let refused = || block.refused(format!("there is no instance `{}`", shown(name)), "name one of *INSTANCE");

@@ -12,6 +12,7 @@ use std::io::Read;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use crate::case::file::source::text_of;
 use crate::case::file::value::Value;
 use crate::elasticity::{element, quadrature};
 use crate::error::Error;
@@ -42,7 +43,9 @@ pub fn shape(revolves: bool, table: Value) -> Result<Shape, Error> {
     let [group, side] = ["group", "contact"].map(|key| table.at(key));
     let path = path(table);
     let bytes = bytes(table.at("file"), &path)?;
-    let bytes = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(&bytes);
+    // Numbers of Gmsh may be in binary.
+    let text = text_of(&bytes);
+    let bytes = text.as_deref().map_or(&bytes[..], str::as_bytes);
     let is_deck = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("inp"));
     // Decks have other endings too, and every line of them that is no data begins with a star.
     let is_deck = is_deck || bytes.trim_ascii_start().starts_with(b"*");
@@ -73,28 +76,39 @@ pub fn shape(revolves: bool, table: Value) -> Result<Shape, Error> {
         boundaries.insert(name, edges.collect());
     }
     let [surfaces, curves] = mesh.called;
-    let is_taken = side.text() != CONTACT && boundaries.contains_key(CONTACT);
+    let rounding = table.units.length * mesh.rounding();
+    let mut given = GivenMesh { points, cells: own, boundaries, half_told, inner, turned, rounding };
+    let own = boundary(&given, side)?;
+    let is_taken = own.as_deref() != Some(CONTACT) && given.boundaries.contains_key(CONTACT);
     let remedy = "rename that group: the boundary given as `contact` takes this name";
     side.refuse_if(is_taken, format!("another {curves} is called `contact`"), remedy)?;
-    let known: Vec<&str> = boundaries.keys().map(AsRef::as_ref).collect();
-    let Some(contact) = boundaries.get(side.text()) else {
-        refuse_half_told(&half_told, side)?;
+    let Some(own) = own else {
+        let known: Vec<&str> = given.boundaries.keys().map(AsRef::as_ref).collect();
         let message = format!("no {curves} `{}` bounds `{}`", side.text(), group.text());
         return Err(side.refused(message, known_names(&mesh, &known)));
     };
-    let message = format!("the {curves} `{}` runs inside the {surfaces} `{}`", side.text(), group.text());
-    side.refuse_if(inner.contains(side.text()), message, "name a curve on the outline of the body")?;
-    let contact = contact.clone();
-    boundaries.insert(CONTACT.into(), contact);
-    let rounding = table.units.length * mesh.rounding();
-    Ok(Shape::Given(Arc::new(GivenMesh { points, cells: own, boundaries, half_told, inner, turned, rounding })))
+    let message = format!("the {curves} `{own}` runs inside the {surfaces} `{}`", group.text());
+    side.refuse_if(given.inner.contains(&own), message, "name a curve on the outline of the body")?;
+    let contact = given.boundaries[&own].clone();
+    given.boundaries.insert(CONTACT.into(), contact);
+    Ok(Shape::Given(Arc::new(given)))
 }
 
-/// Refuses a boundary that is given by a set of nodes which leaves a side half told.
-pub fn refuse_half_told(known: &BTreeMap<BoundaryName, HalfTold>, name: Value) -> Result<(), Error> {
-    let called = name.text();
-    Err(match known.get(called) {
-        None => return Ok(()),
+/// The one of some names that a name means: the same, or else the only one that differs from it in case alone, as which
+/// Abaqus takes names.
+fn meant<'a>(name: &str, known: impl Iterator<Item = &'a str> + Clone) -> Option<&'a str> {
+    let mut alike = known.clone().filter(|known| known.to_lowercase() == name.to_lowercase());
+    let only = || alike.next().filter(|_| alike.next().is_none());
+    known.clone().find(|known| *known == name).or_else(only)
+}
+
+/// The boundary that a name means; none where there is none. Refused where it is given by a set of nodes that leaves a
+/// side half told.
+pub fn boundary(mesh: &GivenMesh, name: Value) -> Result<Option<BoundaryName>, Error> {
+    let known = mesh.boundaries.keys().chain(mesh.half_told.keys()).map(AsRef::as_ref);
+    let Some(called) = meant(name.text(), known) else { return Ok(None) };
+    Err(match mesh.half_told.get(called) {
+        None => return Ok(Some(called.to_owned().into())),
         Some(HalfTold::Alone(node)) => name.refused(
             format!("the set `{called}` has node {node}, but not all nodes of a side with it"),
             "list all nodes of every side, or the corners alone, and no others of the outline",
@@ -137,10 +151,10 @@ fn bytes(name: Value, path: &Path) -> Result<Vec<u8>, Error> {
 /// turned over.
 fn cells(name: Value, mesh: &Elements) -> Result<(Vec<Vec<u64>>, usize), Error> {
     let called = mesh.called[0];
-    let Some(group) = mesh.surfaces.get(name.text()) else {
-        let known: Vec<&str> = mesh.surfaces.keys().map(String::as_str).collect();
+    let known = mesh.surfaces.keys().map(String::as_str);
+    let Some(group) = meant(name.text(), known.clone()).and_then(|own| mesh.surfaces.get(own)) else {
         let message = format!("there is no {called} `{}`", name.text());
-        return Err(name.refused(message, known_names(mesh, &known)));
+        return Err(name.refused(message, known_names(mesh, &known.collect::<Vec<_>>())));
     };
     let pieces = || mesh.of(group);
     let refused = |message: String, remedy: &str| Err(name.refused(message, remedy));
