@@ -15,13 +15,13 @@ def half_width(points, pressure):
 def peak(points, pressure, width):
     """Peak pressure [MPa] by least squares on the edge means, weighted with the edges' areas.
 
-    Value at 0 of c0 + c1 s^2 on the edges with s < width/4, at least three. Means of s^2 go with means of p, so
-    that a parabola is reproduced exactly.
+    Value at 0 of c0 + c1 s^2 + c2 s^4 on the edges with s < width/4, at least three. Means of s^2 and s^4 go with means
+    of p, so that a quartic is reproduced exactly.
     """
     near = edge_means(points, points.position) < 0.25 * width
     near[:3] = True
-    mean, second = edge_means(points, pressure)[near], edge_means(points, points.position**2)[near]
-    return fit(mean, np.bincount(points.edge, points.weight)[near], second)[0]
+    mean, second, fourth = (edge_means(points, of)[near] for of in (pressure, points.position**2, points.position**4))
+    return fit(mean, np.bincount(points.edge, points.weight)[near], second, fourth)[0]
 
 
 def fit(values, weights, *terms):

@@ -274,7 +274,7 @@ fn advice(findings: &[Finding]) -> String {
         "{}{}\n{} {}\n\n{}\n{}, {}, {}.\n\n{}",
         default.unwrap_or_default(),
         atlas::recommendation(&digests),
-        refinement::in_front(findings),
+        refinement::in_front(findings.iter().filter_map(Finding::numbers)),
         to_study("Both by mesh", refinement::Numbers::NAME) + ".",
         statements::two_stops(),
         to_study("Why", atlas::Numbers::NAME),

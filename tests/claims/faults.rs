@@ -162,8 +162,8 @@ fn an_entry_of_other_sources_is_told_with_their_number() {
         let verdict = MADE[0].judge(entries).verdict;
         matches!(verdict, Verdict::NotRun(why) if why.starts_with(told))
     };
-    assert!(is_not_run(&[sound[0].clone(), old], "1 of 2 are of other sources or tests"));
-    assert!(is_not_run(&[unbound, gone], "2 of 2 are of other sources or tests"));
+    assert!(is_not_run(&[sound[0].clone(), old], "1 of 2 planted faults are of other sources or tests"));
+    assert!(is_not_run(&[unbound, gone], "2 of 2 planted faults are of other sources or tests"));
     assert!(is_not_run(&[], "none is recorded"));
     let on = |day: &str, entry: &Entry| Entry { date: Some(day.into()), ..entry.clone() };
     let both = [on("2026-02-03", &sound[0]), on("2026-01-31", &sound[1])];

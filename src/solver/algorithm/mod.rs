@@ -2,7 +2,7 @@
 //!
 //! * [`problem`] — what an algorithm sees: matrices, points, springs and scales, no geometry; what an iteration finds.
 //! * [`rule`] — how the springs' strain drives their stiffness or force, and what its start is a multiple of.
-//! * [`varying`], [`constant`], [`kinematic`] — equations (3.2)–(3.14), one iteration each.
+//! * [`varying`], [`constant`], [`kinematic`] — equations (3.1)–(3.14), one iteration each.
 //! * [`logarithms`], [`forces`] — Newton's method for varying and for constant stiffness: not of the paper, and named.
 //! * [`kept`], [`settling`] — their factors, where few springs change and where most come to rest.
 //! * [`exact`] — the discrete solution that all of them shall end in.

@@ -14,7 +14,8 @@ named_enum! {
         Secant = "secant",
         /// `k ← k (max(w, 0) / g)²`: the same, twice as fast and half as stable.
         Squared = "squared",
-        /// `k ← k max(0, 1 + 5 (w − g)/g_ref)`: in proportion to what is left of the gap.
+        /// `k ← k max(0, 1 + 5 (w − g)/g_ref)`: in proportion to what is left of the gap, over that of the
+        /// [reference](crate::scene::ReferenceValues).
         Step = "step",
         /// `k ← 2 k` where w > g, `k ← k/2` elsewhere.
         Doubling = "doubling",

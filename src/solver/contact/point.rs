@@ -1,6 +1,7 @@
 //! Points at which contact conditions are enforced, and the edges that they belong to.
 
-/// A point at which contact conditions are enforced.
+/// A point at which contact conditions are enforced: a spring with the stiffness `k_n A b bᵀ`, which is the paper's
+/// characteristic block (2.2) without friction, `k_t = 0`.
 #[derive(Clone, Debug)]
 pub struct ContactPoint {
     /// Index of the contact in the scene.

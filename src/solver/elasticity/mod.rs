@@ -1,6 +1,6 @@
 //! How bodies resist: stiffness, loads and supports of each body, and stresses from displacements.
 //!
-//! * [`shape_functions`] — 4-node and 8-node quadrilaterals, and their edges.
+//! * [`shape_functions`] — of quadrilaterals of every order, and of their edges.
 //! * [`quadrature`] — Gauss rules.
 //! * [`dilatation`] — what keeps nearly incompressible cells from locking.
 //! * [`element`] — element stiffness, and stresses within a cell.

@@ -87,8 +87,10 @@ impl Formulation {
             (Iteration::Kinematic, _) | (Iteration::Constant, StiffnessRule::Correction)
         );
         if gap < -ROUND_OFF * scene.reference.gap && !takes_interference {
-            let message =
-                format!("the scene starts with an interference of {} mm, which this formulation cannot take", -gap);
+            let message = format!(
+                "the scene starts with an interference of {} mm, which this formulation cannot take",
+                -gap as f32
+            );
             let remedy = "use the kinematic algorithm, or constant with the rule correction";
             return Err(Error::at(self.place(scene), message, remedy));
         }

@@ -253,8 +253,7 @@ const SHARE: f64 = 0.95;
 /// Bars beyond which hardly an error lies, and the share that may.
 const BEYOND: f64 = 3.0;
 const OUTLIERS: f64 = 1e-4;
-/// Bars over errors in the median: a bar that is never needed says nothing. 4.2 since they contain what the growth
-/// leaves in bodies that bend, what the force leaves, tops between points, and places between them.
+/// Bars over errors in the median: a bar that is never needed says nothing.
 const MEDIAN: f64 = 5.0;
 
 /// The checks.
@@ -347,19 +346,25 @@ pub fn beyond(recorded: &[Record]) -> Judged {
 
 /// Bars are no wider than they need be, whatever counts as round-off.
 pub fn narrow(recorded: &[Record]) -> Judged {
-    let all = recorded.iter().map(|record| record.numbers().count()).sum::<usize>();
+    let judged = of_judged(recorded);
     let quantity = case::Quantity::at(
         "largest median of bar over true error",
-        format!("errors above {:e} to {:e}", CUTS[0], CUTS[CUTS.len() - 1]),
+        format!("errors above {:e} to {:e} of {} families", CUTS[0], CUTS[CUTS.len() - 1], JUDGED.len()),
     );
     let because = "a bar that is never needed says nothing";
-    Check::at_most(quantity, Reference::analytic("closed forms", MEDIAN), because).asked_of(all).judge(widest(recorded))
+    Check::at_most(quantity, Reference::analytic("closed forms", MEDIAN), because)
+        .asked_of(judged.len())
+        .judge(widest(&judged))
+}
+
+/// Errors and bars of the families of which every bar is judged.
+fn of_judged(recorded: &[Record]) -> Vec<[f64; 2]> {
+    meant(recorded, |one, _| JUDGED.contains(&one.site.family))
 }
 
 /// The largest median of bar over error, of errors above any of the cuts.
-fn widest(recorded: &[Record]) -> f64 {
-    let judged = meant(recorded, |one, _| JUDGED.contains(&one.site.family));
-    CUTS.map(|cut| median(&judged, cut)).into_iter().fold(0.0, larger)
+fn widest(judged: &[[f64; 2]]) -> f64 {
+    CUTS.map(|cut| median(judged, cut)).into_iter().fold(0.0, larger)
 }
 
 /// A row of the table: scenes, number, and its errors and bars on all cells, on those of 4 and on those of 8 nodes.
@@ -417,10 +422,11 @@ pub(super) fn section(recorded: &[Record]) -> String {
         include_str!("bars.md"),
         fewest = fewest,
         most = most,
-        found = markdown::significant(widest(recorded), 3),
+        found = markdown::significant(widest(&of_judged(recorded)), 3),
         cuts = CUTS.map(|cut| format!("{cut:e}")).join(", "),
         limit = MEDIAN,
         families = JUDGED.len(),
+        named = JUDGED.iter().map(|family| family.title()).collect::<Vec<_>>().join(", "),
         surveyed = SURVEY.told(recorded),
         chart = drawn::picture(
             "coverage.svg",

@@ -23,7 +23,6 @@ use crate::measure::order::{Observed, pairs};
 use crate::measure::{larger, relative_error};
 use crate::mesh::Order;
 use crate::solve::{Discretisation, Formulation, Run};
-use crate::study::Finding;
 use crate::study::about::{About, Found, Planned, Study};
 use crate::study::differences::peak_and_width;
 use crate::study::drawn::picture;
@@ -134,9 +133,9 @@ impl Study for Numbers {
 }
 
 /// What the front page says of elements on meshes that do not match.
-pub fn in_front(findings: &[Finding]) -> String {
-    curved::in_front(findings.iter().filter_map(|finding| match finding.numbers() {
-        Some(Numbers::Rings(_, found)) => Some(found),
+pub fn in_front<'a>(found: impl Iterator<Item = &'a Numbers>) -> String {
+    curved::in_front(found.filter_map(|numbers| match numbers {
+        Numbers::Rings(_, found) => Some(found),
         _ => None,
     }))
 }

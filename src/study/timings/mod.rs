@@ -61,10 +61,6 @@ impl Study for Record {
     }
 }
 
-/// What a parabola misses of the top of `√(1 − x²/a²)`, fitted by least squares to x < a/4: its next term is x⁴/8a⁴,
-/// and the best parabola for x⁴ on 0 to h is at 0 off by 3h⁴/35.
-const PARABOLA: f64 = 3.0 / 35.0 / 8.0 * (0.25 * 0.25 * 0.25 * 0.25);
-
 /// How many of the targets are met.
 pub fn met(record: &Record) -> String {
     let targets = targets(record);
@@ -127,8 +123,7 @@ fn precision(record: &Record) -> String {
         tolerance = TOLERANCE,
         methods = methods(record),
         tried = tried(record),
-        own = of_their_own(record),
-        parabola = significant(PARABOLA, 1)
+        own = of_their_own(record)
     ) + "\n";
     "\n".to_owned() + &text + &picture(FRONTS[0], FRONTS[1]) + &picture(CLOUD[0], CLOUD[1])
 }
