@@ -213,14 +213,14 @@ fn matrix_types_of_libraries_stay_inside_the_numerics() {
 
 /// Lines that a room may have; raised only by a commit that says what for.
 const BUDGETS: [(&str, usize); 9] = [
-    ("solver", 24_498),
+    ("solver", 24_507),
     ("drawing", 2_758),
-    ("case", 8_304),
+    ("case", 8_358),
     ("oracle", 1_450),
-    ("study", 15_135),
-    ("referee", 8_193),
-    ("report", 3_176),
-    ("cli", 4_681),
+    ("study", 15_181),
+    ("referee", 8_189),
+    ("report", 3_190),
+    ("cli", 4_698),
     ("live", 421),
 ];
 

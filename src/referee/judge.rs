@@ -1,7 +1,7 @@
 //! An answer held against the truth of its case, quantity by quantity.
 
 use crate::case::{self, Check, Judged, Reference, Verdict};
-use crate::markdown::significant;
+use crate::markdown::{self, significant};
 use crate::measure::{ACTIVE, Measures, Quantity, display_factor, larger, peak};
 use crate::referee::answer::places;
 use crate::referee::bench::Bench;
@@ -57,6 +57,10 @@ pub fn judge(truth: &Truth, profile: &Profile, tolerance: f64) -> Ruled {
     let swing = alternation.as_ref().map_or(0.0, |alternation| alternation.value);
     if alternation.as_ref().is_some_and(|alternation| alternation.verdict == Verdict::Fail) {
         missing.push(SWAYING.map(str::to_owned));
+    } else if swing > tolerance {
+        let [swing, asked] = [swing, tolerance].map(markdown::error);
+        let what = format!("single points to {asked}: their pressures alternate by {swing} of the peak");
+        missing.push([what, SWAYING[1].into()]);
     }
     judged.extend(alternation);
     judged.extend(bench.lone());
