@@ -163,7 +163,9 @@ pub(super) fn saved(scene: Plane) -> Result<Numbers, Error> {
         paper.settings.max_iterations = ENOUGH;
         let ended = |formulation: &Formulation| {
             let solution = Run::of(&discretisation, formulation)?.solution;
-            Ok((formulation.name(), solution.converged().then_some(solution.work.iterations)))
+            let (stiffness, unit) = (formulation.stiffness, formulation.stiffness_unit.name());
+            let name = format!("{}, κ₀ = {stiffness:e} by the {unit}", formulation.name());
+            Ok((name, solution.converged().then_some(solution.work.iterations)))
         };
         Ok([ended(&paper)?, ended(&program)?])
     };
