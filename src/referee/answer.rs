@@ -40,6 +40,8 @@ pub struct Handed {
     pub points: Vec<Point>,
     /// How they follow one another: nodes of edges with two, or with three nodes.
     pub order: Order,
+    /// Whether that was told.
+    pub is_told: bool,
     /// Means over edges, where these were handed in too.
     pub edges: Vec<EdgeState>,
     /// Whether nodal forces were handed in instead of pressures.

@@ -283,12 +283,10 @@ impl Grid<'_> {
             let [x, y, xy] = ["xx", "yy", "xy"].map(|name| field.component(name));
             Some((field, [x?, y?, xy?]))
         });
-        if let (Some(field), None) = (stress.filter(|field| field.has_names()), &places) {
-            let message = format!(
-                "which components of `{}` are xx, yy and xy is not known: {}",
-                field.name,
-                field.names.join(", ")
-            );
+        let is_meant = asked.column(Role::Stress).is_some();
+        if let (Some(field), None) = (stress.filter(|field| field.has_names() || is_meant), &places) {
+            let known = if field.has_names() { field.names.join(", ") } else { format!("it has {}", field.components) };
+            let message = format!("which components of `{}` are xx, yy and xy is not known: {known}", field.name);
             let remedy = "call them XX, YY and XY, S11, S22 and S12, or SX, SY and SXY; or name a pressure by --column \
                 pressure=NAME";
             return Err(self.source.refused(message, remedy));
@@ -311,7 +309,7 @@ impl Grid<'_> {
             let remedy = "name one by --column pressure=NAME, pressure=NAME:COMPONENT or stress=NAME";
             return Err(self.source.refused(message, remedy));
         };
-        let factor = asked.sign() * self.factor(Role::Stress, field, asked)?;
+        let factor = self.factor(Role::Stress, field, asked)?;
         let pressure = move |node: usize, normal: Option<[f64; 2]>| {
             let n = normal.unwrap_or_else(|| pair.normal(points[node]));
             let [x, y, xy] = at.map(|k| field.at(node, k));

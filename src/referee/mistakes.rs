@@ -48,7 +48,9 @@ pub fn explain(truth: &Truth, handed: &Handed, beside: (&Units, bool), tolerance
         let points = from_axis((&truth.case.scene, plain.contact), plain.points.clone(), Order::Quadratic);
         Handed { order: Order::Quadratic, points, ..plain.clone() }
     };
-    let mid_sides = may_have.then(|| (MID_SIDES.into(), quadratic()));
+    let has_told = plain.order == Order::Quadratic && plain.forces && plain.is_told;
+    let corners = has_told.then(|| (CORNERS.into(), Handed { order: Order::Linear, ..plain.clone() }));
+    let mid_sides = may_have.then(|| (MID_SIDES.into(), quadratic())).or(corners);
     let is_it = |(says, corrected): Correction| (sound(&corrected) && meets(&corrected)).then_some(says);
     let others = truth.case.scene.contacts.iter().enumerate().filter(|(contact, _)| *contact != plain.contact);
     let own_name = &truth.case.scene.contacts[plain.contact].name;
@@ -211,6 +213,7 @@ fn off(truth: &Truth, handed: &Handed) -> f64 {
 
 /// What is said of another order.
 const MID_SIDES: &str = "every second point is a mid-side: hand them in with --order 2";
+const CORNERS: &str = "every point is a corner: hand them in with --order 1";
 /// What is said of the other sign.
 const NEGATIVE: &str =
     "pressures are negative in compression: hand them in with --tension-positive, or without it where it was given";

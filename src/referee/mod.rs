@@ -92,6 +92,10 @@ impl Verdicts {
     }
 }
 
+/// What is said of forces whose order was not told.
+const BY_TURNS: &str = "the forces are taken as of 8-node cells, of which corners and mid-sides have a third and two \
+    thirds of an edge by turns, since they vary less so; where cells have 4 nodes, say --order 1";
+
 /// Judges an answer by the truth of its case.
 pub fn verdicts(truth: &Truth, answer: Answer, tolerance: f64) -> Result<Verdicts, Error> {
     let scene = &truth.case.scene;
@@ -112,6 +116,7 @@ pub fn verdicts(truth: &Truth, answer: Answer, tolerance: f64) -> Result<Verdict
     let mistakes = handed().flat_map(|handed| mistakes::explain(truth, handed, beside, tolerance)).collect();
     let names = scene.contacts.iter().enumerate().filter(|(contact, _)| answer.of(*contact).is_none());
     let absent = names.map(|(_, pair)| pair.name.clone()).collect();
-    let notes = [truth.notes(), answer.notes.clone()].concat();
+    let turned = profiles.iter().filter(|profile| profile.is_by_turns).map(|_| BY_TURNS.to_owned());
+    let notes = truth.notes().into_iter().chain(answer.notes.clone()).chain(turned).collect();
     Ok(Verdicts { ruled, mistakes, absent, notes, answer })
 }

@@ -33,6 +33,8 @@ pub struct Profile {
     /// Contact coordinate and pressure of the points as they were handed in, of forces that over the area, where no
     /// means over edges stand beside them \[mm or rad, MPa\].
     pub alone: Vec<[f64; 2]>,
+    /// Whether these are of corners and mid-sides by turns though no order was told.
+    pub is_by_turns: bool,
     /// Whether means over edges stand beside them.
     pub has_means: bool,
     /// Whether it lies on both sides of the middle.
@@ -68,10 +70,10 @@ impl Profile {
         // What a node on the axis is said to press with by one who says that it has no area is none: it had nothing to
         // divide its force by.
         let lent = usize::from(on_axis && plain.points[0].area.is_some());
-        let alone = match (has_means, plain.forces) {
-            (true, _) => Vec::new(),
+        let (alone, is_by_turns) = match (has_means, plain.forces) {
+            (true, _) => (Vec::new(), false),
             (false, true) => of_nodes(&scene, plain, &points[usize::from(on_axis)..]),
-            (false, false) => plain.points[lent..].iter().map(|point| [point.position, point.value]).collect(),
+            (false, false) => (plain.points[lent..].iter().map(|point| [point.position, point.value]).collect(), false),
         };
         let edges =
             if handed.edges.is_empty() { means(&scene, pair, &points, handed.order) } else { handed.edges.clone() };
@@ -89,7 +91,21 @@ impl Profile {
         points.drain(..usize::from(on_axis));
         let has_gaps = handed.points.iter().all(|point| point.gap.is_some());
         let (contact, order) = (handed.contact, handed.order);
-        Self { contact, order, points, between, lines, edges, alone, has_means, across, has_gaps, has_forces, scene }
+        Self {
+            contact,
+            order,
+            points,
+            between,
+            lines,
+            edges,
+            alone,
+            is_by_turns,
+            has_means,
+            across,
+            has_gaps,
+            has_forces,
+            scene,
+        }
     }
 
     /// The contact.
@@ -115,14 +131,14 @@ fn states(scene: &Scene, pair: &ContactPair, points: &[Point], order: Order, for
 }
 
 /// Places and pressures of nodes by their forces. Corners and mid-sides of 8-node cells have by turns a third and two
-/// thirds of an edge: where no areas are told, whatever is said of these two orders, they are those of the order by
-/// which they vary less.
-fn of_nodes(scene: &Scene, handed: &Handed, states: &[PointState]) -> Vec<[f64; 2]> {
+/// thirds of an edge: where neither areas nor the order are told, they are those of the order by which they vary less,
+/// which is said.
+fn of_nodes(scene: &Scene, handed: &Handed, states: &[PointState]) -> (Vec<[f64; 2]>, bool) {
     let points = &handed.points;
-    let is_of_one_order = handed.order > Order::Quadratic || scene.is_of_revolution();
+    let is_of_one_order = handed.is_told || scene.is_of_revolution();
     if is_of_one_order || states.len() < points.len() || points.iter().any(|point| point.area.is_some()) {
         let pressed = |state: &PointState| [state.position, state.pressure];
-        return states.iter().map(pressed).filter(|[_, p]| p.is_finite()).collect();
+        return (states.iter().map(pressed).filter(|[_, p]| p.is_finite()).collect(), false);
     }
     let of = |order: Order, points: &[Point]| -> Vec<[f64; 2]> {
         let areas = tributary(scene, &scene.contacts[handed.contact], points, order);
@@ -134,7 +150,8 @@ fn of_nodes(scene: &Scene, handed: &Handed, states: &[PointState]) -> Vec<[f64; 
     // Without a last one that lies beyond the others.
     let by_turns = of(Order::Quadratic, &points[..points.len() - 1 + points.len() % 2]);
     let own = of(Order::Linear, points);
-    if varies(&by_turns) < varies(&own[..by_turns.len()]) { by_turns } else { own }
+    let is_by_turns = varies(&by_turns) < varies(&own[..by_turns.len()]);
+    (if is_by_turns { by_turns } else { own }, is_by_turns)
 }
 
 /// Part of the largest position that rounding explains.
@@ -277,8 +294,9 @@ pub fn handed(
     let pair = &scene.contacts[contact];
     let points = from_axis((scene, contact), points, order.unwrap_or(Order::Linear));
     let points = ordered(points, order.unwrap_or(Order::Linear), pair, refused)?;
+    let is_told = order.is_some();
     let order = order.unwrap_or_else(|| order_of_areas(scene, pair, &points));
-    Ok(Handed { contact, points, order, edges: vec![], forces })
+    Ok(Handed { contact, points, order, is_told, edges: vec![], forces })
 }
 
 /// Points of 8-node cells with that of the axis, whose area is 0, where it alone lacks to make edges whole, the first

@@ -41,7 +41,16 @@ impl Role {
     /// Ansys, COMSOL, code_aster and CalculiX.
     pub fn usual(self) -> &'static [&'static str] {
         match self {
-            Self::Position => &["position", "arc_length", "length"],
+            Self::Position => &[
+                "position",
+                "arc_length",
+                "arc length",
+                "length",
+                "distance",
+                "true distance along path",
+                "theta",
+                "angle",
+            ],
             Self::X => &[
                 "x",
                 "points:0",
@@ -51,6 +60,7 @@ impl Role {
                 "x location",
                 "x coordinate",
                 "coor_x",
+                "coord_x",
                 "locx",
                 "xg",
                 "r",
@@ -64,13 +74,25 @@ impl Role {
                 "y location",
                 "y coordinate",
                 "coor_y",
+                "coord_y",
                 "locy",
                 "yg",
                 "z",
             ],
-            Self::Pressure => {
-                &["contact_pressure", "contact pressure", "cpress", "solid.tn", "pressure", "pres", "lags_c", "tn", "p"]
-            }
+            Self::Pressure => &[
+                "contact_pressure",
+                "contact pressure",
+                "contact_normal_lm",
+                "contpres",
+                "normal pressure",
+                "cpress",
+                "solid.tn",
+                "pressure",
+                "pres",
+                "lags_c",
+                "tn",
+                "p",
+            ],
             Self::Force => &["force", "contact_force", "contact force"],
             Self::Gap => &["contact_gap", "contact gap", "gap", "copen", "solid.gap"],
             Self::Area => &["area", "nodal_area", "cnarea"],
@@ -92,10 +114,15 @@ impl Role {
         }
     }
 
-    /// What a unit of it is in ours; none where that is not known. `N/mm²` and `N / mm^2` are `N/mm2`, `µm` is `um`,
+    /// What a unit of it is in ours; none where that is not known. `N/mm²`, `N / mm^2` and `N·mm⁻²` are `N/mm2`, `µm` is `um`,
     /// `inch` is `in`; `MPA` and `Mpa` are `MPa`, but `mPa` is none of these.
     pub fn factor(self, unit: &str) -> Option<f64> {
-        let plain = unit.replace(['^', '*', ' '], "").replace('²', "2").replace(['µ', 'μ'], "u").replace("inch", "in");
+        let plain = unit
+            .replace(['^', '*', '·', ' '], "")
+            .replace('⁻', "-")
+            .replace('²', "2")
+            .replace(['µ', 'μ'], "u")
+            .replace("inch", "in");
         let usual = LETTERS.iter().find(|(own, _)| *own == plain).map_or(&*plain, |(_, usual)| usual);
         self.units().iter().find(|(known, _)| *known == usual).map(|(_, factor)| *factor)
     }
@@ -125,8 +152,17 @@ const POUND: f64 = 4.448_221_615_260_5;
 const INCH: f64 = 25.4;
 const PSI: f64 = POUND / (INCH * INCH);
 /// Units in the capital letters in which programs write them, where no other has these.
-const LETTERS: [(&str, &str); 7] =
-    [("MPA", "MPa"), ("Mpa", "MPa"), ("GPA", "GPa"), ("KPA", "kPa"), ("N/MM2", "N/mm2"), ("PSI", "psi"), ("MM", "mm")];
+const LETTERS: [(&str, &str); 9] = [
+    ("MPA", "MPa"),
+    ("Mpa", "MPa"),
+    ("GPA", "GPa"),
+    ("KPA", "kPa"),
+    ("N/MM2", "N/mm2"),
+    ("Nmm-2", "N/mm2"),
+    ("Nm-2", "N/m2"),
+    ("PSI", "psi"),
+    ("MM", "mm"),
+];
 const PLACES: [(&str, f64); 10] = [
     ("mm", 1.0),
     ("m", 1e3),

@@ -179,7 +179,7 @@ fn forces_of_an_even_pressure_on_rings_are_that_pressure_at_every_node() {
     };
     let point = |k: usize| Point { position: RADII[k], value: 30.0 * TAU * share(k), area: None, gap: None };
     let points = (0..RADII.len()).map(point).collect();
-    let handed = Handed { contact: 0, points, order: Order::Linear, edges: vec![], forces: true };
+    let handed = Handed { contact: 0, points, order: Order::Linear, is_told: true, edges: vec![], forces: true };
     let profile = Profile::of(&scene, &handed);
     for state in &profile.points {
         assert_relative_eq!(state.pressure, 30.0, max_relative = 1e-12);

@@ -135,9 +135,10 @@ fn forces_of_another_thickness_are_named_and_those_of_every_order_are_right() {
     for (truth, rows, asked, wanted) in [
         (&thin, forces(&one, linear, 1.0), &of_two, vec![]),
         (&thin, forces(&one, quadratic, 1.0), &of_three, vec![]),
-        // What is read by the shares of another order sways about the right pressures, and has their means.
-        (&thin, forces(&one, linear, 1.0), &of_three, vec![]),
-        (&thin, forces(&one, quadratic, 1.0), &of_two, vec![]),
+        // What is read by the shares of another order sways about the right pressures.
+        (&thin, forces(&one, linear, 1.0), &of_three, vec!["every point is a corner"]),
+        (&thin, forces(&one, quadratic, 1.0), &of_two, vec!["every second point is a mid-side"]),
+        (&thin, forces(&one, quadratic, 1.0), &Asked::default(), vec![]),
         (&thick, forces(&two, linear, 2.0), &of_two, vec![]),
         (
             &thick,

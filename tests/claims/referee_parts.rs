@@ -351,6 +351,43 @@ fn points_of_another_order_and_areas_of_others_are_named_and_single_points_are_n
 }
 
 #[test]
+fn forces_by_turns_are_those_of_8_node_cells_where_no_order_is_told_which_is_said() {
+    let truth = truth("patch");
+    let quadratic = |k: usize| {
+        if k % 2 == 1 {
+            400.0 / 6.0
+        } else if k.is_multiple_of(8) {
+            100.0 / 6.0
+        } else {
+            200.0 / 6.0
+        }
+    };
+    let linear = |k: usize| if k.is_multiple_of(8) { 25.0 } else { 50.0 };
+    let scene = &truth.case.scene;
+    let share = truth.pressure(0, 0.0) * scene.contact().stretch * scene.thickness / 400.0;
+    let of = |order: Option<Order>, force: &dyn Fn(usize) -> f64| {
+        let end = truth.case.scene.contact().stretch;
+        let row = |k: usize| [end * k as f64 / 8.0, share * force(k)];
+        let text = table("position [mm],force [N]", (0..=8).map(row));
+        let answer = read(&truth.case, "forces.csv", &text, &Asked { order, ..Asked::default() }).expect("read");
+        let found = verdicts(truth, answer, ENGINEERING).expect("judged");
+        let is_said = found.notes.iter().any(|note| note.contains("taken as of 8-node cells"));
+        (found.met(), is_said, failed(&found))
+    };
+    for (order, force, wanted) in [
+        (None, &quadratic as &dyn Fn(usize) -> f64, [true, true]),
+        (Some(Order::Quadratic), &quadratic, [true, false]),
+        (Some(Order::Linear), &quadratic, [false, false]),
+        (None, &linear, [true, false]),
+        (Some(Order::Linear), &linear, [true, false]),
+        (Some(Order::Quadratic), &linear, [false, false]),
+    ] {
+        let (met, is_said, failing) = of(order, force);
+        assert_eq!([met, is_said], wanted, "{order:?}: {failing:?}");
+    }
+}
+
+#[test]
 fn areas_of_corners_and_mid_sides_tell_that_edges_have_three_nodes() {
     // N/A of a block under its own weight, by consistent pressures: a third of 0.94 and two of 1.03.
     let truth = truth("own-weight");

@@ -224,11 +224,15 @@ fn legacy_grids_of_every_version_and_coding_say_the_same() {
         let without = without.replace("VECTORS moved", &format!("TENSORS sigma double\n{}VECTORS moved", tensors()));
         for [whole, named, numbered] in [["S", "S:yy", "S:1"], ["sigma", "sigma:yy", "sigma:4"]] {
             for (role, column) in [(Role::Stress, whole), (Role::Pressure, named), (Role::Pressure, numbered)] {
-                let mut asked = Asked { tension_positive: role == Role::Pressure, ..usual.clone() };
-                asked.columns = vec![(role, column.to_owned())];
-                asked.units.push((Role::Stress, "MPa".into()));
-                let answer = parsed("a.vtk", &without, &asked).unwrap_or_else(|error| panic!("{column}: {error}"));
-                ellipse::assert(&answer, 1e-6);
+                // Whole stresses are positive in tension, whatever is said of pressures.
+                let told = if role == Role::Stress { vec![false, true] } else { vec![true] };
+                for tension_positive in told {
+                    let mut asked = Asked { tension_positive, ..usual.clone() };
+                    asked.columns = vec![(role, column.to_owned())];
+                    asked.units.push((Role::Stress, "MPa".into()));
+                    let answer = parsed("a.vtk", &without, &asked).unwrap_or_else(|error| panic!("{column}: {error}"));
+                    ellipse::assert(&answer, 1e-6);
+                }
             }
         }
         for cut in [0.4, 0.8, 0.95] {

@@ -27,7 +27,9 @@ fn of_states_that_are_numbered_one_is_asked_for() {
         places().map(row).collect()
     };
     let several: String = (1..=4).map(of_state).collect();
-    for name in ["step", "Frame", "increment", "SUBSTEP", "NUME_ORDRE", "timestep", "load_step"] {
+    for name in
+        ["step", "Frame", "increment", "SUBSTEP", "NUME_ORDRE", "timestep", "load_step", "t", "Step Time", "state"]
+    {
         let head = format!("{name},x,CPRESS\n");
         let said = format!("the column `{name}` has 1, 2, 3, 4");
         refused("theirs.csv", head.clone() + &several, &usual(), &[&said, "by --time"]);
@@ -42,6 +44,16 @@ fn of_states_that_are_numbered_one_is_asked_for() {
         let counted: String =
             places().enumerate().map(|(k, s)| format!("{k},{s},{}\n", ellipse::pressure(s))).collect();
         assert_eq!(failed(&found("theirs.csv", &(head + &counted), &usual())), [""; 0], "{name}");
+    }
+    // Abaqus writes frames so.
+    let frames =
+        several.replace('\n', "\n\"Increment 7: Step Time = ").replacen("1,", "\"Increment 7: Step Time = 1,", 1);
+    let frames: String = frames.lines().map(|row| format!("{}\n", row.replacen(',', ".000\",", 1))).collect();
+    let frames = format!("Frame,x,CPRESS\n{}", frames.rsplit_once("\n\"").expect("rows").0);
+    refused("theirs.csv", frames.clone(), &usual(), &["the column `Frame` has Increment 7", "by --time"]);
+    for (time, fails) in [(4.0, false), (1.0, true)] {
+        let one = Asked { time: Some(time), ..usual() };
+        assert_eq!(!failed(&found("theirs.csv", &frames, &one)).is_empty(), fails, "{time}");
     }
     // Ansys writes times in a column of this name, of which the last one is judged.
     assert_eq!(failed(&found("theirs.csv", &format!("TIME/FREQ,x,CPRESS\n{several}"), &usual())), [""; 0]);
@@ -111,9 +123,26 @@ fn numbers_of_fortran_without_an_e_and_names_of_ansys_and_comsol_are_read() {
     let row = |s: f64| format!("{} 0.0 {}\n", without(s), without(ellipse::pressure(s)));
     let rows: String = (0..ellipse::NODES).map(ellipse::place).map(row).collect();
     assert!(rows.contains("+02") && !rows.contains('E'), "{rows}");
-    for head in ["XG YG PRES", "% x, y, solid.Tn (MPa)", "% X  Y  contact pressure [MPa]"] {
+    for head in ["XG YG PRES", "coord_x coord_y CONTPRES", "% x, y, solid.Tn (MPa)", "% X  Y  contact pressure [MPa]"] {
         ellipse::assert(&parsed("theirs.txt", format!("{head}\n{rows}"), &usual()).expect(head), 1e-8);
     }
+    // COMSOL tells the unit of its lengths above them, Ansys the extremes below.
+    let above = |unit: &str| format!("% Model: a.mph\n% Length unit:        {unit}\n% x  y  solid.Tn (MPa)\n{rows}");
+    ellipse::assert(&parsed("theirs.txt", above("mm"), &Asked::default()).expect("a unit"), 1e-8);
+    refused("theirs.txt", above("m"), &usual(), &["`x [m]` is in m by the file, but in mm by --unit"]);
+    let below = "\n MAXIMUM ABSOLUTE VALUES\n NODE 1 1 1\n VALUE 2.0 0.0 100.0\n";
+    let text =
+        format!("LOCX LOCY CONTPRES\n{rows}{below}").replace("\n VALUE", "\n VALUE 0").replace("\n NODE", "\n NODE 0");
+    let with_nodes: String = text
+        .lines()
+        .enumerate()
+        .map(|(k, line)| match k {
+            0 => format!("NODE {line}\n"),
+            1..=ellipse::NODES => format!("{k} {line}\n"),
+            _ => format!("{line}\n"),
+        })
+        .collect();
+    ellipse::assert(&parsed("theirs.txt", with_nodes, &usual()).expect("extremes"), 1e-8);
     // Two numbers, or a day, are no power of ten.
     for cell in ["1.5-2", "12-24", "3.5+1234"] {
         let text = format!("x [mm],p [MPa]\n0,3\n1,{cell}\n2,1\n3,0\n4,0\n");
@@ -160,6 +189,10 @@ fn every_unit_is_what_its_definition_says() {
             assert!((factor * ours / size - 1.0).abs() <= 1e-12, "{unit}: {factor}");
         }
     }
+    for written in ["N/mm²", "N / mm^2", "N mm^-2", "N·mm⁻²"] {
+        assert_eq!(Role::Pressure.factor(written), Some(1.0), "{written}");
+    }
+    assert_eq!(Role::Pressure.factor("N m^-2"), Role::Pressure.factor("Pa"));
     let named = |role: Role| role.units().len();
     let told = [Role::Position, Role::Gap, Role::Force, Role::Area, Role::Pressure].map(named);
     assert_eq!(

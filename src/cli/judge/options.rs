@@ -14,6 +14,7 @@ use crate::error::Error;
 use crate::mesh::Order;
 use crate::referee::Asked;
 use crate::referee::judge::ENGINEERING;
+use crate::referee::units::Role;
 
 /// Arguments of `judge`.
 #[derive(Debug, Args)]
@@ -77,9 +78,13 @@ pub struct Arguments {
 impl Arguments {
     /// How files are to be read.
     pub fn asked(&self) -> Result<Asked, Error> {
+        let columns = self.column.iter().map(|text| Asked::pair("--column", text)).collect::<Result<Vec<_>, _>>()?;
+        let units = self.unit.iter().map(|text| Asked::unit_of(text)).collect::<Result<Vec<_>, _>>()?;
+        refuse_twice("--column", &columns)?;
+        refuse_twice("--unit", &units)?;
         Ok(Asked {
-            columns: self.column.iter().map(|text| Asked::pair("--column", text)).collect::<Result<_, _>>()?,
-            units: self.unit.iter().map(|text| Asked::unit_of(text)).collect::<Result<_, _>>()?,
+            columns,
+            units,
             order: self.order,
             contact: self.contact.clone(),
             tension_positive: self.tension_positive,
@@ -117,4 +122,15 @@ impl Arguments {
         let refused = |expected| Error::value("judge", "--tolerance", text, expected, accuracy::remedy());
         accuracy::percentage(text).map_err(refused)
     }
+}
+
+/// Refuses a role that is named twice, and not alike.
+fn refuse_twice(option: &str, named: &[(Role, String)]) -> Result<(), Error> {
+    for (k, (role, name)) in named.iter().enumerate() {
+        if let Some((_, other)) = named[..k].iter().find(|(known, other)| known == role && other != name) {
+            let message = format!("{option} names {} `{other}` and `{name}`", role.name());
+            return Err(Error::at("judge", message, format!("leave out one {option} of the two")));
+        }
+    }
+    Ok(())
 }

@@ -17,7 +17,8 @@ const PLACES: &str = "it lists nodes by their numbers: write their places beside
 /// What the coordinates of bodies of revolution are called.
 const RADIUS_AND_AXIS: [&str; 2] = ["r", "z"];
 /// What places along a line are called, which may begin anywhere: read where there are no coordinates.
-const ALONG: [&str; 2] = ["arc_length", "length"];
+const ALONG: [&str; 7] =
+    ["arc_length", "arc length", "length", "distance", "true distance along path", "theta", "angle"];
 
 /// A column that is read.
 pub(super) struct Column {
@@ -50,6 +51,14 @@ impl Asked {
     /// Whether a title is that, or one of the usual names of the role.
     pub(super) fn means(&self, role: Role, title: &str) -> bool {
         self.names(role, title) || role.usual().iter().any(|name| is_called(title, name))
+    }
+}
+
+impl Asked {
+    /// A title with the unit of all lengths, where it is that of a coordinate without one.
+    pub(super) fn in_unit(&self, title: String, unit: &str) -> String {
+        let is_length = [Role::Position, Role::X, Role::Y].into_iter().any(|role| self.means(role, &title));
+        if is_length && split(&title).1.is_none() { format!("{title} [{unit}]") } else { title }
     }
 }
 

@@ -33,12 +33,29 @@ const SEEN: usize = 1000;
 /// What columns of times are called, by code_aster and Ansys too.
 const TIMES: [&str; 3] = ["time", "inst", "time/freq"];
 /// What columns are called that tell states by their numbers.
-const STATES: [&str; 10] =
-    ["step", "frame", "increment", "inc", "substep", "load step", "loadstep", "timestep", "time step", "nume ordre"];
+const STATES: [&str; 13] = [
+    "step",
+    "frame",
+    "increment",
+    "inc",
+    "substep",
+    "load step",
+    "loadstep",
+    "timestep",
+    "time step",
+    "nume ordre",
+    "step time",
+    "state",
+    "t",
+];
 /// Most states that are shown.
 const SHOWN: usize = 12;
 /// What lines below the numbers of a report begin with; `at` where no number follows.
 const BELOW: [&str; 4] = ["minimum", "maximum", "total", "at"];
+/// What lines behind these begin with, by Ansys.
+const EXTREMES: [&str; 2] = ["node", "value"];
+/// What COMSOL writes above a table before the unit of its lengths.
+const LENGTH: &str = "length unit:";
 
 /// A file as names and lines of cells.
 pub(super) struct Table<'a> {
@@ -58,6 +75,10 @@ impl<'a> Table<'a> {
         }
         let begins = Begins::of(&lines, asked);
         let (begin, head) = begins.names(source, &lines, asked)?;
+        let head = match unit_of_lengths(&lines[..begin]) {
+            Some(unit) => head.into_iter().map(|title| asked.in_unit(title, unit)).collect(),
+            None => head,
+        };
         let mut table = Self { head, rows: Vec::new(), comma: false, states: None };
         table.read(source, (&lines, begin), begins, asked)?;
         // ParaView writes zeros where a line leaves the grid, and masks them.
@@ -98,7 +119,9 @@ impl<'a> Table<'a> {
                 // The second line of a head of two.
                 true => {}
                 false if is_below(line, mark) => {
-                    let is_row = |line: &str| is_row(line, mark, &[wanted]) && !is_below(line, mark);
+                    let is_extreme = |line: &str| EXTREMES.contains(&&*first_word(line, mark));
+                    let is_row =
+                        |line: &str| is_row(line, mark, &[wanted]) && !is_below(line, mark) && !is_extreme(line);
                     let is_more = |line: &&&str| is_row(line) && fitting(line, mark, wanted).len() == wanted;
                     let more = lines[k..].iter().find(is_more);
                     return more.map_or(Ok(()), |more| Err(source.at(more, ANOTHER, ONE)));
@@ -136,7 +159,7 @@ impl<'a> Table<'a> {
             return Err(State::only(source.file));
         }
         let Some(column) = column.filter(|_| !self.rows.is_empty()) else { return self.of_one_state(source, KEEP) };
-        let time = |cells: &[String]| cells.get(column).and_then(|cell| number(cell)).filter(|time| time.is_finite());
+        let time = |cells: &[String]| cells.get(column).and_then(|cell| state_number(cell)).filter(|t| t.is_finite());
         if let Some((line, cells)) = self.rows.iter().find(|(_, cells)| time(cells).is_none()) {
             let own = cells.get(column).map_or("", String::as_str);
             let message = format!("`{}` is `{own}`, which is no number", self.head[column]);
@@ -326,9 +349,34 @@ fn head(above: &[&str], mark: char, count: Option<usize>, asked: &Asked) -> Opti
 
 /// Whether a line stands below the numbers of a report.
 fn is_below(line: &str, mark: char) -> bool {
-    let mut words = line.split(|letter: char| letter == mark || letter.is_whitespace()).filter(|word| !word.is_empty());
-    let word = words.next().unwrap_or_default().trim_matches('"').to_lowercase();
+    let word = first_word(line, mark);
     // `At Node 12`, and no point that is called `at 12`.
-    let is_called = word == "at" && words.next().is_some_and(|next| number(next).is_some());
+    let is_called = word == "at" && words(line, mark).nth(1).is_some_and(|next| number(next).is_some());
     BELOW.contains(&word.as_str()) && !is_called
+}
+
+/// The words of a line, whatever separates them.
+fn words(line: &str, mark: char) -> impl Iterator<Item = &str> {
+    line.split(move |letter: char| letter == mark || letter.is_whitespace()).filter(|word| !word.is_empty())
+}
+
+/// The first of them in small letters, without quotes.
+fn first_word(line: &str, mark: char) -> String {
+    words(line, mark).next().unwrap_or_default().trim_matches('"').to_lowercase()
+}
+
+/// The number of a state: the cell, or what stands behind its last `=`, as in Abaqus's `Increment 1: Step Time = 0.5`.
+fn state_number(cell: &str) -> Option<f64> {
+    let behind = || cell.rsplit_once('=').and_then(|(_, time)| number(time.trim()));
+    number(cell).or_else(behind)
+}
+
+/// The unit of lengths that lines above a table tell.
+fn unit_of_lengths<'a>(above: &[&'a str]) -> Option<&'a str> {
+    let told = |line: &&'a str| {
+        let said = comment(line)?.trim();
+        let is_it = said.get(..LENGTH.len()).is_some_and(|begin| begin.eq_ignore_ascii_case(LENGTH));
+        is_it.then(|| said[LENGTH.len()..].trim())
+    };
+    above.iter().find_map(told)
 }
