@@ -213,7 +213,7 @@ fn matrix_types_of_libraries_stay_inside_the_numerics() {
 
 /// Lines that a room may have; raised only by a commit that says what for.
 const BUDGETS: [(&str, usize); 9] = [
-    ("solver", 24_507),
+    ("solver", 24_590),
     ("drawing", 2_758),
     ("case", 8_358),
     ("oracle", 1_450),

@@ -1,15 +1,16 @@
 //! Error bars against scenes of closed form, beside the checks that carry them, and that narrower ones would be seen.
 
 use std::f64::consts::PI;
+use std::sync::Arc;
 
 use contact_vv::accuracy::{self, Asked, Barred, Bars, Quantity, Told, bars};
 use contact_vv::algorithm::StiffnessRule;
 use contact_vv::case::library::{self, Cylinder};
 use contact_vv::case::{Case, Judged, Scope, Verdict};
 use contact_vv::error::Error;
-use contact_vv::mesh::{Order, Resolution};
+use contact_vv::mesh::{Mesh, Order, Resolution};
 use contact_vv::oracle::ReferenceKind;
-use contact_vv::scene::{Component, Place, Scene, Support};
+use contact_vv::scene::{Component, Place, Scene, Shape, Support};
 use contact_vv::solve::{Discretisation, Displaced, Element, Fitted, Formulation, Iteration, Run};
 use contact_vv::study::Study;
 use contact_vv::study::promised::Numbers;
@@ -20,7 +21,7 @@ use contact_vv::study::records::Millionths;
 use crate::again::BARS;
 use crate::balance::{scene, solved, told_of};
 use crate::scene_file::{self, text_of};
-use crate::workbench::{kinematic, meshed, parsed, spoiled};
+use crate::workbench::{block_text, kinematic, meshed, parsed, spoiled};
 
 /// The run on a mesh, and its bars.
 fn run_on(discretisation: &Discretisation, formulation: &Formulation) -> (Run, Bars) {
@@ -420,6 +421,43 @@ fn elements_of_the_second_body_as_wide_as_the_contact_are_in_the_bars() {
                 "{density}, {quantity:?}: {error:.2e} of {bar:.2e}"
             );
         }
+    }
+}
+
+/// A block on a rigid circle, of so many elements on a length of 1, drawn so many times lower than it is.
+fn lower_block(order: u8, elements: usize, times: f64) -> Case {
+    let load = "rigid-face = { at = \"far\", component = \"y\", force = -1000 }";
+    let contact = format!(
+        "gap = {{ circle = 50 }}\nstretch = 2.5\n[mesh]\nper = 1\nelements = {elements}\norder = {order}\n\
+         growth = {{ along = 1.6, depth = 1.5, coarsest = 0.3 }}"
+    );
+    parsed(&block_text([0.0, 40.0], 40.0 / times, load, &contact))
+}
+
+#[test]
+fn cells_of_a_mesh_made_elsewhere_that_are_deeper_than_wide_are_in_the_bars() {
+    let formulation = kinematic();
+    let fitted = Fitted::of(Order::Octic, 5).solve(&lower_block(2, 4, 1.0).scene, &formulation).expect("fitted");
+    let truth = bars(&fitted.discretisation, &fitted.run, &[]).expect("bars").all;
+    let [shear, von_mises] = [Quantity::Shear { body: 0 }, Quantity::VonMises { body: 0 }];
+    // The last two lie in the same cells of each mesh: stresses of two places agree there.
+    for (order, elements, deep, refinement, quantity) in [
+        (1, 1, 5.0, 3, Quantity::PeakPressure),
+        (1, 2, 6.0, 2, Quantity::HalfWidth),
+        (2, 1, 4.0, 2, Quantity::SecondMomentWidth),
+        (1, 4, 2.0, 3, shear.clone()),
+        (2, 4, 4.0, 1, shear),
+        (2, 3, 2.5, 1, von_mises),
+    ] {
+        let Case { mut scene, resolution, .. } = lower_block(order, elements, deep);
+        let mut mesh = Mesh::of(&scene, resolution).expect("meshed").given(0);
+        mesh.points.iter_mut().for_each(|[_, y]| *y *= deep);
+        scene.bodies[0].shape = Shape::Given(Arc::new(mesh));
+        let halved = Discretisation::of(scene, Resolution { refinement, ..resolution }).expect("halved");
+        let (_, Bars { all, .. }) = run_on(&halved, &formulation);
+        let [error, bar] = off(&all, &truth, &quantity);
+        let value = told_of(&truth, &quantity).value;
+        assert!(error <= bar && bar <= 0.5 * value, "order {order}, {deep}, {quantity:?}: {error:.2e} of {bar:.2e}");
     }
 }
 

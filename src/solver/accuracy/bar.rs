@@ -362,6 +362,11 @@ fn of_displacements(
         let told = family.told(run, reading, discrete);
         let told = match quantity {
             Quantity::ShearDepth { body } => told.and(flat(*contact, *body)),
+            Quantity::Shear { body } | Quantity::VonMises { body } => {
+                let place = Quantity::ShearDepth { body: *body };
+                let least = family.misplaced(run, *contact, &place, value_of(&rigid, *contact, &place));
+                told.and(larger(least * discrete.abs() - told.bar(), 0.0))
+            }
             _ => told,
         };
         let is_shared = |body: usize| told.is_of_mesh(reading.scale) && yields(body);

@@ -1,14 +1,18 @@
 //! What bars depend on of a mesh: how wide its elements are, whether a body is one element deep, and where corners are
 //! that loads and held sides make.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
+use crate::mesh::candidates::candidate_edges;
 use crate::scene::{ContactPair, Place};
 use crate::solve::Discretisation;
 
 /// Length of the edge at a cusp of the pressure, towards which cells shrink, over that that is counted on: of rⁿ, n
 /// from 1.15 to 1.98, peaks are off by a half of their bars.
 const SHRUNK: f64 = 4.0;
+
+/// A cell made elsewhere at the surface below a contact: between which places, and how deep, in its coordinate.
+pub(super) type Beneath = ([f64; 2], f64);
 
 /// The end of a side that carries a load: body, place, and length of the outermost edge.
 pub(super) type Corner = (usize, [f64; 2], f64);
@@ -105,4 +109,32 @@ pub(super) fn loaded_corners(discretisation: &Discretisation) -> Vec<Corner> {
         }
     }
     corners
+}
+
+/// Cells made elsewhere at the surface of a body below a contact; none of a body that is meshed here, whose cells are
+/// about as deep as wide there.
+pub(super) fn beneath(
+    Discretisation { scene, mesh, .. }: &Discretisation,
+    pair: &ContactPair,
+    body: usize,
+) -> Vec<Beneath> {
+    if !scene.bodies[body].shape.has_given_mesh() {
+        return Vec::new();
+    }
+    let sorted = |[a, b]: [usize; 2]| [a.min(b), a.max(b)];
+    let edges = candidate_edges(mesh, scene, pair, body).unwrap_or_default();
+    let edges: BTreeSet<[usize; 2]> = edges.iter().map(|edge| sorted([edge[0], edge[1]])).collect();
+    let length = |a: usize, b: usize| {
+        let [[x, y], [to_x, to_y]] = [mesh.points[a], mesh.points[b]];
+        (to_x - x).hypot(to_y - y) / pair.path.metric()
+    };
+    let cell = |nodes: &[usize]| {
+        let [a, b, c, d] = [0, 1, 2, 3]
+            .map(|k| [0, 1, 2, 3].map(|n| nodes[(k + n) % 4]))
+            .into_iter()
+            .find(|[a, b, ..]| edges.contains(&sorted([*a, *b])))?;
+        let [from, to] = [a, b].map(|node| pair.path.coordinate(mesh.points[node]));
+        Some(([from.min(to), from.max(to)], 0.5 * (length(a, d) + length(b, c))))
+    };
+    mesh.bodies[body].cells.clone().filter_map(|index| cell(mesh.cell(index))).collect()
 }

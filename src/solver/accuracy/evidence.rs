@@ -76,6 +76,14 @@ const SMOOTHED: f64 = 4.0;
 /// elements of the second on the half-width).
 const UNEVEN: f64 = 2.0;
 const UNSEEN: f64 = 2.0;
+/// Depth over width up to which cells made elsewhere count as square.
+const SQUARE: f64 = 1.25;
+/// Of 4-node cells made elsewhere and of others: of an end what cells that are deeper than wide move it by, over the
+/// half-width and the square of their depth over that.
+const SUNK: [f64; 2] = [0.25, 0.05];
+/// By how much a depth in cells may grow from mesh to mesh and still follow them; and what of a largest stress may be
+/// missed then, over the depth of a cell on the half-width: 8-node cells missed 4 to 20 % of that.
+const FOLLOWS: [f64; 2] = [1.05, 0.2];
 /// Elements are larger on a coarser mesh than by this factor, or it is none.
 const LARGER: f64 = 1.1;
 
@@ -166,6 +174,21 @@ impl Family {
             _ => 0.0,
         };
         own.and(far + self.of_force(run, reading, discrete) + lost + lines)
+    }
+
+    /// What a largest stress may be off over itself, at least, on cells made elsewhere: where the depth of the largest
+    /// shear stress is no more of them than on the finest of the coarser meshes, it follows them, and the values of two
+    /// places may agree.
+    pub(super) fn misplaced(&self, run: &Run, contact: usize, place: &Quantity, depth: f64) -> f64 {
+        let [most, missed] = FOLLOWS;
+        let follows = |other: &Other| {
+            depth / self.sizes[contact] <= most * value_of(&other.readings, contact, place) / other.sizes[contact]
+        };
+        if self.beneath[contact].is_empty() || !self.coarse.first().is_some_and(follows) {
+            return 0.0;
+        }
+        let measures = discrete_of(run, contact);
+        missed * self.sizes[contact] * self.deeper(contact, measures) / measures.second_moment_width
     }
 
     /// The mesh's part of a number; NaN where no mesh tells.
@@ -349,9 +372,26 @@ impl Family {
                 let is_uneven = other > spacings * UNEVEN * own;
                 let of_other = if is_uneven { other.powf(UNSEEN * row.power()) } else { 0.0 };
                 let swings = of_other > 0.0 && !fills_candidates(measures);
-                [own.powf(row.power()) + of_other, if swings { self.swings(row.kind) * other } else { 0.0 }]
+                let swings = if swings { self.swings(row.kind) * other } else { 0.0 };
+                let deep = own * self.deeper(contact, measures);
+                let sunk = SUNK[usize::from(self.order != Order::Linear)] * (deep * deep - own * own);
+                let (own, missed) = match row.kind {
+                    Kind::End => (own, swings + sunk),
+                    Kind::Peak | Kind::Shear => (deep, swings),
+                    Kind::Moment if *quantity == Quantity::SecondMomentWidth => (deep, swings),
+                    _ => (own, swings),
+                };
+                [own.powf(row.power()) + of_other, missed]
             }
         }
+    }
+
+    /// By how much the deepest cell made elsewhere below a contact is deeper than wide; 1 where none is.
+    fn deeper(&self, contact: usize, measures: &Measures) -> f64 {
+        let is_closed = |from: f64, to: f64| measures.stretches.iter().any(|one| one.begin < to && from < one.end);
+        let below = self.beneath[contact].iter().filter(|([from, to], _)| is_closed(*from, *to));
+        let deeper = below.map(|([from, to], deep)| deep / larger(to - from, self.sizes[contact]));
+        deeper.filter(|deeper| *deeper > SQUARE).fold(1.0, f64::max)
     }
 
     /// What of a peak at s = 0 lies above what the nodes beside it carry.

@@ -5,7 +5,7 @@ use rayon::prelude::*;
 
 use crate::accuracy::coarser::{coarser, finer, gentler};
 use crate::accuracy::elements::{
-    Corner, held_at_corner, is_shallow, loaded_corners, of_second, sizes, spacings_at_vertex,
+    Beneath, Corner, beneath, held_at_corner, is_shallow, loaded_corners, of_second, sizes, spacings_at_vertex,
 };
 use crate::accuracy::reading::{Reading, of_discrete, recovered};
 use crate::measure::{Measures, larger};
@@ -42,6 +42,8 @@ pub struct Family {
     pub(super) sizes: Vec<f64>,
     /// Two mean spacings of the candidates of its second body.
     pub(super) others: Vec<f64>,
+    /// Cells made elsewhere below each contact, of both bodies.
+    pub(super) beneath: Vec<Vec<Beneath>>,
     /// Ends of the sides that carry a load: body, place, and length of the outermost edge.
     pub(super) corners: Vec<Corner>,
     /// Along which components a body is held where it loses regularity.
@@ -154,6 +156,10 @@ impl Family {
             order,
             sizes,
             others: of_second(discretisation),
+            beneath: contacts
+                .iter()
+                .map(|pair| pair.bodies().flat_map(|body| beneath(discretisation, pair, body)).collect())
+                .collect(),
             held_at_corner: held_at_corner(discretisation, &corners),
             corners,
             cells: discretisation.mesh.cells(),
