@@ -43,7 +43,8 @@ pub struct Contact {
     /// straight lines.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub units: Option<Units>,
-    /// Order of the contact edges: 1, every point is a corner (the default); 2, corners and mid-sides by turns.
+    /// Order of the contact edges: 1, every point is a corner (the default); 2, corners and mid-sides by turns. Forces
+    /// without it and without areas have the order by which their pressures vary less.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub order: Option<u8>,
     /// Contact coordinate of each point: distance from the middle of the contact on a straight path, angle from the

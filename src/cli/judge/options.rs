@@ -35,13 +35,14 @@ pub struct Arguments {
     #[arg(long, value_name = "ROLE=UNIT")]
     unit: Vec<String>,
     /// Order of the contact edges: 1, every point is a corner (unless the file says otherwise); 2, corners and
-    /// mid-sides by turns.
+    /// mid-sides by turns. Forces of which neither order nor areas are told have the order by which their pressures vary
+    /// less, which is said.
     #[arg(long, value_parser = choice(Order::TOLD))]
     order: Option<Order>,
     /// Contact that the answers are of, in a scene with several: the others are then not missed.
     #[arg(long, value_name = "NAME")]
     contact: Option<String>,
-    /// Pressures and forces are negative in compression.
+    /// Pressures and forces are negative in compression; whole stresses always are.
     #[arg(long)]
     tension_positive: bool,
     /// Time of the state that is judged, of a .frd, .dat or .pvd with several; the last one where neither it nor the
