@@ -352,6 +352,68 @@ fn the_largest_shear_of_a_pin_is_looked_for_as_deep_as_two_widths_of_its_arc() {
     assert!(value("largest shear") > 0.0);
 }
 
+/// Half a pin pressed over 81° into a wide plate, in cells that are large for their order.
+const PIN_HOLE: &str = r#"
+plane = "stress"
+thickness = 1
+[[body]]
+name = "pin"
+young = 210e3
+poisson = 0.3
+shape = { disc = { centre = [0, 0], radius = 10 } }
+supports = [{ at = "axis", component = "x" }]
+loads = [{ traction = { at = "cut", value = [0, -100] } }]
+[[body]]
+name = "plate"
+young = 210e3
+poisson = 0.3
+shape = { ring = { centre = [0, 0], inner = 10.005, outer = 100, sweep = 180, contact = "inner" } }
+supports = [{ at = "start", component = "x" }, { at = "end", component = "x" }, { at = "end", component = "y" }]
+[contact]
+first = "pin"
+second = "plate"
+arc = { centre = [0, 0], radius = 10 }
+gap-only = true
+gap = { hole = { radius = 10, clearance = 0.005 } }
+stretch = 89
+[mesh]
+elements = 16
+per = 5
+"#;
+
+#[test]
+fn the_largest_shear_below_an_arc_is_found_at_its_centre_and_along_the_radius_at_its_end() {
+    let case = parsed(PIN_HOLE);
+    for order in [Order::Quartic, Order::Octic] {
+        let resolution = Resolution { order, ..case.resolution };
+        let (made, run) = balance::solved_on(case.scene.clone(), resolution, &kinematic());
+        let points = &made.mesh.points;
+        let below = |displacement: &[[f64; 2]]| {
+            made.shear_below(displacement, run.measures(), [0, 0]).expect("stresses").expect("inside")
+        };
+
+        // Below the contact stresses are largest where the sector narrows to a point.
+        let displacement = made.displacement_under(1.0, &run.solution);
+        let stress = stress::at_nodes(&made.scene, &made.mesh, &displacement).expect("stresses");
+        let centre = points.iter().position(|[x, y]| x.hypot(*y) <= 1e-9).expect("a node");
+        let [x, y, xy] = stress[centre];
+        let found = below(&displacement);
+        assert_relative_eq!(found.stress, (0.5 * (x - y)).hypot(xy), max_relative = 1e-9);
+        assert_relative_eq!(found.depth, 10.0, max_relative = 1e-6);
+
+        // γ = c (1 − r²/R²), r from a place beside the radius: largest at the foot of the perpendicular from there.
+        let (foot, beside, reach, c) = (6.0, 3.0, 20.0_f64, 1e-3);
+        let (sin, cos) = run.measures().edge().sin_cos();
+        let top = [foot * sin + beside * cos, beside * sin - foot * cos];
+        let part = |x: f64, top: f64| c * (0.5 * x - (x - top).powi(3) / (3.0 * reach.powi(2)));
+        let displacement: Vec<[f64; 2]> = points.iter().map(|[x, y]| [part(*y, top[1]), part(*x, top[0])]).collect();
+        let found = below(&displacement);
+        let truth = 210e3 / 2.6 * c * (1.0 - (beside / reach).powi(2));
+        assert_relative_eq!(found.stress, truth, max_relative = 1e-5);
+        assert_relative_eq!(found.depth, 10.0 - foot, max_relative = 1e-2);
+    }
+}
+
 #[test]
 fn a_shear_stress_is_nearly_the_largest_as_far_as_the_parabola_through_it_and_a_sample_is() {
     // 4 MPa less at 2 mm: 1 MPa less at half of that, and 0.25 MPa at a quarter.

@@ -15,6 +15,7 @@
 //! * [`mod@displaced`] — displacements of sides and points, the approach of bodies.
 //! * [`mod@shear`] — the largest shear stress below a contact.
 //! * [`mod@von_mises`] — the largest von Mises stress of a body; [`mod@without_limit`] — places at which it has none.
+//! * `largest` — where inside cells the largest stress is looked for.
 //! * [`mod@number`] — how every number that one quotes is taken from a solution.
 //! * `uncondensed` — its pressures once more without condensation.
 //! * [`curve`] — what every load increment came to.
@@ -45,6 +46,7 @@ pub mod edge_fitted;
 pub mod equilibrium;
 pub mod fields;
 pub mod formulation;
+mod largest;
 pub mod number;
 mod outline;
 pub mod reactions;

@@ -1,25 +1,23 @@
 //! The largest shear stress below a contact.
 
-use crate::elasticity::point::shapes_at;
-use crate::elasticity::{shape_functions, stress};
+use crate::elasticity::point::{Cells, shapes_at};
+use crate::elasticity::stress;
 use crate::error::Error;
 use crate::measure::Measures;
 use crate::mesh::candidates;
-use crate::scene::Load;
+use crate::scene::{Load, Path};
 use crate::solve::Discretisation;
+use crate::solve::largest::{NEAR, edges, grid, largest_along_edge, largest_around};
 
 /// Half-widths below the surface down to which the largest shear stress is looked for: under Hertz it lies at 0.79 of
 /// one, under a uniform pressure at one.
 const DEPTH: f64 = 2.0;
 /// A largest value found beyond that is none of this contact; so far it is looked for.
 const BEYOND: f64 = 1.2;
-/// Part of the largest stress at a node that a cell must have at one of its own for places between them to be looked
-/// at.
-pub(super) const NEAR: f64 = 0.8;
-/// Parts of a cell's side at whose ends stresses are looked at, and halvings of them around the largest.
-const PARTS: usize = 8;
-const HALVINGS: usize = 8;
-/// Part of the half-width that rounding explains.
+/// Cells around whose largest samples it is looked for, and as many whose largest samples lie on an edge of where it is
+/// looked for.
+const SEEDS: usize = 8;
+/// Part of the half-width, of an arc's radius, that rounding explains; and of the largest stress, that the search does.
 const ROUNDING: f64 = 1e-6;
 
 /// The largest in-plane shear stress below a contact, and how it is distributed.
@@ -61,12 +59,17 @@ impl Discretisation {
         [contact, body]: [usize; 2],
     ) -> Result<Option<Shear>, Error> {
         let below = Below::of(self, measures, [contact, body])?;
-        let is_wanted = below.corners_and_sides();
+        let apex = below.apex();
+        let mut is_wanted = below.corners_and_sides();
+        let of_apex = apex.iter().flat_map(|(cell, _)| self.mesh.cell(*cell));
+        of_apex.for_each(|&node| is_wanted[below.own(node)] = true);
         let stress = stress::of_body(&self.scene, &self.mesh, displacement, body, &|node| is_wanted[node])?;
         let nodes = self.mesh.order.nodes_per_cell();
         let grid = grid(nodes);
-        let (mut samples, mut best) = (Vec::new(), None);
-        let mut most = f64::NEG_INFINITY;
+        let places: Vec<[f64; 2]> = grid.iter().map(|(at, _)| *at).collect();
+        // Shear stress, cell and place of the largest sample of every cell, and of every cell's largest on an edge.
+        let (mut inside, mut on_edges) = (Vec::new(), Vec::new());
+        let mut samples = Vec::new();
         let cells = self.mesh.bodies[body].cells.clone();
         let at_nodes: Vec<Vec<[f64; 2]>> = cells.clone().map(|cell| below.at_nodes(cell, &stress)).collect();
         let largest = |own: &[[f64; 2]]| own.iter().map(|sample| sample[1]).fold(f64::NEG_INFINITY, f64::max);
@@ -76,17 +79,34 @@ impl Discretisation {
                 samples.extend(own);
                 continue;
             }
-            for (at, shapes) in &grid {
-                let Some((depth, shear)) = below.sample(cell, shapes, &stress) else { continue };
-                samples.push([depth, shear]);
-                if shear > most {
-                    (most, best) = (shear, Some((cell, *at)));
-                }
-            }
+            let sample = |shapes: &[f64]| below.sample(cell, shapes, &stress);
+            let found: Vec<Option<(f64, f64)>> = grid.iter().map(|(_, shapes)| sample(shapes)).collect();
+            samples.extend(found.iter().flatten().map(|&(depth, shear)| [depth, shear]));
+            let own = places.iter().zip(&found).filter_map(|(at, found)| Some((found.as_ref()?.1, cell, *at)));
+            inside.extend(own.reduce(larger));
+            let on_edge = edges(nodes, &places, &|k| found[k].is_some(), &sample);
+            samples.extend(on_edge.iter().map(|&(_, (depth, shear))| [depth, shear]));
+            on_edges.extend(on_edge.into_iter().map(|(at, (_, shear))| (shear, cell, at)).reduce(larger));
         }
-        let Some((cell, at)) = best.filter(|(cell, _)| !self.is_at_force(body, *cell)) else { return Ok(None) };
-        let sample = |shapes: &[f64]| below.sample(cell, shapes, &stress);
-        let (depth, shear) = largest_around(nodes, at, sample, |(_, shear)| *shear).unwrap_or((f64::NAN, f64::NAN));
+        for seeds in [&mut inside, &mut on_edges] {
+            seeds.sort_by(|a, b| b.0.total_cmp(&a.0));
+            seeds.truncate(SEEDS);
+        }
+        let around = |&(_, cell, at): &(f64, usize, [f64; 2])| {
+            let sample = |shapes: &[f64]| below.sample(cell, shapes, &stress);
+            Some((cell, largest_around(nodes, at, sample, |(_, shear)| *shear)?))
+        };
+        let along = |&(_, cell, at): &(f64, usize, [f64; 2])| {
+            let sample = |shapes: &[f64]| below.sample(cell, shapes, &stress);
+            Some((cell, largest_along_edge(nodes, at, sample, |(_, shear)| *shear)?))
+        };
+        let at_apex = apex.iter().filter_map(|(cell, shapes)| Some((*cell, below.sample(*cell, shapes, &stress)?)));
+        let all = inside.iter().filter_map(around).chain(on_edges.iter().filter_map(along)).chain(at_apex);
+        // What is no larger than the first, but for the last step of its search, is the same maximum.
+        let best = all.reduce(|best, next| if next.1.1 > (1.0 + ROUNDING) * best.1.1 { next } else { best });
+        let Some((_, (depth, shear))) = best.filter(|(cell, _)| !self.is_at_force(body, *cell)) else {
+            return Ok(None);
+        };
         let inside = depth > ROUNDING * below.deepest && depth < below.deepest;
         samples.retain(|sample| sample[0] <= below.deepest);
         Ok(inside.then_some(Shear { stress: shear, depth, samples }))
@@ -150,6 +170,15 @@ impl<'a> Below<'a> {
         are
     }
 
+    /// The cell that holds the centre of an arc, where all of its depths meet, with its shape functions there; none
+    /// where the body does not reach it, and below a line.
+    fn apex(&self) -> Option<(usize, Vec<f64>)> {
+        let Path::Arc(circle) = self.discretisation.scene.contacts[self.contact].path else { return None };
+        let mesh = &self.discretisation.mesh;
+        let (cell, shapes) = Cells::of_body(mesh, self.body).shapes_at(circle.centre, ROUNDING)?;
+        Some((mesh.bodies[self.body].cells.start + cell, shapes))
+    }
+
     /// Number of a node in the body.
     fn own(&self, node: usize) -> usize {
         node - self.discretisation.mesh.bodies[self.body].nodes.start
@@ -163,8 +192,10 @@ impl<'a> Below<'a> {
     /// Depth of a point below the surface \[mm\]; none beside the closed stretches, and too deep.
     fn depth(&self, point: [f64; 2]) -> Option<f64> {
         let path = &self.discretisation.scene.contacts[self.contact].path;
-        let s = path.coordinate(point);
         let margin = ROUNDING * (self.ends[1] - self.ends[0]);
+        // The centre of an arc is at every angle.
+        let is_centre = !path.is_straight() && path.depth(point) <= ROUNDING * path.own_depth();
+        let s = if is_centre { self.ends[0] } else { path.coordinate(point) };
         if !(self.ends[0] - margin <= s && s <= self.ends[1] + margin) {
             return None;
         }
@@ -194,40 +225,12 @@ impl<'a> Below<'a> {
     }
 }
 
+/// The one of two places with the larger stress, the first of equals.
+fn larger(a: (f64, usize, [f64; 2]), b: (f64, usize, [f64; 2])) -> (f64, usize, [f64; 2]) {
+    if b.0 > a.0 { b } else { a }
+}
+
 /// `½ (σ₁ − σ₂)` of `[σ_x, σ_y, τ_xy]` \[MPa\].
 fn largest_shear([x, y, xy]: [f64; 3]) -> f64 {
     (0.5 * (x - y)).hypot(xy)
-}
-
-/// Natural coordinates of the places of a cell that are looked at, with the shape functions there.
-pub(super) fn grid(nodes: usize) -> Vec<([f64; 2], Vec<f64>)> {
-    let natural = |k: usize| 2.0 * k as f64 / PARTS as f64 - 1.0;
-    let all = (0..=PARTS).flat_map(|i| (0..=PARTS).map(move |j| [natural(i), natural(j)]));
-    all.map(|at| (at, shapes(nodes, at))).collect()
-}
-
-/// The largest of what is found around a place of a cell by its shape functions, by smaller and smaller steps; none
-/// where nothing is found at the place itself.
-pub(super) fn largest_around<T>(
-    nodes: usize,
-    mut at: [f64; 2],
-    found: impl Fn(&[f64]) -> Option<T>,
-    stress: impl Fn(&T) -> f64,
-) -> Option<T> {
-    let mut best = found(&shapes(nodes, at))?;
-    let mut step = 2.0 / PARTS as f64;
-    for _ in 0..HALVINGS {
-        step *= 0.5;
-        for (dx, dy) in [(-1.0, 0.0), (1.0, 0.0), (0.0, -1.0), (0.0, 1.0)] {
-            let next = [at[0] + dx * step, at[1] + dy * step].map(|x: f64| x.clamp(-1.0, 1.0));
-            if let Some(found) = found(&shapes(nodes, next)).filter(|found| stress(found) > stress(&best)) {
-                (at, best) = (next, found);
-            }
-        }
-    }
-    Some(best)
-}
-
-fn shapes(nodes: usize, at: [f64; 2]) -> Vec<f64> {
-    shape_functions::cell(nodes, at).into_iter().map(|(value, _)| value).collect()
 }

@@ -4,7 +4,7 @@ use std::collections::HashSet;
 
 use crate::elasticity::stress;
 use crate::error::Error;
-use crate::solve::shear::{NEAR, grid, largest_around};
+use crate::solve::largest::{NEAR, grid, largest_around};
 use crate::solve::without_limit::PRESSURE;
 use crate::solve::{Discretisation, Run, WithoutLimit};
 
