@@ -12,6 +12,9 @@
 //!
 //! Bodies of revolution have `θ = ε_r + ε_z + ε_θ`, m has a one for the hoop stress too, and t is `2πr`.
 //!
+//! In plane stress a body has the D of one in plane strain with `ν' = ν/(1 + ν)`, whose λ is `2μν/(1 − ν)`, and locks
+//! as ν tends to 1: the same holds there by ν', from ν = 0.538 on.
+//!
 //! Splitting λ as Arnold & Brezzi (1993) split the shear of plates makes the cells of ordinary materials the plain
 //! ones, and the answer a continuous function of ν: no threshold at which the cell changes.
 //!
@@ -21,7 +24,7 @@
 
 use crate::scene::{Material, PlaneHypothesis};
 
-/// Poisson's ratio up to which cells in plane strain are the plain ones.
+/// Poisson's ratio up to which cells in plane strain are the plain ones; `ν/(1 + ν)` in plane stress.
 ///
 /// It covers the usual metals. A larger value brings back some of the locking of 4-node cells: their error of p₀ in
 /// truncated Hertz at ν = 0.4999 is 0.15 % with 0.3, 0.25 % with 0.4.
@@ -32,19 +35,16 @@ pub const ORDINARY: f64 = 0.35;
 pub struct Split {
     /// `D₀` \[MPa\], on the strains at every point.
     pub plain: [[f64; 3]; 3],
-    /// `λ₁ ≥ 0` \[MPa\], on the smoothed dilatation; zero up to ν = 0.35 and in plane stress.
+    /// `λ₁ ≥ 0` \[MPa\], on the smoothed dilatation; zero up to ν = 0.35, in plane stress up to 0.538.
     pub excess: f64,
 }
 
 impl Split {
-    /// `λ₁ = max(λ − λ(0.35), 0)` in plane strain, with `λ = D₁₂` and `μ = D₃₃`.
+    /// `λ₁ = max(λ − λ(0.35), 0)`, with `λ = D₁₂` and `μ = D₃₃`.
     pub fn of(material: &Material, plane: PlaneHypothesis) -> Self {
         let mut plain = material.stiffness(plane);
         let ordinary = plain[2][2] * 2.0 * ORDINARY / (1.0 - 2.0 * ORDINARY);
-        let excess = match plane {
-            PlaneHypothesis::Stress => 0.0,
-            _ => (plain[0][1] - ordinary).max(0.0),
-        };
+        let excess = (plain[0][1] - ordinary).max(0.0);
         plain[..2].iter_mut().flat_map(|row| &mut row[..2]).for_each(|entry| *entry -= excess);
         Self { plain, excess }
     }
