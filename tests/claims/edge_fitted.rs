@@ -282,6 +282,33 @@ fn layered_meshes_keep_the_uniform_pressure_and_hang_together() {
 }
 
 #[test]
+fn a_whole_disc_that_touches_over_more_than_a_quarter_of_its_radius_is_fitted_as_its_half_is() {
+    // Beyond that it has no frames around the contact, and its right half has lines on the ends of both.
+    let disc = |part: &str, support: &str, both_sides: bool, weight: f64| {
+        let text = format!(
+            "plane = \"strain\"\nthickness = 1\n[[body]]\nname = \"disc\"\nyoung = 1000\npoisson = 0.3\n\
+             shape = {{ disc = {{ centre = [0, 50], radius = 50, {part} = true }} }}\n\
+             supports = [{{ at = {support}, component = \"x\" }}]\nloads = [{{ body-force = [0, {weight}] }}]\n\
+             [contact]\nfirst = \"disc\"\nboth-sides = {both_sides}\ngap = {{ circle = 50 }}\nstretch = 26\n\
+             [mesh]\nelements = 8\nper = 13\n"
+        );
+        solved(Fitted { order: Order::Quintic, layers: 1 }, &parsed(&text).scene)
+    };
+    for weight in [-0.371429, -0.45] {
+        let half = disc("half", "\"axis\"", false, weight);
+        let whole = disc("whole", "[0, 50]", true, weight);
+        let [[_, end]] = half.stretches[0][..] else { panic!("{:?}", half.stretches) };
+        let [[left, right]] = whole.stretches[0][..] else { panic!("{:?}", whole.stretches) };
+        assert!(end > 12.5, "{end}");
+        assert_relative_eq!(left, -right, max_relative = 1e-6);
+        assert_relative_eq!(right, end, max_relative = 1e-6);
+        // The lines may lie off the ends by 2e-3 of the half-width.
+        let [own, others] = [&whole, &half].map(|answer| answer.run.measures().peak.pressure);
+        assert_relative_eq!(own, others, max_relative = 1e-4);
+    }
+}
+
+#[test]
 fn columns_beyond_a_contact_on_both_sides_grow_from_its_last_cell_where_frames_have_no_room() {
     let mut scene = TruncatedHertz::default().scene();
     // Not as deep as half of the contact.

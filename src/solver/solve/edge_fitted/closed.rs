@@ -12,7 +12,7 @@ use crate::error::{self, Error};
 use crate::measure::stretch::is_at_line;
 use crate::measure::{Measures, Stretch, larger};
 use crate::mesh::{Order, Resolution};
-use crate::scene::{ContactPair, Ends, Grading, Scene};
+use crate::scene::{ContactPair, Ends, Grading, Scene, Shape};
 use crate::solution::{Part, PointState};
 use crate::solve::{Discretisation, Formulation, Permits};
 
@@ -55,9 +55,15 @@ impl Closed {
 
     /// Lays ends of two contacts of one body on one line that lie within so many half-widths of one another: a body
     /// through which one force goes has ends that differ by what the mesh leaves, and cells between two lines for them
-    /// would be as narrow.
+    /// would be as narrow. So are both ends of one contact below a round body, whose right half has lines on both.
     pub(super) fn join(&mut self, scene: &Scene, near: f64) {
         let pairs = &scene.contacts;
+        let is_round = |body: usize| matches!(scene.bodies[body].shape, Shape::Disc { .. } | Shape::Ring { .. });
+        for (pair, all) in pairs.iter().zip(&mut self.stretches) {
+            if pair.path.has_both_sides() && pair.bodies().any(is_round) {
+                mirror(all, near);
+            }
+        }
         for later in 1..pairs.len() {
             let (known, own) = self.stretches.split_at_mut(later);
             let share = |earlier: &usize| {
@@ -169,6 +175,19 @@ impl Closed {
                 one.end += end * half_width;
                 one.on_line = is_at_line(pair, one.begin);
             }
+        }
+    }
+}
+
+/// Puts ends on either side of s = 0 as far from it as one another, where they nearly are.
+fn mirror(all: &mut [Stretch], near: f64) {
+    for k in 0..all.len() {
+        let image = all.len() - 1 - k;
+        let [begin, end] = [all[k].begin, all[image].end];
+        let is_fixed = all[k].reaches[0] || all[image].reaches[1];
+        if !is_fixed && (begin + end).abs() <= near * all[k].half_width() {
+            let away = 0.5 * (end - begin);
+            (all[k].begin, all[image].end) = (-away, away);
         }
     }
 }
