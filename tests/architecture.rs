@@ -213,14 +213,14 @@ fn matrix_types_of_libraries_stay_inside_the_numerics() {
 
 /// Lines that a room may have; raised only by a commit that says what for.
 const BUDGETS: [(&str, usize); 9] = [
-    ("solver", 24_590),
+    ("solver", 24_713),
     ("drawing", 2_758),
     ("case", 8_358),
     ("oracle", 1_450),
-    ("study", 15_181),
-    ("referee", 8_189),
+    ("study", 15_183),
+    ("referee", 8_313),
     ("report", 3_190),
-    ("cli", 4_698),
+    ("cli", 4_715),
     ("live", 421),
 ];
 
