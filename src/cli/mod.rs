@@ -104,7 +104,8 @@ enum Command {
         "solve tests/cases/cylinder-on-block.toml --accuracy \"0.3 %\"",
     ]))]
     Solve(Box<solve::Arguments>),
-    /// Solve one case by all nine formulations, a line each, the fewest operations first; 3 where none of them converges.
+    /// Solve one case by all nine formulations, a line each, the fewest operations first; 3 where none of them
+    /// converges.
     #[command(after_help = examples(&[
         "compare cylinder",
         "compare mine.toml --json - --plot compared.svg",

@@ -114,8 +114,8 @@ impl Role {
         }
     }
 
-    /// What a unit of it is in ours; none where that is not known. `N/mm²`, `N / mm^2` and `N·mm⁻²` are `N/mm2`, `µm` is `um`,
-    /// `inch` is `in`; `MPA` and `Mpa` are `MPa`, but `mPa` is none of these.
+    /// What a unit of it is in ours; none where that is not known. `N/mm²`, `N / mm^2` and `N·mm⁻²` are `N/mm2`, `µm`
+    /// is `um`, `inch` is `in`; `MPA` and `Mpa` are `MPa`, but `mPa` is none of these.
     pub fn factor(self, unit: &str) -> Option<f64> {
         let plain = unit
             .replace(['^', '*', '·', ' '], "")

@@ -337,8 +337,8 @@ fn stress_of_a_fixed_block_is_quoted_with_the_corner_that_has_none() {
     let bush = |order: &str, elements: &str, end: &str| {
         let text = format!(
             "plane = \"strain\"\nthickness = 1\n[[body]]\nname = \"bush\"\nyoung = 70e3\npoisson = 0.33\nshape = {{ \
-            ring = {{ centre = [0, 0], inner = 20, outer = 60, sweep = {end}, contact = \"inner\" }} }}\nsupports = [{{ \
-            at = \"start\", component = \"x\" }}, {{ at = \"outer\", component = \"y\" }}]\n[[body]]\nname = \
+            ring = {{ centre = [0, 0], inner = 20, outer = 60, sweep = {end}, contact = \"inner\" }} }}\nsupports = \
+            [{{ at = \"start\", component = \"x\" }}, {{ at = \"outer\", component = \"y\" }}]\n[[body]]\nname = \
             \"pin\"\nyoung = 210e3\npoisson = 0.3\nshape = {{ disc = {{ centre = [0, 0], radius = 20 }} }}\nsupports \
             = [{{ at = \"axis\", component = \"x\" }}]\nloads = [{{ traction = {{ at = \"cut\", force = [0, -1000] }} \
             }}]\n[contact]\nfirst = \"pin\"\nsecond = \"bush\"\narc = {{ centre = [0, 0], radius = 20 }}\ngap = {{ \

@@ -13,7 +13,8 @@ pub struct Compared {
     pub dofs: usize,
     /// Normal degrees of freedom that the condensation retains.
     pub retained: usize,
-    /// Each formulation: those that converge by their operations, of equal ones by their error, then those that do not, then those that are refused.
+    /// Each formulation: those that converge by their operations, of equal ones by their error, then those that do
+    /// not, then those that are refused.
     pub formulations: Vec<Compares>,
 }
 

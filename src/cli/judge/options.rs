@@ -35,8 +35,8 @@ pub struct Arguments {
     #[arg(long, value_name = "ROLE=UNIT")]
     unit: Vec<String>,
     /// Order of the contact edges: 1, every point is a corner (unless the file says otherwise); 2, corners and
-    /// mid-sides by turns. Forces of which neither order nor areas are told have the order by which their pressures vary
-    /// less, which is said.
+    /// mid-sides by turns. Forces of which neither order nor areas are told have the order by which their pressures
+    /// vary less, which is said.
     #[arg(long, value_parser = choice(Order::TOLD))]
     order: Option<Order>,
     /// Contact that the answers are of, in a scene with several: the others are then not missed.
