@@ -357,8 +357,8 @@ pub fn recommendation(digests: &[Digest]) -> String {
         "Names are `element.algorithm.rule`: what is pressed, how its stiffness changes, and by which formula; `+` is \
         what the program adds to the paper's. From {points} runs over candidate surface, mesh, a body of revolution \
         and both paper scenes, {predicted} of them beside a prediction, {} of these on nodes, the only element of \
-        which predicted iterations are judged; a run *ends right* that converges with p₀ and a within {} % of the discrete \
-        solution:\n\n{}",
+        which predicted iterations are judged; a run *ends right* that converges with p₀ and a within {} % of the \
+        discrete solution:\n\n{}",
         of(&|digest| digest.method.element == Element::Node),
         100.0 * RIGHT,
         markdown::columns(&ADVICE, &rows)
