@@ -285,8 +285,8 @@ fn period(outcome: Outcome) -> f64 {
 /// Correction with varying stiffness on two bars, whose cycle can be predicted.
 ///
 /// With `w = u − p/s` and `max(k, k₀) = k₀` the rule is an affine map, `k⁺ = k (1 − k₀ g/(u s)) + k₀ (1 − g/u)`. Its
-/// fixed point repels once `k₀ > 2 u s/g`; k then falls to zero at every other iteration: a cycle of period 2. Equal bars
-/// of the length ℓ have `s ℓ/E* = 1`, so that the onset is `κ₀ = 2 u/g`.
+/// fixed point repels once `k₀ > 2 u s/g`; k then falls to zero at every other iteration: a cycle of period 2. Equal
+/// bars of the length ℓ have `s ℓ/E* = 1`, so that the onset is `κ₀ = 2 u/g`.
 pub(super) fn cycling() -> Result<Limit, Error> {
     let discretisation = meshed(Bars::default().scene(), 2, Order::Quadratic)?;
     let base = Formulation::new(Element::Node, Iteration::Varying).tolerance(1e-8);
